@@ -1,0 +1,75 @@
+// The memory map of a program: address spaces as byte arrays, and places in them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "transpiler/ir/op.h"
+#include "transpiler/ir/types.h"
+#include "transpiler/source/source.h"
+#include "transpiler/support/ids.h"
+
+namespace plcxx::ir {
+
+using SpaceId = support::Id<struct SpaceTag>;
+using PlaceId = support::Id<struct PlaceTag>;
+using StateId = support::Id<struct StateTag>;
+
+/// How long bytes live: one execution of a routine, until power-off, or beyond it.
+enum class Lifetime : uint8_t { kRoutine, kVolatile, kRetentive };
+enum class ByteOrder : uint8_t { kLittle, kBig };
+/// Who writes a stretch of a space, as the control's documentation draws it.
+enum class Direction : uint8_t { kInput, kOutput, kInternal };
+
+struct Zone {
+  uint32_t begin = 0;  // bytes, half open
+  uint32_t end = 0;
+  Direction direction = Direction::kInternal;
+};
+
+struct InitialByte {
+  uint32_t offset = 0;
+  uint8_t value = 0;
+};
+
+struct Space {
+  std::string name;   // "A", "K", "system"
+  std::string title;  // "package A: inputs and outputs of the machine"
+  uint32_t bytes = 0;
+  Lifetime lifetime = Lifetime::kVolatile;
+  ByteOrder order = ByteOrder::kLittle;
+  /// The host reads and writes any byte between two executions: no store may be dropped, no load may be folded.
+  bool host_visible = false;
+  std::vector<Zone> zones;
+  std::vector<InitialByte> initial;  // ascending; the rest is 0
+};
+
+constexpr uint8_t kNoBit = 0xFF;
+
+/// What load and store name: a bit, byte, word or double word of a space, or a field of a state instance.
+/// Two places may overlap, and two may be the same with different names: the address decides, never the name.
+struct Place {
+  std::string name;      // as generated code spells it before it is made safe for C++: "U4A8", "COOLANT", "T5U"
+  std::string address;   // as the source writes the address: "U4A8"; empty when it is the name
+  Type type = Type::kBit;
+  SpaceId space;         // of a memory place
+  uint32_t offset = 0;   // its first byte
+  uint8_t bit = kNoBit;  // 0..7 of that byte, when type is kBit
+  /// Indexed: the access is at offset + index * stride; an access that is not wholly inside [low, high) reads 0 and
+  /// writes nothing. The index is an i32 operand of the load or store, read as signed.
+  bool indexed = false;
+  uint32_t stride = 1, low = 0, high = 0;
+  StateId state;         // of a field place
+  uint8_t field = 0;     // index into Info(kind).fields
+
+  bool is_field() const { return state.valid(); }
+};
+
+/// A timer, counter, one-shot ... that the program uses.
+struct StateInstance {
+  StateKind kind{};
+  std::string name;  // "T5"
+};
+
+}  // namespace plcxx::ir
