@@ -3,7 +3,7 @@
 # by its folder's CMakeLists.txt and checked against tests/policy/layers.txt.
 
 add_library(plcxx_options INTERFACE)
-target_compile_options(plcxx_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+target_compile_options(plcxx_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers)
 target_include_directories(plcxx_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
 if(PLCXX_SANITIZE)
   target_compile_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

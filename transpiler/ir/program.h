@@ -173,6 +173,8 @@ struct Schedule {
   RoutineId period;           // everything that one period of the control does
   RoutineId fast_only;        // `run: {fast: n}`
   uint32_t period_ms = 10;
+  uint32_t slot_ms = 2;       // of each period, for the slow part; what automatic slicing divides by
+  bool slices_by_cost = false;  // the number of slices is to be found from the cost model
   PlaceId slow_done;          // i32, counts completed slow cycles
   HostFunctionId now;         // the host function that gives the time in ms
   HostFunctionId retentive_load, retentive_store;  // none when the dialect has no retentive memory

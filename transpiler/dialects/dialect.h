@@ -1,0 +1,116 @@
+// What the driver knows of a dialect: names, options, and the functions from source to IR.
+//
+// One Dialect object per dialect, listed in registry.cc. Everything a later phase needs is in the ir::Program that
+// Lower gives; the other functions serve the command line (printing phases, naming locations, simulating the control).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/diagnostics/lints.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::dialects {
+
+/// One `--set key=value`; the table of a dialect's options feeds --help, validation and scenario files.
+struct OptionInfo {
+  std::string_view key;
+  std::string_view values;         // "P,S in ms", "on|off", "file"
+  std::string_view default_value;  // as text; empty: none
+  std::string_view meaning;
+};
+
+/// Reads a file that an option or an include names; the place where it is named is the caller's to report.
+using FileLoader = std::function<std::variant<source::FileId, source::LoadError>(const std::string& path)>;
+
+struct Request {
+  source::SourceManager* sources = nullptr;
+  std::vector<source::FileId> files;           // the program, in the user's order
+  std::map<std::string, std::string> options;  // validated keys; values as written
+  FileLoader load;                             // paths of options, already relative to where the option stands
+  diag::Engine* diagnostics = nullptr;
+};
+
+/// What the compile report tells of the source.
+struct SourceSummary {
+  uint32_t lines = 0;
+  uint32_t statements = 0;
+};
+
+struct Lowered {
+  ir::Program program;
+  SourceSummary summary;
+};
+
+/// A place in a scenario or a watch list: memory, a field of an instance, or the operator's keyboard.
+struct Location {
+  ir::Place place;          // need not be one of the program's places; a field place names an instance of the program
+  bool text_input = false;  // `set` sends a text; nothing can be read
+  /// An instance that the program does not use: always 0, cannot be written. `place.type` still tells its type.
+  bool absent = false;
+};
+
+/// Reads and writes the bytes that a control exchanges with the PLC program.
+class ImagePort {
+ public:
+  virtual ~ImagePort() = default;
+  virtual uint8_t Get(ir::SpaceId space, uint32_t offset) const = 0;
+  virtual void Set(ir::SpaceId space, uint32_t offset, uint8_t value) = 0;
+  /// The control takes the retentive memory into its store.
+  virtual void StoreRetentive() = 0;
+};
+
+/// A simulated control that answers the program's requests.
+class ControlStub {
+ public:
+  virtual ~ControlStub() = default;
+  virtual void PowerOn(ImagePort& image) = 0;
+  /// Right before a period: what the control writes.
+  virtual void BeforePeriod(uint32_t now_ms, ImagePort& image) = 0;
+  /// Right after a period: what the control sees. `slow_cycles` counts completed slow cycles.
+  virtual void AfterPeriod(uint32_t now_ms, uint32_t slow_cycles, ImagePort& image) = 0;
+};
+
+enum class Budget : uint8_t { kFastUs, kSlowMs, kCodeKb };
+
+struct Dialect {
+  std::string_view name;                            // "nc110"
+  std::string_view title;                           // "Balt-System NC-110 ... NC-400"
+  std::span<const std::string_view> extensions;     // ".plc"
+  std::span<const OptionInfo> options;
+  source::LoadOptions load;                         // how its sources are read
+  /// Does the text look like this dialect? For sources without a telling extension.
+  bool (*recognize)(std::string_view text);
+  /// Reports a source that cannot be read, by the dialect's own code.
+  void (*report_load_error)(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics);
+  /// Checks keys and values without reading sources; reports what is wrong.
+  void (*check_options)(const std::map<std::string, std::string>& options, diag::Engine& diagnostics);
+  std::string (*print_tokens)(Request& request);
+  std::string (*print_syntax)(Request& request);
+  /// Parses and lowers. Always gives a program; it is only meaningful when nothing was reported as an error.
+  Lowered (*lower)(Request& request);
+  /// The location that a scenario names; none when the text is no location of this dialect.
+  std::optional<Location> (*locate)(const ir::Program& program, std::string_view text);
+  /// A value in the dialect's own spelling ("33H"); none when it is none.
+  std::optional<uint64_t> (*parse_value)(std::string_view text);
+  std::unique_ptr<ControlStub> (*make_stub)(const ir::Program& program, const std::map<std::string, std::string>& options);
+  /// Reports a part that costs more than the budget of its option; `options` holds the limits.
+  void (*report_over_budget)(Budget budget, uint64_t needed, uint64_t limit, source::FileId first, const source::SourceManager& sources,
+                             diag::Engine& diagnostics);
+  diag::Lints lints;  // the dialect's codes for the checks of checks/
+};
+
+/// All dialects, by name.
+std::span<const Dialect* const> AllDialects();
+const Dialect* DialectByName(std::string_view name);
+
+}  // namespace plcxx::dialects

@@ -1,0 +1,53 @@
+// One program being executed, by the simulator or as compiled code: what scenarios, traces and stubs drive.
+//
+// The caller owns time: it says at which millisecond each period runs. A period is the program's own `period`
+// routine (see ir/program.h), so no implementation knows a control.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+
+namespace plcxx::sim {
+
+/// A host call that is an event (not part of the regular exchange).
+struct HostEvent {
+  ir::HostFunctionId function;
+  std::vector<uint64_t> arguments;
+  bool operator==(const HostEvent&) const = default;
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// For messages: "simulator", "compiled".
+  virtual std::string_view name() const = 0;
+
+  /// Clears everything that is not retentive storage of the host, then runs init. Forces stay.
+  virtual void PowerOn() = 0;
+  virtual void RunPeriod(uint32_t now_ms) = 0;
+  virtual void RunFastOnly(uint32_t now_ms) = 0;
+
+  /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
+  virtual uint64_t Read(const ir::Place& place) = 0;
+  virtual void Write(const ir::Place& place, uint64_t value) = 0;
+  virtual void Force(const ir::Place& place, uint64_t value) = 0;
+  virtual void Release(const ir::Place& place) = 0;
+  virtual void SendText(std::string_view text) = 0;
+
+  /// Switches a statement off or on (a switched-off head of a block counts as a false condition).
+  virtual void EnableStatement(ir::StatementId statement, bool enabled) = 0;
+
+  /// The host takes the retentive memory into its store, as a control does at power-off.
+  virtual void StoreRetentive() = 0;
+  virtual std::vector<HostEvent> TakeEvents() = 0;
+
+  /// All bytes that decide the future: host-visible spaces in order, then the fields of all instances in order.
+  /// Equal programs in equal histories give equal snapshots, whatever executes them.
+  virtual std::vector<uint8_t> Snapshot() = 0;
+};
+
+}  // namespace plcxx::sim
