@@ -14,8 +14,9 @@ InstId Builder::Append(Inst inst) {
   return id;
 }
 
-ValueId Builder::Constant(Type type, uint64_t value) {
-  return Append({.op = OpKind::kConst, .type = type, .a = static_cast<uint32_t>(value), .b = static_cast<uint32_t>(value >> 32)});
+ValueId Builder::Constant(Type type, uint64_t value, uint32_t base) {
+  const auto low = static_cast<uint32_t>(value), high = static_cast<uint32_t>(value >> 32);
+  return Append({.op = OpKind::kConst, .type = type, .a = low, .b = high, .c = base});
 }
 
 ValueId Builder::Poison(Type type) { return Append({.op = OpKind::kPoison, .type = type, .a = 0, .b = 0}); }

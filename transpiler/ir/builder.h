@@ -23,7 +23,8 @@ class Builder {
   /// The range of all that follows, until the next call.
   void SetRange(source::Range range) { range_ = range; }
 
-  ValueId Constant(Type type, uint64_t value);
+  /// `base` is how the source spells it (10 or 16), so that generated code can spell it likewise.
+  ValueId Constant(Type type, uint64_t value, uint32_t base = 10);
   ValueId Bit(uint64_t value) { return Constant(Type::kBit, value & 1); }
   /// The value of an erroneous expression: a diagnostic has been given.
   ValueId Poison(Type type);

@@ -56,8 +56,8 @@ constexpr auto MakeFields() {
   };
   return std::to_array<Row>({
 #define PLCXX_STATE(...)
-#define PLCXX_FIELD(Kind, Field, FieldType) Row{StateKind::k##Kind, {#Field, FieldType, false}},
-#define PLCXX_HIDDEN(Kind, Field, FieldType) Row{StateKind::k##Kind, {#Field, FieldType, true}},
+#define PLCXX_FIELD(Kind, Field, FieldType) Row{StateKind::k##Kind, {#Field, FieldType, 1, false}},
+#define PLCXX_HIDDEN(Kind, Field, FieldType, Count) Row{StateKind::k##Kind, {#Field, FieldType, Count, true}},
 #include "transpiler/ir/states.def"
 #undef PLCXX_STATE
 #undef PLCXX_FIELD

@@ -62,6 +62,7 @@ uint32_t OpCount();
 struct FieldInfo {
   std::string_view name;
   Type type;
+  uint8_t count;  // more than 1: an array
   bool hidden;  // only the kind's own operations use it
 };
 struct StateInfo {

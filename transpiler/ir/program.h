@@ -34,7 +34,7 @@ using CallId = support::Id<struct CallTag>;
 /// One instruction. The words mean, by Shape of the operation:
 ///   kPure       a, b, c = operand values
 ///   kStep       payload = StateId; a, b, c = operand values
-///   kConst      a, b = low and high half of the value (type says how many bits count)
+///   kConst      a, b = low and high half of the value (type says how many bits count); c = base of its spelling
 ///   kLoad       payload = PlaceId; a = index value when the place is indexed
 ///   kStore      payload = PlaceId; a = stored value; b = index value when the place is indexed
 ///   kText       payload = StateId of a TextFlag; a = StateId of the TextInbox; b = TextId
