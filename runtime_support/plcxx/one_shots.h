@@ -1,0 +1,62 @@
+// The one-shot: a pulse of one slow cycle on the rising edge of its input.
+//
+// Implements NC110 7.3 to the letter. All zero is the state after power-on, so an input that is 1 from the start gives
+// a pulse. `fast` says which part started the pulse, and with it what `stamp` counts.
+// One one-shot driven in both parts (W350): pulse and previous input are shared, each statement follows the rule of its
+// own part. The fast part's "a running pulse is not touched" holds only for a pulse that the fast part started: only
+// then is `stamp` the target it speaks of. A pulse of the slow part therefore ends at the next fast statement, as it
+// would end at the next slow one, and a slow statement ends a pulse of the fast part.
+#pragma once
+
+#include <stdint.h>
+
+namespace plcxx {
+
+struct OneShot {
+  uint32_t stamp;  // slow part: the slow cycle of the start; fast part: the slow_done at which the pulse ends
+  bool pulse;      // Pnn
+  bool previous;   // the input at the last execution
+  bool fast;       // the part that started the pulse
+};
+
+/// True when `slow_done` has reached the target, by difference, so that both may wrap.
+constexpr bool ReachedSlowCycle(uint32_t slow_done, uint32_t target) noexcept {
+  return slow_done - target < 0x80000000U;
+}
+
+/// The statement in the slow part: the pulse lasts until the same statement in the next slow cycle.
+constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcept {
+  shot.pulse = input && !shot.previous;
+  shot.previous = input;
+  if (shot.pulse) {
+    shot.stamp = slow_cycle;
+    shot.fast = false;
+  }
+}
+
+/// The statement in the fast part: the pulse lasts until a complete slow cycle has been executed after its start, so
+/// that the slow part sees it everywhere. `slice` is the slice that the slow part executes next; not 0: a slow cycle is
+/// half done and does not count as a complete one.
+constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done, uint8_t slice) noexcept {
+  const bool running = shot.pulse && shot.fast && !ReachedSlowCycle(slow_done, shot.stamp);
+  if (!running) {
+    shot.pulse = input && !shot.previous;
+    if (shot.pulse) {
+      shot.stamp = slow_done + (slice != 0 ? 2U : 1U);
+      shot.fast = true;
+    }
+  }
+  shot.previous = input;
+}
+
+/// End of a slow cycle: a pulse started in the slow part ends when its statement was not executed in this cycle.
+constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
+  if (!shot.fast && shot.stamp != slow_cycle) shot.pulse = false;
+}
+
+/// End of an execution of the fast part: a pulse started there ends when its slow cycles are done.
+constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
+  if (shot.fast && ReachedSlowCycle(slow_done, shot.stamp)) shot.pulse = false;
+}
+
+}  // namespace plcxx

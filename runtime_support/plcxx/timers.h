@@ -1,0 +1,47 @@
+// The on-delay timer: its output follows its input after the input has been 1 for a preset time.
+//
+// Implements NC110 7.1 to the letter. All zero is the state after power-on.
+// Not its job: units (the caller passes the preset in milliseconds) and clocks (the caller passes the time, latched
+// once per period, so that all timers of a period agree).
+#pragma once
+
+#include <stdint.h>
+
+#include "plcxx/arith.h"
+
+namespace plcxx {
+
+struct OnDelayTimer {
+  uint32_t elapsed_ms;  // counted since the start; stops at the highest number
+  uint32_t last_ms;     // time of the last execution
+  bool input;           // TnnI
+  bool hold;            // TnnA, written by the program: 1 stops the counting
+  bool done;            // TnnU: the delay has elapsed and the input is still 1
+  bool timing;          // TnnD: started, not yet done
+};
+
+/// Steps the timer where its input statement stands. The time of a skipped statement is added at its next execution,
+/// unless the timer is held then. `now_ms` may wrap; two executions must be less than 2^32 ms apart.
+/// The preset may change at any time; once done, the timer stays done until the input is 0.
+constexpr void OnDelay(OnDelayTimer& timer, bool input, uint32_t preset_ms, uint32_t now_ms) noexcept {
+  if (!input) {
+    timer.input = false;
+    timer.done = false;
+    timer.timing = false;
+    timer.elapsed_ms = 0;
+  } else {
+    if (!timer.input) {
+      timer.input = true;
+      timer.elapsed_ms = 0;
+    } else if (!timer.hold) {
+      timer.elapsed_ms = AddSaturate32(timer.elapsed_ms, now_ms - timer.last_ms);
+    }
+    if (!timer.done) {
+      timer.done = timer.elapsed_ms >= preset_ms;
+      timer.timing = !timer.done;
+    }
+  }
+  timer.last_ms = now_ms;
+}
+
+}  // namespace plcxx
