@@ -74,6 +74,13 @@ constexpr bool SignBit8(uint8_t value) noexcept { return value > 0x7F; }
 /// Bit `bit` of the word, 0 being the lowest; false for a bit that the word does not have.
 constexpr bool TestBit8(uint8_t value, unsigned bit) noexcept { return bit <= 7 && ((value >> bit) & 1) != 0; }
 
+/// The word with every bit of `mask` set to `value`, the others as they were; without a branch.
+constexpr uint8_t WithBits8(uint8_t word, uint8_t mask, bool value) noexcept {
+  const unsigned all = 0U - static_cast<unsigned>(value);
+  return static_cast<uint8_t>((word & ~unsigned{mask}) | (all & mask));
+}) | ones);
+}
+
 /// A 16-bit parameter from its two words.
 constexpr uint16_t Pair16(uint8_t low, uint8_t high) noexcept { return static_cast<uint16_t>((high << 8) | low); }
 

@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "plcxx/bits.h"
+
 namespace plcxx {
 
 /// The forced bits of one byte: where `mask` is 1, the bit has the value that `value` has there. All zero: none.
@@ -31,7 +33,7 @@ class ForcedBitRef {
   [[gnu::pure, gnu::always_inline]] constexpr operator bool() const noexcept { return (byte_ & mask_) != 0; }
 
   [[gnu::always_inline]] constexpr ForcedBitRef& operator=(bool value) noexcept {
-    byte_ = ApplyForce(static_cast<uint8_t>(value ? byte_ | mask_ : byte_ & ~mask_), force_);
+    byte_ = ApplyForce(WithBits8(byte_, mask_, value), force_);
     return *this;
   }
   /// m[A] = m[B] assigns the bit, never the reference.

@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include "plcxx/bits.h"
+
 namespace plcxx {
 
 /// Tag of bit `bit` (0..7) of byte `byte` of a block of memory.
@@ -31,7 +33,7 @@ class PackedBitRef {
   [[gnu::pure, gnu::always_inline]] constexpr operator bool() const noexcept { return (byte_ & mask_) != 0; }
 
   [[gnu::always_inline]] constexpr PackedBitRef& operator=(bool value) noexcept {
-    byte_ = static_cast<uint8_t>(value ? byte_ | mask_ : byte_ & ~mask_);
+    byte_ = WithBits8(byte_, mask_, value);
     return *this;
   }
   /// m[A] = m[B] assigns the bit, never the reference.
