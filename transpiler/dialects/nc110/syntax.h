@@ -167,8 +167,8 @@ enum class ItemKind : uint8_t { kError, kCycleMark, kAssignment, kBlockHead, kBl
 struct Item {
   ItemKind kind = ItemKind::kError;
   bool faulty = false;         // an error was reported inside: say nothing more about it
-  uint16_t comment_count = 0;  // comments[first_comment ...]: leading, inside and trailing ones, in order
-  uint32_t first_comment = 0;
+  uint32_t first_comment = 0;  // comments[first_comment ...]: leading, inside and trailing ones, in order
+  uint32_t comment_count = 0;
   source::Range range;           // first to last token; a head up to the end of its condition; '$' without its remark
   uint32_t detail = 0xFFFFFFFF;  // index into the store of its kind
 

@@ -1,0 +1,348 @@
+#include "transpiler/dialects/nc110/lexer.h"
+
+namespace plcxx::nc110 {
+namespace {
+
+constexpr bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
+constexpr bool IsLineEnd(char c) { return c == '\n' || c == '\r'; }
+constexpr bool IsAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+constexpr bool IsRunCharacter(char c) { return IsLetter(c) || IsDigit(c); }
+
+TokenKind Punctuation(char c) {
+  switch (c) {
+    case '=':
+      return TokenKind::kAssign;
+    case '*':
+      return TokenKind::kStar;
+    case '+':
+      return TokenKind::kPlus;
+    case '&':
+      return TokenKind::kAmpersand;
+    case '-':
+      return TokenKind::kMinus;
+    case '/':
+      return TokenKind::kSlash;
+    case '<':
+      return TokenKind::kLess;
+    case '>':
+      return TokenKind::kGreater;
+    case '(':
+      return TokenKind::kOpenParenthesis;
+    case ')':
+      return TokenKind::kCloseParenthesis;
+    case '[':
+      return TokenKind::kOpenBracket;
+    case ']':
+      return TokenKind::kCloseBracket;
+    case ',':
+      return TokenKind::kComma;
+    case ':':
+      return TokenKind::kColon;
+    default:
+      return TokenKind::kBad;
+  }
+}
+
+/// A character that begins nothing: alone it is error 10.
+bool IsIllegal(char c) {
+  return IsAscii(c) && !IsRunCharacter(c) && !IsBlank(c) && !IsLineEnd(c) && c != ';' && c != '$' && c != '!' &&
+         c != '"' && Punctuation(c) == TokenKind::kBad;
+}
+
+class Lexer {
+ public:
+  Lexer(const source::File& file, Homoglyphs homoglyphs, diag::Engine& diagnostics)
+      : text_(file.text), base_(file.base), diagnostics_(diagnostics), homoglyphs_(homoglyphs, diagnostics) {}
+
+  LexedFile Run() {
+    result_.tokens.reserve(text_.size() / 3 + 1);
+    while (at_ < text_.size()) {
+      Next();
+    }
+    Add(TokenKind::kEndOfFile, at_);
+    return std::move(result_);
+  }
+
+ private:
+  char Peek(size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\n'; }
+  bool AtLineEnd() const { return IsLineEnd(Peek()); }
+  source::Range RangeFrom(size_t begin) const {
+    return {base_ + static_cast<source::Offset>(begin), base_ + static_cast<source::Offset>(at_)};
+  }
+
+  Token& Add(TokenKind kind, size_t begin) {
+    Token token;
+    token.kind = kind;
+    token.first_on_line = line_is_fresh_;
+    token.range = RangeFrom(begin);
+    line_is_fresh_ = false;
+    line_ends_ = 0;
+    result_.tokens.push_back(token);
+    return result_.tokens.back();
+  }
+
+  void Next() {
+    const char c = text_[at_];
+    if (IsBlank(c)) {
+      ++at_;
+    } else if (IsLineEnd(c)) {
+      at_ += c == '\r' && Peek(1) == '\n' ? 2 : 1;
+      line_is_fresh_ = true;
+      ++line_ends_;
+    } else if (IsRunCharacter(c)) {
+      LexRun();
+    } else if (c == ';') {
+      LexComment(at_);
+    } else if (c == '$') {
+      ++at_;
+      Add(TokenKind::kCycleMark, at_ - 1);
+      SkipBlanks();
+      if (!AtLineEnd()) {
+        LexComment(at_);
+      }
+    } else if (c == '!') {
+      LexSymbol();
+    } else if (c == '"') {
+      LexAscii();
+    } else if (!IsAscii(c)) {
+      LexRun();
+    } else if (IsIllegal(c)) {
+      LexIllegal();
+    } else {
+      ++at_;
+      Add(Punctuation(c), at_ - 1);
+    }
+  }
+
+  void SkipBlanks() {
+    while (at_ < text_.size() && IsBlank(text_[at_])) {
+      ++at_;
+    }
+  }
+
+  void SkipToLineEnd() {
+    while (!AtLineEnd()) {
+      ++at_;
+    }
+  }
+
+  void LexComment(size_t begin) {
+    SkipToLineEnd();
+    Comment comment;
+    comment.range = RangeFrom(begin);
+    while (comment.range.end > comment.range.begin + 1 && IsBlank(text_[comment.range.end - base_ - 1])) {
+      --comment.range.end;
+    }
+    comment.place = line_is_fresh_ ? CommentPlace::kLeading : CommentPlace::kTrailing;
+    // The line end of what stands above counts too, so two of them make a blank line.
+    comment.blank_line_before = line_ends_ >= 2 && !(result_.tokens.empty() && result_.comments.empty());
+    line_ends_ = 0;
+    result_.comments.push_back(comment);
+  }
+
+  void LexIllegal() {
+    const size_t begin = at_;
+    const CodePoint point = FirstCodePoint(text_.substr(at_));
+    while (at_ < text_.size() && (IsIllegal(text_[at_]) || !IsAscii(text_[at_]))) {
+      ++at_;
+    }
+    const source::Range range = RangeFrom(begin);
+    diagnostics_.Report({range.begin, range.begin + point.length}, diag::Nc110UnknownCharacter,
+                        Picture(text_.substr(begin), point), CodePointName(point.value));
+    Add(TokenKind::kBad, begin).faulty = true;
+  }
+
+  void LexRun() {
+    const size_t begin = at_;
+    bool lower = false;
+    bool foreign = false;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (!IsAscii(c)) {
+        foreign = true;
+      } else if (!IsRunCharacter(c)) {
+        break;
+      }
+      lower = lower || (c >= 'a' && c <= 'z');
+    }
+    std::string mapped;
+    HomoglyphReader::Outcome outcome = HomoglyphReader::Outcome::kMapped;
+    std::string_view run = text_.substr(begin, at_ - begin);
+    if (foreign) {
+      outcome = homoglyphs_.Read(run, RangeFrom(begin).begin, mapped);
+      if (mapped.empty()) {
+        Add(TokenKind::kBad, begin).faulty = true;
+        return;
+      }
+      run = mapped;
+    }
+    const Word word = Classify(run);
+    TokenKind kind = word.kind;
+    if (kind == TokenKind::kEnd) {
+      kind = JoinEnd(lower);
+    }
+    Token& token = Add(kind, begin);
+    token.function = word.function;
+    token.lower_case = lower;
+    token.faulty = outcome == HomoglyphReader::Outcome::kReported;
+    if (foreign) {
+      token.mapped = true;
+      result_.mapped[token.range.begin] = mapped;
+    }
+    if (kind == TokenKind::kMsg) {
+      LexMsgTail();
+    }
+  }
+
+  /// END F, END E, END W on one line are one word.
+  TokenKind JoinEnd(bool& lower) {
+    size_t letter = at_;
+    while (letter < text_.size() && IsBlank(text_[letter])) {
+      ++letter;
+    }
+    if (letter >= text_.size() ||
+        (letter + 1 < text_.size() && (IsRunCharacter(text_[letter + 1]) || !IsAscii(text_[letter + 1])))) {
+      return TokenKind::kEnd;
+    }
+    TokenKind kind = TokenKind::kEnd;
+    switch (Upper(text_[letter])) {
+      case 'F':
+        kind = TokenKind::kEndf;
+        break;
+      case 'E':
+        kind = TokenKind::kEnde;
+        break;
+      case 'W':
+        kind = TokenKind::kEndw;
+        break;
+      default:
+        return kind;
+    }
+    lower = lower || text_[letter] >= 'a';
+    at_ = letter + 1;
+    return kind;
+  }
+
+  void LexSymbol() {
+    const size_t begin = at_++;
+    bool foreign = false;
+    while (at_ < text_.size() && (IsNameCharacter(text_[at_]) || !IsAscii(text_[at_]))) {
+      foreign = foreign || !IsAscii(text_[at_]);
+      ++at_;
+    }
+    const std::string_view name = text_.substr(begin + 1, at_ - begin - 1);
+    if (name.empty()) {
+      diagnostics_.Report(RangeFrom(begin), diag::Nc110SymbolEmpty);
+      Add(TokenKind::kSymbol, begin).faulty = true;
+      return;
+    }
+    bool faulty = false;
+    std::string mapped;
+    if (foreign) {
+      faulty = homoglyphs_.Read(name, RangeFrom(begin + 1).begin, mapped) == HomoglyphReader::Outcome::kReported;
+    } else if (name.size() > 127) {
+      diagnostics_.Report(RangeFrom(begin), diag::Nc110SymbolTooLong, static_cast<diag::Number>(name.size()));
+      faulty = true;
+    }
+    Token& token = Add(TokenKind::kSymbol, begin);
+    token.faulty = faulty;
+    if (foreign && !mapped.empty()) {
+      token.mapped = true;
+      result_.mapped[token.range.begin] = "!" + mapped;
+    }
+  }
+
+  /// The closing quote or, reported, the line end.
+  bool SkipQuoted(size_t begin) {
+    ++at_;
+    while (!AtLineEnd() && text_[at_] != '"') {
+      ++at_;
+    }
+    if (AtLineEnd()) {
+      diagnostics_.Report({RangeFrom(begin).begin, RangeFrom(begin).begin + 1}, diag::Nc110AsciiQuote);
+      return false;
+    }
+    ++at_;
+    return true;
+  }
+
+  void LexAscii() {
+    const size_t begin = at_;
+    bool faulty = !SkipQuoted(begin);
+    if (!faulty) {
+      faulty = ReportLiteral(text_.substr(begin + 1, at_ - begin - 2), begin);
+    }
+    Add(TokenKind::kAscii, begin).faulty = faulty;
+  }
+
+  bool ReportLiteral(std::string_view literal, size_t begin) {
+    if (literal.empty()) {
+      diagnostics_.Report(RangeFrom(begin), diag::Nc110AsciiEmpty);
+      return true;
+    }
+    for (size_t i = 0; i < literal.size(); ++i) {
+      if (literal[i] < 0x20 || literal[i] > 0x7E) {
+        const CodePoint point = FirstCodePoint(literal.substr(i));
+        const source::Offset place = base_ + static_cast<source::Offset>(begin + 1 + i);
+        diagnostics_.Report({place, place + point.length}, diag::Nc110AsciiCharacter, Picture(literal.substr(i), point),
+                            CodePointName(point.value));
+        return true;
+      }
+    }
+    if (literal.size() > 32) {
+      diagnostics_.Report(RangeFrom(begin), diag::Nc110AsciiTooLong, static_cast<diag::Number>(literal.size()));
+      return true;
+    }
+    return false;
+  }
+
+  /// MSG number [=] text: the text is anything, so only the lexer can tell where it ends.
+  void LexMsgTail() {
+    SkipBlanks();
+    if (IsDigit(Peek())) {
+      LexRun();
+      SkipBlanks();
+      if (Peek() == '=') {
+        ++at_;
+        Add(TokenKind::kAssign, at_ - 1);
+        SkipBlanks();
+      }
+    }
+    if (AtLineEnd() || Peek() == ';') {
+      return;
+    }
+    const size_t begin = at_;
+    if (Peek() == '"') {
+      const bool closed = SkipQuoted(begin);
+      Add(TokenKind::kMsgText, begin).faulty = !closed;
+      return;
+    }
+    while (!AtLineEnd() && text_[at_] != ';') {
+      ++at_;
+    }
+    const size_t end = at_;
+    while (IsBlank(text_[at_ - 1])) {
+      --at_;
+    }
+    Add(TokenKind::kMsgText, begin);
+    at_ = end;
+  }
+
+  std::string_view text_;
+  source::Offset base_;
+  diag::Engine& diagnostics_;
+  HomoglyphReader homoglyphs_;
+  LexedFile result_;
+  size_t at_ = 0;
+  bool line_is_fresh_ = true;
+  uint32_t line_ends_ = 0;  // since the last token or comment
+};
+
+}  // namespace
+
+LexedFile Lex(const source::SourceManager& sources, source::FileId file, Homoglyphs homoglyphs,
+              diag::Engine& diagnostics) {
+  return Lexer(sources.Get(file), homoglyphs, diagnostics).Run();
+}
+
+}  // namespace plcxx::nc110

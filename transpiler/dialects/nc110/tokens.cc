@@ -1,0 +1,384 @@
+#include "transpiler/dialects/nc110/tokens.h"
+
+#include <array>
+#include <bit>
+
+namespace plcxx::nc110 {
+namespace {
+
+constexpr std::array<std::string_view, 10> kFunctionNames = {"DEC", "ENC", "BIN", "BCD", "LOW",
+                                                             "HIG", "XCH", "ABS", "SGN", "MUX"};
+
+bool Same(std::string_view run, std::string_view capitals) {
+  if (run.size() != capitals.size()) {
+    return false;
+  }
+  for (size_t i = 0; i < run.size(); ++i) {
+    if (Upper(run[i]) != capitals[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Reads a run from left to right by the fields of an operand.
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view run) : run_(run) {}
+
+  bool Digits(size_t max_digits, uint32_t& value) {
+    const size_t begin = position_;
+    value = 0;
+    while (position_ < run_.size() && IsDigit(run_[position_])) {
+      value = value * 10 + static_cast<uint32_t>(run_[position_++] - '0');
+      if (position_ - begin > max_digits) {
+        return false;
+      }
+    }
+    return position_ > begin;
+  }
+  char Letter() { return position_ < run_.size() ? Upper(run_[position_++]) : '\0'; }
+  bool AtEnd() const { return position_ == run_.size(); }
+
+ private:
+  std::string_view run_;
+  size_t position_ = 1;
+};
+
+bool ToPackage(char letter, Package& package) {
+  switch (letter) {
+    case 'A':
+      package = Package::kA;
+      return true;
+    case 'K':
+      package = Package::kK;
+      return true;
+    case 'N':
+      package = Package::kN;
+      return true;
+    case 'T':
+      package = Package::kT;
+      return true;
+    default:
+      return false;
+  }
+}
+
+Decoded DecodeMemory(OperandKind kind, FieldReader fields) {
+  Decoded result;
+  uint32_t connector = 0;
+  uint32_t index = 0;
+  if (!fields.Digits(3, connector) || !ToPackage(fields.Letter(), result.operand.package)) {
+    return result;
+  }
+  const bool word = kind == OperandKind::kWord;
+  if (fields.AtEnd()) {
+    result.fault = word ? OperandFault::kWordIndexMissing : OperandFault::kBitMissing;
+    return result;
+  }
+  if (!fields.Digits(2, index) || !fields.AtEnd()) {
+    return result;
+  }
+  result.operand.kind = kind;
+  result.operand.number = static_cast<uint16_t>(connector);
+  result.operand.index = static_cast<uint8_t>(index);
+  if (connector > ConnectorLimit(result.operand.package)) {
+    result.fault = OperandFault::kConnector;
+    result.found = connector;
+  } else if (index > (word ? 3u : 31u)) {
+    result.fault = word ? OperandFault::kWordIndex : OperandFault::kBit;
+    result.found = index;
+  } else {
+    result.fault = OperandFault::kNone;
+  }
+  return result;
+}
+
+OperandKind TimerSignal(char letter) {
+  switch (letter) {
+    case 'I':
+      return OperandKind::kTimerInput;
+    case 'A':
+      return OperandKind::kTimerHold;
+    case 'U':
+      return OperandKind::kTimerElapsed;
+    case 'D':
+      return OperandKind::kTimerRunning;
+    default:
+      return OperandKind::kNone;
+  }
+}
+
+OperandKind CounterSignal(char letter) {
+  switch (letter) {
+    case 'I':
+      return OperandKind::kCounterInput;
+    case 'R':
+      return OperandKind::kCounterCarry;
+    case 'Z':
+      return OperandKind::kCounterReset;
+    case 'A':
+      return OperandKind::kCounterDown;
+    case 'W':
+      return OperandKind::kCounterValue;
+    default:
+      return OperandKind::kNone;
+  }
+}
+
+Decoded DecodeNumbered(OperandKind kind, uint32_t number, uint32_t limit, OperandFault fault) {
+  Decoded result;
+  if (kind != OperandKind::kNone) {
+    result.operand.kind = kind;
+    result.operand.number = static_cast<uint16_t>(number);
+    result.fault = number > limit ? fault : OperandFault::kNone;
+    result.found = number;
+  }
+  return result;
+}
+
+bool IsHexDigit(char c) { return IsDigit(c) || (Upper(c) >= 'A' && Upper(c) <= 'F'); }
+
+uint32_t DigitValue(char c) { return static_cast<uint32_t>(IsDigit(c) ? c - '0' : Upper(c) - 'A' + 10); }
+
+}  // namespace
+
+std::string_view Name(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::kEndOfFile:
+      return "end";
+    case TokenKind::kOperand:
+      return "operand";
+    case TokenKind::kRun:
+      return "unknown";
+    case TokenKind::kNumber:
+      return "number";
+    case TokenKind::kSymbol:
+      return "symbol";
+    case TokenKind::kFunction:
+      return "function";
+    case TokenKind::kDof:
+    case TokenKind::kDoe:
+    case TokenKind::kDow:
+    case TokenKind::kEndf:
+    case TokenKind::kEnde:
+    case TokenKind::kEndw:
+    case TokenKind::kEnd:
+    case TokenKind::kMsg:
+      return "keyword";
+    case TokenKind::kMsgText:
+      return "text";
+    case TokenKind::kAscii:
+      return "ascii";
+    case TokenKind::kCycleMark:
+      return "cycle-mark";
+    case TokenKind::kAssign:
+    case TokenKind::kStar:
+    case TokenKind::kPlus:
+    case TokenKind::kAmpersand:
+    case TokenKind::kMinus:
+    case TokenKind::kSlash:
+    case TokenKind::kLess:
+    case TokenKind::kGreater:
+      return "operator";
+    case TokenKind::kOpenParenthesis:
+    case TokenKind::kCloseParenthesis:
+    case TokenKind::kOpenBracket:
+    case TokenKind::kCloseBracket:
+    case TokenKind::kComma:
+    case TokenKind::kColon:
+      return "punctuation";
+    case TokenKind::kBad:
+      return "bad";
+  }
+  PLCXX_UNREACHABLE();
+}
+
+std::string_view Name(Function function) { return kFunctionNames[static_cast<size_t>(function)]; }
+
+ExprKind ExprKindOf(Function function) {
+  switch (function) {
+    case Function::kDec:
+      return ExprKind::kDec;
+    case Function::kEnc:
+      return ExprKind::kEnc;
+    case Function::kBin:
+      return ExprKind::kBin;
+    case Function::kBcd:
+      return ExprKind::kBcd;
+    case Function::kLow:
+      return ExprKind::kLow;
+    case Function::kHig:
+      return ExprKind::kHig;
+    case Function::kXch:
+      return ExprKind::kXch;
+    case Function::kAbs:
+      return ExprKind::kAbs;
+    case Function::kSgn:
+      return ExprKind::kSgn;
+    case Function::kMux:
+      break;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+Word Classify(std::string_view run) {
+  if (IsDigit(run[0])) {
+    return {TokenKind::kNumber};
+  }
+  if (run.size() == 3) {
+    for (size_t i = 0; i < kFunctionNames.size(); ++i) {
+      if (Same(run, kFunctionNames[i])) {
+        return {TokenKind::kFunction, static_cast<Function>(i)};
+      }
+    }
+    struct Keyword {
+      std::string_view name;
+      TokenKind kind;
+    };
+    for (const Keyword& keyword :
+         {Keyword{"DOF", TokenKind::kDof}, Keyword{"DOE", TokenKind::kDoe}, Keyword{"DOW", TokenKind::kDow},
+          Keyword{"END", TokenKind::kEnd}, Keyword{"MSG", TokenKind::kMsg}}) {
+      if (Same(run, keyword.name)) {
+        return {keyword.kind};
+      }
+    }
+  } else if (run.size() == 4 && Same(run.substr(0, 3), "END")) {
+    switch (Upper(run[3])) {
+      case 'F':
+        return {TokenKind::kEndf};
+      case 'E':
+        return {TokenKind::kEnde};
+      case 'W':
+        return {TokenKind::kEndw};
+      default:
+        break;
+    }
+  }
+  const OperandFault fault = Decode(run).fault;
+  const bool shaped =
+      fault != OperandFault::kUnknown && fault != OperandFault::kBitMissing && fault != OperandFault::kWordIndexMissing;
+  return {shaped ? TokenKind::kOperand : TokenKind::kRun};
+}
+
+bool IsBlockWord(TokenKind kind) { return kind >= TokenKind::kDof && kind <= TokenKind::kEndw; }
+
+bool IsKeyword(TokenKind kind) { return kind >= TokenKind::kFunction && kind <= TokenKind::kMsg; }
+
+Decoded Decode(std::string_view run) {
+  FieldReader fields(run);
+  uint32_t number = 0;
+  switch (Upper(run[0])) {
+    case 'I':
+      return DecodeMemory(OperandKind::kInput, fields);
+    case 'U':
+      return DecodeMemory(OperandKind::kOutput, fields);
+    case 'W':
+      return DecodeMemory(OperandKind::kWord, fields);
+    case 'T':
+      if (fields.Digits(3, number)) {
+        const OperandKind kind = TimerSignal(fields.Letter());
+        if (fields.AtEnd()) {
+          return DecodeNumbered(kind, number, 254, OperandFault::kTimer);
+        }
+      }
+      return {};
+    case 'C':
+      if (fields.Digits(3, number)) {
+        const OperandKind kind = CounterSignal(fields.Letter());
+        if (fields.AtEnd()) {
+          return DecodeNumbered(kind, number, 99, OperandFault::kCounter);
+        }
+      }
+      return {};
+    case 'P':
+      if (fields.Digits(3, number) && fields.AtEnd()) {
+        return DecodeNumbered(OperandKind::kOneShot, number, 99, OperandFault::kOneShot);
+      }
+      return {};
+    default:
+      return {};
+  }
+}
+
+uint32_t ConnectorLimit(Package package) {
+  switch (package) {
+    case Package::kA:
+      return 31;
+    case Package::kK:
+    case Package::kN:
+      return 255;
+    case Package::kT:
+      return 15;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+Number Evaluate(std::string_view run) {
+  constexpr uint32_t kSaturated = 1'000'000;
+  uint32_t base = 10;
+  std::string_view digits = run;
+  const char last = Upper(run.back());
+  if (last == 'H' || last == 'O' || last == 'D') {
+    digits.remove_suffix(1);
+    base = last == 'H' ? 16 : last == 'O' ? 8 : 10;
+  }
+  Number result;
+  if (digits.empty()) {
+    return result;
+  }
+  for (const char c : digits) {
+    if (!IsHexDigit(c) || DigitValue(c) >= base) {
+      return result;
+    }
+    result.value = result.value * base + DigitValue(c);
+    result.value = result.value > kSaturated ? kSaturated : result.value;
+  }
+  result.well_formed = true;
+  return result;
+}
+
+std::string LookAlike(std::string_view run) {
+  constexpr size_t kLongestOperand = 8;
+  if (run.size() > kLongestOperand) {
+    return {};
+  }
+  std::string best;
+  int best_changes = 100;
+  for (uint32_t choice = 1; choice < (1u << run.size()); ++choice) {
+    std::string candidate(run);
+    bool changed_all = true;
+    for (size_t i = 0; i < run.size() && changed_all; ++i) {
+      if ((choice >> i & 1) == 0) {
+        continue;
+      }
+      switch (Upper(run[i])) {
+        case 'O':
+          candidate[i] = '0';
+          break;
+        case '0':
+          candidate[i] = 'O';
+          break;
+        case 'I':
+          candidate[i] = '1';
+          break;
+        case '1':
+          candidate[i] = 'I';
+          break;
+        default:
+          changed_all = false;
+      }
+    }
+    const int changes = std::popcount(choice);
+    if (!changed_all || changes >= best_changes || !IsLetter(candidate[0])) {
+      continue;
+    }
+    if (IsBlockWord(Classify(candidate).kind) || Decode(candidate).fault == OperandFault::kNone) {
+      best = candidate;
+      best_changes = changes;
+    }
+  }
+  return best;
+}
+
+}  // namespace plcxx::nc110

@@ -1,0 +1,110 @@
+// The words of dialect nc110 (specification 2.4, 2.5): what a run of letters and digits is.
+//
+// In: the text of one run. Out: its kind, the operand or the number it spells, or the field that is wrong.
+// Not its job: places in files, diagnostics, symbols.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "transpiler/dialects/nc110/syntax.h"
+
+namespace plcxx::nc110 {
+
+enum class TokenKind : uint8_t {
+  kEndOfFile,
+  kOperand,   // a run of the shape of an operand; its numbers may be out of range
+  kRun,       // any other run that starts with a letter
+  kNumber,    // a run that starts with a digit, well formed or not
+  kSymbol,    // '!' and a name
+  kFunction,  // Token::function
+  kDof,
+  kDoe,
+  kDow,
+  kEndf,  // also "END F"
+  kEnde,
+  kEndw,
+  kEnd,  // END alone: a keyword without a use
+  kMsg,
+  kMsgText,  // the rest of a MSG declaration, quoted or raw
+  kAscii,    // with its quotes
+  kCycleMark,
+  kAssign,  // '=', also the comparison
+  kStar,
+  kPlus,
+  kAmpersand,
+  kMinus,
+  kSlash,
+  kLess,
+  kGreater,
+  kOpenParenthesis,
+  kCloseParenthesis,
+  kOpenBracket,
+  kCloseBracket,
+  kComma,
+  kColon,
+  kBad,  // unknown characters, reported
+};
+
+/// "operand", "'='": for `print tokens`.
+std::string_view Name(TokenKind kind);
+
+enum class Function : uint8_t { kDec, kEnc, kBin, kBcd, kLow, kHig, kXch, kAbs, kSgn, kMux };
+
+std::string_view Name(Function function);
+/// kMux has none.
+ExprKind ExprKindOf(Function function);
+
+struct Word {
+  TokenKind kind = TokenKind::kRun;
+  Function function = Function::kDec;  // kFunction only
+};
+
+/// What a run is; capitals and small letters are not told apart.
+Word Classify(std::string_view run);
+
+bool IsBlockWord(TokenKind kind);
+/// Functions, block words, DOW, ENDW, END, MSG: no block names.
+bool IsKeyword(TokenKind kind);
+
+enum class OperandFault : uint8_t {
+  kNone,
+  kUnknown,
+  kConnector,
+  kBit,
+  kBitMissing,
+  kWordIndex,
+  kWordIndexMissing,
+  kTimer,
+  kCounter,
+  kOneShot,
+};
+
+struct Decoded {
+  Operand operand;  // meaningful without a fault
+  OperandFault fault = OperandFault::kUnknown;
+  uint32_t found = 0;  // the number out of range
+};
+
+/// Leading zeros do not count: "I00A20" is I0A20.
+Decoded Decode(std::string_view run);
+
+uint32_t ConnectorLimit(Package package);
+
+struct Number {
+  bool well_formed = false;
+  uint32_t value = 0;  // stops at 1,000,000: the ranges are far below
+};
+
+/// 45, 45D, 55O, 2DH; applied to the whole run.
+Number Evaluate(std::string_view run);
+
+/// The operand or block word that `run` becomes when O and 0, I and 1 are exchanged where needed; empty: none.
+std::string LookAlike(std::string_view run);
+
+constexpr char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace plcxx::nc110
