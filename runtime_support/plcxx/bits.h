@@ -78,7 +78,6 @@ constexpr bool TestBit8(uint8_t value, unsigned bit) noexcept { return bit <= 7 
 constexpr uint8_t WithBits8(uint8_t word, uint8_t mask, bool value) noexcept {
   const unsigned all = 0U - static_cast<unsigned>(value);
   return static_cast<uint8_t>((word & ~unsigned{mask}) | (all & mask));
-}) | ones);
 }
 
 /// A 16-bit parameter from its two words.

@@ -1,0 +1,32 @@
+// The storage of a program's State: tags into the retentive block, clearing, message tables.
+//
+// Generated headers include it. Not its job: what is stored where; the generated header says that.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "plcxx/tags.h"
+
+namespace plcxx {
+
+/// Tag of one bit of the retentive block.
+struct RetentiveBit {
+  uint16_t byte;
+  uint8_t bit;
+};
+
+/// A text that the operator sees: message or menu entry, UTF-8.
+struct DisplayText {
+  uint16_t number;
+  uint8_t colour;
+  const char* text;
+};
+
+/// Sets every element to its zero value.
+template <class T, size_t kCount>
+inline void Clear(T (&array)[kCount]) noexcept {
+  for (T& element : array) element = T{};
+}
+
+}  // namespace plcxx
