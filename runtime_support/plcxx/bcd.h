@@ -9,7 +9,7 @@
 namespace plcxx {
 
 /// The last two decimal digits of a number; always two valid digits.
-constexpr uint8_t ToBcd8(uint8_t value) noexcept {
+[[gnu::const]] constexpr uint8_t ToBcd8(uint8_t value) noexcept {
   unsigned rest = value;
   // By subtraction and multiplication: cores without a divider would call a library for / and %.
   if (rest >= 200) rest -= 200;
@@ -19,6 +19,8 @@ constexpr uint8_t ToBcd8(uint8_t value) noexcept {
 }
 
 /// High nibble times ten plus low nibble, also for nibbles above 9. Range 0..165.
-constexpr uint8_t FromBcd8(uint8_t value) noexcept { return static_cast<uint8_t>((value >> 4) * 10 + (value & 0x0F)); }
+[[gnu::const]] constexpr uint8_t FromBcd8(uint8_t value) noexcept {
+  return static_cast<uint8_t>((value >> 4) * 10 + (value & 0x0F));
+}
 
 }  // namespace plcxx

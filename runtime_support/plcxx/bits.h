@@ -3,42 +3,43 @@
 // Implements NC110 6.1 and 6.2 (AND, OR, XOR, NOT) and 6.6 (ENC, DEC, HIG, LOW, XCH, SGN), and the pairs of 5.4.
 // Every function is defined for every input and costs the same for each: a scan must not become slower with its data.
 // The operators exist as functions too because the simulator calls the meaning of an operation by name; generated
-// code spells them & | ^ and !. Not here: numbers (arith.h), order (compare.h), decimal digits (bcd.h).
+// code spells them & | ^ and !. [[gnu::const]], here and in the headers of numbers: a call has no effect, so that no
+// compiler suggests && for an & of two calls. Not here: numbers (arith.h), order (compare.h), digits (bcd.h).
 #pragma once
 
 #include <stdint.h>
 
 namespace plcxx {
 
-constexpr bool BitAnd(bool a, bool b) noexcept { return a & b; }
-constexpr bool BitOr(bool a, bool b) noexcept { return a | b; }
-constexpr bool BitXor(bool a, bool b) noexcept { return a != b; }
-constexpr bool BitNot(bool a) noexcept { return !a; }
+[[gnu::const]] constexpr bool BitAnd(bool a, bool b) noexcept { return a & b; }
+[[gnu::const]] constexpr bool BitOr(bool a, bool b) noexcept { return a | b; }
+[[gnu::const]] constexpr bool BitXor(bool a, bool b) noexcept { return a != b; }
+[[gnu::const]] constexpr bool BitNot(bool a) noexcept { return !a; }
 
-constexpr uint8_t And8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a & b); }
-constexpr uint16_t And16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a & b); }
-constexpr uint32_t And32(uint32_t a, uint32_t b) noexcept { return a & b; }
-constexpr uint64_t And64(uint64_t a, uint64_t b) noexcept { return a & b; }
+[[gnu::const]] constexpr uint8_t And8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a & b); }
+[[gnu::const]] constexpr uint16_t And16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a & b); }
+[[gnu::const]] constexpr uint32_t And32(uint32_t a, uint32_t b) noexcept { return a & b; }
+[[gnu::const]] constexpr uint64_t And64(uint64_t a, uint64_t b) noexcept { return a & b; }
 
-constexpr uint8_t Or8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a | b); }
-constexpr uint16_t Or16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a | b); }
-constexpr uint32_t Or32(uint32_t a, uint32_t b) noexcept { return a | b; }
-constexpr uint64_t Or64(uint64_t a, uint64_t b) noexcept { return a | b; }
+[[gnu::const]] constexpr uint8_t Or8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a | b); }
+[[gnu::const]] constexpr uint16_t Or16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a | b); }
+[[gnu::const]] constexpr uint32_t Or32(uint32_t a, uint32_t b) noexcept { return a | b; }
+[[gnu::const]] constexpr uint64_t Or64(uint64_t a, uint64_t b) noexcept { return a | b; }
 
-constexpr uint8_t Xor8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a ^ b); }
-constexpr uint16_t Xor16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a ^ b); }
-constexpr uint32_t Xor32(uint32_t a, uint32_t b) noexcept { return a ^ b; }
-constexpr uint64_t Xor64(uint64_t a, uint64_t b) noexcept { return a ^ b; }
+[[gnu::const]] constexpr uint8_t Xor8(uint8_t a, uint8_t b) noexcept { return static_cast<uint8_t>(a ^ b); }
+[[gnu::const]] constexpr uint16_t Xor16(uint16_t a, uint16_t b) noexcept { return static_cast<uint16_t>(a ^ b); }
+[[gnu::const]] constexpr uint32_t Xor32(uint32_t a, uint32_t b) noexcept { return a ^ b; }
+[[gnu::const]] constexpr uint64_t Xor64(uint64_t a, uint64_t b) noexcept { return a ^ b; }
 
 /// Every bit complemented, in the word's own width (C++ would widen a plain ~ to int).
-constexpr uint8_t Not8(uint8_t value) noexcept { return static_cast<uint8_t>(~value); }
-constexpr uint16_t Not16(uint16_t value) noexcept { return static_cast<uint16_t>(~value); }
-constexpr uint32_t Not32(uint32_t value) noexcept { return ~value; }
-constexpr uint64_t Not64(uint64_t value) noexcept { return ~value; }
+[[gnu::const]] constexpr uint8_t Not8(uint8_t value) noexcept { return static_cast<uint8_t>(~value); }
+[[gnu::const]] constexpr uint16_t Not16(uint16_t value) noexcept { return static_cast<uint16_t>(~value); }
+[[gnu::const]] constexpr uint32_t Not32(uint32_t value) noexcept { return ~value; }
+[[gnu::const]] constexpr uint64_t Not64(uint64_t value) noexcept { return ~value; }
 
 /// Number of the highest 1 bit, the lowest bit being number 1; 0 for 0. Range 0..8.
 /// By halves, without a count-leading-zeros builtin: cores that lack the instruction would call a library for it.
-constexpr uint8_t HighestBit8(uint8_t value) noexcept {
+[[gnu::const]] constexpr uint8_t HighestBit8(uint8_t value) noexcept {
   unsigned rest = value;
   unsigned number = rest != 0 ? 1 : 0;
   if (rest > 0x0F) {
@@ -54,33 +55,39 @@ constexpr uint8_t HighestBit8(uint8_t value) noexcept {
 }
 
 /// The word in which only bit `number` is 1, the lowest bit being number 1; 0 for 0 and for 9..255.
-constexpr uint8_t OneHot8(uint8_t number) noexcept {
+[[gnu::const]] constexpr uint8_t OneHot8(uint8_t number) noexcept {
   // Shifted one place too far and back, so that 0 needs no case of its own.
   return number > 8 ? uint8_t{0} : static_cast<uint8_t>((1U << number) >> 1);
 }
 
 /// Bits 7..4 as a number 0..15.
-constexpr uint8_t HighNibble8(uint8_t value) noexcept { return static_cast<uint8_t>(value >> 4); }
+[[gnu::const]] constexpr uint8_t HighNibble8(uint8_t value) noexcept { return static_cast<uint8_t>(value >> 4); }
 
 /// Bits 3..0 as a number 0..15.
-constexpr uint8_t LowNibble8(uint8_t value) noexcept { return static_cast<uint8_t>(value & 0x0F); }
+[[gnu::const]] constexpr uint8_t LowNibble8(uint8_t value) noexcept { return static_cast<uint8_t>(value & 0x0F); }
 
 /// The two nibbles exchanged; its own inverse.
-constexpr uint8_t SwapNibbles8(uint8_t value) noexcept { return static_cast<uint8_t>((value << 4) | (value >> 4)); }
+[[gnu::const]] constexpr uint8_t SwapNibbles8(uint8_t value) noexcept {
+  return static_cast<uint8_t>((value << 4) | (value >> 4));
+}
 
 /// Bit 7: the sign when the word is read as two's complement.
-constexpr bool SignBit8(uint8_t value) noexcept { return value > 0x7F; }
+[[gnu::const]] constexpr bool SignBit8(uint8_t value) noexcept { return value > 0x7F; }
 
 /// Bit `bit` of the word, 0 being the lowest; false for a bit that the word does not have.
-constexpr bool TestBit8(uint8_t value, unsigned bit) noexcept { return bit <= 7 && ((value >> bit) & 1) != 0; }
+[[gnu::const]] constexpr bool TestBit8(uint8_t value, unsigned bit) noexcept {
+  return bit <= 7 && ((value >> bit) & 1) != 0;
+}
 
 /// The word with every bit of `mask` set to `value`, the others as they were; without a branch.
-constexpr uint8_t WithBits8(uint8_t word, uint8_t mask, bool value) noexcept {
+[[gnu::const]] constexpr uint8_t WithBits8(uint8_t word, uint8_t mask, bool value) noexcept {
   const unsigned all = 0U - static_cast<unsigned>(value);
   return static_cast<uint8_t>((word & ~unsigned{mask}) | (all & mask));
 }
 
 /// A 16-bit parameter from its two words.
-constexpr uint16_t Pair16(uint8_t low, uint8_t high) noexcept { return static_cast<uint16_t>((high << 8) | low); }
+[[gnu::const]] constexpr uint16_t Pair16(uint8_t low, uint8_t high) noexcept {
+  return static_cast<uint16_t>((high << 8) | low);
+}
 
 }  // namespace plcxx

@@ -8,19 +8,19 @@
 
 namespace plcxx {
 
-constexpr bool Equal8(uint8_t a, uint8_t b) noexcept { return a == b; }
-constexpr bool Equal16(uint16_t a, uint16_t b) noexcept { return a == b; }
-constexpr bool Equal32(uint32_t a, uint32_t b) noexcept { return a == b; }
-constexpr bool Equal64(uint64_t a, uint64_t b) noexcept { return a == b; }
+[[gnu::const]] constexpr bool Equal8(uint8_t a, uint8_t b) noexcept { return a == b; }
+[[gnu::const]] constexpr bool Equal16(uint16_t a, uint16_t b) noexcept { return a == b; }
+[[gnu::const]] constexpr bool Equal32(uint32_t a, uint32_t b) noexcept { return a == b; }
+[[gnu::const]] constexpr bool Equal64(uint64_t a, uint64_t b) noexcept { return a == b; }
 
-constexpr bool Less8(uint8_t a, uint8_t b) noexcept { return a < b; }
-constexpr bool Less16(uint16_t a, uint16_t b) noexcept { return a < b; }
-constexpr bool Less32(uint32_t a, uint32_t b) noexcept { return a < b; }
-constexpr bool Less64(uint64_t a, uint64_t b) noexcept { return a < b; }
+[[gnu::const]] constexpr bool Less8(uint8_t a, uint8_t b) noexcept { return a < b; }
+[[gnu::const]] constexpr bool Less16(uint16_t a, uint16_t b) noexcept { return a < b; }
+[[gnu::const]] constexpr bool Less32(uint32_t a, uint32_t b) noexcept { return a < b; }
+[[gnu::const]] constexpr bool Less64(uint64_t a, uint64_t b) noexcept { return a < b; }
 
-constexpr bool Greater8(uint8_t a, uint8_t b) noexcept { return a > b; }
-constexpr bool Greater16(uint16_t a, uint16_t b) noexcept { return a > b; }
-constexpr bool Greater32(uint32_t a, uint32_t b) noexcept { return a > b; }
-constexpr bool Greater64(uint64_t a, uint64_t b) noexcept { return a > b; }
+[[gnu::const]] constexpr bool Greater8(uint8_t a, uint8_t b) noexcept { return a > b; }
+[[gnu::const]] constexpr bool Greater16(uint16_t a, uint16_t b) noexcept { return a > b; }
+[[gnu::const]] constexpr bool Greater32(uint32_t a, uint32_t b) noexcept { return a > b; }
+[[gnu::const]] constexpr bool Greater64(uint64_t a, uint64_t b) noexcept { return a > b; }
 
 }  // namespace plcxx

@@ -18,7 +18,7 @@ struct ForceByte {
 };
 
 /// `byte` with the forced bits in place.
-constexpr uint8_t ApplyForce(uint8_t byte, const ForceByte& force) noexcept {
+[[gnu::pure]] constexpr uint8_t ApplyForce(uint8_t byte, const ForceByte& force) noexcept {
   return static_cast<uint8_t>((byte & ~force.mask) | (force.value & force.mask));
 }
 
