@@ -1,0 +1,44 @@
+// Spells an Emittable as C++ files. It never looks ahead, invents a name or widens a type.
+//
+// In: the Emittable and the source texts that go into comments. Out: files in the order in which they are read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transpiler/emit/emittable.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::emit {
+
+struct OutputFile {
+  std::string name;  // without directory
+  std::string text;
+};
+
+/// <name>.hpp, <name>.cpp and, for large programs, <name>_<part>.cpp.
+std::vector<OutputFile> PrintCpp(const Emittable& emittable, const source::SourceManager& sources);
+
+/// <name>.map.json: every symbol with address, type, offset in State and comment; every statement with file, line and
+/// column. The only output with line numbers: it is for tools, and never compiled.
+std::string PrintMap(const Emittable& emittable, const source::SourceManager& sources);
+
+/// A line of the source made safe for a C++ comment: no control or direction characters, no backslash at the end.
+std::string CommentText(std::string_view text);
+
+// The pieces of PrintCpp, one file each.
+std::string PrintHeader(const Emittable& emittable);
+std::string PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
+
+/// The C++ expression of a value; locals by their names. `names` is by InstId, empty where a value has no local.
+struct Spelling {
+  std::string text;
+  ir::Precedence precedence = ir::Precedence::kPrimary;
+};
+/// Where a long expression may be broken; the statement printer replaces it by a blank or a line end.
+constexpr char kBreak = '\x01';
+Spelling Spell(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value);
+/// What a local's name stands for; the same as Spell for a value without local.
+Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value);
+
+}  // namespace plcxx::emit

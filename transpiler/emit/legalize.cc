@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <numeric>
+
+#include "transpiler/emit/emittable.h"
+#include "transpiler/emit/names.h"
+#include "transpiler/ir/builder.h"
+
+namespace plcxx::emit {
+namespace {
+
+void FindUsedHostFunctions(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  emittable.host_used.assign(program.host_functions.size(), false);
+  for (const ir::Inst& inst : program.insts) {
+    if (inst.op == ir::OpKind::kHostCall) {
+      emittable.host_used[program.calls[ir::CallId(inst.payload)].host.index] = true;
+    }
+  }
+}
+
+}  // namespace
+
+void NamePlaces(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  NameTable names;
+  for (const ir::HostFunction& function : program.host_functions) names.Reserve(function.name);
+  for (const ir::Routine& routine : program.routines) names.Reserve(routine.name);
+  emittable.namespace_name = SafeIdentifier(emittable.options.name);
+  names.Reserve(emittable.namespace_name);
+  emittable.state_names.resize(program.states.size());
+  for (uint32_t i = 0; i < program.states.size(); ++i) {
+    emittable.state_names[i] = names.Allocate(program.states[ir::StateId(i)].name, "");
+  }
+  // In the order of the addresses, not of first use: a statement inserted above must not rename what follows.
+  std::vector<uint32_t> order(program.places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&program](uint32_t left, uint32_t right) {
+    const ir::Place& a = program.places[ir::PlaceId(left)];
+    const ir::Place& b = program.places[ir::PlaceId(right)];
+    return std::tuple(a.state.index, a.field, a.space.index, a.offset, a.bit, a.address, a.name) <
+           std::tuple(b.state.index, b.field, b.space.index, b.offset, b.bit, b.address, b.name);
+  });
+  // Names that a user did not choose come first: an address keeps its own spelling even beside an odd symbol.
+  emittable.place_names.resize(program.places.size());
+  for (const bool symbols : {false, true}) {
+    for (const uint32_t i : order) {
+      const ir::Place& place = program.places[ir::PlaceId(i)];
+      const bool is_symbol = !place.address.empty() && place.address != place.name;
+      if (is_symbol != symbols || emittable.layout.places[i].storage == Storage::kNone) continue;
+      emittable.place_names[i] = emittable.layout.places[i].storage == Storage::kLocal
+                                     ? SafeIdentifier(place.name)
+                                     : names.Allocate(place.name, is_symbol ? place.address : "");
+    }
+  }
+}
+
+std::vector<Item> ItemsOf(const ir::Program& program, ir::RegionId region) {
+  std::vector<Item> items;
+  const auto& insts = program.regions[region].insts;
+  for (uint32_t i = 0; i < insts.size(); ++i) {
+    const ir::Inst& inst = program[insts[i]];
+    if (inst.op == ir::OpKind::kStatement) {
+      items.push_back({i, i + 1, ir::StatementId(inst.payload)});
+    } else if (items.empty()) {
+      items.push_back({i, i + 1, {}});
+    } else {
+      items.back().end = i + 1;
+    }
+  }
+  return items;
+}
+
+Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
+  Emittable emittable;
+  emittable.program = &program;
+  emittable.options = options;
+  emittable.layout = MakeLayout(program);
+  FindUsedHostFunctions(emittable);
+  NamePlaces(emittable);
+  PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
+  CutChunks(emittable);
+  return emittable;
+}
+
+std::string Print(const Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  std::string out = "emittable " + emittable.namespace_name + "\n";
+  for (const Member& member : emittable.layout.members) {
+    out += "member " + member.name + " : " + member.element + "[" + std::to_string(member.count) + "] at " +
+           std::to_string(member.offset) + "\n";
+  }
+  static constexpr std::string_view kStorage[] = {"none",   "bit",    "byte",           "packed_bit",    "word16", "word32",
+                                                  "word64", "retentive_byte", "retentive_bit", "field",  "local"};
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    if (emittable.place_names[i].empty()) continue;
+    const PlaceStorage& stored = emittable.layout.places[i];
+    out += "place " + emittable.place_names[i] + " " + std::string(kStorage[static_cast<size_t>(stored.storage)]) + " at " +
+           std::to_string(stored.offset) + (stored.bit != 0 ? "." + std::to_string(stored.bit) : "") + "\n";
+  }
+  for (const Chunk& chunk : emittable.chunks) {
+    out += "chunk " + chunk.name + " " + std::to_string(chunk.statements) + " statements, file " +
+           emittable.options.name + emittable.parts[chunk.part].suffix + ".cpp\n";
+  }
+  for (uint32_t i = 0; i < program.insts.size(); ++i) {
+    if (emittable.local_value[i]) out += "local %" + std::to_string(i) + "\n";
+  }
+  return out;
+}
+
+}  // namespace plcxx::emit

@@ -1,0 +1,92 @@
+#include "transpiler/emit/names.h"
+
+#include "transpiler/ir/op.h"
+
+namespace plcxx::emit {
+namespace {
+
+constexpr std::string_view kTaken[] = {
+    // C++20 keywords and alternative tokens
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
+    "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "const", "consteval", "constexpr", "constinit",
+    "const_cast", "continue", "co_await", "co_return", "co_yield", "decltype", "default", "delete", "do", "double",
+    "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend", "goto", "if",
+    "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr", "operator", "or",
+    "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires", "return", "short", "signed",
+    "sizeof", "static", "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local", "throw",
+    "true", "try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual", "void", "volatile",
+    "wchar_t", "while", "xor", "xor_eq", "final", "override", "import", "module",
+    // macros and types that <stdint.h>, <stddef.h> and usual platform headers bring
+    "NULL", "offsetof", "size_t", "ptrdiff_t", "max_align_t", "nullptr_t", "errno", "assert", "EOF", "stdin", "stdout",
+    "stderr", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min", "max", "main", "std", "plcxx",
+    // names of the generated code
+    "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "PackedBit", "RetentiveByte",
+    "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice", "round", "copy",
+    "layout", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte", "retentive", "Clear", "ReapplyForces"};
+
+bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+std::string SafeIdentifier(std::string_view name) {
+  std::string out;
+  const auto append = [&out](std::string_view text) {
+    for (const char c : text) {
+      if (c == '_' && !out.empty() && out.back() == '_') continue;  // two in a row are reserved in C++
+      out += c;
+    }
+  };
+  for (const char c : name) {
+    if (IsLetter(c) || IsDigit(c)) {
+      out += c;
+    } else if (c == '@') {
+      append("_at");
+    } else if (c == '#') {
+      append("_no");
+    } else if (c == '\'') {
+      append("_q");
+    } else if (c == '?') {
+      append("_is");
+    } else {
+      append("_");
+    }
+  }
+  if (out.empty() || !IsLetter(out.front())) out.insert(0, out.empty() || out.front() != '_' ? "n_" : "n");
+  return out;
+}
+
+NameTable::NameTable() {
+  for (const std::string_view word : kTaken) taken_.emplace(word);
+  for (uint32_t i = 0; i < ir::OpCount(); ++i) {
+    const std::string_view spelling = ir::Info(static_cast<ir::OpKind>(i)).spelling;
+    const size_t bracket = spelling.find('(');
+    if (bracket != std::string_view::npos && bracket > 0) taken_.emplace(spelling.substr(0, bracket));
+  }
+  for (uint32_t i = 0; i < ir::StateKindCount(); ++i) {
+    const auto kind = static_cast<ir::StateKind>(i);
+    taken_.emplace(ir::Info(kind).struct_name);
+    taken_.emplace(ir::Info(kind).text);
+    taken_.insert(std::string(ir::Info(kind).struct_name) + "Tag");
+    for (const ir::FieldInfo& field : ir::Info(kind).fields) {
+      taken_.insert(std::string(ir::Info(kind).struct_name) + "_" + std::string(field.name));
+    }
+  }
+}
+
+std::string NameTable::Allocate(std::string_view name, std::string_view address) {
+  std::string candidate = SafeIdentifier(name);
+  // A reserved word differs from everything the user wrote by one '_'; a second such name is told apart below.
+  if (taken_.contains(candidate) && address.empty()) candidate += '_';
+  if (taken_.insert(candidate).second) return candidate;
+  std::string with_address = candidate;
+  if (SafeIdentifier(address) == candidate || address.empty()) {
+    with_address += '_';
+  } else {
+    with_address += '_' + SafeIdentifier(address);
+  }
+  for (uint32_t i = 2; !taken_.insert(with_address).second; ++i) with_address += std::to_string(i);
+  return with_address;
+}
+
+}  // namespace plcxx::emit
