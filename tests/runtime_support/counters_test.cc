@@ -207,6 +207,33 @@ TEST(RingCounter, FastPart) {
   EXPECT_TRUE(slow.counter.carry);
 }
 
+// covers: NC110-172
+TEST(RingCounter, ResetWrittenByTheHost) {
+  SlowCounter c;
+  c.Scan(true, 10);
+  c.counter.reset = true;  // without the edge of an assignment in the program: nothing is cleared ...
+  c.Scan(true, 10);
+  EXPECT_EQ(c.counter.count, 1);
+  EXPECT_FALSE(c.counter.input);  // ... but the statement forgets its input
+  c.counter.reset = false;
+  c.Scan(true, 10);
+  EXPECT_EQ(c.counter.count, 2);
+}
+
+TEST(RingCounter, CarryBelongsToThePartThatSetItLast) {
+  RingCounter c{};
+  c.count = 1;
+  CountFast(c, true, 2, 100);
+  EXPECT_TRUE(c.carry && c.fast);
+  CountSlow(c, false, 2, 7);
+  c.count = 1;
+  CountSlow(c, true, 2, 8);
+  ExpireFast(c, 101);
+  EXPECT_TRUE(c.carry);
+  ExpireSlow(c, 9);
+  EXPECT_FALSE(c.carry);
+}
+
 TEST(RingCounter, SlowCycleMayWrap) {
   SlowCounter c;
   c.cycle = 0xFFFFFFFC;

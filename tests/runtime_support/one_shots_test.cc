@@ -207,6 +207,18 @@ TEST(OneShot, ExpiryTouchesOnlyPulsesOfItsPart) {
   EXPECT_FALSE(fast.pulse);
 }
 
+// covers: NC110-248
+TEST(OneShot, PulseBelongsToThePartThatStartedItLast) {
+  OneShot shot{};
+  PulseFast(shot, true, 10, 0);
+  PulseSlow(shot, false, 11);
+  PulseSlow(shot, true, 12);
+  ExpireFast(shot, 100);
+  EXPECT_TRUE(shot.pulse);
+  ExpireSlow(shot, 13);
+  EXPECT_FALSE(shot.pulse);
+}
+
 TEST(OneShot, CyclesMayWrap) {
   for (uint32_t start = 0xFFFFFFFB; start != 3; ++start) {
     Schedule s{2};

@@ -117,6 +117,24 @@ TEST(Texts, LongerTextEqualsNoLiteralButIsASending) {
   }
 }
 
+TEST(Texts, LiteralEndsAtItsFirstZero) {
+  TextInbox inbox{};
+  SendText(inbox, "START\0", 6);
+  EXPECT_FALSE(EqualsText(inbox, "START\0"));
+  EXPECT_FALSE(EqualsText(inbox, "START"));
+}
+
+TEST(Texts, ShorterTextLeavesNothingOfALongerOne) {
+  const std::string longest(32, 'x');
+  TextInbox inbox{};
+  SendText(inbox, longest.data(), longest.size());
+  SendText(inbox, "x", 1);
+  EXPECT_TRUE(EqualsText(inbox, "x"));
+  SendText(inbox, longest.data(), 33);
+  EXPECT_FALSE(EqualsText(inbox, longest.c_str()));
+  EXPECT_FALSE(EqualsText(inbox, (longest + "!").c_str()));  // 33, the mark of its length
+}
+
 TEST(Texts, MissingTexts) {
   TextInbox inbox{};
   TextFlag flag{};

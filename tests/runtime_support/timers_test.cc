@@ -163,6 +163,17 @@ TEST(OnDelay, TwoStatementsBothStep) {
   EXPECT_TRUE(timer.done);
 }
 
+// The host may write the signals of a timer: one whose input it took away starts from zero.
+TEST(OnDelay, StartForgetsTheTimeBefore) {
+  OnDelayTimer timer{};
+  OnDelay(timer, true, 100, 0);
+  OnDelay(timer, true, 100, 90);
+  timer.input = false;
+  OnDelay(timer, true, 100, 200);
+  EXPECT_EQ(timer.elapsed_ms, 0U);
+  EXPECT_TRUE(timer.timing);
+}
+
 TEST(OnDelay, ClockMayWrap) {
   OnDelayTimer timer{};
   const uint32_t start = 0xFFFFFFF0;
