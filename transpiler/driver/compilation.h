@@ -1,0 +1,82 @@
+// From names of files to a program that can be emitted or run: the phases of the design in their order.
+//
+// In: what the command line or a scenario asks for. Out: everything that a subcommand prints, writes or executes.
+// All that is wrong with the sources is in `diagnostics`; nothing here prints, and nothing ends the process.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::driver {
+
+struct CompilationRequest {
+  std::vector<std::string> sources;            // the program, in the user's order; "-" is standard input
+  std::string dialect;                         // empty: by extension, then by content
+  std::optional<source::Encoding> encoding;    // none: detected
+  std::map<std::string, std::string> options;  // --set key=value, or `options:` of a scenario
+  diag::WarningOptions warnings;
+  /// Where relative paths of `sources` and of options stand; empty: the current directory.
+  std::string base_directory;
+  std::vector<std::string> include_directories;  // -I, searched for the files that options name, after base_directory
+  std::string name;                              // of the program; empty: from the first logic source
+  /// Called before each phase with its name, for a progress line; may be empty.
+  std::function<void(std::string_view phase)> progress;
+};
+
+/// Compile stops after this phase: what comes later is for emitting and running only.
+enum class Stage : uint8_t {
+  kLoaded,      // dialect known, files read, options checked
+  kLowered,     // ir
+  kStructured,  // ir-structured; the checks have not run
+  kChecked,     // all diagnostics are there, budgets included
+  kOptimized    // ir-optimized: slices cut, ready for emit::Legalize and the simulator
+};
+
+/// What one partition costs, as the cost model sees it.
+struct PartitionEstimate {
+  std::string name;  // "fast", "slow"
+  uint64_t time_ns = 0;
+  uint64_t code_bytes = 0;
+};
+
+/// The compile report, without what only the diagnostics know.
+struct Estimates {
+  std::vector<PartitionEstimate> partitions;  // fast before slow; only those that the program has
+  uint32_t slices = 1;
+  uint32_t slow_period_ms = 0;  // 0: the program has no sliced part
+};
+
+struct Compilation {
+  std::unique_ptr<source::SourceManager> sources;
+  diag::Engine diagnostics;                     // sorted by source
+  const dialects::Dialect* dialect = nullptr;   // none when it could not be told
+  std::map<std::string, std::string> options;   // as given
+  std::vector<source::FileId> files;            // of the program; what options name is in `sources` only
+  std::string name;                             // of the program and its output files, made safe
+  ir::Program program;                          // as far as `reached` says
+  dialects::SourceSummary summary;
+  Estimates estimates;                          // from kChecked on
+  std::optional<Stage> reached;                 // the last stage without errors
+
+  bool ok() const { return !diagnostics.HasErrors(); }
+  /// For the dialect's printing functions.
+  dialects::Request MakeRequest();
+
+  dialects::FileLoader load;  // paths of options; refers to `sources`
+};
+
+/// Never fails as a call: after an error the later stages are left out.
+Compilation Compile(const CompilationRequest& request, Stage until = Stage::kOptimized);
+
+}  // namespace plcxx::driver
