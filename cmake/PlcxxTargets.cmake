@@ -42,3 +42,19 @@ function(plcxx_test NAME)
     set_tests_properties(${NAME} PROPERTIES LABELS "${ARG_LABELS}")
   endif()
 endfunction()
+
+# plcxx_embed(<target> <output.cc> VARIABLE <name> NAMESPACE <ns> INCLUDE <header> FILES <file>...): the files' contents
+# as constants of the target. The header declares struct EmbeddedFile { const char* name; unsigned size; const char* text; }.
+function(plcxx_embed TARGET OUTPUT)
+  cmake_parse_arguments(ARG "" "VARIABLE;NAMESPACE;INCLUDE" "FILES" ${ARGN})
+  set(GENERATED ${CMAKE_CURRENT_BINARY_DIR}/${OUTPUT})
+  string(REPLACE ";" "|" FILE_LIST "${ARG_FILES}")
+  add_custom_command(
+    OUTPUT ${GENERATED}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${GENERATED} -DVARIABLE=${ARG_VARIABLE} -DNAMESPACE=${ARG_NAMESPACE}
+            -DINCLUDE=${ARG_INCLUDE} "-DFILES=${FILE_LIST}" -P ${PROJECT_SOURCE_DIR}/cmake/EmbedFiles.cmake
+    DEPENDS ${ARG_FILES} ${PROJECT_SOURCE_DIR}/cmake/EmbedFiles.cmake
+    COMMENT "Embedding into ${OUTPUT}"
+    VERBATIM)
+  target_sources(${TARGET} PRIVATE ${GENERATED})
+endfunction()

@@ -1,0 +1,146 @@
+#include "transpiler/driver/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+extern char** environ;
+
+namespace plcxx::driver {
+namespace {
+
+constexpr int kAnswerMilliseconds = 10'000;
+
+std::vector<char*> Pointers(const std::vector<std::string>& arguments) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+}  // namespace
+
+TemporaryDirectory::TemporaryDirectory() {
+  const char* base = std::getenv("TMPDIR");
+  std::string pattern = std::string(base != nullptr && *base != '\0' ? base : "/tmp") + "/plcxx-XXXXXX";
+  if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  if (valid()) std::filesystem::remove_all(path_, ignored);
+}
+
+bool TemporaryDirectory::Write(const std::string& name, std::string_view text) const {
+  std::FILE* file = std::fopen((path_ + "/" + name).c_str(), "wb");
+  if (file == nullptr) return false;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  return std::fclose(file) == 0 && written;
+}
+
+ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds) {
+  ProcessResult result;
+  int fds[2];
+  if (pipe2(fds, O_CLOEXEC) != 0) return result;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, fds[1], 1);
+  posix_spawn_file_actions_adddup2(&actions, fds[1], 2);
+  pid_t pid = -1;
+  const std::vector<char*> pointers = Pointers(arguments);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(fds[1]);
+  if (failed != 0) {
+    close(fds[0]);
+    return result;
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  char buffer[4096];
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    pollfd poll_fd{fds[0], POLLIN, 0};
+    if (left <= 0 || poll(&poll_fd, 1, static_cast<int>(left)) <= 0) {
+      kill(pid, SIGKILL);
+      break;
+    }
+    const ssize_t count = read(fds[0], buffer, sizeof buffer);
+    if (count <= 0) break;
+    result.output.append(buffer, static_cast<size_t>(count));
+  }
+  close(fds[0]);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  return result;
+}
+
+ChildProcess::~ChildProcess() {
+  if (to_child_ >= 0) close(to_child_);
+  if (from_child_ >= 0) close(from_child_);
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+}
+
+bool ChildProcess::Start(const std::string& program) {
+  int down[2], up[2];
+  if (pipe2(down, O_CLOEXEC) != 0) return false;
+  if (pipe2(up, O_CLOEXEC) != 0) {
+    close(down[0]);
+    close(down[1]);
+    return false;
+  }
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, down[0], 0);
+  posix_spawn_file_actions_adddup2(&actions, up[1], 1);
+  const std::vector<char*> pointers = Pointers({program});
+  pid_t pid = -1;
+  const int failed = posix_spawn(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(down[0]);
+  close(up[1]);
+  to_child_ = down[1];
+  from_child_ = up[0];
+  if (failed == 0) pid_ = pid;
+  return failed == 0;
+}
+
+bool ChildProcess::Send(std::string_view bytes) {
+  // A child that died must be a message, not the end of this process.
+  static const bool ignored = (signal(SIGPIPE, SIG_IGN), true);
+  static_cast<void>(ignored);
+  while (!bytes.empty()) {
+    const ssize_t count = write(to_child_, bytes.data(), bytes.size());
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<size_t>(count));
+  }
+  return true;
+}
+
+bool ChildProcess::Receive(void* bytes, size_t size) {
+  char* at = static_cast<char*>(bytes);
+  while (size > 0) {
+    pollfd poll_fd{from_child_, POLLIN, 0};
+    if (poll(&poll_fd, 1, kAnswerMilliseconds) <= 0) return false;
+    const ssize_t count = read(from_child_, at, size);
+    if (count <= 0) return false;
+    at += count;
+    size -= static_cast<size_t>(count);
+  }
+  return true;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,52 @@
+// A child process with pipes, and a private temporary directory: what running compiled code needs of the system.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plcxx::driver {
+
+/// A directory that disappears with the object.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  ~TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  const std::string& path() const { return path_; }
+  bool valid() const { return !path_.empty(); }
+  bool Write(const std::string& name, std::string_view text) const;
+
+ private:
+  std::string path_;
+};
+
+struct ProcessResult {
+  int exit_code = -1;  // -1: it could not be started or was killed
+  std::string output;  // standard output and error together
+};
+
+/// Runs a program to its end; it is killed after `seconds`.
+ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds);
+
+/// A running program whose standard input and output are ours.
+class ChildProcess {
+ public:
+  ChildProcess() = default;
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  bool Start(const std::string& program);
+  /// False when the child is gone or does not answer within ten seconds.
+  bool Send(std::string_view bytes);
+  bool Receive(void* bytes, size_t size);
+
+ private:
+  int pid_ = -1;
+  int to_child_ = -1;
+  int from_child_ = -1;
+};
+
+}  // namespace plcxx::driver

@@ -1,0 +1,42 @@
+// The generated C++ as an Engine: emitted in the debug flavour, compiled by the system's compiler, run as a child.
+//
+// The child is the generated program and a small main that obeys a byte protocol (harness.h); State is mirrored here
+// after every command, and emit::Layout says where each place is in it. Bytes that the program does not use live in a
+// shadow memory, so that every place can be read, written and forced as in the simulator. Knows no dialect.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "transpiler/emit/emittable.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/engine.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::driver {
+
+/// A program that was compiled once; engines start processes of it.
+class CompiledProgram;
+
+struct CompileFailure {
+  std::string message;  // the compiler's own words behind it
+};
+
+/// `compiler` is a command ("g++"). `program` must be structured and outlive the result.
+std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(const ir::Program& program,
+                                                                              const source::SourceManager& sources,
+                                                                              const std::string& compiler);
+
+/// Fails with a message when the process cannot be started. A child that dies later ends in EngineFault.
+std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program);
+
+/// Thrown by an engine whose child died or hangs; the scenario runner turns it into a failed scenario.
+struct EngineFault {
+  std::string message;
+};
+
+/// $CXX, else the first of c++, g++, clang++ that is there; empty when none is.
+std::string FindCompiler();
+
+}  // namespace plcxx::driver
