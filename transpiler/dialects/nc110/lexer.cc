@@ -140,12 +140,16 @@ class Lexer {
     result_.comments.push_back(comment);
   }
 
-  void LexIllegal() {
-    const size_t begin = at_;
-    const CodePoint point = FirstCodePoint(text_.substr(at_));
+  void SkipIllegal() {
     while (at_ < text_.size() && (IsIllegal(text_[at_]) || !IsAscii(text_[at_]))) {
       ++at_;
     }
+  }
+
+  void LexIllegal() {
+    const size_t begin = at_;
+    const CodePoint point = FirstCodePoint(text_.substr(at_));
+    SkipIllegal();
     const source::Range range = RangeFrom(begin);
     diagnostics_.Report({range.begin, range.begin + point.length}, diag::Nc110UnknownCharacter,
                         Picture(text_.substr(begin), point), CodePointName(point.value));
@@ -171,6 +175,7 @@ class Lexer {
     if (foreign) {
       outcome = homoglyphs_.Read(run, RangeFrom(begin).begin, mapped);
       if (mapped.empty()) {
+        SkipIllegal();  // one message for a stretch of bad characters
         Add(TokenKind::kBad, begin).faulty = true;
         return;
       }
