@@ -28,7 +28,8 @@ Spelling SpellConstant(const ir::Inst& inst) {
 /// C++ compilers warn where `&` meets `|` without brackets, and readers hesitate; only a chain of one operator goes without.
 bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   if (inner == Precedence::kPrimary) return false;
-  if (inner == Precedence::kUnary) return false;
+  // "!a & b" makes GCC ask whether "!(a & b)" was meant when b is a packed bit; behind the operator it does not.
+  if (inner == Precedence::kUnary) return left && outer >= Precedence::kAnd;
   if (outer == Precedence::kUnary) return true;
   return !(inner == outer && left && inner >= Precedence::kAnd);
 }

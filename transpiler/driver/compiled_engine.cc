@@ -1,0 +1,318 @@
+#include "transpiler/driver/compiled_engine.h"
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "transpiler/driver/child_process.h"
+#include "transpiler/driver/embedded_runtime.h"
+#include "transpiler/driver/harness.h"
+#include "transpiler/emit/cpp_printer.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr int kCompileSeconds = 300;
+
+/// Where one bit or byte of a place is: a byte of State, or of the shadow of what the program does not use.
+struct Cell {
+  bool in_state = false;
+  uint32_t offset = 0;
+  uint8_t bit = 0;     // of that byte
+  bool is_bool = false;  // the byte holds 0 or 1
+};
+
+}  // namespace
+
+class CompiledProgram {
+ public:
+  const ir::Program* program = nullptr;
+  emit::Layout layout;
+  std::unique_ptr<TemporaryDirectory> directory;
+  std::string executable;
+};
+
+namespace {
+
+class CompiledEngine : public sim::Engine {
+ public:
+  explicit CompiledEngine(std::shared_ptr<CompiledProgram> compiled)
+      : compiled_(std::move(compiled)), program_(*compiled_->program), layout_(compiled_->layout), state_(layout_.size, 0) {
+    for (const ir::Space& space : program_.spaces) {
+      shadow_.emplace_back(space.bytes, 0);
+      shadow_mask_.emplace_back(space.bytes, 0);
+      shadow_value_.emplace_back(space.bytes, 0);
+    }
+    force_mask_.assign(layout_.size, 0);
+    force_value_.assign(layout_.size, 0);
+  }
+
+  bool Start() { return child_.Start(compiled_->executable); }
+
+  std::string_view name() const override { return "compiled"; }
+
+  void PowerOn() override {
+    for (uint32_t s = 0; s < shadow_.size(); ++s) {
+      std::fill(shadow_[s].begin(), shadow_[s].end(), uint8_t{0});
+      for (const ir::InitialByte& initial : program_.spaces[ir::SpaceId(s)].initial) shadow_[s][initial.offset] = initial.value;
+      for (size_t i = 0; i < shadow_[s].size(); ++i) ApplyShadowForce(s, i);
+    }
+    Command("I");
+    Answer();
+  }
+
+  void RunPeriod(uint32_t now_ms) override {
+    Command("P", {now_ms});
+    Answer();
+  }
+
+  void RunFastOnly(uint32_t now_ms) override {
+    Command("F", {now_ms});
+    Answer();
+  }
+
+  uint64_t Read(const ir::Place& place) override {
+    if (place.is_field()) {
+      uint64_t value = 0;
+      std::memcpy(&value, &state_[FieldAt(place)], ir::Bytes(place.type));
+      return value;
+    }
+    if (place.type == ir::Type::kBit) return ReadByte(place.space, place.offset) >> place.bit & 1;
+    uint64_t value = 0;
+    const uint32_t bytes = ir::Bytes(place.type);
+    for (uint32_t i = 0; i < bytes; ++i) {
+      value |= static_cast<uint64_t>(ReadByte(place.space, place.offset + i)) << (8 * ByteIndex(place.space, i, bytes));
+    }
+    return value;
+  }
+
+  void Write(const ir::Place& place, uint64_t value) override {
+    Apply(place, value, [this](const Cell& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
+      if (cell.in_state) {
+        state_[cell.offset] = static_cast<uint8_t>((state_[cell.offset] & ~mask) | (bits & mask));
+        state_[cell.offset] = static_cast<uint8_t>((state_[cell.offset] & ~force_mask_[cell.offset]) |
+                                                   (force_value_[cell.offset] & force_mask_[cell.offset]));
+        Command("W", {cell.offset, mask, bits});
+      } else {
+        uint8_t& byte = shadow_[space.index][cell.offset];
+        byte = static_cast<uint8_t>((byte & ~mask) | (bits & mask));
+        ApplyShadowForce(space.index, cell.offset);
+      }
+    });
+  }
+
+  void Force(const ir::Place& place, uint64_t value) override {
+    Apply(place, value, [this](const Cell& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
+      std::vector<uint8_t>& masks = cell.in_state ? force_mask_ : shadow_mask_[space.index];
+      std::vector<uint8_t>& values = cell.in_state ? force_value_ : shadow_value_[space.index];
+      masks[cell.offset] = static_cast<uint8_t>(masks[cell.offset] | mask);
+      values[cell.offset] = static_cast<uint8_t>((values[cell.offset] & ~mask) | (bits & mask));
+      if (cell.in_state) {
+        state_[cell.offset] = static_cast<uint8_t>((state_[cell.offset] & ~mask) | (bits & mask));
+        Command("K", {cell.offset, mask, bits});
+      } else {
+        ApplyShadowForce(space.index, cell.offset);
+      }
+    });
+  }
+
+  void Release(const ir::Place& place) override {
+    Apply(place, 0, [this](const Cell& cell, ir::SpaceId space, uint8_t mask, uint8_t) {
+      std::vector<uint8_t>& masks = cell.in_state ? force_mask_ : shadow_mask_[space.index];
+      masks[cell.offset] = static_cast<uint8_t>(masks[cell.offset] & ~mask);
+      if (cell.in_state) Command("R", {cell.offset, mask});
+    });
+  }
+
+  void SendText(std::string_view text) override {
+    Command("T", {static_cast<uint32_t>(text.size())});
+    Check(child_.Send(text));
+    Answer();
+  }
+
+  void EnableStatement(ir::StatementId statement, bool enabled) override {
+    Command("E", {statement.index, enabled ? 1u : 0u});
+  }
+
+  void StoreRetentive() override { Command("S"); }
+
+  std::vector<sim::HostEvent> TakeEvents() override { return std::exchange(events_, {}); }
+
+  std::vector<uint8_t> Snapshot() override {
+    std::vector<uint8_t> bytes;
+    for (uint32_t s = 0; s < program_.spaces.size(); ++s) {
+      const ir::Space& space = program_.spaces[ir::SpaceId(s)];
+      if (!space.host_visible) continue;
+      for (uint32_t i = 0; i < space.bytes; ++i) bytes.push_back(ReadByte(ir::SpaceId(s), i));
+    }
+    for (uint32_t i = 0; i < program_.states.size(); ++i) {
+      const ir::StateKind kind = program_.states[ir::StateId(i)].kind;
+      const auto fields = ir::Info(kind).fields;
+      for (uint8_t f = 0; f < fields.size(); ++f) {
+        const uint32_t at = layout_.states[i].offset + emit::FieldOffset(kind, f);
+        const uint32_t size = ir::Bytes(fields[f].type) * fields[f].count;
+        bytes.insert(bytes.end(), state_.begin() + at, state_.begin() + at + size);
+      }
+    }
+    return bytes;
+  }
+
+ private:
+  void Check(bool alive) {
+    if (!alive) throw EngineFault{"the compiled program ended or did not answer within 10 s"};
+  }
+
+  void Command(const char* letter, std::initializer_list<uint32_t> words = {}) {
+    std::string bytes(letter);
+    for (const uint32_t word : words) bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
+    Check(child_.Send(bytes));
+  }
+
+  void Answer() {
+    uint32_t count = 0;
+    Check(child_.Receive(&count, sizeof count));
+    for (uint32_t i = 0; i < count; ++i) {
+      std::array<uint32_t, 2> head{};
+      Check(child_.Receive(head.data(), sizeof head));
+      sim::HostEvent event{ir::HostFunctionId(head[0]), std::vector<uint64_t>(head[1])};
+      if (head[1] > 0) Check(child_.Receive(event.arguments.data(), head[1] * sizeof(uint64_t)));
+      events_.push_back(std::move(event));
+    }
+    Check(child_.Receive(state_.data(), state_.size()));
+  }
+
+  /// The place of byte `i` of a value of `bytes` bytes in that value, least significant first.
+  uint32_t ByteIndex(ir::SpaceId space, uint32_t i, uint32_t bytes) const {
+    return program_.spaces[space].order == ir::ByteOrder::kLittle ? i : bytes - 1 - i;
+  }
+
+  uint32_t FieldAt(const ir::Place& place) const {
+    return layout_.states[place.state.index].offset + emit::FieldOffset(program_.states[place.state].kind, place.field);
+  }
+
+  void ApplyShadowForce(uint32_t space, size_t at) {
+    uint8_t& byte = shadow_[space][at];
+    byte = static_cast<uint8_t>((byte & ~shadow_mask_[space][at]) | (shadow_value_[space][at] & shadow_mask_[space][at]));
+  }
+
+  /// The cell of one bit of a byte of a space.
+  Cell BitCell(ir::SpaceId space, uint32_t at, uint8_t bit) const {
+    const emit::ByteStorage& stored = layout_.bytes[space.index][at];
+    if (stored.bits[bit].storage != emit::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
+    if (stored.whole.storage != emit::Storage::kNone) return {true, stored.whole.offset, bit, false};
+    // A byte inside a wider value that starts before it; the host is little-endian, as the values are in memory.
+    for (uint32_t back = 1; back < 8 && back <= at; ++back) {
+      const emit::PlaceStorage& whole = layout_.bytes[space.index][at - back].whole;
+      const uint32_t bytes = whole.storage == emit::Storage::kWord16   ? 2
+                             : whole.storage == emit::Storage::kWord32 ? 4
+                             : whole.storage == emit::Storage::kWord64 ? 8
+                                                                       : 1;
+      if (whole.storage == emit::Storage::kNone) continue;
+      if (back < bytes) return {true, whole.offset + back, bit, false};
+      break;
+    }
+    return {false, at, bit, false};
+  }
+
+  uint8_t ReadByte(ir::SpaceId space, uint32_t at) const {
+    uint8_t value = 0;
+    for (uint8_t bit = 0; bit < 8; ++bit) {
+      const Cell cell = BitCell(space, at, bit);
+      const uint8_t byte = cell.in_state ? state_[cell.offset] : shadow_[space.index][cell.offset];
+      value = static_cast<uint8_t>(value | ((byte >> cell.bit & 1) << bit));
+    }
+    return value;
+  }
+
+  /// Calls change(cell, space, mask, bits) for each byte of storage that holds part of the place.
+  template <class Change>
+  void Apply(const ir::Place& place, uint64_t value, Change&& change) {
+    if (place.is_field()) {
+      for (uint32_t i = 0; i < ir::Bytes(place.type); ++i) {
+        change(Cell{true, FieldAt(place) + i, 0, false}, ir::SpaceId(), 0xFF, static_cast<uint8_t>(value >> (8 * i)));
+      }
+      return;
+    }
+    const uint32_t bytes = ir::Bytes(place.type);
+    for (uint32_t i = 0; i < bytes; ++i) {
+      const auto byte = static_cast<uint8_t>(value >> (8 * ByteIndex(place.space, i, bytes)));
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        const bool single = place.type == ir::Type::kBit;
+        if (single && bit != place.bit) continue;
+        const bool one = ((single ? value : static_cast<uint64_t>(byte >> bit)) & 1) != 0;
+        const Cell cell = BitCell(place.space, place.offset + i, bit);
+        const auto mask = cell.is_bool ? uint8_t{0xFF} : static_cast<uint8_t>(1u << cell.bit);
+        const auto bits = cell.is_bool ? static_cast<uint8_t>(one ? 1 : 0) : static_cast<uint8_t>(one ? mask : 0);
+        change(cell, place.space, mask, bits);
+      }
+    }
+  }
+
+  std::shared_ptr<CompiledProgram> compiled_;
+  const ir::Program& program_;
+  const emit::Layout& layout_;
+  ChildProcess child_;
+  std::vector<uint8_t> state_;  // mirror of the child's State
+  std::vector<uint8_t> force_mask_, force_value_;
+  std::vector<std::vector<uint8_t>> shadow_, shadow_mask_, shadow_value_;  // by SpaceId
+  std::vector<sim::HostEvent> events_;
+};
+
+std::string FirstLines(const std::string& text, size_t lines) {
+  size_t end = 0;
+  for (size_t i = 0; i < lines && end != std::string::npos; ++i) end = text.find('\n', end == 0 ? 0 : end + 1);
+  return end == std::string::npos ? text : text.substr(0, end);
+}
+
+}  // namespace
+
+std::string FindCompiler() {
+  const char* chosen = std::getenv("CXX");
+  if (chosen != nullptr && *chosen != '\0') return chosen;
+  for (const char* candidate : {"c++", "g++", "clang++"}) {
+    if (RunProcess({candidate, "--version"}, 10).exit_code == 0) return candidate;
+  }
+  return "";
+}
+
+std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(const ir::Program& program,
+                                                                              const source::SourceManager& sources,
+                                                                              const std::string& compiler) {
+  const emit::Emittable emittable = emit::Legalize(program, {.name = "program", .flavour = emit::Flavour::kDebug});
+  auto compiled = std::make_shared<CompiledProgram>();
+  compiled->program = &program;
+  compiled->layout = emittable.layout;
+  compiled->directory = std::make_unique<TemporaryDirectory>();
+  const TemporaryDirectory& directory = *compiled->directory;
+  if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
+  compiled->executable = directory.path() + "/program";
+
+  std::error_code error;
+  bool written = std::filesystem::create_directory(directory.path() + "/plcxx", error);
+  for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
+    written = written && directory.Write(std::string("plcxx/") + kRuntimeHeaders[i].name, {kRuntimeHeaders[i].text, kRuntimeHeaders[i].size});
+  }
+  std::vector<std::string> arguments = {compiler, "-std=c++17", "-O0", "-w", "-I", directory.path(), "-o", compiled->executable};
+  for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
+    written = written && directory.Write(file.name, file.text);
+    if (file.name.ends_with(".cpp")) arguments.push_back(directory.path() + "/" + file.name);
+  }
+  written = written && directory.Write("harness.cpp", HarnessText(emittable));
+  arguments.push_back(directory.path() + "/harness.cpp");
+  if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
+
+  const ProcessResult result = RunProcess(arguments, kCompileSeconds);
+  if (result.exit_code != 0) {
+    return CompileFailure{"'" + compiler + "' cannot compile the generated code:\n" + FirstLines(result.output, 20)};
+  }
+  return compiled;
+}
+
+std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program) {
+  auto engine = std::make_unique<CompiledEngine>(std::move(program));
+  if (!engine->Start()) return CompileFailure{"cannot start the compiled program"};
+  return std::unique_ptr<sim::Engine>(std::move(engine));
+}
+
+}  // namespace plcxx::driver
