@@ -1,0 +1,118 @@
+// Checks of writes: the same bit or word written more than once.
+
+#include <algorithm>
+#include <optional>
+
+#include "transpiler/checks/checks.h"
+
+namespace plcxx::checks {
+namespace {
+
+constexpr uint32_t kNone = 0xFFFFFFFF;
+
+/// Calls visit(bit) for each bit that the access covers; an operation on an instance covers all its fields.
+template <class Visit>
+void ForBits(const Context& context, const BitNumbering& numbering, const Access& access, Visit&& visit) {
+  if (access.place.valid()) {
+    const BitSpan span = numbering.Of(context.program.places[access.place]);
+    for (uint32_t bit = span.first; bit < span.last; ++bit) visit(bit);
+  } else if (access.state.valid()) {
+    ir::Place place;
+    place.state = access.state;
+    const auto fields = ir::Info(context.program.states[access.state].kind).fields;
+    for (place.field = 0; place.field < fields.size(); ++place.field) visit(numbering.Of(place).first);
+  }
+}
+
+/// What the control's own routines keep for themselves is no coil of the program.
+bool IsProgramPlace(const Context& context, const Access& access) {
+  const ir::Place& place = context.program.places[access.place];
+  return !place.indexed && (place.is_field() || context.program.spaces[place.space].host_visible);
+}
+
+}  // namespace
+
+void WrittenInBothParts(const Context& context, const diag::Message<diag::Text>& message) {
+  const BitNumbering numbering(context.program);
+  std::vector<const Access*> writer(numbering.count(), nullptr);
+  std::vector<uint32_t> writer_part(numbering.count(), kNone);
+  for (uint32_t p = 0; p < context.parts.size(); ++p) {
+    std::vector<bool> reported(numbering.count(), false);
+    for (const Access& access : context.parts[p].accesses) {
+      if (access.kind != AccessKind::kWrite || !IsProgramPlace(context, access)) continue;
+      const Access* other = nullptr;
+      bool known = false;
+      ForBits(context, numbering, access, [&](uint32_t bit) {
+        if (writer[bit] == nullptr) {
+          writer[bit] = &access;
+          writer_part[bit] = p;
+        } else if (writer_part[bit] != p) {
+          known |= reported[bit];
+          reported[bit] = true;
+          if (other == nullptr) other = writer[bit];
+        }
+      });
+      if (other == nullptr || known) continue;
+      context.diagnostics.Report(access.range, message, context.program.places[access.place].name)
+          .notes.push_back({other->range, "the other part writes it here"});
+    }
+  }
+}
+
+void DoubleCoil(const Context& context, const diag::Message<diag::Text>& message) {
+  const BitNumbering numbering(context.program);
+  for (const PartAccesses& part : context.parts) {
+    std::vector<const Access*> last(numbering.count(), nullptr);  // unconditional write that nothing has read yet
+    for (const Access& access : part.accesses) {
+      if (access.kind == AccessKind::kRead || access.kind == AccessKind::kDrive || access.kind == AccessKind::kTouch) {
+        ForBits(context, numbering, access, [&](uint32_t bit) { last[bit] = nullptr; });
+      }
+      if (access.kind != AccessKind::kWrite || access.arm != 0 || !IsProgramPlace(context, access)) continue;
+      const Access* other = nullptr;
+      ForBits(context, numbering, access, [&](uint32_t bit) {
+        if (other == nullptr) other = last[bit];
+        last[bit] = &access;
+      });
+      if (other == nullptr) continue;
+      context.diagnostics.Report(access.range, message, context.program.places[access.place].name)
+          .notes.push_back({other->range, "written here already, and nothing reads it in between"});
+    }
+  }
+}
+
+void DeadStore(const Context& context, const diag::Message<diag::Text>& message) {
+  const BitNumbering numbering(context.program);
+  for (const PartAccesses& part : context.parts) {
+    std::vector<std::vector<uint32_t>> pending(numbering.count());  // by bit: writes that nothing has read yet
+    std::vector<uint32_t> lost(part.accesses.size(), 0);            // by access: bits overwritten unread
+    for (uint32_t i = 0; i < part.accesses.size(); ++i) {
+      const Access& access = part.accesses[i];
+      if (access.kind == AccessKind::kLoopEnd) {
+        for (auto& writes : pending) writes.clear();
+      } else if (access.kind != AccessKind::kWrite) {
+        ForBits(context, numbering, access, [&](uint32_t bit) { pending[bit].clear(); });
+      } else if (IsProgramPlace(context, access)) {
+        std::vector<uint32_t> dead;
+        ForBits(context, numbering, access, [&](uint32_t bit) {
+          auto& writes = pending[bit];
+          std::erase_if(writes, [&](uint32_t earlier) {
+            const Access& other = part.accesses[earlier];
+            if (!part.Encloses(access.arm, other.arm)) return false;
+            const BitSpan span = numbering.Of(context.program.places[other.place]);
+            if (++lost[earlier] == span.last - span.first) dead.push_back(earlier);
+            return true;
+          });
+          // Writes of many exclusive arms need not all be remembered.
+          if (writes.size() < 16) writes.push_back(i);
+        });
+        for (const uint32_t earlier : dead) {
+          const Access& other = part.accesses[earlier];
+          context.diagnostics.Report(other.range, message, context.program.places[other.place].name)
+              .notes.push_back({access.range, "overwritten here before anything reads it"});
+        }
+      }
+    }
+  }
+}
+
+}  // namespace plcxx::checks
