@@ -1,0 +1,118 @@
+// Diagnostics: declared once in catalogue.def with typed parameters, collected by the Engine, rendered elsewhere.
+//
+// In: ranges and parameters from any phase. Out: a list ordered by file, line, column. Not its job: text layout.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "transpiler/source/source.h"
+
+namespace plcxx::diag {
+
+enum class Severity : uint8_t { kError, kWarning };
+
+/// One row of the catalogue. Several rows may share a code (the original compilers' codes are coarse);
+/// the key is unique.
+struct Row {
+  std::string_view key;     // "Nc110ConnectorRange"
+  std::string_view code;    // "nc110-1"
+  Severity severity;
+  std::string_view text;    // "operand '{0}': connector {1} is outside 0 to {2}"
+  std::string_view remedy;  // what to do; shown as "help:"; may use the same parameters
+  bool off_by_default = false;
+};
+
+/// A row together with the types of its parameters.
+template <class... Args>
+struct Message {
+  Row row;
+};
+
+using Text = std::string_view;
+using Number = int64_t;
+
+// Rows: PLCXX_DIAG(Key, "code", Severity, (parameter types), "text", "remedy")
+#define PLCXX_DIAG_UNWRAP(...) __VA_ARGS__
+#define PLCXX_DIAG(Key, Code, Sev, Params, What, Remedy) \
+  inline constexpr Message<PLCXX_DIAG_UNWRAP Params> Key{{#Key, Code, Severity::Sev, What, Remedy}};
+#define PLCXX_DIAG_OFF(Key, Code, Sev, Params, What, Remedy) \
+  inline constexpr Message<PLCXX_DIAG_UNWRAP Params> Key{{#Key, Code, Severity::Sev, What, Remedy, true}};
+#include "transpiler/diagnostics/catalogue.def"
+#undef PLCXX_DIAG
+#undef PLCXX_DIAG_OFF
+
+/// All rows in the catalogue's order.
+std::span<const Row> Catalogue();
+
+struct Note {
+  source::Range range;
+  std::string text;
+};
+
+/// Replace `range` by `replacement` (empty: delete). Only offered where applying it compiles.
+struct FixIt {
+  source::Range range;
+  std::string replacement;
+};
+
+struct Diagnostic {
+  const Row* row = nullptr;
+  Severity severity = Severity::kError;  // after -W, -Wno-, -Werror
+  source::Range range;
+  std::string text;
+  std::string remedy;
+  std::vector<Note> notes;
+  std::vector<FixIt> fixits;
+};
+
+/// What -W<name>, -Wno-<name>, -Werror and -Werror=<name> ask for. A name is a code without its dialect ("W356") or whole ("nc110-W356").
+struct WarningOptions {
+  std::set<std::string, std::less<>> enabled, disabled, errors;
+  bool all_errors = false;
+};
+
+class Engine {
+ public:
+  explicit Engine(WarningOptions options = {}) : options_(std::move(options)) {}
+
+  /// Reports with the smallest range that shows the fault. The result takes notes and fix-its until the next Report.
+  template <class... Args>
+  Diagnostic& Report(source::Range range, const Message<Args...>& message, std::type_identity_t<Args>... args) {
+    std::vector<std::string> texts;
+    (texts.push_back(ToText(args)), ...);
+    return Add(range, message.row, texts);
+  }
+
+  bool HasErrors() const { return error_count_ > 0; }
+  uint32_t error_count() const { return error_count_; }
+  uint32_t warning_count() const { return warning_count_; }
+  /// Would a row be shown at all (not disabled)? For checks that cost time.
+  bool Enabled(const Row& row) const;
+  /// In source order (file, line, column); ties keep the order of detection.
+  void SortBySource();
+  const std::vector<Diagnostic>& all() const { return diagnostics_; }
+  /// Drops everything after the first error (in source order).
+  void KeepFirstErrorOnly();
+
+ private:
+  static std::string ToText(Text text) { return std::string(text); }
+  static std::string ToText(Number number) { return std::to_string(number); }
+  Diagnostic& Add(source::Range range, const Row& row, const std::vector<std::string>& args);
+
+  WarningOptions options_;
+  std::vector<Diagnostic> diagnostics_;
+  Diagnostic discarded_;  // what Report returns for a disabled warning
+  uint32_t error_count_ = 0;
+  uint32_t warning_count_ = 0;
+};
+
+/// "{0}" ... "{9}" replaced by the arguments; "{{" is a brace.
+std::string Format(std::string_view pattern, const std::vector<std::string>& args);
+
+}  // namespace plcxx::diag

@@ -1,0 +1,99 @@
+// Source files: bytes in, UTF-8 text out, with a map back to the line, the column and the byte of the file.
+//
+// Every loaded file gets a stretch of one global offset space, so that a place in any file is one number
+// and a range is two. Nothing here knows a dialect.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "transpiler/support/ids.h"
+
+namespace plcxx::source {
+
+using FileId = support::Id<struct FileTag>;
+using Offset = uint32_t;  // a byte of the UTF-8 text of some file, in the global space
+
+/// Half open [begin, end) in the global offset space; begin == end marks a point. {0, 0} is "no place".
+struct Range {
+  Offset begin = 0;
+  Offset end = 0;
+  bool operator==(const Range&) const = default;
+};
+
+enum class Encoding : uint8_t { kUtf8, kCp866, kCp1251, kKoi8R };
+
+/// The encoding's name as on the command line ("utf-8", "cp866", "cp1251", "koi8-r").
+std::string_view Name(Encoding encoding);
+/// Case-insensitive; also the usual other names (ibm866, windows-1251, utf8). Empty when unknown.
+std::optional<Encoding> EncodingByName(std::string_view name);
+/// All names that `--encoding` accepts, for messages.
+std::vector<std::string_view> EncodingNames();
+
+struct LoadOptions {
+  std::optional<Encoding> encoding;     // forced; else: valid UTF-8 is UTF-8, otherwise detected by letter frequency
+  Encoding fallback = Encoding::kCp866; // where detection finds no evidence
+  size_t max_bytes = 64u << 20;         // a larger file is refused before it is read
+  size_t max_line_bytes = 64u << 10;    // a longer line is refused
+  bool stop_at_1a = true;               // byte 1AH is the DOS end-of-file: it and what follows is not part of the text
+};
+
+enum class LoadProblem : uint8_t { kMissing, kDirectory, kUnreadable, kTooLarge, kLineTooLong, kBinary, kEmpty };
+
+struct LoadError {
+  LoadProblem problem;
+  std::string detail;  // the operating system's words, a size, ...: lower case, no full stop
+  uint32_t line = 0;   // for kLineTooLong and kBinary
+};
+
+/// A place for a person: 1-based line, 1-based column in characters of the file (not bytes of our UTF-8).
+struct Position {
+  FileId file;
+  uint32_t line = 0;
+  uint32_t column = 0;
+};
+
+struct File {
+  std::string path;  // as the user wrote it; "<stdin>" for "-"
+  std::string text;  // UTF-8, line ends as in the file, BOM and everything from 1AH on removed
+  Encoding encoding = Encoding::kUtf8;
+  bool had_bom = false;
+  Offset base = 0;                    // global offset of text[0]
+  std::vector<uint32_t> line_starts;  // offsets into text; CR LF, LF and CR each end a line
+};
+
+class SourceManager {
+ public:
+  /// Reads `path` ("-": standard input). A file is read once: the same path again gives another FileId only when asked again.
+  std::variant<FileId, LoadError> Load(const std::string& path, const LoadOptions& options);
+  /// Text that is already UTF-8: tests, generated text.
+  FileId AddText(std::string path, std::string text);
+  /// As Load, from bytes in memory (fuzzing, standard input).
+  std::variant<FileId, LoadError> AddBytes(std::string path, std::string_view bytes, const LoadOptions& options);
+
+  const File& Get(FileId file) const { return files_[file.index]; }
+  uint32_t size() const { return static_cast<uint32_t>(files_.size()); }
+  Range WholeFile(FileId file) const;
+  /// The text of a range that lies in one file.
+  std::string_view Text(Range range) const;
+  /// The file that holds `offset`; an offset one past the end of a file still belongs to it.
+  FileId FileAt(Offset offset) const;
+  Position Locate(Offset offset) const;
+  /// The text of a 1-based line without its line end.
+  std::string_view Line(FileId file, uint32_t line) const;
+  uint32_t LineCount(FileId file) const;
+  /// The byte of the original file (in its own encoding, BOM counted) at which `offset` stands.
+  size_t OriginalByte(Offset offset) const;
+
+ private:
+  FileId Add(File file);
+  std::deque<File> files_;  // stable addresses: tokens hold views into the text
+  Offset next_base_ = 1;    // 0 stays "no place"
+};
+
+}  // namespace plcxx::source
