@@ -68,6 +68,7 @@ struct Compilation {
   dialects::SourceSummary summary;
   Estimates estimates;                          // from kChecked on
   std::optional<Stage> reached;                 // the last stage without errors
+  bool wrong_use = false;                       // the errors are of the command line, not of the program
 
   bool ok() const { return !diagnostics.HasErrors(); }
   /// For the dialect's printing functions.

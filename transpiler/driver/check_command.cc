@@ -1,0 +1,45 @@
+// plcxx check: diagnostics only.
+#include <iostream>
+#include <memory>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx check turret.sym turret.plc
+  plcxx check main.plc -Werror -Wno-W303
+  plcxx check main.plc --diagnostics=sarif > main.sarif
+
+Text goes to standard error, JSON and SARIF to standard output. plcxx explain CODE tells more about a message.
+Exit codes: 0 no errors, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
+
+int RunCheck(const CommonOptions& options) {
+  std::optional<CompilationRequest> request = MakeRequest(options);
+  if (!request) return kWrongUse;
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  const Compilation compilation = Compile(*request, Stage::kChecked);
+  progress.Clear();
+  PrintDiagnostics(compilation, FormatOf(options));
+  if (FormatOf(options) == DiagnosticsFormat::kText) {
+    const std::string subject = compilation.name.empty() ? options.sources.front() : compilation.name;
+    std::cerr << subject << ": " << CountText(compilation.diagnostics) << '\n';
+  }
+  return ExitCodeOf(compilation);
+}
+
+}  // namespace
+
+void AddCheck(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("check", "Tell what is wrong or doubtful; write nothing");
+  const auto options = std::make_shared<CommonOptions>();
+  AddCommonOptions(*command, *options);
+  command->footer(kFooter);
+  command->callback([options, &run] { run = [options] { return RunCheck(*options); }; });
+}
+
+}  // namespace plcxx::driver

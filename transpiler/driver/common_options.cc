@@ -1,0 +1,113 @@
+#include "transpiler/driver/common_options.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/driver/warning_options.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kSourcesGroup = "Sources";
+constexpr const char* kMessagesGroup = "Messages";
+
+/// An option that may stand several times and takes one value each time, so that a source may follow it.
+void AddRepeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                 const std::string& placeholder, const std::string& meaning, const char* group) {
+  command.add_option(name, values, meaning)
+      ->type_name(placeholder)
+      ->allow_extra_args(false)
+      ->take_all()
+      ->group(group);
+}
+
+std::string Joined(const std::vector<std::string_view>& words) {
+  std::string joined;
+  for (const std::string_view word : words) {
+    if (!joined.empty()) joined += ", ";
+    joined += word;
+  }
+  return joined;
+}
+
+bool TakeSettings(const std::vector<std::string>& settings, std::map<std::string, std::string>& options) {
+  for (const std::string& setting : settings) {
+    const size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      PrintUsageError("'--set " + setting + "' has no value: write --set key=value");
+      return false;
+    }
+    options[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  return true;
+}
+
+}  // namespace
+
+void AddSettings(CLI::App& command, CommonOptions& options) {
+  AddRepeated(command, "--set", options.settings, "KEY=VALUE", "Option of the dialect, such as --set clo=10,2",
+              kSourcesGroup);
+  AddRepeated(command, "-W", options.warnings, "NAME",
+              "-WNAME turns a warning on, -Wno-NAME off; -Werror, -Werror=NAME make errors of warnings", kMessagesGroup);
+}
+
+void AddCommonOptions(CLI::App& command, CommonOptions& options) {
+  command.add_option("SOURCE", options.sources, "The files of one program, in their order; - is standard input")
+      ->required()
+      ->type_name("");
+  command.add_option("--dialect", options.dialect, "Language of the sources; else told by extension, then by content")
+      ->type_name("NAME")
+      ->group(kSourcesGroup);
+  command.add_option("--encoding", options.encoding, "Encoding of the sources: utf-8, cp866, cp1251, koi8-r; else detected")
+      ->type_name("NAME")
+      ->group(kSourcesGroup);
+  AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",
+              kSourcesGroup);
+  AddRepeated(command, "-D", options.defines, "NAME[=V]", "Define a macro (dialect hnc)", kSourcesGroup);
+  AddRepeated(command, "-U", options.undefines, "NAME", "Undefine a macro (dialect hnc)", kSourcesGroup);
+  AddSettings(command, options);
+  command.add_option("--diagnostics", options.format, "Form of the messages: text, json, sarif")
+      ->type_name("FORM")
+      ->default_str("text")
+      ->check(CLI::IsMember({"text", "json", "sarif"}))
+      ->group(kMessagesGroup);
+}
+
+std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
+  CompilationRequest request;
+  request.sources = options.sources;
+  request.dialect = options.dialect;
+  request.include_directories = options.include_directories;
+  if (!options.encoding.empty()) {
+    request.encoding = source::EncodingByName(options.encoding);
+    if (!request.encoding) {
+      PrintUsageError("unknown encoding '" + options.encoding + "': choose one of " + Joined(source::EncodingNames()));
+      return std::nullopt;
+    }
+  }
+  if (!TakeSettings(options.settings, request.options)) return std::nullopt;
+  if (!options.defines.empty() || !options.undefines.empty()) {
+    PrintUsageError("-D and -U belong to dialect hnc, which this version does not have");
+    return std::nullopt;
+  }
+  std::vector<std::string> unknown;
+  request.warnings = ReadWarningOptions(options.warnings, unknown);
+  if (!unknown.empty()) {
+    PrintUsageError("'" + unknown.front() + "' names no warning: plcxx explain --list shows them all");
+    return std::nullopt;
+  }
+  return request;
+}
+
+DiagnosticsFormat FormatOf(const CommonOptions& options) {
+  return DiagnosticsFormatByName(options.format).value_or(DiagnosticsFormat::kText);
+}
+
+int ExitCodeOf(const Compilation& compilation) {
+  if (compilation.ok()) return kDone;
+  return compilation.wrong_use ? kWrongUse : kProgramHasErrors;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,48 @@
+// The options that every subcommand with sources takes, and the request that they make.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/compilation.h"
+#include "transpiler/driver/diagnostics_output.h"
+
+namespace plcxx::driver {
+
+/// What the chosen subcommand does; gives the exit code.
+using Run = std::function<int()>;
+
+struct CommonOptions {
+  std::vector<std::string> sources;
+  std::string dialect;
+  std::string encoding;
+  std::vector<std::string> settings;  // --set
+  std::vector<std::string> include_directories, defines, undefines;
+  std::vector<std::string> warnings;
+  std::string format = "text";
+};
+
+/// SOURCE..., --dialect, --encoding, --set, -I, -D, -U, -W, --diagnostics.
+void AddCommonOptions(CLI::App& command, CommonOptions& options);
+/// --set and -W alone, for commands that have no sources of their own.
+void AddSettings(CLI::App& command, CommonOptions& options);
+
+/// None when an option is wrong: the error has been printed, the exit code is kWrongUse.
+std::optional<CompilationRequest> MakeRequest(const CommonOptions& options);
+DiagnosticsFormat FormatOf(const CommonOptions& options);
+
+/// kDone, kProgramHasErrors, or kWrongUse when the errors are of the command line.
+int ExitCodeOf(const Compilation& compilation);
+
+// The subcommands, one file each.
+void AddEmit(CLI::App& app, Run& run);
+void AddCheck(CLI::App& app, Run& run);
+void AddPrint(CLI::App& app, Run& run);
+void AddSim(CLI::App& app, Run& run);
+void AddExplain(CLI::App& app, Run& run);
+void AddLaterCommands(CLI::App& app, Run& run);  // build, diff, report
+
+}  // namespace plcxx::driver

@@ -1,0 +1,72 @@
+#include "transpiler/driver/compile_report.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "transpiler/driver/diagnostics_output.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr uint64_t kNsPerUs = 1000;
+
+/// Budgets and reports are in whole microseconds, as the control shows them; nothing that runs takes none.
+uint64_t Microseconds(uint64_t ns) { return (ns + kNsPerUs - 1) / kNsPerUs; }
+
+std::string Padded(std::string text, size_t width) {
+  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+
+std::string Plural(uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files) {
+  nlohmann::ordered_json report;
+  report["program"] = compilation.name;
+  report["dialect"] = compilation.dialect->name;
+  report["sources"] = nlohmann::ordered_json::array();
+  for (const source::FileId id : compilation.files) {
+    const source::File& file = compilation.sources->Get(id);
+    // Without directory: the report must not depend on where the sources stand.
+    report["sources"].push_back({{"file", std::filesystem::path(file.path).filename().string()},
+                                 {"lines", compilation.sources->LineCount(id)},
+                                 {"encoding", source::Name(file.encoding)}});
+  }
+  report["lines"] = compilation.summary.lines;
+  report["statements"] = compilation.summary.statements;
+  report["warnings"] = compilation.diagnostics.warning_count();
+  report["errors"] = compilation.diagnostics.error_count();
+  report["partitions"] = nlohmann::ordered_json::array();
+  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
+    report["partitions"].push_back({{"name", partition.name},
+                                    {"time_us", Microseconds(partition.time_ns)},
+                                    {"time_ns", partition.time_ns},
+                                    {"code_bytes", partition.code_bytes}});
+  }
+  report["slices"] = compilation.estimates.slices;
+  report["period_ms"] = compilation.program.schedule.period_ms;
+  report["slow_period_ms"] = compilation.estimates.slow_period_ms;
+  report["files"] = files;
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string ReportText(const Compilation& compilation) {
+  std::string text = compilation.name + ": " + Plural(compilation.summary.lines, "line") + ", " +
+                     Plural(compilation.summary.statements, "statement") + ", " + CountText(compilation.diagnostics) + "\n";
+  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
+    text += "  " + partition.name + std::string(partition.name.size() < 6 ? 6 - partition.name.size() : 0, ' ') +
+            Padded(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
+            Padded(std::to_string(partition.code_bytes), 10) + " bytes\n";
+  }
+  if (compilation.estimates.slow_period_ms > 0) {
+    text += "  slow part in " + Plural(compilation.estimates.slices, "slice") + ", period " +
+            std::to_string(compilation.estimates.slow_period_ms) + " ms\n";
+  }
+  return text;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,16 @@
+// The compile report: what the original compilers print at the end, as JSON for tools and in short form for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+/// <name>.report.json. `files` are the other files written, without directory.
+std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files);
+/// A few lines for the terminal.
+std::string ReportText(const Compilation& compilation);
+
+}  // namespace plcxx::driver

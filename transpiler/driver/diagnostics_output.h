@@ -1,0 +1,26 @@
+// Where diagnostics go: text to standard error; JSON and SARIF of emit and check to standard output.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+enum class DiagnosticsFormat : uint8_t { kText, kJson, kSarif };
+
+/// The names that --diagnostics accepts.
+std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name);
+
+/// For commands whose result is not the diagnostics: always to standard error.
+void PrintDiagnosticsBeside(const Compilation& compilation, DiagnosticsFormat format);
+/// For commands whose standard output is free: JSON and SARIF go there.
+void PrintDiagnostics(const Compilation& compilation, DiagnosticsFormat format);
+
+/// "2 errors, 1 warning"
+std::string CountText(const diag::Engine& diagnostics);
+
+}  // namespace plcxx::driver

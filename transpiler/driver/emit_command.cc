@@ -1,0 +1,133 @@
+// plcxx emit: sources to C++ files, maps and report.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/compile_report.h"
+#include "transpiler/driver/dependency_file.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/emittable.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx emit turret.sym turret.plc -o generated
+      writes generated/turret.hpp, turret.cpp, turret.map.json and turret.report.json
+  plcxx emit main.plc --name mill -o out --depfile out/mill.d
+      as a step of Ninja or CMake
+  plcxx emit main.plc --set clo=20,2 --set iocfil=IOCFIL -Werror=W356
+
+Files are written whole or not at all; a file that would not change keeps its time.
+Exit codes: 0 written, 1 the program has errors (nothing written), 2 wrong use, 3 a fault of plcxx.)";
+
+struct EmitSettings {
+  CommonOptions common;
+  std::string name;
+  std::string directory;
+  std::string dependency_file;
+  bool line_directives = false;
+  bool debug = false;
+  bool quiet = false;
+};
+
+/// Faults of the driver for which a dialect's specification fixes a code.
+struct CannotWriteRow {
+  std::string_view dialect;
+  const diag::Message<diag::Text, diag::Text>* message;
+};
+constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
+
+void ReportCannotWrite(const WriteFailure& failure, Compilation& compilation) {
+  const diag::Message<diag::Text, diag::Text>* message = &diag::CannotWriteOutput;
+  for (const CannotWriteRow& row : kCannotWrite) {
+    if (row.dialect == compilation.dialect->name) message = row.message;
+  }
+  compilation.diagnostics.Report({}, *message, failure.path, failure.reason);
+}
+
+std::vector<std::string> PathsRead(const Compilation& compilation) {
+  std::vector<std::string> paths;
+  for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
+    const std::string& path = compilation.sources->Get(source::FileId(i)).path;
+    if (!path.starts_with('<')) paths.push_back(path);  // "<stdin>"
+  }
+  return paths;
+}
+
+OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation) {
+  emit::EmitOptions options;
+  options.name = compilation.name;
+  options.flavour = settings.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease;
+  options.line_directives = settings.line_directives;
+  const emit::Emittable emittable = emit::Legalize(compilation.program, options);
+
+  OutputRequest output;
+  output.directory = settings.directory;
+  output.files = emit::PrintCpp(emittable, *compilation.sources);
+  output.files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
+  std::vector<std::string> names;
+  for (const emit::OutputFile& file : output.files) names.push_back(file.name);
+  output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names)});
+  for (emit::OutputFile& file : output.files) file.name = PathIn(settings.directory, file.name);
+
+  output.protected_paths = PathsRead(compilation);
+  if (!settings.dependency_file.empty()) {
+    std::vector<std::string> targets;
+    for (const emit::OutputFile& file : output.files) targets.push_back(file.name);
+    output.files.push_back({settings.dependency_file, DependencyRule(targets, output.protected_paths)});
+  }
+  return output;
+}
+
+int RunEmit(const EmitSettings& settings) {
+  std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  if (!settings.name.empty() && !IsFileName(settings.name)) {
+    PrintUsageError("'--name " + settings.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
+    return kWrongUse;
+  }
+  request->name = settings.name;
+
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  Compilation compilation = Compile(*request);
+  if (compilation.ok()) {
+    progress.Show("printing C++");
+    const OutputRequest output = MakeOutput(settings, compilation);
+    progress.Show("writing");
+    if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
+  }
+  progress.Clear();
+  PrintDiagnostics(compilation, FormatOf(settings.common));
+  if (!settings.quiet && compilation.dialect != nullptr && !compilation.wrong_use) std::cerr << ReportText(compilation);
+  return ExitCodeOf(compilation);
+}
+
+}  // namespace
+
+void AddEmit(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("emit", "Write C++, symbol map, line map and report");
+  const auto settings = std::make_shared<EmitSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--name", settings->name, "Name of the program and its files; else from the first logic source")
+      ->type_name("NAME")
+      ->group("Output");
+  command->add_option("-o", settings->directory, "Directory of the files, made when missing; else the current one")
+      ->type_name("DIR")
+      ->group("Output");
+  command->add_option("--depfile", settings->dependency_file, "Also write the files read as a rule of Make")
+      ->type_name("FILE")
+      ->group("Output");
+  command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")->group("Output");
+  command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
+  command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunEmit(*settings); }; });
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,13 @@
+// What plcxx answers to the process that called it; pipelines depend on these four numbers.
+#pragma once
+
+namespace plcxx::driver {
+
+enum ExitCode : int {
+  kDone = 0,
+  kProgramHasErrors = 1,  // or a scenario failed, or a difference was found
+  kWrongUse = 2,
+  kInternalFault = 3  // also used by support::InternalFault
+};
+
+}  // namespace plcxx::driver

@@ -1,0 +1,73 @@
+// The command line of plcxx. Nothing is initialized before a subcommand is chosen, so that the start costs nothing.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/driver/test_command.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx emit turret.sym turret.plc -o generated     C++ for any toolchain
+  plcxx check turret.sym turret.plc                 what is wrong or doubtful
+  plcxx test turret.yaml                            run scenarios
+  plcxx sim turret.plc --for 3s --watch U4A8,W2K2   watch it run
+  plcxx explain nc110-41                            what a message means
+
+plcxx COMMAND --help tells more about one command.
+Exit codes: 0 done, 1 the program has errors or a scenario failed, 2 wrong use, 3 a fault of plcxx.)";
+
+int InternalFault(const char* what) {
+  std::cerr << "plcxx: internal fault: " << what << "\nThis is a fault of plcxx, not of your program; please report it.\n";
+  return kInternalFault;
+}
+
+int Main(int argc, char** argv) {
+  CLI::App app("plcxx: from the PLC languages of machine tool controls to C++", "plcxx");
+  Run run;
+  app.set_version_flag("--version", "plcxx " PLCXX_VERSION, "Show the version");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  AddEmit(app, run);
+  AddCheck(app, run);
+  AddPrint(app, run);
+  AddTest(app, run);
+  AddSim(app, run);
+  AddExplain(app, run);
+  AddLaterCommands(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app.exit(error);  // --help and --version
+      return kDone;
+    }
+    PrintUsageError(error.what());
+    std::cerr << "plcxx --help tells how it is used\n";
+    return kWrongUse;
+  }
+  const int code = run();
+  std::cout.flush();
+  if (std::cout.good()) return code;
+  PrintUsageError("cannot write to standard output");
+  return code == kDone ? static_cast<int>(kWrongUse) : code;
+}
+
+}  // namespace
+}  // namespace plcxx::driver
+
+int main(int argc, char** argv) {
+  try {
+    return plcxx::driver::Main(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "plcxx: out of memory\n";
+    return plcxx::driver::kInternalFault;
+  } catch (const std::exception& fault) {
+    return plcxx::driver::InternalFault(fault.what());
+  }
+}

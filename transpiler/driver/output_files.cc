@@ -1,0 +1,177 @@
+#include "transpiler/driver/output_files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace plcxx::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string SystemWords(int error) {
+  std::string words = std::strerror(error);
+  if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  return words;
+}
+
+bool HasBytes(const std::string& path, std::string_view bytes) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return false;
+  std::string piece(64u << 10, '\0');
+  while (!bytes.empty()) {
+    const size_t wanted = std::min(piece.size(), bytes.size());
+    file.read(piece.data(), static_cast<std::streamsize>(wanted));
+    if (static_cast<size_t>(file.gcount()) != wanted || bytes.substr(0, wanted) != std::string_view(piece).substr(0, wanted)) {
+      return false;
+    }
+    bytes.remove_prefix(wanted);
+  }
+  return file.peek() == std::ifstream::traits_type::eof();
+}
+
+/// The work of one call; what it has begun is undone unless it ends well.
+class Transaction {
+ public:
+  explicit Transaction(const OutputRequest& request) : request_(request) {}
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction();
+
+  std::optional<WriteFailure> Run();
+
+ private:
+  struct Replacement {
+    std::string path, temporary, backup;
+    bool existed = false;
+    bool has_backup = false;
+    bool renamed = false;
+  };
+
+  std::optional<WriteFailure> MakeDirectory();
+  std::optional<WriteFailure> CheckTarget(const std::string& path) const;
+  std::optional<WriteFailure> WriteTemporary(const emit::OutputFile& file);
+  std::optional<WriteFailure> Replace(Replacement& replacement);
+
+  const OutputRequest& request_;
+  std::vector<Replacement> replacements_;
+  std::vector<std::string> new_directories_;  // outermost first
+  bool done_ = false;
+};
+
+Transaction::~Transaction() {
+  for (const Replacement& replacement : replacements_) {
+    if (!replacement.renamed) unlink(replacement.temporary.c_str());
+    if (!done_ && replacement.renamed) {
+      if (replacement.has_backup) {
+        if (rename(replacement.backup.c_str(), replacement.path.c_str()) == 0) continue;
+      } else if (!replacement.existed) {
+        unlink(replacement.path.c_str());
+      }
+    }
+    if (replacement.has_backup) unlink(replacement.backup.c_str());
+  }
+  if (done_) return;
+  for (size_t i = new_directories_.size(); i-- > 0;) rmdir(new_directories_[i].c_str());
+}
+
+std::optional<WriteFailure> Transaction::MakeDirectory() {
+  if (request_.directory.empty()) return std::nullopt;
+  fs::path missing = fs::path(request_.directory).lexically_normal();
+  std::error_code error;
+  std::vector<std::string> to_make;
+  while (!missing.empty() && !fs::exists(missing, error)) {
+    if (missing.has_filename()) to_make.push_back(missing.string());
+    if (missing == missing.parent_path()) break;
+    missing = missing.parent_path();
+  }
+  for (size_t i = to_make.size(); i-- > 0;) {
+    if (mkdir(to_make[i].c_str(), 0777) != 0) {
+      if (errno == EEXIST) continue;  // another process was faster
+      return WriteFailure{request_.directory, SystemWords(errno)};
+    }
+    new_directories_.push_back(to_make[i]);
+  }
+  if (!fs::is_directory(request_.directory, error)) return WriteFailure{request_.directory, "it is not a directory"};
+  return std::nullopt;
+}
+
+std::optional<WriteFailure> Transaction::CheckTarget(const std::string& path) const {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return WriteFailure{path, "it is a directory"};
+  for (const std::string& read : request_.protected_paths) {
+    if (fs::equivalent(path, read, error)) return WriteFailure{path, "it is a source of this program"};
+  }
+  return std::nullopt;
+}
+
+std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& file) {
+  Replacement replacement;
+  replacement.path = file.name;
+  const fs::path place(file.name);
+  const std::string hidden = "." + place.filename().string() + "." + std::to_string(getpid());
+  replacement.temporary = (place.parent_path() / (hidden + ".new")).string();
+  replacement.backup = (place.parent_path() / (hidden + ".old")).string();
+  replacements_.push_back(replacement);
+
+  const int descriptor = open(replacement.temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return WriteFailure{file.name, SystemWords(errno)};
+  std::string_view rest = file.text;
+  int problem = 0;
+  while (!rest.empty() && problem == 0) {
+    const ssize_t written = write(descriptor, rest.data(), rest.size());
+    if (written >= 0) {
+      rest.remove_prefix(static_cast<size_t>(written));
+    } else if (errno != EINTR) {
+      problem = errno;
+    }
+  }
+  if (close(descriptor) != 0 && problem == 0) problem = errno;
+  if (problem != 0) return WriteFailure{file.name, SystemWords(problem)};
+  return std::nullopt;
+}
+
+std::optional<WriteFailure> Transaction::Replace(Replacement& replacement) {
+  replacement.existed = access(replacement.path.c_str(), F_OK) == 0;
+  unlink(replacement.backup.c_str());  // left by a process that was killed
+  replacement.has_backup = replacement.existed && link(replacement.path.c_str(), replacement.backup.c_str()) == 0;
+  if (rename(replacement.temporary.c_str(), replacement.path.c_str()) != 0) {
+    return WriteFailure{replacement.path, SystemWords(errno)};
+  }
+  replacement.renamed = true;
+  return std::nullopt;
+}
+
+std::optional<WriteFailure> Transaction::Run() {
+  if (auto failure = MakeDirectory()) return failure;
+  for (const emit::OutputFile& file : request_.files) {
+    if (auto failure = CheckTarget(file.name)) return failure;
+  }
+  for (const emit::OutputFile& file : request_.files) {
+    if (HasBytes(file.name, file.text)) continue;
+    if (auto failure = WriteTemporary(file)) return failure;
+  }
+  for (Replacement& replacement : replacements_) {
+    if (auto failure = Replace(replacement)) return failure;
+  }
+  done_ = true;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string PathIn(const std::string& directory, const std::string& name) {
+  return directory.empty() ? name : (fs::path(directory) / name).string();
+}
+
+std::optional<WriteFailure> WriteAll(const OutputRequest& request) { return Transaction(request).Run(); }
+
+}  // namespace plcxx::driver

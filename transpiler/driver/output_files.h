@@ -1,0 +1,32 @@
+// Writes the files of one program: all of them or none.
+//
+// Each file is written beside its place and renamed into it, so that no reader ever sees half a file; a file whose
+// bytes did not change is left alone, so that nothing that depends on it is built again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/emit/cpp_printer.h"
+
+namespace plcxx::driver {
+
+struct WriteFailure {
+  std::string path;
+  std::string reason;  // lower case, no full stop
+};
+
+struct OutputRequest {
+  std::string directory;                      // created when missing; empty: the current one
+  std::vector<emit::OutputFile> files;        // each with its whole path for a name
+  std::vector<std::string> protected_paths;   // files that were read: never overwritten
+};
+
+/// After a failure the directory is as it was before.
+std::optional<WriteFailure> WriteAll(const OutputRequest& request);
+
+/// `name` below `directory`, as it is opened and as it stands in dependency files.
+std::string PathIn(const std::string& directory, const std::string& name);
+
+}  // namespace plcxx::driver

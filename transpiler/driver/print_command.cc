@@ -1,0 +1,137 @@
+// plcxx print: the result of one phase as text.
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/emittable.h"
+#include "transpiler/ir/printer.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Phases:
+  source         the text as UTF-8         ir             typed IR as lowered       ir-emittable  ready to be printed
+  tokens         what the lexer sees       ir-structured  nested regions            cpp           the generated files
+  syntax         the syntax tree           ir-optimized   sliced and optimized
+
+Examples:
+  plcxx print syntax turret.plc
+  plcxx print ir-optimized turret.sym turret.plc
+  plcxx print cpp turret.plc | less
+
+The phase goes to standard output, messages to standard error. From ir on, a program with errors prints nothing.
+Exit codes: 0 printed, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
+
+struct PrintSettings {
+  CommonOptions common;
+  std::string phase;
+};
+
+/// Files that are printed one behind the other need headings; a single one is printed as it is.
+std::string Heading(const std::string& name, size_t count) {
+  return count == 1 ? std::string() : "=== " + name + "\n";
+}
+
+std::string PrintSource(Compilation& compilation) {
+  std::string text;
+  for (const source::FileId id : compilation.files) {
+    const source::File& file = compilation.sources->Get(id);
+    text += Heading(file.path, compilation.files.size()) + file.text;
+  }
+  return text;
+}
+
+std::string PrintTokens(Compilation& compilation) {
+  dialects::Request request = compilation.MakeRequest();
+  return compilation.dialect->print_tokens(request);
+}
+
+std::string PrintSyntax(Compilation& compilation) {
+  dialects::Request request = compilation.MakeRequest();
+  return compilation.dialect->print_syntax(request);
+}
+
+std::string PrintIr(Compilation& compilation) { return ir::Print(compilation.program); }
+
+emit::Emittable EmittableOf(const Compilation& compilation) {
+  emit::EmitOptions options;
+  options.name = compilation.name;
+  return emit::Legalize(compilation.program, options);
+}
+
+std::string PrintEmittable(Compilation& compilation) { return emit::Print(EmittableOf(compilation)); }
+
+std::string PrintFiles(Compilation& compilation) {
+  const std::vector<emit::OutputFile> files = emit::PrintCpp(EmittableOf(compilation), *compilation.sources);
+  std::string text;
+  for (const emit::OutputFile& file : files) text += Heading(file.name, files.size()) + file.text;
+  return text;
+}
+
+struct PhaseRow {
+  std::string_view name;
+  Stage stage;
+  std::string (*print)(Compilation& compilation);
+};
+constexpr std::array<PhaseRow, 8> kPhases = {{
+    {"source", Stage::kLoaded, PrintSource},
+    {"tokens", Stage::kLoaded, PrintTokens},
+    {"syntax", Stage::kLoaded, PrintSyntax},
+    {"ir", Stage::kLowered, PrintIr},
+    {"ir-structured", Stage::kStructured, PrintIr},
+    {"ir-optimized", Stage::kOptimized, PrintIr},
+    {"ir-emittable", Stage::kOptimized, PrintEmittable},
+    {"cpp", Stage::kOptimized, PrintFiles},
+}};
+
+const PhaseRow* PhaseByName(std::string_view name) {
+  for (const PhaseRow& row : kPhases) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+std::string PhaseNames() {
+  std::string names;
+  for (const PhaseRow& row : kPhases) {
+    if (!names.empty()) names += ", ";
+    names += row.name;
+  }
+  return names;
+}
+
+int RunPrint(const PrintSettings& settings) {
+  const PhaseRow* phase = PhaseByName(settings.phase);
+  if (phase == nullptr) {
+    PrintUsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
+    return kWrongUse;
+  }
+  const std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  Compilation compilation = Compile(*request, phase->stage);
+  if (compilation.reached == phase->stage) {
+    std::cout << phase->print(compilation) << std::flush;
+    compilation.diagnostics.SortBySource();
+  }
+  PrintDiagnosticsBeside(compilation, FormatOf(settings.common));
+  return ExitCodeOf(compilation);
+}
+
+}  // namespace
+
+void AddPrint(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("print", "Show what a phase of the transpiler made");
+  const auto settings = std::make_shared<PrintSettings>();
+  command->add_option("PHASE", settings->phase, PhaseNames())->required()->type_name("");
+  AddCommonOptions(*command, settings->common);
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunPrint(*settings); }; });
+}
+
+}  // namespace plcxx::driver

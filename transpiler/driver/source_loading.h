@@ -1,0 +1,19 @@
+// Reading the sources of a program: paths, standard input, the dialect that says how they are read.
+//
+// In: a request. Out: a Compilation with its files, or the diagnostics that say why not. Not its job: phases.
+#pragma once
+
+#include <string>
+
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+/// Chooses the dialect, loads every source and makes the loader for files that options name.
+/// What is wrong is reported; `wrong_use` tells faults of the command line from unreadable files.
+void LoadSources(const CompilationRequest& request, Compilation& compilation);
+
+/// `path` as it has to be opened from the current directory.
+std::string FromBase(const std::string& base_directory, const std::string& path);
+
+}  // namespace plcxx::driver

@@ -1,0 +1,43 @@
+#include "transpiler/driver/terminal.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+namespace plcxx::driver {
+namespace {
+
+constexpr std::chrono::milliseconds kMoment(300);
+
+std::string_view EnvironmentValue(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+}  // namespace
+
+bool ShowsColours(Stream stream) {
+  if (isatty(stream == Stream::kOutput ? STDOUT_FILENO : STDERR_FILENO) == 0) return false;
+  return EnvironmentValue("NO_COLOR").empty() && EnvironmentValue("TERM") != "dumb";
+}
+
+void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << text << '\n'; }
+
+ProgressLine::ProgressLine()
+    : terminal_(isatty(STDERR_FILENO) != 0 && EnvironmentValue("TERM") != "dumb"),
+      start_(std::chrono::steady_clock::now()) {}
+
+void ProgressLine::Show(std::string_view phase) {
+  if (!terminal_ || std::chrono::steady_clock::now() - start_ < kMoment) return;
+  std::cerr << "\r\x1b[K" << phase << " ..." << std::flush;
+  shown_ = true;
+}
+
+void ProgressLine::Clear() {
+  if (shown_) std::cerr << "\r\x1b[K" << std::flush;
+  shown_ = false;
+}
+
+}  // namespace plcxx::driver
