@@ -1,0 +1,97 @@
+#include "transpiler/dialects/nc110/locate.h"
+
+#include <algorithm>
+
+#include "transpiler/dialects/nc110/options.h"
+#include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/places.h"
+#include "transpiler/dialects/nc110/tokens.h"
+
+namespace plcxx::nc110 {
+namespace {
+
+constexpr size_t kSignificant = 10;  // characters of a symbol
+constexpr size_t kSample = 64 * 1024;
+
+/// The operand that a symbol stands for, by the documentation that lowering wrote.
+Operand OperandOfSymbol(const ir::Program& program, std::string_view symbol) {
+  for (const ir::Documentation& entry : program.documentation) {
+    std::string_view rest = entry.symbols;
+    while (!rest.empty()) {
+      const size_t comma = std::min(rest.find(", "), rest.size());
+      if (rest.substr(0, comma).substr(0, kSignificant) == symbol.substr(0, kSignificant)) {
+        return OperandFromText(entry.address);
+      }
+      rest.remove_prefix(std::min(comma + 2, rest.size()));
+    }
+  }
+  return {};
+}
+
+dialects::Location LocationOf(const ir::Program& program, const Operand& operand) {
+  dialects::Location location;
+  const auto field = FieldOfOperand(operand);
+  if (!field) {
+    location.place = MemoryPlace(operand);
+  } else {
+    location.place.type = operand.kind == OperandKind::kCounterValue ? ir::Type::kI8 : ir::Type::kBit;
+    location.place.field = field->field;
+    for (uint32_t i = 0; i < program.states.size(); ++i) {
+      const ir::StateInstance& state = program.states[ir::StateId(i)];
+      if (state.kind == field->kind && state.name == field->instance) location.place.state = ir::StateId(i);
+    }
+    location.absent = !location.place.state.valid();
+  }
+  location.place.name = ToText(operand);
+  return location;
+}
+
+}  // namespace
+
+std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
+  text = Trim(text);
+  if (text == "OPERATOR_TEXT") {
+    dialects::Location location;
+    location.text_input = true;
+    location.absent = !program.text_inbox.valid();
+    location.place.name = text;
+    return location;
+  }
+  const bool symbol_only = text.starts_with('!');
+  if (symbol_only) text.remove_prefix(1);
+  if (text.empty()) return std::nullopt;
+  Operand operand;
+  if (!symbol_only) operand = OperandFromText(text);
+  if (operand.kind == OperandKind::kNone) operand = OperandOfSymbol(program, text);
+  if (operand.kind == OperandKind::kNone) return std::nullopt;
+  return LocationOf(program, operand);
+}
+
+std::optional<uint64_t> ParseValue(std::string_view text) {
+  const Number number = Evaluate(Trim(text));
+  if (!number.well_formed) return std::nullopt;
+  return number.value;
+}
+
+/// One assignment to an operand, or the head of a block, is enough: no other dialect writes "U4A8=" or "DOF:".
+bool Recognize(std::string_view text) {
+  if (text.starts_with('*')) return true;
+  text = text.substr(0, kSample);
+  while (!text.empty()) {
+    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line = Trim(line.substr(0, line.find(';')));
+    if (line.starts_with('/')) line.remove_prefix(1);
+    const size_t run = std::min(line.find_first_of(" \t=(:"), line.size());
+    const std::string_view first = line.substr(0, run);
+    line = Trim(line.substr(run));
+    if (first.empty() || line.empty()) continue;
+    const TokenKind kind = Classify(first).kind;
+    if (kind == TokenKind::kOperand && (line[0] == '=' || line[0] == '(')) return true;
+    if (kind == TokenKind::kDof && line.find(':') != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace plcxx::nc110

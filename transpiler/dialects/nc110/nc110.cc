@@ -1,0 +1,88 @@
+#include "transpiler/dialects/nc110/nc110.h"
+
+#include "transpiler/dialects/nc110/locate.h"
+#include "transpiler/dialects/nc110/lowering.h"
+#include "transpiler/dialects/nc110/options.h"
+#include "transpiler/dialects/nc110/parser.h"
+
+namespace plcxx::nc110 {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".plc", ".sym"};
+
+void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  const bool too_long =
+      error.problem == source::LoadProblem::kTooLarge || error.problem == source::LoadProblem::kLineTooLong;
+  diagnostics.Report({}, too_long ? diag::Nc110SourceTooLong : diag::Nc110CannotRead, path, error.detail);
+}
+
+std::string Tokens(dialects::Request& request) {
+  const Settings settings = ReadSettings(request);
+  std::string text;
+  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file, settings.parse);
+  return text;
+}
+
+std::string Syntax(dialects::Request& request) {
+  const Settings settings = ReadSettings(request);
+  return PrintSyntax(*request.sources, Parse(*request.sources, request.files, settings.parse, *request.diagnostics));
+}
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  const Settings settings = ReadSettings(request);
+  const Program tree = Parse(*request.sources, request.files, settings.parse, *request.diagnostics);
+  dialects::Lowered lowered;
+  lowered.program = Lower(tree, settings, *request.sources);
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  return lowered;
+}
+
+std::unique_ptr<dialects::ControlStub> MakeStub(const ir::Program&, const std::map<std::string, std::string>&) {
+  return nullptr;
+}
+
+void ReportOverBudget(dialects::Budget budget, uint64_t needed, uint64_t limit, source::FileId first,
+                      const source::SourceManager& sources, diag::Engine& diagnostics) {
+  source::Range range = sources.WholeFile(first);
+  range.end = range.begin + static_cast<source::Offset>(sources.Line(first, 1).size());
+  const auto report = [&](const diag::Message<diag::Number, diag::Number>& message) {
+    diagnostics.Report(range, message, static_cast<int64_t>(needed), static_cast<int64_t>(limit));
+  };
+  switch (budget) {
+    case dialects::Budget::kFastUs:
+      return report(diag::Nc110FastBudget);
+    case dialects::Budget::kSlowMs:
+      return report(diag::Nc110SlowBudget);
+    case dialects::Budget::kCodeKb:
+      return report(diag::Nc110CodeBudget);
+  }
+}
+
+}  // namespace
+
+const dialects::Dialect kNc110 = {
+    .name = "nc110",
+    .title = "Balt-System NC-110 ... NC-400",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = {},
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = Tokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = Locate,
+    .parse_value = ParseValue,
+    .make_stub = MakeStub,
+    .report_over_budget = ReportOverBudget,
+    .lints = {.driven_in_both_parts = &diag::Nc110DrivenInBothParts,
+              .driven_twice = &diag::Nc110DrivenTwice,
+              .read_never_driven = &diag::Nc110ReadNeverDriven,
+              .sliced_carry_read = &diag::Nc110SlicedCarryRead,
+              .written_in_both_parts = &diag::Nc110WrittenInBothParts,
+              .double_coil = &diag::Nc110DoubleCoil,
+              .dead_store = &diag::Nc110DeadStore},
+};
+
+}  // namespace plcxx::nc110

@@ -1,0 +1,112 @@
+#include "transpiler/dialects/nc110/signals.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "transpiler/dialects/nc110/machine.h"
+#include "transpiler/dialects/nc110/tokens.h"
+
+namespace plcxx::nc110 {
+namespace {
+
+auto Order(const Operand& operand) {
+  return std::tuple(operand.kind == OperandKind::kWord, operand.package, operand.number, operand.index);
+}
+
+/// The next field of a line of comma separated values; quotes around it are removed.
+std::string_view TakeField(std::string_view& line) {
+  std::string_view field;
+  if (line.starts_with('"')) {
+    const size_t end = std::min(line.find('"', 1), line.size());
+    field = line.substr(1, end - 1);
+    line.remove_prefix(std::min(end + 1, line.size()));
+  } else {
+    field = line.substr(0, std::min(line.find(','), line.size()));
+    line.remove_prefix(field.size());
+  }
+  if (!line.empty()) line.remove_prefix(1);
+  return field;
+}
+
+std::vector<Signal> ReadTable() {
+  std::vector<Signal> signals;
+  signals.reserve(1100);
+  std::string_view rest = kSignalTable;
+  rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));  // the heads of the columns
+  while (!rest.empty()) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty()) continue;
+    const Decoded decoded = Decode(TakeField(line));
+    PLCXX_CHECK(decoded.fault == OperandFault::kNone);
+    Signal signal{.operand = decoded.operand, .name = TakeField(line), .meaning = {}};
+    if (signal.operand.kind == OperandKind::kInput) signal.operand.kind = OperandKind::kOutput;
+    TakeField(line);  // width: the address tells it
+    TakeField(line);  // direction: machine.def has it
+    signal.meaning = TakeField(line);
+    signals.push_back(std::move(signal));
+  }
+  std::stable_sort(signals.begin(), signals.end(),
+                   [](const Signal& a, const Signal& b) { return Order(a.operand) < Order(b.operand); });
+  return signals;
+}
+
+/// As process 1 has it, I as U.
+Operand Canonical(Operand operand, uint32_t processes) {
+  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
+  const bool shared = operand.package == Package::kK || operand.package == Package::kN;
+  if (shared && operand.number < kProcessConnectors * processes) {
+    operand.number = static_cast<uint16_t>(operand.number % kProcessConnectors);
+  }
+  return operand;
+}
+
+/// Signals that exist once: RSPEPN acts for all processes, the keys of connector 2N belong to the panel.
+bool ExistsOnce(const Operand& signal) {
+  const bool relay = signal.package == Package::kK && signal.number == 10 && signal.index == 20;
+  return (relay && signal.kind == OperandKind::kOutput) || (signal.package == Package::kN && signal.number == 2);
+}
+
+}  // namespace
+
+std::span<const Signal> SignalsAt(const Operand& operand, uint32_t processes) {
+  static const std::vector<Signal> signals = ReadTable();
+  if (!IsMemory(operand)) return {};
+  const Operand wanted = Canonical(operand, processes);
+  if (wanted.number != operand.number && ExistsOnce(wanted)) return {};
+  const auto [first, last] =
+      std::equal_range(signals.begin(), signals.end(), Signal{wanted, {}, {}},
+                       [](const Signal& a, const Signal& b) { return Order(a.operand) < Order(b.operand); });
+  return {first, last};
+}
+
+std::string PredefinedName(const Operand& operand, uint32_t processes) {
+  std::string names;
+  std::string_view before;
+  for (const Signal& signal : SignalsAt(operand, processes)) {
+    if (signal.name.empty() || signal.name == before) continue;
+    before = signal.name;
+    if (!names.empty()) names += ", ";
+    names += signal.name;
+  }
+  return names;
+}
+
+std::string Meaning(const Operand& operand, uint32_t processes) {
+  std::string meanings;
+  for (const Signal& signal : SignalsAt(operand, processes)) {
+    if (!meanings.empty()) meanings += "; ";
+    meanings += signal.meaning;
+  }
+  return meanings;
+}
+
+bool HoldsBcd(const Operand& operand, uint32_t processes) {
+  const auto signals = SignalsAt(operand, processes);
+  return operand.kind == OperandKind::kWord && std::any_of(signals.begin(), signals.end(), [](const Signal& signal) {
+           return signal.meaning.find("BCD") != std::string::npos;
+         });
+}
+
+}  // namespace plcxx::nc110
