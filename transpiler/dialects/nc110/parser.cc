@@ -205,11 +205,12 @@ void Parser::ParseItem() {
     ReportNoStatement();
     chain_ = chain_before;
   }
-  if (!AtItemStart()) {
-    if (!failed_) {
+  if (!panic_ && !Peek().first_on_line) {
+    if (!AtItemStart() && !failed_) {
       ReportNoStatement();
     }
-    panic_ = true;
+    // What follows a fault on its line and is no target is a part of the faulty statement.
+    panic_ = panic_ || (failed_ && (!AtItemStart() || (AtOperand() && !LooksLikeTarget(0))));
   }
   if (panic_) {
     SkipToNextItem(begin);

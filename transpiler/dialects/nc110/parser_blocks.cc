@@ -111,11 +111,17 @@ bool Parser::NoConditionHere() const {
 
 void Parser::ParseCondition(Block& block, source::Range colon) {
   if (NoConditionHere()) {
-    if (block.kind != BlockKind::kDoe) {
-      Fault(colon, diag::Nc110ConditionExpected, HeadWord(block.kind));
-      block.condition = ErrorExpr(colon);
+    if (block.kind == BlockKind::kDoe) {
+      return;
     }
-    return;
+    Fault(colon, diag::Nc110ConditionExpected, HeadWord(block.kind));
+    const bool on_next_line = Peek().first_on_line && !LooksLikeTarget(At(TokenKind::kSlash) ? 1 : 0) &&
+                              (AtOperand() || At(TokenKind::kOpenParenthesis) || At(TokenKind::kOpenBracket) ||
+                               At(TokenKind::kSlash) || At(TokenKind::kFunction) || At(TokenKind::kAscii));
+    if (!on_next_line) {
+      block.condition = ErrorExpr(colon);
+      return;
+    }
   }
   primary_name_ = "condition";
   in_condition_ = true;

@@ -204,6 +204,9 @@ ExprId Parser::ParseComparator() {
   if (IsComparisonSign(Peek().kind)) {
     return HardFault(Peek().range, diag::Nc110ComparisonSignTwice, Found());
   }
+  if (Peek().first_on_line && LooksLikeTarget(0)) {
+    return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());  // the next statement
+  }
   const ExprId right = ParseComparatorArgument();
   if (panic_) {
     return right;
