@@ -1,0 +1,130 @@
+#include "transpiler/driver/lockstep.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "transpiler/driver/lockstep_snapshot.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::driver {
+namespace {
+
+std::string Named(const sim::Engine& engine, const std::string& text) {
+  return std::string(engine.name()) + ": " + text;
+}
+
+}  // namespace
+
+Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines)
+    : program_(program), engines_(std::move(engines)) {
+  PLCXX_CHECK(!engines_.empty());
+}
+
+void Lockstep::PowerOn() {
+  for (const auto& engine : engines_) engine->PowerOn();
+  Compare(0);
+}
+
+void Lockstep::RunPeriod(uint32_t now_ms) {
+  for (const auto& engine : engines_) engine->RunPeriod(now_ms);
+  Compare(now_ms);
+}
+
+void Lockstep::RunFastOnly(uint32_t now_ms) {
+  for (const auto& engine : engines_) engine->RunFastOnly(now_ms);
+  Compare(now_ms);
+}
+
+void Lockstep::Write(const ir::Place& place, uint64_t value) {
+  for (const auto& engine : engines_) engine->Write(place, value);
+}
+
+void Lockstep::Force(const ir::Place& place, uint64_t value) {
+  for (const auto& engine : engines_) engine->Force(place, value);
+}
+
+void Lockstep::Release(const ir::Place& place) {
+  for (const auto& engine : engines_) engine->Release(place);
+}
+
+void Lockstep::SendText(std::string_view text) {
+  for (const auto& engine : engines_) engine->SendText(text);
+}
+
+void Lockstep::EnableStatement(ir::StatementId statement, bool enabled) {
+  for (const auto& engine : engines_) engine->EnableStatement(statement, enabled);
+}
+
+void Lockstep::StoreRetentive() {
+  for (const auto& engine : engines_) engine->StoreRetentive();
+}
+
+std::vector<sim::HostEvent> Lockstep::TakeEvents() { return std::exchange(events_, {}); }
+
+void Lockstep::Compare(uint32_t now_ms) {
+  const std::vector<sim::HostEvent> events = engines_.front()->TakeEvents();
+  events_.insert(events_.end(), events.begin(), events.end());
+  if (engines_.size() == 1) return;
+  const std::vector<uint8_t> state = engines_.front()->Snapshot();
+  for (size_t i = 1; i < engines_.size(); ++i) {
+    CompareStates(*engines_[i], state, now_ms);
+    CompareEvents(*engines_[i], events, now_ms);
+  }
+}
+
+void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms) {
+  const std::vector<uint8_t> found = other.Snapshot();
+  if (difference_ || found == expected) return;
+  const sim::Engine& first = *engines_.front();
+  if (found.size() != expected.size()) {
+    difference_ = {"the size of the state", std::nullopt, Named(first, std::to_string(expected.size()) + " bytes"),
+                   Named(other, std::to_string(found.size()) + " bytes"), now_ms};
+    return;
+  }
+  const auto at =
+      static_cast<size_t>(std::mismatch(expected.begin(), expected.end(), found.begin()).first - expected.begin());
+  const SnapshotCell cell = CellAt(program_, at, static_cast<uint8_t>(expected[at] ^ found[at]));
+  difference_ = {cell.name, cell.place, Named(first, ValueText(cell.type, CellValue(cell, expected))),
+                 Named(other, ValueText(cell.type, CellValue(cell, found))), now_ms};
+}
+
+void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected, uint32_t now_ms) {
+  const std::vector<sim::HostEvent> found = other.TakeEvents();
+  if (difference_ || found == expected) return;
+  difference_ = {"the host calls", std::nullopt, Named(*engines_.front(), ToText(program_, expected)),
+                 Named(other, ToText(program_, found)), now_ms};
+}
+
+std::string ToText(const ir::Program& program, const sim::HostEvent& event) {
+  const ir::HostFunction& function = program.host_functions[event.function];
+  std::string text = function.name + "(";
+  for (size_t i = 0; i < event.arguments.size(); ++i) {
+    const uint64_t value = event.arguments[i];
+    if (i > 0) text += ", ";
+    if (i >= function.parameters.size()) {
+      text += std::to_string(value);
+      continue;
+    }
+    const ir::Parameter& parameter = function.parameters[i];
+    text += parameter.name + ": ";
+    text += value < parameter.enumerators.size() ? parameter.enumerators[value] : std::to_string(value);
+  }
+  return text + ")";
+}
+
+std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>& events) {
+  if (events.empty()) return "none";
+  std::string text;
+  for (const sim::HostEvent& event : events) text += (text.empty() ? "" : ", ") + ToText(program, event);
+  return text;
+}
+
+std::string ValueText(ir::Type type, uint64_t value) {
+  if (type == ir::Type::kBit) return std::to_string(value);
+  char hex[24];
+  std::snprintf(hex, sizeof hex, " (0x%02llX)", static_cast<unsigned long long>(value));
+  return std::to_string(value) + hex;
+}
+
+}  // namespace plcxx::driver

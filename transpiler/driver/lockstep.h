@@ -1,0 +1,67 @@
+// Several engines of one program as one: every command goes to each, and after each period their states are compared.
+//
+// In: a simulator, compiled code, or both. Out: the engine that a scenario drives, and the first difference. The first
+// engine answers for all. Not its job: what a difference means for a scenario (scenario_run.h).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/engine.h"
+
+namespace plcxx::driver {
+
+/// What two engines disagree about.
+struct Difference {
+  std::string what;                // "U4A8", "T5.elapsed_ms", "the host calls"
+  std::optional<ir::Place> place;  // none: not a place of the program
+  std::string first, second;       // "simulator: 1", "compiled: 0"
+  uint32_t now_ms = 0;             // of the period after which it was seen
+};
+
+class Lockstep : public sim::Engine {
+ public:
+  Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines);
+
+  const std::vector<std::unique_ptr<sim::Engine>>& engines() const { return engines_; }
+  /// The first one since the beginning; stays.
+  const std::optional<Difference>& difference() const { return difference_; }
+
+  std::string_view name() const override { return engines_.front()->name(); }
+  void PowerOn() override;
+  void RunPeriod(uint32_t now_ms) override;
+  void RunFastOnly(uint32_t now_ms) override;
+  uint64_t Read(const ir::Place& place) override { return engines_.front()->Read(place); }
+  void Write(const ir::Place& place, uint64_t value) override;
+  void Force(const ir::Place& place, uint64_t value) override;
+  void Release(const ir::Place& place) override;
+  void SendText(std::string_view text) override;
+  void EnableStatement(ir::StatementId statement, bool enabled) override;
+  void StoreRetentive() override;
+  std::vector<sim::HostEvent> TakeEvents() override;
+  std::vector<uint8_t> Snapshot() override { return engines_.front()->Snapshot(); }
+
+ private:
+  void Compare(uint32_t now_ms);
+  void CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected, uint32_t now_ms);
+  void CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms);
+
+  const ir::Program& program_;
+  std::vector<std::unique_ptr<sim::Engine>> engines_;
+  std::vector<sim::HostEvent> events_;
+  std::optional<Difference> difference_;
+};
+
+/// "fault(kind: PARAM_RANGE, index: 20)"
+std::string ToText(const ir::Program& program, const sim::HostEvent& event);
+std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>& events);
+
+/// A value as messages show it: "1" for a bit, "18 (0x12)" for anything wider.
+std::string ValueText(ir::Type type, uint64_t value);
+
+}  // namespace plcxx::driver

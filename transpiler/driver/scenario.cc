@@ -1,0 +1,223 @@
+#include "transpiler/driver/scenario.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "transpiler/driver/scenario_reader.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 16u << 20;
+
+std::string Join(std::initializer_list<std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) {
+    if (!text.empty()) text += ", ";
+    text += word;
+  }
+  return text;
+}
+
+std::vector<ScenarioError> Refuse(const std::string& path, ScenarioMark mark, std::string message) {
+  return {ScenarioError{path, mark, std::move(message)}};
+}
+
+}  // namespace
+
+std::string ToText(const ScenarioError& error) {
+  std::string text = error.path + ":";
+  if (error.mark.line != 0) text += std::to_string(error.mark.line) + ":" + std::to_string(error.mark.column) + ":";
+  return text + " " + error.message;
+}
+
+ScenarioOrErrors ReadScenario(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return Refuse(path, {}, "there is no such file");
+  if (!std::filesystem::is_regular_file(status)) return Refuse(path, {}, "not a file");
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (!error && bytes > kMaxBytes) return Refuse(path, {}, "the file is larger than 16 MB: not a scenario");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return Refuse(path, {}, "the file cannot be read");
+  return ParseScenario(path, std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text) {
+  ScenarioReader reader(path);
+  Scenario scenario;
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty() || documents[0].IsNull()) return Refuse(path, {}, "the file holds no scenario");
+    if (documents.size() > 1) return Refuse(path, {}, "the file holds more than one YAML document");
+    scenario = reader.Read(documents[0]);
+  } catch (const YAML::Exception& fault) {
+    const bool placed = !fault.mark.is_null();
+    const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
+    return Refuse(path, {line, static_cast<uint32_t>(placed ? fault.mark.column + 1 : 0)}, "not YAML: " + fault.msg);
+  }
+  if (!reader.errors().empty()) return std::move(reader.errors());
+  return scenario;
+}
+
+void ScenarioReader::Fail(ScenarioMark mark, std::string message) {
+  errors_.push_back({path_, mark, std::move(message)});
+}
+
+ScenarioMark ScenarioReader::Mark(const YAML::Node& node) {
+  const YAML::Mark mark = node.Mark();
+  return {static_cast<uint32_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
+}
+
+std::vector<YamlEntry> ScenarioReader::Map(const YAML::Node& node, std::string_view what) {
+  std::vector<YamlEntry> entries;
+  if (!node.IsMap()) {
+    Fail(Mark(node), std::string(what) + " is a map '{key: value}'");
+    return entries;
+  }
+  for (const auto& pair : node) {
+    const std::optional<MarkedText> key = Word(pair.first, "a key");
+    if (!key) continue;
+    const bool twice =
+        std::any_of(entries.begin(), entries.end(), [&](const YamlEntry& e) { return e.key.text == key->text; });
+    if (twice)
+      Fail(key->mark, "'" + key->text + "' is given twice");
+    else
+      entries.push_back({*key, pair.second});
+  }
+  return entries;
+}
+
+std::vector<YAML::Node> ScenarioReader::ListOrSingle(const YAML::Node& node) {
+  if (!node.IsSequence()) return {node};
+  return {node.begin(), node.end()};
+}
+
+std::optional<MarkedText> ScenarioReader::Word(const YAML::Node& node, std::string_view what) {
+  if (node.IsScalar()) return MarkedText{node.Scalar(), Mark(node)};
+  Fail(Mark(node),
+       node.IsNull() ? std::string(what) + " is missing" : std::string(what) + " is a single word or number");
+  return std::nullopt;
+}
+
+std::optional<uint32_t> ScenarioReader::Number(const YAML::Node& node, std::string_view what) {
+  const std::optional<MarkedText> word = Word(node, what);
+  if (!word) return std::nullopt;
+  uint32_t number = 0;
+  const char* end = word->text.data() + word->text.size();
+  const auto [last, error] = std::from_chars(word->text.data(), end, number);
+  if (error == std::errc() && last == end) return number;
+  Fail(word->mark, "'" + word->text + "': " + std::string(what) + " is a whole number");
+  return std::nullopt;
+}
+
+void ScenarioReader::RefuseKey(const MarkedText& key, std::string_view where,
+                               std::initializer_list<std::string_view> known) {
+  Fail(key.mark, "'" + key.text + "' is no key of " + std::string(where) + "; there are: " + Join(known));
+}
+
+std::vector<std::string> ScenarioReader::Words(const YAML::Node& node, std::string_view what) {
+  std::vector<std::string> words;
+  for (const YAML::Node& item : ListOrSingle(node)) {
+    if (const std::optional<MarkedText> word = Word(item, what)) words.push_back(word->text);
+  }
+  return words;
+}
+
+std::map<std::string, std::string> ScenarioReader::Options(const YAML::Node& node) {
+  std::map<std::string, std::string> options;
+  for (const YamlEntry& entry : Map(node, "'options'")) {
+    std::string value;
+    for (const std::string& word : Words(entry.value, "the value of option '" + entry.key.text + "'")) {
+      value += (value.empty() ? "" : ",") + word;  // options that take several values separate them so
+    }
+    options[entry.key.text] = value;
+  }
+  return options;
+}
+
+ExpectedError ScenarioReader::ReadExpectedError(const YAML::Node& node) {
+  ExpectedError expected{.mark = Mark(node), .contains = {}, .file = {}};
+  for (const YamlEntry& entry : Map(node, "'expect_error'")) {
+    if (entry.key.text == "line") {
+      expected.line = Number(entry.value, "'line'").value_or(0);
+    } else if (entry.key.text == "contains") {
+      expected.contains = Words(entry.value, "'contains'");
+    } else if (entry.key.text == "file") {
+      if (const auto word = Word(entry.value, "'file'")) expected.file = word->text;
+    } else {
+      RefuseKey(entry.key, "'expect_error'", {"line", "contains", "file"});
+    }
+  }
+  return expected;
+}
+
+std::vector<ExpectedWarning> ScenarioReader::ReadWarnings(const YAML::Node& node) {
+  std::vector<ExpectedWarning> warnings;
+  if (!node.IsSequence()) {
+    Fail(Mark(node), "'warnings' is a list of '{line: n, code: Wnnn}'");
+    return warnings;
+  }
+  for (const YAML::Node& item : node) {
+    ExpectedWarning warning{.mark = Mark(item), .code = {}, .file = {}};
+    for (const YamlEntry& entry : Map(item, "a warning")) {
+      if (entry.key.text == "line") {
+        warning.line = Number(entry.value, "'line'").value_or(0);
+      } else if (entry.key.text == "code") {
+        if (const auto word = Word(entry.value, "'code'")) warning.code = word->text;
+      } else if (entry.key.text == "file") {
+        if (const auto word = Word(entry.value, "'file'")) warning.file = word->text;
+      } else {
+        RefuseKey(entry.key, "a warning", {"line", "code", "file"});
+      }
+    }
+    if (item.IsMap() && warning.code.empty()) Fail(warning.mark, "a warning needs its 'code'");
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+Scenario ScenarioReader::Read(const YAML::Node& root) {
+  Scenario scenario;
+  scenario.path = path_;
+  scenario.directory = std::filesystem::path(path_).parent_path().string();
+  for (const YamlEntry& entry : Map(root, "a scenario")) {
+    const std::string& key = entry.key.text;
+    if (key == "dialect" || key == "name" || key == "description") {
+      const std::optional<MarkedText> word = Word(entry.value, "'" + key + "'");
+      if (word && key == "dialect") scenario.dialect = word->text;
+      if (word && key == "name") scenario.name = word->text;
+    } else if (key == "sources") {
+      scenario.sources = Words(entry.value, "a source");
+    } else if (key == "options") {
+      scenario.options = Options(entry.value);
+    } else if (key == "expect_error") {
+      scenario.expect_error = ReadExpectedError(entry.value);
+    } else if (key == "warnings") {
+      scenario.warnings = ReadWarnings(entry.value);
+    } else if (key == "steps") {
+      scenario.steps = ReadSteps(entry.value);
+    } else {
+      RefuseKey(entry.key, "a scenario",
+                {"dialect", "sources", "options", "steps", "expect_error", "warnings", "name", "description"});
+    }
+  }
+  if (!root.IsMap()) return scenario;
+  if (scenario.steps && scenario.expect_error) {
+    Fail(scenario.expect_error->mark, "'expect_error' stands instead of 'steps', not beside them");
+  } else if (!scenario.steps && !scenario.expect_error && !scenario.warnings) {
+    Fail(Mark(root), "nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'");
+  }
+  return scenario;
+}
+
+}  // namespace plcxx::driver
