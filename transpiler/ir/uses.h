@@ -1,0 +1,55 @@
+// Which words of an instruction are values, without building a list: for phases that visit every instruction.
+#pragma once
+
+#include "transpiler/ir/program.h"
+
+namespace plcxx::ir {
+
+/// Calls `visit(uint32_t& word)` for every word that names a used value, in the order of UsedValues, and
+/// `visit(ValueId& argument)` for the arguments of calls. Works on const programs, too.
+template <class AnyProgram, class AnyInst, class Visit>
+void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
+  constexpr uint32_t kNone = support::Id<void>::kNone;
+  switch (Info(inst.op).shape) {
+    case Shape::kPure:
+    case Shape::kStep:
+      if (inst.a != kNone) visit(inst.a);
+      if (inst.b != kNone) visit(inst.b);
+      if (inst.c != kNone) visit(inst.c);
+      break;
+    case Shape::kStore:
+      if (inst.a != kNone) visit(inst.a);
+      if (inst.b != kNone) visit(inst.b);
+      break;
+    case Shape::kLoad:
+    case Shape::kIf:
+    case Shape::kSwitch:
+    case Shape::kExit:
+    case Shape::kJump:
+      if (inst.a != kNone) visit(inst.a);
+      break;
+    case Shape::kCall:
+    case Shape::kHostCall:
+      for (auto& argument : program.calls[CallId(inst.payload)].arguments) visit(argument.index);
+      break;
+    case Shape::kConst:
+    case Shape::kText:
+    case Shape::kStatement:
+    case Shape::kLoop:
+    case Shape::kBlock:
+    case Shape::kLabel:
+      break;
+  }
+}
+
+/// Whether an instruction owns regions; asks no allocation, unlike OwnedRegions.
+inline bool OwnsRegions(const Inst& inst) {
+  const Shape shape = Info(inst.op).shape;
+  return shape == Shape::kIf || shape == Shape::kSwitch || shape == Shape::kLoop || shape == Shape::kBlock;
+}
+
+/// Turns an instruction that no region lists any more into one without operands and effects, so that phases that go
+/// through Program::insts do not count what it used.
+inline void Forget(Inst& inst) { inst = Inst{.op = OpKind::kPoison, .range = inst.range, .a = 0, .b = 0}; }
+
+}  // namespace plcxx::ir

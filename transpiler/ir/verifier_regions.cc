@@ -1,0 +1,167 @@
+// Control flow: regions and what owns them, markers of statements, exits, jumps.
+
+#include <algorithm>
+
+#include "transpiler/ir/verifier_state.h"
+
+namespace plcxx::ir {
+
+void Verifier::VerifyRegion(RegionId region, uint32_t floor) {
+  region_open[region.index] = true;
+  bool jumps = false;
+  for (const InstId id : program.regions[region].insts) {
+    if (id.index >= program.insts.size()) {
+      Report(program.routines[routine].name + ": unknown instruction");
+      continue;
+    }
+    const Inst& inst = program[id];
+    if (position[id.index] != 0) {
+      Report(inst, "stands in two places");
+      continue;
+    }
+    switch (Info(inst.op).shape) {
+      case Shape::kStatement:
+        if (inst.payload >= program.statements.size()) {
+          Report(inst, "unknown statement");
+          break;
+        }
+        if (marked[inst.payload]) Report(inst, "statement " + std::to_string(inst.payload) + " is marked twice");
+        marked[inst.payload] = true;
+        statement = StatementId(inst.payload);
+        floor = now;  // no value lives on
+        break;
+      case Shape::kJump:
+      case Shape::kLabel:
+        if (stage == Stage::kStructured) Report(inst, "left over from before structuring");
+        if (inst.op == OpKind::kJump && ValueId(inst.a).valid())
+          VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+        jumps = true;
+        break;
+      case Shape::kIf:
+        VerifyIf(inst, floor);
+        break;
+      case Shape::kSwitch:
+        VerifySwitch(inst, floor);
+        break;
+      case Shape::kLoop:
+        VerifyLoop(id, inst, floor);
+        break;
+      case Shape::kBlock:
+        VerifyBlock(id, inst, floor);
+        break;
+      case Shape::kExit:
+        VerifyExit(inst, floor);
+        break;
+      case Shape::kPure:
+      case Shape::kStep:
+      case Shape::kConst:
+      case Shape::kLoad:
+      case Shape::kStore:
+      case Shape::kText:
+      case Shape::kCall:
+      case Shape::kHostCall:
+        VerifyInst(inst, floor);
+        break;
+    }
+    position[id.index] = ++now;
+    home[id.index] = region;
+  }
+  if (jumps && stage == Stage::kLowered) VerifyJumps(region);
+  region_open[region.index] = false;
+}
+
+void Verifier::VerifyOwned(RegionId region, uint32_t floor, const Inst& owner) {
+  if (region.index >= program.regions.size()) {
+    Report(owner, "region without body");
+    return;
+  }
+  if (region_owned[region.index]) {
+    Report(owner, "its region has another owner");
+    return;
+  }
+  region_owned[region.index] = true;
+  VerifyRegion(region, floor);
+}
+
+void Verifier::VerifyIf(const Inst& inst, uint32_t floor) {
+  VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  VerifyOwned(RegionId(inst.b), floor, inst);
+  if (RegionId(inst.c).valid()) VerifyOwned(RegionId(inst.c), floor, inst);
+}
+
+void Verifier::VerifySwitch(const Inst& inst, uint32_t floor) {
+  VerifyUse(inst, inst.a, Type::kNone, "selector", floor);
+  if (inst.payload >= program.switches.size()) return Report(inst, "unknown switch");
+  std::vector<uint64_t> values;
+  uint32_t defaults = 0;
+  for (const SwitchCase& arm : program.switches[SwitchId(inst.payload)].cases) {
+    values.insert(values.end(), arm.values.begin(), arm.values.end());
+    defaults += arm.values.empty() ? 1 : 0;
+    VerifyOwned(arm.region, floor, inst);
+  }
+  std::sort(values.begin(), values.end());
+  if (std::adjacent_find(values.begin(), values.end()) != values.end() || defaults > 1) {
+    Report(inst, "two cases for one value");
+  }
+}
+
+void Verifier::VerifyLoop(InstId id, const Inst& inst, uint32_t floor) {
+  if (inst.payload >= program.loops.size()) return Report(inst, "unknown loop");
+  const Loop& loop = program.loops[LoopId(inst.payload)];
+  if (loop.bound == 0) Report(inst, "no bound");
+  const bool budget = loop.budget.index < program.places.size();
+  if ((loop.kind == LoopBound::kBudget) != budget) Report(inst, budget ? "budget without use" : "no budget place");
+  if (loop.body.index != inst.a) Report(inst, "two bodies");
+  body_open[id.index] = true;
+  if (loop.condition.valid()) {
+    VerifyOwned(loop.condition, floor, inst);
+    const bool known = loop.condition.index < program.regions.size();
+    const bool empty = !known || program.regions[loop.condition].insts.empty();
+    if (empty || program[program.regions[loop.condition].insts.back()].type != Type::kBit) {
+      Report(inst, "its condition is no bit");
+    }
+  }
+  VerifyOwned(loop.body, floor, inst);
+  body_open[id.index] = false;
+  if (loop.exhausted.valid()) VerifyOwned(loop.exhausted, floor, inst);
+}
+
+void Verifier::VerifyBlock(InstId id, const Inst& inst, uint32_t floor) {
+  body_open[id.index] = true;
+  VerifyOwned(RegionId(inst.a), floor, inst);
+  body_open[id.index] = false;
+}
+
+void Verifier::VerifyExit(const Inst& inst, uint32_t floor) {
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (inst.payload >= body_open.size() || !body_open[inst.payload]) Report(inst, "no block or loop around it");
+}
+
+void Verifier::VerifyJumps(RegionId region) {
+  struct LabelAt {
+    uint32_t label;
+    size_t at;
+  };
+  const std::vector<InstId>& insts = program.regions[region].insts;
+  std::vector<LabelAt> labels;
+  for (size_t i = 0; i < insts.size(); ++i) {
+    if (program[insts[i]].op == OpKind::kLabel) labels.push_back({program[insts[i]].payload, i});
+  }
+  const auto before = [](const LabelAt& a, const LabelAt& b) { return a.label < b.label; };
+  std::stable_sort(labels.begin(), labels.end(), before);
+  for (size_t i = 1; i < labels.size(); ++i) {
+    if (labels[i - 1].label == labels[i].label) Report(program[insts[labels[i].at]], "the label is there twice");
+  }
+  for (size_t i = 0; i < insts.size(); ++i) {
+    const Inst& inst = program[insts[i]];
+    if (inst.op != OpKind::kJump) continue;
+    const auto label = std::lower_bound(labels.begin(), labels.end(), LabelAt{inst.payload, 0}, before);
+    if (label == labels.end() || label->label != inst.payload) {
+      Report(inst, "no label L" + std::to_string(inst.payload) + " in its region");
+    } else if (label->at < i) {
+      Report(inst, "goes back to L" + std::to_string(inst.payload));
+    }
+  }
+}
+
+}  // namespace plcxx::ir
