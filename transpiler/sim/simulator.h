@@ -1,0 +1,98 @@
+// Executes a program as it is: structured IR, one instruction after the other.
+//
+// In: a structured program whose sliced routines are cut (or have one slice); it must outlive the simulator. Out: the
+// Engine of engine.h. Total: an access out of bounds reads 0 and writes nothing, every loop ends by its bound. Not its
+// job: time (clock.h), what a control does around its partitions (that is a routine of the program).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/engine.h"
+#include "transpiler/sim/forced_bytes.h"
+#include "transpiler/sim/instances.h"
+#include "transpiler/sim/last_writes.h"
+#include "transpiler/sim/place_access.h"
+
+namespace plcxx::sim {
+
+class Simulator : public Engine {
+ public:
+  explicit Simulator(const ir::Program& program);
+
+  std::string_view name() const override { return "simulator"; }
+  void PowerOn() override;
+  void RunPeriod(uint32_t now_ms) override;
+  void RunFastOnly(uint32_t now_ms) override;
+  uint64_t Read(const ir::Place& place) override;
+  void Write(const ir::Place& place, uint64_t value) override;
+  void Force(const ir::Place& place, uint64_t value) override;
+  void Release(const ir::Place& place) override;
+  void SendText(std::string_view text) override;
+  void EnableStatement(ir::StatementId statement, bool enabled) override;
+  void StoreRetentive() override;
+  std::vector<HostEvent> TakeEvents() override;
+  std::vector<uint8_t> Snapshot() override;
+
+  /// From now on every write is noted; costs time, so it is off at first.
+  void RecordLastWrites();
+  /// None unless RecordLastWrites was called.
+  const LastWrites* last_writes() const { return last_writes_.get(); }
+  /// Instructions executed so far, those of switched-off statements not counted.
+  uint64_t executed() const { return executed_; }
+
+ private:
+  /// Whether execution goes on behind an instruction, or an Exit is on its way to the block or loop `leaving_`.
+  enum class Flow : uint8_t { kOn, kLeaving };
+
+  /// The statement whose instructions are being executed.
+  struct Current {
+    ir::StatementId statement;
+    bool skipped = false;        // switched off: its instructions have no effect
+    bool head_is_false = false;  // the head of a block, switched off: its condition counts as false
+  };
+
+  void Run(ir::RoutineId routine);
+  Flow Execute(ir::RegionId region);
+
+  // One for each operation that is the IR's own.
+#define PLCXX_PURE(...)
+#define PLCXX_STEP(...)
+#define PLCXX_CORE(Kind, ...) Flow Execute##Kind(ir::InstId id, const ir::Inst& inst);
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+
+  /// What an Exit means for the block or loop that it has come to.
+  Flow Leave(ir::InstId block);
+  uint64_t CallHost(ir::HostFunctionId function, const std::vector<ir::ValueId>& arguments);
+  void LoadRetentive();
+
+  /// Of an indexed place `index` says which element; of others it is 0.
+  uint64_t Get(const PlaceAccess& access, uint64_t index) const;
+  void Set(const PlaceAccess& access, uint64_t index, uint64_t value, Writer writer);
+  /// After an operation on an instance: its forces are put back, its fields are written.
+  void Stepped(uint32_t instance);
+  LastWrite NewWrite(Writer writer) const;
+  void NoteField(uint32_t instance, uint8_t field, LastWrite write);
+
+  const ir::Program& program_;
+  std::vector<PlaceAccess> places_;  // by PlaceId
+  std::vector<ForcedBytes> spaces_;  // by SpaceId
+  Instances instances_;
+  std::vector<uint64_t> values_;    // by ValueId, raw bits; constants are there from the start
+  std::vector<bool> switched_off_;  // by StatementId
+  Current current_;
+  ir::InstId leaving_;
+  uint32_t now_ms_ = 0;
+  uint64_t executed_ = 0;
+  std::vector<HostEvent> events_;
+  std::optional<std::vector<uint8_t>> stored_;  // the host's store: all retentive spaces in order
+  std::unique_ptr<LastWrites> last_writes_;
+};
+
+}  // namespace plcxx::sim
