@@ -11,7 +11,9 @@ OperandUse Parser::TakeOperand() {
   OperandUse use;
   use.range = token.range;
   if (token.kind != TokenKind::kSymbol) {
-    CheckCase(token);
+    if (token.kind == TokenKind::kOperand) {
+      CheckCase(token);
+    }
     use.operand = ReadOperand(text, token.range);
     return use;
   }
@@ -79,14 +81,15 @@ Operand Parser::ReadOperand(std::string_view run, source::Range range) {
 
 Parser::ConstantUse Parser::TakeConstant() {
   const Token& token = Take();
-  CheckCase(token);
   ConstantUse use;
   use.range = token.range;
   use.text = TextOf(token);
   const Number number = Evaluate(use.text);
   use.value = number.value;
   use.well_formed = number.well_formed;
-  if (!number.well_formed) {
+  if (number.well_formed) {
+    CheckCase(token);
+  } else {
     Fault(token.range, diag::Nc110MalformedNumber, use.text);
   }
   return use;
