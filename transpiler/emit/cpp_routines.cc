@@ -155,7 +155,9 @@ void PartPrinter::If(const ir::Inst& first) {
         StatementComments(program_.statements[statement]);
       }
       inst = &program_[last];
-      head = "else if (" + Condition(inst->a) + ") {";
+      const ir::Inst& condition = program_[ir::ValueId(inst->a)];
+      const bool always = condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
+      head = always && !debug() ? "else {" : "else if (" + Condition(inst->a) + ") {";
       if (!statement.valid()) {
         out_.pop_back();  // no comment between: "} else if"
         head.insert(0, " ");
@@ -417,24 +419,22 @@ void PartPrinter::InitStorage() {
 void PartPrinter::RoutineHead(const ir::Routine& routine) {
   if (!routine.comment.empty()) Comment(routine.comment);
   out_ += std::string(ir::CppName(routine.result)) + " " + routine.name + "(State& m";
-  for (const ir::Parameter& parameter : routine.parameters) {
-    out_ += ", " + std::string(ir::CppName(parameter.type)) + " " + parameter.name;
+  for (size_t i = 0; i < routine.parameters.size(); ++i) {
+    out_ += ", " + std::string(ir::CppName(routine.parameters[i].type));
+    // A parameter that the body does not read must not be a warning: it gets no name.
+    bool read = false;
+    ir::ForEachInst(program_, routine.body, [&](ir::InstId id) {
+      read |= program_[id].op == ir::OpKind::kLoad && i < routine.parameter_places.size() &&
+              program_[id].payload == routine.parameter_places[i].index;
+    });
+    if (read) out_ += " " + routine.parameters[i].name;
   }
   const auto whole = [this](ir::RegionId region) {
     return region.valid() && UsesHost(region, 0, static_cast<uint32_t>(program_.regions[region].insts.size()));
   };
   const bool host = whole(routine.prologue) || whole(routine.body) || whole(routine.epilogue);
   out_ += host ? ", Host& host) noexcept {\n" : ", Host&) noexcept {\n";
-  // A parameter that the body does not read must not be a warning.
   indent_ = 1;
-  for (size_t i = 0; i < routine.parameters.size(); ++i) {
-    bool read = false;
-    ir::ForEachInst(program_, routine.body, [&](ir::InstId id) {
-      read |= program_[id].op == ir::OpKind::kLoad && i < routine.parameter_places.size() &&
-              program_[id].payload == routine.parameter_places[i].index;
-    });
-    if (!read) Line("static_cast<void>(" + routine.parameters[i].name + ");");
-  }
 }
 
 void PartPrinter::Routines() {

@@ -11,6 +11,7 @@
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/items.h"
 
 namespace plcxx::emit {
 namespace {
@@ -31,11 +32,11 @@ struct Cutter {
   std::string prefix;
 
   uint32_t CountStatements(ir::RegionId region);
-  uint32_t StatementsOf(ir::RegionId region, const Item& item) const;
-  void VisitNested(ir::RegionId region, const Item& item);
+  uint32_t StatementsOf(ir::RegionId region, const ir::Item& item) const;
+  void VisitNested(ir::RegionId region, const ir::Item& item);
   void Visit(ir::RegionId region);
   void Cut(ir::RegionId region);
-  void AddChunk(ir::RegionId region, const std::vector<Item>& items, size_t first, size_t last, uint32_t count);
+  void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count);
   void MakeParts();
 };
 
@@ -51,7 +52,7 @@ uint32_t Cutter::CountStatements(ir::RegionId region) {
   return count;
 }
 
-uint32_t Cutter::StatementsOf(ir::RegionId region, const Item& item) const {
+uint32_t Cutter::StatementsOf(ir::RegionId region, const ir::Item& item) const {
   uint32_t count = 1;
   for (uint32_t i = item.begin; i < item.end; ++i) {
     for (const ir::RegionId owned : ir::OwnedRegions(program, program[program.regions[region].insts[i]])) {
@@ -61,7 +62,7 @@ uint32_t Cutter::StatementsOf(ir::RegionId region, const Item& item) const {
   return count;
 }
 
-void Cutter::VisitNested(ir::RegionId region, const Item& item) {
+void Cutter::VisitNested(ir::RegionId region, const ir::Item& item) {
   for (uint32_t i = item.begin; i < item.end; ++i) {
     const ir::Inst& inst = program[program.regions[region].insts[i]];
     for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) {
@@ -80,18 +81,18 @@ void Cutter::VisitNested(ir::RegionId region, const Item& item) {
 
 void Cutter::Visit(ir::RegionId region) {
   if (statements[region.index] <= kMostStatements) return;
-  const std::vector<Item> items = ItemsOf(program, region);
+  const std::vector<ir::Item> items = ir::Items(program, region);
   size_t with_statement = 0;
-  for (const Item& item : items) with_statement += item.statement.valid() ? 1 : 0;
+  for (const ir::Item& item : items) with_statement += item.statement.valid() ? 1 : 0;
   if (with_statement > 1) {
     Cut(region);
   } else {
-    for (const Item& item : items) VisitNested(region, item);
+    for (const ir::Item& item : items) VisitNested(region, item);
   }
 }
 
 void Cutter::Cut(ir::RegionId region) {
-  const std::vector<Item> items = ItemsOf(program, region);
+  const std::vector<ir::Item> items = ir::Items(program, region);
   size_t first = 0;
   uint32_t count = 0;
   for (size_t i = 0; i < items.size(); ++i) {
@@ -107,7 +108,7 @@ void Cutter::Cut(ir::RegionId region) {
   }
 }
 
-void Cutter::AddChunk(ir::RegionId region, const std::vector<Item>& items, size_t first, size_t last, uint32_t count) {
+void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count) {
   std::string name = prefix;
   uint32_t id = 0;
   for (size_t i = first; i <= last; ++i) {

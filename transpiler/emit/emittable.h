@@ -59,14 +59,6 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options);
 /// For `plcxx print ir-emittable`.
 std::string Print(const Emittable& emittable);
 
-/// The stretches of a region that belong together: from one statement's marker to the next one's. Instructions before
-/// the first marker are a stretch of their own.
-struct Item {
-  uint32_t begin = 0, end = 0;
-  ir::StatementId statement;  // none for a stretch without marker
-};
-std::vector<Item> ItemsOf(const ir::Program& program, ir::RegionId region);
-
 // The steps of Legalize, one file each.
 void NamePlaces(Emittable& emittable);
 void PlaceTemporaries(Emittable& emittable);

@@ -27,10 +27,6 @@ void NamePlaces(Emittable& emittable) {
   for (const ir::Routine& routine : program.routines) names.Reserve(routine.name);
   emittable.namespace_name = SafeIdentifier(emittable.options.name);
   names.Reserve(emittable.namespace_name);
-  emittable.state_names.resize(program.states.size());
-  for (uint32_t i = 0; i < program.states.size(); ++i) {
-    emittable.state_names[i] = names.Allocate(program.states[ir::StateId(i)].name, "");
-  }
   // In the order of the addresses, not of first use: a statement inserted above must not rename what follows.
   std::vector<uint32_t> order(program.places.size());
   std::iota(order.begin(), order.end(), 0);
@@ -52,22 +48,10 @@ void NamePlaces(Emittable& emittable) {
                                      : names.Allocate(place.name, is_symbol ? place.address : "");
     }
   }
-}
-
-std::vector<Item> ItemsOf(const ir::Program& program, ir::RegionId region) {
-  std::vector<Item> items;
-  const auto& insts = program.regions[region].insts;
-  for (uint32_t i = 0; i < insts.size(); ++i) {
-    const ir::Inst& inst = program[insts[i]];
-    if (inst.op == ir::OpKind::kStatement) {
-      items.push_back({i, i + 1, ir::StatementId(inst.payload)});
-    } else if (items.empty()) {
-      items.push_back({i, i + 1, {}});
-    } else {
-      items.back().end = i + 1;
-    }
+  // An instance whose own name is the name of its signal ("P6") gives way: the signal is what statements name.
+  for (const ir::StateInstance& state : program.states) {
+    emittable.state_names.push_back(names.Allocate(state.name, "state"));
   }
-  return items;
 }
 
 Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
