@@ -1,0 +1,61 @@
+#include "transpiler/driver/scenario_calls.h"
+
+#include <algorithm>
+
+#include "transpiler/driver/lockstep.h"
+
+namespace plcxx::driver {
+namespace {
+
+bool Matches(const PlannedCall& call, const sim::HostEvent& event) {
+  if (call.function != event.function) return false;
+  return std::all_of(call.arguments.begin(), call.arguments.end(), [&](const PlannedArgument& argument) {
+    return argument.index < event.arguments.size() && event.arguments[argument.index] == argument.value;
+  });
+}
+
+std::string WrittenText(const PlannedCall& call) {
+  std::string text = call.written->function.text + "(";
+  for (const Assignment& argument : call.written->arguments) {
+    if (text.back() != '(') text += ", ";
+    text += argument.location.text + ": " + argument.value.text;
+  }
+  return text + ")";
+}
+
+std::string WrittenText(const std::vector<PlannedCall>& calls) {
+  if (calls.empty()) return "none";
+  std::string text;
+  for (const PlannedCall& call : calls) text += (text.empty() ? "" : ", ") + WrittenText(call);
+  return text;
+}
+
+std::string UnknownFunctions(const ir::Program& program, const std::vector<PlannedCall>& expected) {
+  std::string known;
+  for (const ir::HostFunction& function : program.host_functions) known += (known.empty() ? "" : ", ") + function.name;
+  std::string text;
+  for (const PlannedCall& call : expected) {
+    if (call.function.valid()) continue;
+    text += "\n  the program never calls '" + call.written->function.text +
+            "', so the list cannot match; it may call: " + (known.empty() ? "nothing" : known);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> CallsMismatch(const ir::Program& program, const std::vector<PlannedCall>& expected,
+                                         const std::vector<sim::HostEvent>& events) {
+  std::vector<sim::HostEvent> counted;
+  for (const sim::HostEvent& event : events) {
+    const bool named = std::any_of(expected.begin(), expected.end(),
+                                   [&](const PlannedCall& c) { return c.function == event.function; });
+    if (named || !program.host_functions[event.function].routine_exchange) counted.push_back(event);
+  }
+  const bool equal = std::equal(expected.begin(), expected.end(), counted.begin(), counted.end(), Matches);
+  if (equal) return std::nullopt;
+  return "expected host calls " + WrittenText(expected) + ", found " + ToText(program, counted) +
+         UnknownFunctions(program, expected);
+}
+
+}  // namespace plcxx::driver

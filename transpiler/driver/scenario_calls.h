@@ -1,0 +1,19 @@
+// Host calls that a scenario expects, compared with those that happened.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/scenario_plan.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/engine.h"
+
+namespace plcxx::driver {
+
+/// The events must be the expected calls, in order; of the arguments only those named count. Functions of the routine
+/// exchange count only when the list names them. None when all is as expected, else both lists in words.
+std::optional<std::string> CallsMismatch(const ir::Program& program, const std::vector<PlannedCall>& expected,
+                                         const std::vector<sim::HostEvent>& events);
+
+}  // namespace plcxx::driver

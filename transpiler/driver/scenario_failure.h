@@ -1,0 +1,30 @@
+// The words of a failed step: where, when, what was expected, what was there, and who wrote it last.
+//
+// In: a place and the simulator's record of writes. Out: text for a person. Not its job: deciding that it failed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/scenario.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/last_writes.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::driver {
+
+/// "turret.yaml:12:13: step 3 (expect), at 120 ms: <message>"
+std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, ScenarioMark mark, uint64_t time_ms,
+                        std::string_view message);
+
+/// Indented lines, newest write first, each with the source's place and statement. `writes` is none when no simulator
+/// takes part.
+std::string LastWritesText(const std::string& name, const ir::Place& place, const sim::LastWrites* writes,
+                           const ir::Program& program, const source::SourceManager& sources);
+
+/// "simulator and compiled differ in U4A8 (simulator: 1, compiled: 0)"
+std::string DifferenceText(const Difference& difference);
+
+}  // namespace plcxx::driver

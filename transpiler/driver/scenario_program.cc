@@ -1,0 +1,76 @@
+#include "transpiler/driver/scenario_program.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace plcxx::driver {
+namespace {
+
+/// All that distinguishes one request from another, as one text.
+std::string KeyOf(const CompilationRequest& request) {
+  std::string key;
+  const auto add = [&key](const std::string& word) { key += std::to_string(word.size()) + ":" + word; };
+  add(request.dialect);
+  add(request.base_directory);
+  for (const std::string& path : request.sources) add(path);
+  key += ";";
+  for (const auto& [name, value] : request.options) {
+    add(name);
+    add(value);
+  }
+  key += ";";
+  for (const std::string& code : request.warnings.enabled) add(code);
+  return key;
+}
+
+}  // namespace
+
+CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
+  CompilationRequest request;
+  request.dialect = scenario.dialect;
+  request.base_directory = scenario.directory;
+  request.sources = scenario.sources;
+  if (!overrides.sources.empty()) {
+    // Named on the command line: relative to the current directory, not to the scenario.
+    request.sources.clear();
+    for (const std::string& path : overrides.sources)
+      request.sources.push_back(std::filesystem::absolute(path).string());
+  }
+  request.options = scenario.options;
+  request.options.insert(overrides.options.begin(), overrides.options.end());
+  request.warnings = overrides.warnings;
+  for (const ExpectedWarning& warning : scenario.warnings.value_or(std::vector<ExpectedWarning>())) {
+    request.warnings.enabled.insert(warning.code);
+  }
+  return request;
+}
+
+Compilation& ScenarioProgram::Compiled() {
+  std::call_once(compile_once_, [this] { compilation_ = Compile(request_); });
+  return compilation_;
+}
+
+std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> ScenarioProgram::OnHost(const std::string& compiler) {
+  const Compilation& compilation = Compiled();
+  std::call_once(build_once_, [&] { built_ = CompileForHost(compilation.program, *compilation.sources, compiler); });
+  return built_;
+}
+
+void ScenarioPrograms::Announce(const Scenario& scenario) {
+  CompilationRequest request = RequestOf(scenario, overrides_);
+  const std::string key = KeyOf(request);
+  Entry& entry = entries_[key];
+  if (!entry.program) entry.program = std::make_shared<ScenarioProgram>(std::move(request));
+  ++entry.awaited;
+}
+
+std::shared_ptr<ScenarioProgram> ScenarioPrograms::Take(const Scenario& scenario) {
+  const std::string key = KeyOf(RequestOf(scenario, overrides_));
+  const std::lock_guard lock(mutex_);
+  const auto found = entries_.find(key);
+  std::shared_ptr<ScenarioProgram> program = found->second.program;
+  if (--found->second.awaited == 0) entries_.erase(found);
+  return program;
+}
+
+}  // namespace plcxx::driver

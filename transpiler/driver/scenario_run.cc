@@ -1,0 +1,198 @@
+#include "transpiler/driver/scenario_run.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/scenario_calls.h"
+#include "transpiler/driver/scenario_control.h"
+#include "transpiler/driver/scenario_failure.h"
+#include "transpiler/sim/active_messages.h"
+#include "transpiler/sim/clock.h"
+
+namespace plcxx::driver {
+namespace {
+
+/// What a step answers: none, or why it failed.
+using Verdict = std::optional<std::string>;
+
+std::string NumbersText(const std::vector<uint32_t>& numbers) {
+  std::string text;
+  for (const uint32_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+  return "[" + text + "]";
+}
+
+class Runner {
+ public:
+  explicit Runner(ScenarioRun run)
+      : run_(std::move(run)),
+        clock_(run_.program, {&run_.engines}),
+        control_(run_.program, run_.engines, std::move(run_.stub)),
+        messages_(run_.program) {
+    clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+    clock_.after_period = [this](uint32_t now_ms) { AfterPeriod(now_ms); };
+  }
+
+  Verdict Run() {
+    clock_.PowerOn();
+    control_.PowerOn();
+    for (const PlannedStep& step : run_.plan.steps) {
+      step_ = &step;
+      Verdict verdict = std::visit([this](const auto& action) { return Do(action); }, step.written->action);
+      // A difference explains a wrong value, so it is told first.
+      if (run_.engines.difference()) return Differ(*run_.engines.difference());
+      if (verdict) return verdict;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void AfterPeriod(uint32_t now_ms) {
+    messages_.Observe(run_.engines);
+    if (run_.trace != nullptr) run_.trace->Record(before_power_cycles_ms_ + clock_.time_ms(), run_.engines);
+    control_.AfterPeriod(now_ms);
+  }
+
+  std::string Failed(ScenarioMark mark, const std::string& message) const {
+    return StepFailure(run_.scenario, *step_->written, mark, clock_.time_ms(), message);
+  }
+
+  std::string Differ(const Difference& difference) const {
+    std::string text = StepFailure(run_.scenario, *step_->written, step_->written->mark, difference.now_ms,
+                                   DifferenceText(difference));
+    if (difference.place) {
+      text += "\n" + LastWritesText(difference.what, *difference.place, run_.writes, run_.program, run_.sources);
+    }
+    return text;
+  }
+
+  Verdict Do(const SetStep&) {
+    for (const PlannedValue& planned : step_->values) {
+      if (planned.location.text_input) {
+        run_.engines.SendText(planned.text);
+        continue;
+      }
+      run_.engines.Write(planned.location.place, planned.value);
+      control_.NoteSet(planned.location.place);
+    }
+    return std::nullopt;
+  }
+
+  Verdict Do(const ForceStep&) {
+    for (const PlannedValue& planned : step_->values) run_.engines.Force(planned.location.place, planned.value);
+    return std::nullopt;
+  }
+
+  Verdict Do(const ReleaseStep&) {
+    for (const PlannedValue& planned : step_->values) run_.engines.Release(planned.location.place);
+    return std::nullopt;
+  }
+
+  /// In pieces of one period, so that it ends where the engines part.
+  Verdict Do(const RunStep& run) {
+    for (const RunPart& part : run.parts) {
+      uint32_t left = part.count;
+      while (left > 0 && !run_.engines.difference()) {
+        uint32_t piece = 1;
+        switch (part.unit) {
+          case RunUnit::kSlowCycles:
+            if (clock_.RunSlow(1) == sim::Step::kStuck) {
+              return Failed(step_->written->mark, "the slow part was not completed within " +
+                                                      std::to_string(sim::Clock::kLongestSlowCycle) + " periods");
+            }
+            break;
+          case RunUnit::kFastTicks:
+            clock_.RunFast(1);
+            break;
+          case RunUnit::kMilliseconds:
+            piece = std::min(left, std::max(1u, run_.program.schedule.period_ms));
+            clock_.RunMs(piece);
+            break;
+        }
+        left -= piece;
+      }
+    }
+    return std::nullopt;
+  }
+
+  Verdict Do(const ExpectStep&) {
+    std::string text;
+    for (const PlannedValue& planned : step_->values) {
+      if (const Verdict verdict = Expect(planned)) text += (text.empty() ? "" : "\n") + *verdict;
+    }
+    if (text.empty()) return std::nullopt;
+    return text;
+  }
+
+  Verdict Expect(const PlannedValue& planned) {
+    const std::string& name = planned.written.text;
+    const ir::Place& place = planned.location.place;
+    const std::string expected = "expected " + name + " = " + ValueText(place.type, planned.value) + ", found ";
+    if (planned.location.absent) {
+      if (planned.value == 0) return std::nullopt;
+      return Failed(planned.written.mark, expected + "0: the program does not use it");
+    }
+    bool wrong = false;
+    std::string found;
+    for (const auto& engine : run_.engines.engines()) {
+      const uint64_t value = engine->Read(place);
+      const std::string text = ValueText(place.type, value);
+      wrong |= value != planned.value;
+      if (text == found) continue;
+      found += (found.empty() ? "" : ", but in " + std::string(engine->name()) + " ") + text;
+    }
+    if (!wrong) return std::nullopt;
+    return Failed(planned.written.mark, expected + found) + "\n" +
+           LastWritesText(name, place, run_.writes, run_.program, run_.sources);
+  }
+
+  Verdict Do(const ExpectCallsStep&) {
+    const std::vector<sim::HostEvent> events = run_.engines.TakeEvents();
+    const Verdict mismatch = CallsMismatch(run_.program, step_->calls, events);
+    if (!mismatch) return std::nullopt;
+    return Failed(step_->written->mark, *mismatch);
+  }
+
+  Verdict Do(const ExpectMessagesStep& expect) {
+    const std::vector<uint32_t> entered = messages_.TakeEntered();
+    if (entered == expect.numbers) return std::nullopt;
+    return Failed(step_->written->mark,
+                  "expected messages " + NumbersText(expect.numbers) + ", found " + NumbersText(entered));
+  }
+
+  Verdict Do(const PowerCycleStep&) {
+    before_power_cycles_ms_ += clock_.time_ms();
+    clock_.PowerCycle();
+    messages_.PowerOn();
+    control_.PowerOn();
+    return std::nullopt;
+  }
+
+  ScenarioRun run_;
+  sim::Clock clock_;
+  ScenarioControl control_;
+  sim::MessageTracker messages_;
+  const PlannedStep* step_ = nullptr;
+  uint64_t before_power_cycles_ms_ = 0;  // the waveform goes on where the time starts again
+};
+
+}  // namespace
+
+std::optional<std::string> RunScenario(ScenarioRun run) { return Runner(std::move(run)).Run(); }
+
+std::vector<sim::Watched> WatchedLocations(const ScenarioPlan& plan, const ir::Program& program) {
+  std::vector<sim::Watched> watched;
+  for (const PlannedStep& step : plan.steps) {
+    for (const PlannedValue& planned : step.values) {
+      if (planned.location.text_input || planned.location.absent) continue;
+      const std::string& name = planned.written.text;
+      const bool there =
+          std::any_of(watched.begin(), watched.end(), [&](const sim::Watched& w) { return w.name == name; });
+      if (!there) watched.push_back(sim::Watch(program, name, planned.location.place));
+    }
+  }
+  return watched;
+}
+
+}  // namespace plcxx::driver
