@@ -50,7 +50,7 @@ TEST(Nc110Errors, LettersInsteadOfDigitsAreSuggestedButNotReplaced) {
       {"U4A0=IOA7", "1:6 nc110-1", {"operand", "I0A7"}},
       {"W4K0=COW", "1:6 nc110-1", {"operand", "C0W"}},
       {"TOI(5)=I0A0", "1:1 nc110-1", {"operand", "T0I"}},
-      {"U4A0=10A7", "1:6 nc110-2", {"malformed number"}},
+      {"U4A0=10A7", "1:6 nc110-2", {"malformed number", "I0A7"}},
       {"D0F", "1:1 nc110-1", {"operand", "DOF"}},
   });
 }

@@ -144,6 +144,23 @@ TEST(Nc110Parser, Messages) {
 }
 
 // covers: NC110-102
+// The examples of the programming manual, with the damage of its print repaired.
+TEST(Nc110Parser, ExamplesOfTheManual) {
+  EXPECT_EQ(ItemsOf("T12I(10)=/T12U\nT2I(10)=/T3D T3I(10)=/T2D\nT7I(50)=I4K16+T7D\n"
+                    "U4A8=[W3K0=33H]+U4A8*/I0A7*/T5U\nT5I(30)=U4A8\nU21K8=T5U+U21K8*/I0K1\n"
+                    "C3I(2) = I2N0 U4A3 = [C3W=1]\n"
+                    "C5I(4) = [C5W=0]*I4K17*/[W2K2=W15T0] + [C5W=1]*[W2K2=W0A0] +\n[C5W=2]*I0A8 + [C5W=3]*I0K27\n")
+                .size(),
+            10u);
+  EXPECT_EQ(ItemsOf("DOF:I4K17\nW18K1=LOW(W4K0)\nW18K1=XCH(W18K1)\nW18K2=HIG(W4K0)\nENDF\n"
+                    "DOF BLOCK1: U225K0\nU100K4=U100K8 * U00T0\nDOF BLOCK2: U123K0\nU100K3=U100K2\nEND F BLOCK2\n"
+                    "U100K12=U100K3 * U00T0\nEND F BLOCK1\nW13K0=MUX(W1A0),(I1A1)\n"
+                    "DOF: U100K1\nEND F\nDOE: U100K2\nW28K1=0FH\nU100K1=[W28K1=0FH] * I0A4\nEND E\n"
+                    "DOE: U100K3\nW101K0=MUX(W28K1), (I0A4)\nEND E\nDOE:\nU104K0=U100K0\nEND E\nW102K0=BIN(W102K1)\n")
+                .size(),
+            26u);
+}
+
 TEST(Nc110Parser, EqualLiteralsAreOne) {
   Parsed parsed;
   ParseInto(parsed, {"U4A0=\"GO\"+\"STOP\" U4A1=\"GO\" U4A2=\"go\""});

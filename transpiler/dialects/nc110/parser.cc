@@ -158,7 +158,7 @@ void Parser::ReportNoStatement() {
       return;
     case TokenKind::kNumber:
       if (!Evaluate(TextOf(token)).well_formed) {
-        Fault(token.range, diag::Nc110MalformedNumber, TextOf(token));
+        ReportMalformedNumber(token);
         return;
       }
       break;

@@ -98,6 +98,7 @@ class Parser {
     std::string_view text;
   };
   ConstantUse TakeConstant();
+  void ReportMalformedNumber(const Token& token);
   void CountOperand();
   bool AtOperand() const { return At(TokenKind::kOperand) || At(TokenKind::kSymbol) || At(TokenKind::kRun); }
 

@@ -90,9 +90,19 @@ Parser::ConstantUse Parser::TakeConstant() {
   if (number.well_formed) {
     CheckCase(token);
   } else {
-    Fault(token.range, diag::Nc110MalformedNumber, use.text);
+    ReportMalformedNumber(token);
   }
   return use;
+}
+
+void Parser::ReportMalformedNumber(const Token& token) {
+  const std::string_view text = TextOf(token);
+  const std::string hint = LookAlike(text);
+  if (hint.empty()) {
+    Fault(token.range, diag::Nc110MalformedNumber, text);
+  } else {
+    Fault(token.range, diag::Nc110MalformedNumberHint, text, hint).fixits.push_back({token.range, hint});
+  }
 }
 
 void Parser::CountOperand() {
