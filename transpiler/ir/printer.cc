@@ -37,6 +37,7 @@ struct RoutinePrinter {
   void PrintInst(InstId id);
   void PrintRegion(RegionId region);
   void PrintSection(std::string_view name, RegionId region);
+  void PrintPart(std::string_view name, RegionId region);
 };
 
 std::string RoutinePrinter::Value(uint32_t word) const {
@@ -95,6 +96,13 @@ void RoutinePrinter::PrintSection(std::string_view name, RegionId region) {
   Open(name);
   Nested(region);
   out += '\n';
+}
+
+/// A part of a routine: no statement's value reaches from one part into another.
+void RoutinePrinter::PrintPart(std::string_view name, RegionId region) {
+  statement = static_cast<uint32_t>(next_number.size() - 1);
+  next_number.back() = 0;
+  PrintSection(name, region);
 }
 
 void RoutinePrinter::PrintIf(const Inst& inst) {
@@ -260,7 +268,6 @@ void Printer::PrintRoutines() {
   std::vector<uint32_t> next_number(statements.size() + 1);
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const Routine& routine = program.routines[RoutineId(i)];
-    next_number.back() = 0;
     out += HeadOf(*this, i);
     RoutinePrinter body{.printer = *this,
                         .program = program,
@@ -270,10 +277,11 @@ void Printer::PrintRoutines() {
                         .next_number = next_number,
                         .statement = static_cast<uint32_t>(statements.size())};
     if (routine.prologue.valid() || routine.epilogue.valid()) {
-      body.PrintSection("prologue", routine.prologue);
-      body.PrintSection("body", routine.body);
-      body.PrintSection("epilogue", routine.epilogue);
+      body.PrintPart("prologue", routine.prologue);
+      body.PrintPart("body", routine.body);
+      body.PrintPart("epilogue", routine.epilogue);
     } else {
+      next_number.back() = 0;
       body.PrintRegion(routine.body);
     }
     out += "}\n";

@@ -27,6 +27,11 @@ struct BodyReader {
   void ReadSection(RegionId& place);
   void ReadLoop(InstId id);
   void ReadSwitch(InstId id);
+  /// Numbers start again in each part of a routine.
+  void BeginPart() {
+    statement = "entry";
+    std::erase_if(values, [](const auto& value) { return value.first.starts_with("entry."); });
+  }
   void ReadIf(InstId id);
   void ReadInst(RegionId region);
   void ReadOperation(RegionId region, Inst inst, const std::string& name);
@@ -288,6 +293,7 @@ void Reader::ReadBody(RoutineId id) {
     const bool section = Accept("prologue") || Accept("body") || Accept("epilogue");
     if (section) {
       const std::string& name = lines[line].tokens[0].text;
+      body.BeginPart();
       body.ReadSection(name == "prologue" ? parts.prologue : name == "body" ? parts.body : parts.epilogue);
     } else {
       body.ReadInst(direct);

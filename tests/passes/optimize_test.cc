@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "tests/passes/passes_testing.h"
+#include "transpiler/passes/fold_constants.h"
+#include "transpiler/passes/pipeline.h"
+#include "transpiler/passes/remove_dead.h"
+
+namespace plcxx::passes {
+namespace {
+
+template <class Pass>
+std::string After(Pass pass, std::string_view body) {
+  ir::Program program = ReadFast(body);
+  pass(program);
+  return Body(program);
+}
+
+TEST(FoldConstants, NotOfAConstant) {
+  EXPECT_EQ(After(FoldConstants, "%0 = const bit 1\n%1 = not.bit %0\n%2 = not.bit %1\nstore a %2\n"),
+            "%0 = const bit 1\n%1 = const bit 0\n%2 = const bit 1\nstore a %2\n");
+}
+
+TEST(FoldConstants, AndOr) {
+  struct Row {
+    std::string_view op, constant, result;
+  };
+  const Row rows[] = {{"and.bit", "1", "store b %1\n"},
+                      {"or.bit", "0", "store b %1\n"},
+                      {"and.bit", "0", "%0 = const bit 0\nstore b %0\n"},
+                      {"or.bit", "1", "%0 = const bit 1\nstore b %0\n"}};
+  for (const Row& row : rows) {
+    for (const std::string_view operands : {"%0 %1", "%1 %0"}) {
+      const std::string body = "%0 = const bit " + std::string(row.constant) +
+                               "\n%1 = load a\n%2 = " + std::string(row.op) + " " + std::string(operands) +
+                               "\nstore b %2\n";
+      const bool kept = row.result.starts_with("store");
+      EXPECT_EQ(After(Optimize, body), kept ? "%0 = load a\nstore b %0\n" : row.result) << body;
+    }
+  }
+}
+
+TEST(FoldConstants, ResultsOfFoldingAreFolded) {
+  EXPECT_EQ(
+      After(Optimize,
+            "%0 = const bit 1\n%1 = load a\n%2 = and.bit %0 %1\n%3 = and.bit %2 %0\n%4 = not.bit %3\nstore b %4\n"),
+      "%0 = load a\n%1 = not.bit %0\nstore b %1\n");
+}
+
+TEST(FoldConstants, WhatHoldsStatementsStays) {
+  const std::string body = "stmt s1\n%0 = const bit 0\nif %0 {\n  stmt s2\n  %0 = load a\n  store b %0\n}\n";
+  EXPECT_EQ(After(Optimize, body), body);
+}
+
+TEST(FoldConstants, PoisonIsNoConstant) {
+  const std::string body = "%0 = poison bit\n%1 = not.bit %0\nstore a %1\n";
+  EXPECT_EQ(After(Optimize, body), body);
+}
+
+TEST(RemoveDead, ValuesAndWhatOnlyTheyUse) {
+  EXPECT_EQ(
+      After(RemoveDead, "stmt s1\n%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\nstore c %1\nstmt s2\n%0 = load w\n"),
+      "stmt s1\n%0 = load b\nstore c %0\nstmt s2\n");
+}
+
+TEST(RemoveDead, UsesInNestedRegionsCount) {
+  const std::string body = "%0 = load a\n%1 = load b\nif %0 {\n  store c %1\n}\n";
+  EXPECT_EQ(After(RemoveDead, body), body);
+  EXPECT_EQ(After(RemoveDead, "%0 = load a\n%1 = load b\nif %0 {\n %2 = not.bit %1\n}\n"), "%0 = load a\nif %0 {\n}\n");
+}
+
+TEST(RemoveDead, ALoopsConditionIsUsed) {
+  const std::string body =
+      "loop @1 proven 3 {\n  condition {\n    %0 = load a\n    %1 = not.bit %0\n  }\n  body {\n  }\n}\n";
+  EXPECT_EQ(After(RemoveDead, body), body);
+}
+
+TEST(RemoveDead, WhatHasAnEffectStays) {
+  ir::Program program = ReadRoutines(
+      "host now () -> i32\nroutine fast fast {\n  %0 = host now ()\n  %1 = load a\n  step.on_delay T5 %1 %0 %0\n"
+      "  %2 = host now ()\n}\n");
+  RemoveDead(program);
+  EXPECT_EQ(Routines(program),
+            "routine fast fast {\n  %0 = host now ()\n  %1 = load a\n  step.on_delay T5 %1 %0 %0\n"
+            "  %2 = host now ()\n}\n");
+}
+
+TEST(RemoveDead, RemovedInstructionsUseNothingAnyMore) {
+  ir::Program program = ReadFast("%0 = load a\n%1 = not.bit %0\nstore b %0\n");
+  RemoveDead(program);
+  for (const ir::Inst& inst : program.insts) EXPECT_NE(inst.op, ir::OpKind::kBitNot);
+}
+
+}  // namespace
+}  // namespace plcxx::passes
