@@ -1,0 +1,58 @@
+// Simulated time: which periods a step of a scenario executes, and when.
+//
+// Several engines of one program run in lockstep: each period is executed by all of them, with the same time. A period
+// begins at multiples of the schedule's period only. Not its job: what a period does (the program's own routine), what
+// the machine around it does (the callbacks).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/sim/engine.h"
+
+namespace plcxx::sim {
+
+/// Whether a step ended by itself; kStuck: the slow part was not completed within Clock::kLongestSlowCycle periods.
+enum class Step : uint8_t { kDone, kStuck };
+
+class Clock {
+ public:
+  static constexpr uint32_t kLongestSlowCycle = 1000;  // in periods; the longest schedule of a dialect has 64 slices
+
+  /// `engines`: at least one, all of `program`, which must outlive the clock as they must.
+  Clock(const ir::Program& program, std::vector<Engine*> engines);
+
+  /// Called with the time of a period right before and right after all engines have executed it.
+  std::function<void(uint32_t now_ms)> before_period, after_period;
+
+  /// The time t of the simulation: that of the next period, or shortly before it.
+  uint64_t time_ms() const { return time_ms_; }
+
+  /// Every engine initializes itself; t = 0.
+  void PowerOn();
+  /// The host stores the retentive memory where the program asks for it, then PowerOn.
+  void PowerCycle();
+  /// Whole periods until `count` slow cycles have been completed.
+  Step RunSlow(uint32_t count);
+  /// Every period whose time lies in [t, t + ms); then t + ms.
+  void RunMs(uint64_t ms);
+  /// `count` times the fast part alone.
+  void RunFast(uint32_t count);
+
+ private:
+  enum class Part : uint8_t { kWholePeriod, kFastOnly };
+
+  /// One period at the next multiple of the period; then t is its end.
+  void RunPeriod(Part part);
+  uint64_t NextPeriod() const;
+  uint32_t SlowCycles();
+
+  const ir::Program& program_;
+  std::vector<Engine*> engines_;
+  uint64_t period_ms_;
+  uint64_t time_ms_ = 0;
+};
+
+}  // namespace plcxx::sim

@@ -1,0 +1,72 @@
+#include "transpiler/sim/trace.h"
+
+#include <algorithm>
+
+namespace plcxx::sim {
+
+Watched Watch(const ir::Program& program, std::string name, const ir::Place& place) {
+  std::string scope = place.is_field() ? std::string(ir::Info(program.states[place.state].kind).text)
+                                       : program.spaces[place.space].name;
+  return {std::move(name), std::move(scope), place};
+}
+
+void Trace::Record(uint64_t time_ms, Engine& engine) {
+  if (samples_.empty() || samples_.back().time_ms != time_ms) samples_.push_back({time_ms, {}});
+  std::vector<uint64_t>& values = samples_.back().values;
+  values.clear();
+  for (const Watched& watched : watched_) values.push_back(engine.Read(watched.place));
+}
+
+namespace {
+
+/// Characters of a text in UTF-8.
+size_t Width(std::string_view text) {
+  return static_cast<size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string RightAligned(std::string_view text, size_t width) {
+  const size_t used = Width(text);
+  return std::string(used < width ? width - used : 0, ' ').append(text);
+}
+
+}  // namespace
+
+std::string WriteTable(const Trace& trace) {
+  std::vector<std::vector<std::string>> rows(1);
+  rows[0].push_back("t/ms");
+  for (const Watched& watched : trace.watched()) rows[0].push_back(watched.name);
+  for (const Sample& sample : trace.samples()) {
+    std::vector<std::string> row = {std::to_string(sample.time_ms)};
+    for (const uint64_t value : sample.values) row.push_back(std::to_string(value));
+    rows.push_back(std::move(row));
+  }
+  std::vector<size_t> widths(rows[0].size());
+  for (const std::vector<std::string>& row : rows) {
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+  }
+  std::string out;
+  for (const std::vector<std::string>& row : rows) {
+    for (size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : "  ") + RightAligned(row[i], widths[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+void Graph::Observe(uint64_t time_ms, Engine& engine) {
+  const Level level = engine.Read(options_.trigger) != 0 ? Level::kHigh : Level::kLow;
+  if (phase_ == Phase::kArmed) {
+    const Level before = options_.edge == Edge::kRising ? Level::kLow : Level::kHigh;
+    if (level_ == before && level != before) {
+      phase_ = Phase::kStarted;
+      due_ms_ = time_ms + options_.delay_ms;
+    }
+  }
+  level_ = level;
+  if (phase_ != Phase::kStarted || time_ms < due_ms_) return;
+  trace_.Record(time_ms, engine);
+  const uint64_t sampling = std::max(1u, options_.sampling_ms);
+  due_ms_ += ((time_ms - due_ms_) / sampling + 1) * sampling;  // the grid stays where the edge has put it
+  if (options_.samples != 0 && trace_.samples().size() >= options_.samples) phase_ = Phase::kComplete;
+}
+
+}  // namespace plcxx::sim
