@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "transpiler/source/source.h"
@@ -20,8 +22,8 @@ enum class Severity : uint8_t { kError, kWarning };
 /// One row of the catalogue. Several rows may share a code (the original compilers' codes are coarse);
 /// the key is unique.
 struct Row {
-  std::string_view key;     // "Nc110ConnectorRange"
-  std::string_view code;    // "nc110-1"
+  std::string_view key;   // "Nc110ConnectorRange"
+  std::string_view code;  // "nc110-1"
   Severity severity;
   std::string_view text;    // "operand '{0}': connector {1} is outside 0 to {2}"
   std::string_view remedy;  // what to do; shown as "help:"; may use the same parameters
@@ -71,7 +73,8 @@ struct Diagnostic {
   std::vector<FixIt> fixits;
 };
 
-/// What -W<name>, -Wno-<name>, -Werror and -Werror=<name> ask for. A name is a code without its dialect ("W356") or whole ("nc110-W356").
+/// What -W<name>, -Wno-<name>, -Werror and -Werror=<name> ask for. A name is a code without its dialect ("W356") or
+/// whole ("nc110-W356").
 struct WarningOptions {
   std::set<std::string, std::less<>> enabled, disabled, errors;
   bool all_errors = false;
@@ -82,6 +85,7 @@ class Engine {
   explicit Engine(WarningOptions options = {}) : options_(std::move(options)) {}
 
   /// Reports with the smallest range that shows the fault. The result takes notes and fix-its until the next Report.
+  /// The same row, range and text again is kept once.
   template <class... Args>
   Diagnostic& Report(source::Range range, const Message<Args...>& message, std::type_identity_t<Args>... args) {
     std::vector<std::string> texts;
@@ -97,7 +101,7 @@ class Engine {
   /// In source order (file, line, column); ties keep the order of detection.
   void SortBySource();
   const std::vector<Diagnostic>& all() const { return diagnostics_; }
-  /// Drops everything after the first error (in source order).
+  /// Drops everything after the first error (in source order); sorts.
   void KeepFirstErrorOnly();
 
  private:
@@ -107,7 +111,8 @@ class Engine {
 
   WarningOptions options_;
   std::vector<Diagnostic> diagnostics_;
-  Diagnostic discarded_;  // what Report returns for a disabled warning
+  std::unordered_set<std::string> reported_;  // only asked, never walked through
+  Diagnostic discarded_;                      // what Report returns for a disabled warning and for a repetition
   uint32_t error_count_ = 0;
   uint32_t warning_count_ = 0;
 };

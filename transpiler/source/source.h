@@ -36,11 +36,11 @@ std::optional<Encoding> EncodingByName(std::string_view name);
 std::vector<std::string_view> EncodingNames();
 
 struct LoadOptions {
-  std::optional<Encoding> encoding;     // forced; else: valid UTF-8 is UTF-8, otherwise detected by letter frequency
-  Encoding fallback = Encoding::kCp866; // where detection finds no evidence
-  size_t max_bytes = 64u << 20;         // a larger file is refused before it is read
-  size_t max_line_bytes = 64u << 10;    // a longer line is refused
-  bool stop_at_1a = true;               // byte 1AH is the DOS end-of-file: it and what follows is not part of the text
+  std::optional<Encoding> encoding;      // forced; else: valid UTF-8 is UTF-8, otherwise detected by letter frequency
+  Encoding fallback = Encoding::kCp866;  // where detection finds no evidence
+  size_t max_bytes = 64u << 20;          // a larger file is refused before it is read
+  size_t max_line_bytes = 64u << 10;     // a longer line is refused
+  bool stop_at_1a = true;                // byte 1AH is the DOS end-of-file: it and what follows is not part of the text
 };
 
 enum class LoadProblem : uint8_t { kMissing, kDirectory, kUnreadable, kTooLarge, kLineTooLong, kBinary, kEmpty };
@@ -65,13 +65,16 @@ struct File {
   bool had_bom = false;
   Offset base = 0;                    // global offset of text[0]
   std::vector<uint32_t> line_starts;  // offsets into text; CR LF, LF and CR each end a line
+  std::vector<uint32_t> line_bytes;   // 8-bit encodings: the byte of the file at which each line starts; else empty
+  std::vector<uint32_t> replaced;     // offsets into text of the U+FFFD that stand for an undefined byte each
 };
 
 class SourceManager {
  public:
-  /// Reads `path` ("-": standard input). A file is read once: the same path again gives another FileId only when asked again.
+  /// Reads `path` ("-": standard input). A file is read once: the same path again gives another FileId only when asked
+  /// again.
   std::variant<FileId, LoadError> Load(const std::string& path, const LoadOptions& options);
-  /// Text that is already UTF-8: tests, generated text.
+  /// Text that is already UTF-8 (tests, generated text), taken as it is: no limits, BOM and 1AH stay.
   FileId AddText(std::string path, std::string text);
   /// As Load, from bytes in memory (fuzzing, standard input).
   std::variant<FileId, LoadError> AddBytes(std::string path, std::string_view bytes, const LoadOptions& options);
@@ -81,16 +84,19 @@ class SourceManager {
   Range WholeFile(FileId file) const;
   /// The text of a range that lies in one file.
   std::string_view Text(Range range) const;
-  /// The file that holds `offset`; an offset one past the end of a file still belongs to it.
+  /// The file that holds `offset`; an offset one past the end of a file still belongs to it. None for offset 0.
   FileId FileAt(Offset offset) const;
+  /// For offset 0 ("no place"): no file, line 0, column 0. A tab counts as one column.
   Position Locate(Offset offset) const;
-  /// The text of a 1-based line without its line end.
+  /// The text of a 1-based line without its line end; empty for a line that does not exist.
   std::string_view Line(FileId file, uint32_t line) const;
+  /// Lines as a person counts them: what follows the last line end is a line only if there is something.
   uint32_t LineCount(FileId file) const;
   /// The byte of the original file (in its own encoding, BOM counted) at which `offset` stands.
   size_t OriginalByte(Offset offset) const;
 
  private:
+  std::variant<FileId, LoadError> AddOwnedBytes(std::string path, std::string bytes, const LoadOptions& options);
   FileId Add(File file);
   std::deque<File> files_;  // stable addresses: tokens hold views into the text
   Offset next_base_ = 1;    // 0 stays "no place"

@@ -1,0 +1,160 @@
+#include "transpiler/source/decode.h"
+
+#include <unicode/ucnv.h>
+
+#include <cstring>
+
+namespace plcxx::source {
+namespace {
+
+constexpr char16_t kReplacement = 0xFFFD;
+constexpr std::string_view kReplacementUtf8 = "\xEF\xBF\xBD";
+constexpr uint64_t kHighBits = 0x8080808080808080u;
+
+/// The first byte at or behind `at` that is not ASCII.
+size_t SkipAscii(std::string_view bytes, size_t at) {
+  for (; at + 8 <= bytes.size(); at += 8) {
+    uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, 8);
+    if ((word & kHighBits) != 0) break;
+  }
+  while (at < bytes.size() && static_cast<unsigned char>(bytes[at]) < 0x80) ++at;
+  return at;
+}
+
+std::string ToUtf8(char16_t unit) {
+  const auto byte = [](unsigned value) { return static_cast<char>(value); };
+  const unsigned value = unit;
+  if (value < 0x80) return {byte(value)};
+  if (value < 0x800) return {byte(0xC0 | value >> 6), byte(0x80 | (value & 0x3F))};
+  return {byte(0xE0 | value >> 12), byte(0x80 | (value >> 6 & 0x3F)), byte(0x80 | (value & 0x3F))};
+}
+
+const char* ConverterName(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::kCp866:
+      return "ibm-866_P100-1995";
+    case Encoding::kCp1251:
+      return "windows-1251";
+    case Encoding::kKoi8R:
+      return "KOI8-R";
+    case Encoding::kUtf8:
+      break;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+std::array<char16_t, 128> ReadUpperHalf(Encoding encoding) {
+  std::array<char16_t, 128> table;
+  table.fill(kReplacement);
+  UErrorCode error = U_ZERO_ERROR;
+  UConverter* converter = ucnv_open(ConverterName(encoding), &error);
+  // Without ICU's data nothing can be decoded, but nothing may fail either: all becomes U+FFFD.
+  if (U_FAILURE(error)) return table;
+  for (unsigned i = 0; i < table.size(); ++i) {
+    const char byte = static_cast<char>(0x80 + i);
+    char16_t units[4] = {};
+    error = U_ZERO_ERROR;
+    const int32_t length = ucnv_toUChars(converter, units, 4, &byte, 1, &error);
+    // ICU passes an undefined byte (98H of CP1251) through as a C1 control, which no text contains.
+    if (U_SUCCESS(error) && length == 1 && units[0] >= 0xA0) table[i] = units[0];
+  }
+  ucnv_close(converter);
+  return table;
+}
+
+}  // namespace
+
+bool IsAscii(std::string_view bytes) { return SkipAscii(bytes, 0) == bytes.size(); }
+
+size_t Utf8Length(std::string_view bytes, size_t at) {
+  const auto byte = [&](size_t i) -> unsigned {
+    return at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0u;
+  };
+  const auto continues = [&](size_t i) { return (byte(i) & 0xC0) == 0x80; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first < 0xC2) return 0;
+  if (first < 0xE0) return continues(1) ? 2 : 0;
+  if (first < 0xF0) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : 0xBF;
+    return byte(1) >= low && byte(1) <= high && continues(2) ? 3 : 0;
+  }
+  if (first > 0xF4) return 0;
+  const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+  const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+  return byte(1) >= low && byte(1) <= high && continues(2) && continues(3) ? 4 : 0;
+}
+
+bool IsValidUtf8(std::string_view bytes) {
+  for (size_t at = SkipAscii(bytes, 0); at < bytes.size(); at = SkipAscii(bytes, at)) {
+    const size_t length = Utf8Length(bytes, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
+Decoded DecodeUtf8(std::string_view bytes) {
+  Decoded decoded;
+  decoded.text.reserve(bytes.size());
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t ascii_end = SkipAscii(bytes, at);
+    decoded.text.append(bytes, at, ascii_end - at);
+    at = ascii_end;
+    if (at == bytes.size()) break;
+    if (const size_t length = Utf8Length(bytes, at); length != 0) {
+      decoded.text.append(bytes, at, length);
+      at += length;
+    } else {
+      decoded.replaced.push_back(static_cast<uint32_t>(decoded.text.size()));
+      decoded.text += kReplacementUtf8;
+      ++at;
+    }
+  }
+  return decoded;
+}
+
+Decoded DecodeEightBit(std::string_view bytes, Encoding encoding) {
+  const std::array<char16_t, 128>& upper = UpperHalf(encoding);
+  std::array<std::string, 128> utf8;
+  for (size_t i = 0; i < upper.size(); ++i) utf8[i] = ToUtf8(upper[i]);
+
+  Decoded decoded;
+  decoded.text.reserve(bytes.size() + bytes.size() / 2);
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    const size_t ascii_end = SkipAscii(bytes, at);
+    decoded.text.append(bytes, at, ascii_end - at);
+    at = ascii_end;
+    if (at == bytes.size()) break;
+    const size_t index = static_cast<unsigned char>(bytes[at]) - 0x80u;
+    if (upper[index] == kReplacement) decoded.replaced.push_back(static_cast<uint32_t>(decoded.text.size()));
+    decoded.text += utf8[index];
+  }
+  return decoded;
+}
+
+const std::array<char16_t, 128>& UpperHalf(Encoding encoding) {
+  // Only the upper half is ICU's: its CP866 is IBM's, which exchanges the controls 1AH, 1CH and 7FH.
+  // Function-local statics: a converter is opened when a file needs it, never for ASCII and UTF-8.
+  switch (encoding) {
+    case Encoding::kCp866: {
+      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kCp866);
+      return table;
+    }
+    case Encoding::kCp1251: {
+      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kCp1251);
+      return table;
+    }
+    case Encoding::kKoi8R: {
+      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kKoi8R);
+      return table;
+    }
+    case Encoding::kUtf8:
+      break;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+}  // namespace plcxx::source

@@ -1,0 +1,37 @@
+// Bytes of a file to UTF-8. Nothing here fails: what an encoding does not define becomes U+FFFD.
+//
+// In: the bytes of the text, without BOM and without what follows 1AH. Out: UTF-8 and where it was replaced.
+// Not its job: to find out which encoding it is (detect.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/source/source.h"
+
+namespace plcxx::source {
+
+bool IsAscii(std::string_view bytes);
+
+/// The length of the character that begins at bytes[at]; 0 where the bytes are not well-formed UTF-8 (overlong forms,
+/// surrogates, values above 10FFFF and characters cut off by the end of the text are not).
+size_t Utf8Length(std::string_view bytes, size_t at);
+bool IsValidUtf8(std::string_view bytes);
+
+struct Decoded {
+  std::string text;
+  std::vector<uint32_t> replaced;  // offsets into text of the U+FFFD that stand for one byte each
+};
+
+/// Every byte that does not belong to a well-formed character becomes one U+FFFD.
+Decoded DecodeUtf8(std::string_view bytes);
+/// `encoding` is one of the 8-bit encodings: every byte becomes one character.
+Decoded DecodeEightBit(std::string_view bytes, Encoding encoding);
+
+/// What the bytes 80H to FFH mean in an 8-bit encoding, as code points of the basic plane.
+const std::array<char16_t, 128>& UpperHalf(Encoding encoding);
+
+}  // namespace plcxx::source

@@ -1,0 +1,101 @@
+// What makes the bytes of a file a text: the end-of-file mark, the limits, the encoding.
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "transpiler/source/decode.h"
+#include "transpiler/source/detect.h"
+#include "transpiler/source/line_starts.h"
+#include "transpiler/source/read_bytes.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::source {
+namespace {
+
+constexpr std::string_view kBom = "\xEF\xBB\xBF";
+constexpr char kDosEndOfFile = '\x1A';
+
+std::string_view UpToEndMark(std::string_view bytes, const LoadOptions& options) {
+  return options.stop_at_1a ? bytes.substr(0, bytes.find(kDosEndOfFile)) : bytes;
+}
+
+bool IsUtf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+
+std::optional<LoadError> FindNul(std::string_view bytes) {
+  const size_t nul = bytes.find('\0');
+  if (nul == std::string_view::npos) return std::nullopt;
+  const auto line = static_cast<uint32_t>(FindLineStarts(bytes.substr(0, nul)).size());
+  const std::string what = IsUtf16(bytes) ? "it is UTF-16, which has to be saved as UTF-8"
+                                          : "line " + std::to_string(line) + " contains a NUL byte, it is no text";
+  return LoadError{LoadProblem::kBinary, what, line};
+}
+
+/// `starts` are those of `bytes`.
+std::optional<LoadError> FindLongLine(std::string_view bytes, const std::vector<uint32_t>& starts, size_t max_bytes) {
+  for (size_t i = 0; i < starts.size(); ++i) {
+    size_t end = i + 1 < starts.size() ? starts[i + 1] : bytes.size();
+    if (end - starts[i] <= max_bytes) continue;
+    while (end > starts[i] && (bytes[end - 1] == '\n' || bytes[end - 1] == '\r')) --end;
+    if (end - starts[i] <= max_bytes) continue;
+    const auto line = static_cast<uint32_t>(i) + 1;
+    return LoadError{LoadProblem::kLineTooLong,
+                     "line " + std::to_string(line) + " is longer than " + std::to_string(max_bytes) + " bytes", line};
+  }
+  return std::nullopt;
+}
+
+Encoding EncodingOf(std::string_view bytes, const LoadOptions& options, bool had_bom) {
+  if (options.encoding) return *options.encoding;
+  // A BOM is the author's word, even if a byte of another encoding has crept in later.
+  if (had_bom || IsValidUtf8(bytes)) return Encoding::kUtf8;
+  return DetectEightBit(bytes, options.fallback);
+}
+
+}  // namespace
+
+std::variant<FileId, LoadError> SourceManager::Load(const std::string& path, const LoadOptions& options) {
+  const bool standard_input = path == "-";
+  auto bytes = standard_input ? ReadStandardInput(options.max_bytes) : ReadBytes(path, options.max_bytes);
+  if (auto* error = std::get_if<LoadError>(&bytes)) return std::move(*error);
+  return AddOwnedBytes(standard_input ? "<stdin>" : path, std::get<std::string>(std::move(bytes)), options);
+}
+
+std::variant<FileId, LoadError> SourceManager::AddBytes(std::string path, std::string_view bytes,
+                                                        const LoadOptions& options) {
+  if (bytes.size() > options.max_bytes) return TooLarge(options.max_bytes);
+  return AddOwnedBytes(std::move(path), std::string(bytes), options);
+}
+
+std::variant<FileId, LoadError> SourceManager::AddOwnedBytes(std::string path, std::string bytes,
+                                                             const LoadOptions& options) {
+  if (bytes.empty()) return LoadError{LoadProblem::kEmpty, "it is empty"};
+  bytes.resize(UpToEndMark(bytes, options).size());
+  if (auto error = FindNul(bytes)) return std::move(*error);
+
+  File file;
+  file.path = std::move(path);
+  file.had_bom = bytes.starts_with(kBom);
+  if (file.had_bom) bytes.erase(0, kBom.size());
+  std::vector<uint32_t> starts = FindLineStarts(bytes);
+  if (auto error = FindLongLine(bytes, starts, options.max_line_bytes)) return std::move(*error);
+
+  file.encoding = EncodingOf(bytes, options, file.had_bom);
+  if (file.encoding != Encoding::kUtf8) {
+    Decoded decoded = DecodeEightBit(bytes, file.encoding);
+    file.text = std::move(decoded.text);
+    file.replaced = std::move(decoded.replaced);
+    file.line_bytes = std::move(starts);
+  } else if (IsValidUtf8(bytes)) {
+    file.text = std::move(bytes);
+  } else {
+    Decoded decoded = DecodeUtf8(bytes);
+    file.text = std::move(decoded.text);
+    file.replaced = std::move(decoded.replaced);
+  }
+  if (file.text.size() >= std::numeric_limits<Offset>::max() - next_base_) {
+    return LoadError{LoadProblem::kTooLarge, "all sources together are larger than 4 GB"};
+  }
+  return Add(std::move(file));
+}
+
+}  // namespace plcxx::source

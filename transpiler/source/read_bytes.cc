@@ -1,0 +1,83 @@
+#include "transpiler/source/read_bytes.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace plcxx::source {
+namespace {
+
+constexpr size_t kPiece = 64u << 10;
+
+/// The system's words as our messages are written: lower case at the beginning, no full stop.
+std::string SystemWords(int error) {
+  std::string words = std::strerror(error);
+  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+LoadError FromErrno(int error) {
+  if (error == ENOENT || error == ENOTDIR) return {LoadProblem::kMissing, "no such file"};
+  return {LoadProblem::kUnreadable, SystemWords(error)};
+}
+
+/// Reads to the end; one byte above the limit is enough to know that it is exceeded.
+template <class ReadPiece>
+std::variant<std::string, LoadError> ReadBounded(size_t expected, size_t max_bytes, ReadPiece read_piece) {
+  std::string bytes;
+  size_t size = 0;
+  bytes.resize(std::min(expected, max_bytes) + 1);
+  while (true) {
+    if (size == bytes.size()) bytes.resize(std::min(max_bytes + 1, size + std::max(size, kPiece)));
+    const ssize_t got = read_piece(bytes.data() + size, bytes.size() - size);
+    if (got < 0) return FromErrno(errno);
+    if (got == 0) break;
+    size += static_cast<size_t>(got);
+    if (size > max_bytes) return TooLarge(max_bytes);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace
+
+LoadError TooLarge(size_t max_bytes) {
+  return {LoadProblem::kTooLarge, "it is larger than " + std::to_string(max_bytes) + " bytes"};
+}
+
+std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t max_bytes) {
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0) return FromErrno(errno);
+  if (S_ISDIR(status.st_mode)) return LoadError{LoadProblem::kDirectory, "it is a directory"};
+  const size_t size = status.st_size > 0 ? static_cast<size_t>(status.st_size) : 0;
+  if (size > max_bytes) return TooLarge(max_bytes);
+
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return FromErrno(errno);
+  auto bytes = ReadBounded(size, max_bytes, [&](char* to, size_t room) {
+    ssize_t got = -1;
+    do {
+      got = read(descriptor, to, room);
+    } while (got < 0 && errno == EINTR);
+    return got;
+  });
+  close(descriptor);
+  return bytes;
+}
+
+std::variant<std::string, LoadError> ReadStandardInput(size_t max_bytes) {
+  // The stream, not the descriptor: somebody may have looked at the beginning of it already.
+  return ReadBounded(kPiece, max_bytes, [](char* to, size_t room) -> ssize_t {
+    const size_t got = std::fread(to, 1, room, stdin);
+    if (got == 0 && std::ferror(stdin) != 0) return -1;
+    return static_cast<ssize_t>(got);
+  });
+}
+
+}  // namespace plcxx::source
