@@ -34,11 +34,28 @@ bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   return !(inner == outer && left && inner >= Precedence::kAnd);
 }
 
+/// Compilers warn of a comparison with a constant that no value passes; called by name it is just false.
+bool NeverTrue(const Emittable& emittable, const ir::Inst& inst) {
+  const bool less = inst.op == ir::OpKind::kLess8, greater = inst.op == ir::OpKind::kGreater8;
+  if (!less && !greater) return false;
+  const auto is = [&emittable](uint32_t word, uint64_t value) {
+    const ir::Inst& operand = (*emittable.program)[ir::ValueId(word)];
+    return operand.op == ir::OpKind::kConst && ir::ConstantValue(operand) == value;
+  };
+  return is(inst.b, less ? 0 : 255) || is(inst.a, less ? 255 : 0);
+}
+
 Spelling SpellPure(const Emittable& emittable, const std::vector<std::string>& local_names, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
   // "{0}" alone: the conversion is C++'s own.
   if (info.spelling == "{0}") return Spell(emittable, local_names, ir::ValueId(inst.a));
+  if (NeverTrue(emittable, inst)) {
+    const std::string name = inst.op == ir::OpKind::kLess8 ? "Less8(" : "Greater8(";
+    return {name + Spell(emittable, local_names, ir::ValueId(inst.a)).text + ", " +
+                Spell(emittable, local_names, ir::ValueId(inst.b)).text + ")",
+            Precedence::kPrimary};
+  }
   std::string out;
   const std::string_view pattern = info.spelling;
   const bool operation = info.precedence != Precedence::kPrimary;

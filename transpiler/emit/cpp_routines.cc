@@ -23,7 +23,6 @@ class PartPrinter {
   void Using();
   void Chunks();
   void Routines();
-  void RoutineHead(const ir::Routine& routine);
   void InitStorage();
   void RegionBody(ir::RegionId region);
   void Range(ir::RegionId region, uint32_t begin, uint32_t end);
@@ -38,8 +37,9 @@ class PartPrinter {
   std::string Value(uint32_t word) { return Spell(emittable_, local_names_, ir::ValueId(word)).text; }
   /// A condition, switched off together with its statement in the debug flavour.
   std::string Condition(uint32_t word);
-  bool UsesHost(ir::RegionId region, uint32_t begin, uint32_t end) const;
-  std::string Parameters(ir::RegionId region, uint32_t begin, uint32_t end) const;
+  /// Opens a function; its head is written at the end and leaves out the names that its body does not use.
+  void OpenFunction(const std::string& head, std::vector<std::string> parameters);
+  void CloseFunction();
   bool debug() const { return emittable_.options.flavour == Flavour::kDebug; }
 
   const Emittable& emittable_;
@@ -47,6 +47,9 @@ class PartPrinter {
   const source::SourceManager& sources_;
   uint32_t part_;
   std::string out_;
+  std::string function_head_;               // of the function being printed
+  std::vector<std::string> parameters_;     // "State& m"
+  size_t body_begin_ = 0;
   int indent_ = 0;
   int loop_depth_ = 0;
   uint32_t next_local_ = 1;                // restarts in each chunk and routine
@@ -351,24 +354,6 @@ void PartPrinter::RegionBody(ir::RegionId region) {
   }
 }
 
-bool PartPrinter::UsesHost(ir::RegionId region, uint32_t begin, uint32_t end) const {
-  const auto& insts = program_.regions[region].insts;
-  if (!emittable_.region_chunks[region.index].empty() && end - begin == insts.size()) return true;
-  for (uint32_t i = begin; i < end; ++i) {
-    const ir::Inst& inst = program_[insts[i]];
-    if (inst.op == ir::OpKind::kHostCall || inst.op == ir::OpKind::kCall) return true;
-    for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) {
-      if (!emittable_.region_chunks[owned.index].empty()) return true;
-      if (UsesHost(owned, 0, static_cast<uint32_t>(program_.regions[owned].insts.size()))) return true;
-    }
-  }
-  return false;
-}
-
-std::string PartPrinter::Parameters(ir::RegionId region, uint32_t begin, uint32_t end) const {
-  return UsesHost(region, begin, end) ? "(State& m, Host& host) noexcept" : "(State& m, Host&) noexcept";
-}
-
 void PartPrinter::Chunks() {
   bool any = false;
   for (const Chunk& chunk : emittable_.chunks) {
@@ -376,12 +361,9 @@ void PartPrinter::Chunks() {
     // A chunk is its region's items; called from one place, it would be inlined into one huge function again.
     if (!any) out_ += "namespace {\n\n";
     any = true;
-    next_local_ = 1;
-    out_ += "[[gnu::noinline]] void " + chunk.name + Parameters(chunk.region, chunk.begin, chunk.end) + " {\n";
-    indent_ = 1;
+    OpenFunction("[[gnu::noinline]] void " + chunk.name, {"State& m", "Host& host"});
     Range(chunk.region, chunk.begin, chunk.end);
-    indent_ = 0;
-    out_ += "}\n\n";
+    CloseFunction();
   }
   if (any) out_ += "}  // namespace\n\n";
 }
@@ -416,38 +398,57 @@ void PartPrinter::InitStorage() {
   if (debug()) Line("m.ReapplyForces();");
 }
 
-void PartPrinter::RoutineHead(const ir::Routine& routine) {
-  if (!routine.comment.empty()) Comment(routine.comment);
-  out_ += std::string(ir::CppName(routine.result)) + " " + routine.name + "(State& m";
-  for (size_t i = 0; i < routine.parameters.size(); ++i) {
-    out_ += ", " + std::string(ir::CppName(routine.parameters[i].type));
-    // A parameter that the body does not read must not be a warning: it gets no name.
-    bool read = false;
-    ir::ForEachInst(program_, routine.body, [&](ir::InstId id) {
-      read |= program_[id].op == ir::OpKind::kLoad && i < routine.parameter_places.size() &&
-              program_[id].payload == routine.parameter_places[i].index;
-    });
-    if (read) out_ += " " + routine.parameters[i].name;
-  }
-  const auto whole = [this](ir::RegionId region) {
-    return region.valid() && UsesHost(region, 0, static_cast<uint32_t>(program_.regions[region].insts.size()));
-  };
-  const bool host = whole(routine.prologue) || whole(routine.body) || whole(routine.epilogue);
-  out_ += host ? ", Host& host) noexcept {\n" : ", Host&) noexcept {\n";
+void PartPrinter::OpenFunction(const std::string& head, std::vector<std::string> parameters) {
+  function_head_ = head;
+  parameters_ = std::move(parameters);
+  body_begin_ = out_.size();
+  next_local_ = 1;
   indent_ = 1;
+}
+
+void PartPrinter::CloseFunction() {
+  const std::string_view body = std::string_view(out_).substr(body_begin_);
+  // A parameter that the body does not name must not be a warning: it gets no name.
+  const auto named = [body](std::string_view name) {
+    for (size_t line = 0; line < body.size();) {
+      const size_t end = std::min(body.find('\n', line), body.size());
+      const std::string_view text = body.substr(line, end - line);
+      line = end + 1;
+      if (text.find_first_not_of(' ') != std::string_view::npos && text.substr(text.find_first_not_of(' ')).starts_with("//")) continue;
+      for (size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+        const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+        const bool begins = at == 0 || !letter(text[at - 1]);
+        const bool ends = at + name.size() == text.size() || !letter(text[at + name.size()]);
+        if (begins && ends) return true;
+      }
+    }
+    return false;
+  };
+  std::string head = function_head_ + "(";
+  for (size_t i = 0; i < parameters_.size(); ++i) {
+    const size_t blank = parameters_[i].rfind(' ');
+    head += (i == 0 ? "" : ", ") + (named(parameters_[i].substr(blank + 1)) ? parameters_[i] : parameters_[i].substr(0, blank));
+  }
+  out_.insert(body_begin_, head + ") noexcept {\n");
+  out_ += "}\n\n";
+  indent_ = 0;
 }
 
 void PartPrinter::Routines() {
   for (const ir::Routine& routine : program_.routines) {
     if (routine.simulation_only && !debug()) continue;
-    next_local_ = 1;
-    RoutineHead(routine);
+    if (!routine.comment.empty()) Comment(routine.comment);
+    std::vector<std::string> parameters = {"State& m"};
+    for (const ir::Parameter& parameter : routine.parameters) {
+      parameters.push_back(std::string(ir::CppName(parameter.type)) + " " + parameter.name);
+    }
+    parameters.emplace_back("Host& host");
+    OpenFunction(std::string(ir::CppName(routine.result)) + " " + routine.name, std::move(parameters));
     if (routine.kind == ir::RoutineKind::kInit) InitStorage();
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
       if (region.valid()) RegionBody(region);
     }
-    indent_ = 0;
-    out_ += "}\n\n";
+    CloseFunction();
   }
 }
 
@@ -468,6 +469,9 @@ void PartPrinter::Using() {
     if (info.shape == ir::Shape::kPure && bracket != std::string_view::npos && bracket > 0) {
       names.emplace_back(info.spelling.substr(0, bracket));
     }
+    // Comparisons that never hold are called by name, see SpellPure.
+    if (inst.op == ir::OpKind::kLess8) names.emplace_back("Less8");
+    if (inst.op == ir::OpKind::kGreater8) names.emplace_back("Greater8");
   }
   if (part_ == 0) names.emplace_back("Clear");
   std::sort(names.begin(), names.end());
