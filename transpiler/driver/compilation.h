@@ -46,6 +46,7 @@ enum class Stage : uint8_t {
 /// What one partition costs, as the cost model sees it.
 struct PartitionEstimate {
   std::string name;  // "fast", "slow"
+  ir::RoutineKind kind{};
   uint64_t time_ns = 0;
   uint64_t code_bytes = 0;
 };

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -167,6 +168,11 @@ std::optional<WriteFailure> Transaction::Run() {
 }
 
 }  // namespace
+
+bool IsFileName(std::string_view name) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
+  return !name.empty() && name.front() != '.' && name.front() != '-' && std::ranges::all_of(name, allowed);
+}
 
 std::string PathIn(const std::string& directory, const std::string& name) {
   return directory.empty() ? name : (fs::path(directory) / name).string();

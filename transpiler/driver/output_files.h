@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/emit/cpp_printer.h"
@@ -25,6 +26,9 @@ struct OutputRequest {
 
 /// After a failure the directory is as it was before.
 std::optional<WriteFailure> WriteAll(const OutputRequest& request);
+
+/// Can a file be called so, on every system and without leaving its directory?
+bool IsFileName(std::string_view name);
 
 /// `name` below `directory`, as it is opened and as it stands in dependency files.
 std::string PathIn(const std::string& directory, const std::string& name);

@@ -1,0 +1,144 @@
+#include "transpiler/driver/compilation.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "transpiler/checks/checks.h"
+#include "transpiler/driver/estimates.h"
+#include "transpiler/driver/source_loading.h"
+#include "transpiler/emit/names.h"
+#include "transpiler/ir/verifier.h"
+#include "transpiler/passes/pipeline.h"
+#include "transpiler/passes/structure.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::driver {
+namespace {
+
+void CheckIr(const ir::Program& program, ir::Stage stage) {
+  const std::vector<std::string> broken = ir::Verify(program, stage);
+  if (!broken.empty()) support::InternalFault(broken.front().c_str(), __FILE__, __LINE__);
+}
+
+/// The stem of the first logic source: of the file that holds the first statement, because a file of names has none.
+std::string DefaultName(const Compilation& compilation) {
+  const ir::Program& program = compilation.program;
+  const source::FileId file = program.statements.empty()
+                                  ? compilation.files.front()
+                                  : compilation.sources->FileAt(program.statements[ir::StatementId(0)].range.begin);
+  const std::string& path = compilation.sources->Get(file).path;
+  if (path.starts_with('<')) return "program";  // standard input
+  return emit::SafeIdentifier(std::filesystem::path(path).stem().string());
+}
+
+bool IsOn(const std::map<std::string, std::string>& options, const std::string& key) {
+  const auto option = options.find(key);
+  return option != options.end() && (option->second == "on" || option->second == "true");
+}
+
+/// The phases up to `until`; each is left out after an error in one before it.
+class Pipeline {
+ public:
+  Pipeline(const CompilationRequest& request, Stage until, Compilation& compilation)
+      : request_(request), until_(until), compilation_(compilation) {}
+
+  void Run() {
+    Load();
+    if (Reach(Stage::kLoaded)) Lower();
+    if (Reach(Stage::kLowered)) Structure();
+    if (Reach(Stage::kStructured)) Check();
+    if (Reach(Stage::kChecked)) Optimize();
+    Reach(Stage::kOptimized);
+  }
+
+ private:
+  /// Ends `stage`; true when the next one is wanted and can be done.
+  bool Reach(Stage stage) {
+    if (stopped_ || !compilation_.ok()) {
+      stopped_ = true;
+      return false;
+    }
+    compilation_.reached = stage;
+    stopped_ = stage == until_;
+    return !stopped_;
+  }
+  void Show(std::string_view phase) const {
+    if (request_.progress) request_.progress(phase);
+  }
+
+  void Load();
+  void Lower();
+  void Structure();
+  void Check();
+  void Optimize();
+
+  const CompilationRequest& request_;
+  Stage until_;
+  Compilation& compilation_;
+  bool stopped_ = false;
+};
+
+void Pipeline::Load() {
+  Show("reading");
+  LoadSources(request_, compilation_);
+  if (compilation_.dialect == nullptr) return;
+  const uint32_t before = compilation_.diagnostics.error_count();
+  compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
+  if (compilation_.diagnostics.error_count() > before) compilation_.wrong_use = true;
+}
+
+void Pipeline::Lower() {
+  Show("translating");
+  dialects::Request request = compilation_.MakeRequest();
+  dialects::Lowered lowered = compilation_.dialect->lower(request);
+  compilation_.program = std::move(lowered.program);
+  compilation_.summary = lowered.summary;
+  compilation_.name = request_.name.empty() ? DefaultName(compilation_) : request_.name;
+  compilation_.program.name = compilation_.name;
+  if (compilation_.ok()) CheckIr(compilation_.program, ir::Stage::kLowered);
+}
+
+void Pipeline::Structure() {
+  Show("structuring");
+  passes::Structure(compilation_.program);
+  CheckIr(compilation_.program, ir::Stage::kStructured);
+}
+
+void Pipeline::Check() {
+  Show("checking");
+  EstimateCosts(compilation_);  // before the checks: one of them asks for the number of slices
+  checks::RunAll(compilation_.program, compilation_.dialect->lints, compilation_.diagnostics);
+  CheckBudgets(compilation_);
+}
+
+void Pipeline::Optimize() {
+  Show("optimizing");
+  passes::Optimize(compilation_.program);
+  CutSlices(compilation_);  // last: what it puts around the pieces is no statement's
+  CheckIr(compilation_.program, ir::Stage::kStructured);
+}
+
+}  // namespace
+
+dialects::Request Compilation::MakeRequest() {
+  dialects::Request request;
+  request.sources = sources.get();
+  request.files = files;
+  request.options = options;
+  request.load = load;
+  request.diagnostics = &diagnostics;
+  return request;
+}
+
+Compilation Compile(const CompilationRequest& request, Stage until) {
+  Compilation compilation;
+  compilation.sources = std::make_unique<source::SourceManager>();
+  compilation.diagnostics = diag::Engine(request.warnings);
+  compilation.options = request.options;
+  Pipeline(request, until, compilation).Run();
+  compilation.diagnostics.SortBySource();
+  if (IsOn(compilation.options, "stop-on-error")) compilation.diagnostics.KeepFirstErrorOnly();
+  return compilation;
+}
+
+}  // namespace plcxx::driver

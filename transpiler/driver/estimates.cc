@@ -1,0 +1,81 @@
+#include "transpiler/driver/estimates.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "transpiler/cost/cost_model.h"
+#include "transpiler/passes/cut_slices.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr uint64_t kNsPerUs = 1000;
+constexpr uint64_t kNsPerMs = 1'000'000;
+constexpr uint64_t kBytesPerKb = 1024;
+
+bool IsPartition(ir::RoutineKind kind) {
+  return kind == ir::RoutineKind::kFast || kind == ir::RoutineKind::kSlow || kind == ir::RoutineKind::kInterrupt;
+}
+
+uint64_t RoundedUp(uint64_t value, uint64_t unit) { return value / unit + (value % unit != 0 ? 1 : 0); }
+
+/// The limit among the options; none when it is not given or 0.
+std::optional<uint64_t> LimitOf(const Compilation& compilation, std::string_view key) {
+  const auto option = compilation.options.find(std::string(key));
+  if (option == compilation.options.end()) return std::nullopt;
+  uint64_t limit = 0;
+  const std::string& text = option->second;
+  std::from_chars(text.data(), text.data() + text.size(), limit);  // check_options has seen to its form
+  return limit == 0 ? std::nullopt : std::optional<uint64_t>(limit);
+}
+
+void CheckBudget(Compilation& compilation, dialects::Budget budget, std::string_view key, uint64_t needed) {
+  const std::optional<uint64_t> limit = LimitOf(compilation, key);
+  if (!limit || needed <= *limit || compilation.files.empty()) return;
+  compilation.dialect->report_over_budget(budget, needed, *limit, compilation.files.front(), *compilation.sources,
+                                          compilation.diagnostics);
+}
+
+}  // namespace
+
+void EstimateCosts(Compilation& compilation) {
+  ir::Program& program = compilation.program;
+  Estimates& estimates = compilation.estimates;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    if (!IsPartition(program.routines[id].kind)) continue;
+    const cost::Estimate estimate = cost::EstimateRoutine(program, id);
+    ir::Routine& routine = program.routines[id];
+    estimates.partitions.push_back({routine.name, routine.kind, estimate.total.time_ns, estimate.total.code_bytes});
+    if (routine.kind != ir::RoutineKind::kSlow) continue;
+    if (routine.sliced && program.schedule.slices_by_cost) {
+      routine.slices = cost::SlicesFor(estimate.time_us(), program.schedule.slot_ms);
+    }
+    estimates.slices = routine.slices;
+    estimates.slow_period_ms = routine.slices * program.schedule.period_ms;
+  }
+}
+
+void CheckBudgets(Compilation& compilation) {
+  uint64_t fast_ns = 0, slow_ns = 0, bytes = 0;
+  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
+    if (partition.kind == ir::RoutineKind::kFast) fast_ns += partition.time_ns;
+    if (partition.kind == ir::RoutineKind::kSlow) slow_ns += partition.time_ns;
+    bytes += partition.code_bytes;
+  }
+  CheckBudget(compilation, dialects::Budget::kFastUs, "fast-budget-us", RoundedUp(fast_ns, kNsPerUs));
+  CheckBudget(compilation, dialects::Budget::kSlowMs, "slow-budget-ms", RoundedUp(slow_ns, kNsPerMs));
+  CheckBudget(compilation, dialects::Budget::kCodeKb, "code-budget-kb", RoundedUp(bytes, kBytesPerKb));
+}
+
+void CutSlices(Compilation& compilation) {
+  ir::Program& program = compilation.program;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    if (!program.routines[id].sliced || program.routines[id].slices <= 1) continue;
+    passes::CutSlices(program, id, cost::EstimateRoutine(program, id).item_weights);
+  }
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,166 @@
+#include "transpiler/driver/sim_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/scenario_control.h"
+#include "transpiler/sim/active_messages.h"
+#include "transpiler/sim/clock.h"
+#include "transpiler/sim/simulator.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr size_t kTimeWidth = 9;
+constexpr size_t kByteBits = 8;
+
+std::string Right(std::string text, size_t width) {
+  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+
+/// A word as the control's monitor shows it: binary digits and decimal value.
+std::string MonitorText(ir::Type type, uint64_t value) {
+  if (type != ir::Type::kI8) return std::to_string(value);
+  std::string digits;
+  for (size_t bit = kByteBits; bit-- > 0;) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
+  return digits + Right(std::to_string(value), 4);
+}
+
+size_t ColumnWidth(const sim::Watched& watched) {
+  const size_t value = watched.place.type == ir::Type::kBit  ? 1
+                       : watched.place.type == ir::Type::kI8 ? kByteBits + 4
+                       : watched.place.type == ir::Type::kI16 ? 5
+                                                              : 10;
+  return std::max(value, watched.name.size());
+}
+
+class Table {
+ public:
+  Table(const std::vector<sim::Watched>& watched, Rows rows, std::ostream& out)
+      : watched_(watched), rows_(rows), out_(out) {
+    if (watched_.empty()) return;
+    out_ << Right("time ms", kTimeWidth);
+    for (const sim::Watched& column : watched_) out_ << "  " << Right(column.name, ColumnWidth(column));
+    out_ << '\n';
+  }
+
+  void Row(uint64_t time_ms, sim::Engine& engine) {
+    if (watched_.empty()) return;
+    std::vector<uint64_t> values;
+    for (const sim::Watched& column : watched_) values.push_back(engine.Read(column.place));
+    if (rows_ == Rows::kChangesOnly && values == last_) return;
+    out_ << Right(std::to_string(time_ms), kTimeWidth);
+    for (size_t i = 0; i < values.size(); ++i) {
+      out_ << "  " << Right(MonitorText(watched_[i].place.type, values[i]), ColumnWidth(watched_[i]));
+    }
+    out_ << '\n';
+    last_ = std::move(values);
+  }
+
+  void Event(uint64_t time_ms, const std::string& text) {
+    out_ << Right(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
+  }
+
+ private:
+  const std::vector<sim::Watched>& watched_;
+  Rows rows_;
+  std::ostream& out_;
+  std::vector<uint64_t> last_;
+};
+
+std::string MessageText(const ir::Program& program, uint32_t number) {
+  for (const ir::MessageText& message : program.messages) {
+    if (message.number == number) return "message " + std::to_string(number) + ": " + message.text;
+  }
+  return "message " + std::to_string(number);
+}
+
+/// Writes what --at asks for at its time, before the period.
+class TimedValues {
+ public:
+  TimedValues(const std::vector<SimValue>& values, sim::Engine& engine, ScenarioControl& control)
+      : values_(values), engine_(engine), control_(control) {}
+
+  void Apply(uint64_t now_ms) {
+    for (; next_ < values_.size() && values_[next_].time_ms <= now_ms; ++next_) {
+      const SimValue& value = values_[next_];
+      if (value.text_input) {
+        engine_.SendText(value.text);
+      } else {
+        engine_.Write(value.place, value.value);
+        control_.NoteSet(value.place);
+      }
+    }
+  }
+
+ private:
+  const std::vector<SimValue>& values_;
+  sim::Engine& engine_;
+  ScenarioControl& control_;
+  size_t next_ = 0;
+};
+
+}  // namespace
+
+SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, const SimRunOptions& options,
+                         std::unique_ptr<dialects::ControlStub> stub, std::ostream& out) {
+  const ir::Program& program = compilation.program;
+  sim::Simulator simulator(program);
+  ScenarioControl control(program, simulator, std::move(stub));
+  TimedValues timed(plan.at, simulator, control);
+  sim::MessageTracker messages(program);
+  sim::Clock clock(program, {&simulator});
+  Table table(plan.graph ? std::vector<sim::Watched>() : plan.watched, options.rows, out);
+  SimOutcome outcome;
+  outcome.trace = sim::Trace(plan.watched);
+  sim::Graph graph(plan.watched, plan.graph.value_or(sim::Graph::Options{}));
+
+  clock.before_period = [&](uint32_t now_ms) {
+    timed.Apply(clock.time_ms());
+    control.BeforePeriod(now_ms);
+  };
+  clock.after_period = [&](uint32_t now_ms) {
+    control.AfterPeriod(now_ms);
+    table.Row(clock.time_ms(), simulator);
+    for (const sim::HostEvent& event : simulator.TakeEvents()) {
+      table.Event(clock.time_ms(), "host call " + ToText(program, event));
+    }
+    messages.Observe(simulator);
+    for (const uint32_t number : messages.TakeEntered()) table.Event(clock.time_ms(), MessageText(program, number));
+    if (options.with_trace) outcome.trace.Record(clock.time_ms(), simulator);
+    if (plan.graph) graph.Observe(clock.time_ms(), simulator);
+    ++outcome.periods;
+  };
+  const auto slow_cycles = [&]() -> uint64_t {
+    const ir::PlaceId count = program.schedule.slow_done;
+    return count.valid() ? simulator.Read(program.places[count]) : outcome.periods;
+  };
+
+  for (const SimValue& forced : plan.forced) simulator.Force(forced.place, forced.value);
+  for (const ir::StatementId statement : plan.disconnected) simulator.EnableStatement(statement, false);
+  clock.PowerOn();
+  control.PowerOn();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(options.seconds);
+  const uint64_t periods = plan.periods != 0 ? plan.periods : kMostPeriods;
+  while (outcome.periods < periods && (plan.slow_cycles == 0 || slow_cycles() < plan.slow_cycles)) {
+    if (graph.phase() == sim::Graph::Phase::kComplete) break;
+    if (std::chrono::steady_clock::now() > end) {
+      outcome.out_of_time = true;
+      break;
+    }
+    clock.RunMs(std::max(1u, program.schedule.period_ms));
+  }
+
+  outcome.time_ms = clock.time_ms();
+  outcome.slow_cycles = slow_cycles();
+  outcome.graph = graph.phase();
+  if (plan.graph) out << sim::WriteTable(graph.trace());
+  return outcome;
+}
+
+}  // namespace plcxx::driver
