@@ -1,0 +1,49 @@
+// Runs scenario files: compiles what they name, drives the engines, tells which passed.
+//
+// In: paths of scenarios. Out: one TestCase for each, in the order of the paths. Not its job: the command line
+// (test_command.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/junit.h"
+#include "transpiler/driver/scenario.h"
+#include "transpiler/driver/scenario_program.h"
+
+namespace plcxx::driver {
+
+enum class EngineChoice : uint8_t {
+  kSimulator,
+  kHost,  // the generated code, compiled for this machine
+  kAll    // both in lockstep; without a C++ compiler the simulator alone
+};
+
+struct SuiteOptions {
+  EngineChoice engines = EngineChoice::kAll;
+  ProgramOverrides programs;  // its compiler is empty when there is none
+  unsigned jobs = 2;          // scenarios that run at a time
+  bool waveform = false;      // record one
+};
+
+struct ScenarioResult {
+  TestCase test;
+  std::string ran;       // "3 steps in simulator and compiled"
+  std::string waveform;  // VCD text; empty when no step ran
+};
+
+/// The scenarios that `paths` name: files as they are, directories by all their *.yaml files, sorted by path.
+/// None with the reason when a directory holds none.
+std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vector<std::string>& paths);
+
+/// One scenario, read before.
+ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program);
+
+/// All of them; `report` is called once for each, in order, as soon as it and those before it are done.
+std::vector<ScenarioResult> TestScenarios(const std::vector<std::string>& paths, const SuiteOptions& options,
+                                          const std::function<void(const ScenarioResult&)>& report);
+
+}  // namespace plcxx::driver

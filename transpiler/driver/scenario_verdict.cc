@@ -1,0 +1,146 @@
+// One scenario from its program to its verdict.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/compiled_engine.h"
+#include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/scenario_diagnostics.h"
+#include "transpiler/driver/scenario_plan.h"
+#include "transpiler/driver/scenario_run.h"
+#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/sim/simulator.h"
+#include "transpiler/sim/trace.h"
+
+namespace plcxx::driver {
+namespace {
+
+/// The option by which every dialect's sources ask for a simulated control; off when a scenario does not name it.
+constexpr const char* kStubOption = "nc-stub";
+
+using Failure = std::optional<std::string>;
+
+struct Engines {
+  std::unique_ptr<Lockstep> lockstep;
+  const sim::LastWrites* writes = nullptr;
+};
+
+class Test {
+ public:
+  Test(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program)
+      : scenario_(scenario), options_(options), program_(program) {
+    result_.test = {scenario.path, scenario.directory, TestOutcome::kPassed, {}};
+  }
+
+  ScenarioResult Run() {
+    if (scenario_.sources.empty() && options_.programs.sources.empty()) {
+      return End(TestOutcome::kUnusable, scenario_.path + ": no 'sources': the scenario names no program");
+    }
+    const Compilation& compilation = program_.Compiled();
+    if (const Failure failure = CheckCompilation(compilation)) return End(TestOutcome::kFailed, *failure);
+    if (!scenario_.steps) return std::move(result_);
+    const auto plan = PlanScenario(scenario_, *compilation.dialect, compilation.program);
+    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&plan)) {
+      std::string text;
+      for (const ScenarioError& error : *errors) text += (text.empty() ? "" : "\n") + ToText(error);
+      return End(TestOutcome::kUnusable, text);
+    }
+    Failure failure;
+    try {
+      failure = RunSteps(compilation, std::get<ScenarioPlan>(plan));
+    } catch (const EngineFault& fault) {
+      failure = scenario_.path + ": " + fault.message;
+    }
+    if (failure) return End(TestOutcome::kFailed, *failure);
+    return std::move(result_);
+  }
+
+ private:
+  ScenarioResult End(TestOutcome outcome, std::string text) {
+    result_.test.outcome = outcome;
+    result_.test.text = std::move(text);
+    return std::move(result_);
+  }
+
+  Failure CheckCompilation(const Compilation& compilation) {
+    const diag::Engine& diagnostics = compilation.diagnostics;
+    const source::SourceManager& sources = *compilation.sources;
+    Failure failure;
+    if (scenario_.expect_error) {
+      failure = CheckExpectedError(scenario_, diagnostics, sources);
+    } else if (!compilation.ok()) {
+      failure = scenario_.path + ": the program has errors";
+    }
+    if (!failure && scenario_.warnings) failure = CheckExpectedWarnings(scenario_, diagnostics, sources);
+    if (failure) *failure += DiagnosticsText(diagnostics, sources);
+    return failure;
+  }
+
+  /// The engines that were asked for, or why there are none.
+  std::variant<Engines, std::string> MakeEngines(const Compilation& compilation) {
+    Engines made;
+    std::vector<std::unique_ptr<sim::Engine>> engines;
+    if (options_.engines != EngineChoice::kHost) {
+      auto simulator = std::make_unique<sim::Simulator>(compilation.program);
+      simulator->RecordLastWrites();
+      made.writes = simulator->last_writes();
+      engines.push_back(std::move(simulator));
+    }
+    const std::string& compiler = options_.programs.compiler;
+    if (options_.engines != EngineChoice::kSimulator && !compiler.empty()) {
+      auto built = program_.OnHost(compiler);
+      if (const auto* failure = std::get_if<CompileFailure>(&built)) return failure->message;
+      auto started = StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(built));
+      if (const auto* failure = std::get_if<CompileFailure>(&started)) return failure->message;
+      engines.push_back(std::move(std::get<std::unique_ptr<sim::Engine>>(started)));
+    }
+    if (engines.empty()) return std::string("there is no C++ compiler: name one with --cxx");
+    made.lockstep = std::make_unique<Lockstep>(compilation.program, std::move(engines));
+    return made;
+  }
+
+  Failure RunSteps(const Compilation& compilation, const ScenarioPlan& plan) {
+    auto made = MakeEngines(compilation);
+    if (const auto* why = std::get_if<std::string>(&made)) return scenario_.path + ": " + *why;
+    Engines& engines = std::get<Engines>(made);
+    result_.ran = std::to_string(plan.steps.size()) + (plan.steps.size() == 1 ? " step in " : " steps in ");
+    for (const auto& engine : engines.lockstep->engines()) {
+      result_.ran += (result_.ran.back() == ' ' ? "" : " and ") + std::string(engine->name());
+    }
+    sim::Trace trace(WatchedLocations(plan, compilation.program));
+    Failure failure = RunScenario({.scenario = scenario_,
+                                   .plan = plan,
+                                   .program = compilation.program,
+                                   .sources = *compilation.sources,
+                                   .engines = *engines.lockstep,
+                                   .writes = engines.writes,
+                                   .stub = MakeStub(compilation),
+                                   .trace = options_.waveform ? &trace : nullptr});
+    if (options_.waveform) result_.waveform = sim::WriteVcd(trace, compilation.program.name);
+    return failure;
+  }
+
+  static std::unique_ptr<dialects::ControlStub> MakeStub(const Compilation& compilation) {
+    const auto option = compilation.options.find(kStubOption);
+    const bool asked_for = option != compilation.options.end() && (option->second == "on" || option->second == "true");
+    if (!asked_for || compilation.dialect->make_stub == nullptr) return nullptr;
+    return compilation.dialect->make_stub(compilation.program, compilation.options);
+  }
+
+  const Scenario& scenario_;
+  const SuiteOptions& options_;
+  ScenarioProgram& program_;
+  ScenarioResult result_;
+};
+
+}  // namespace
+
+ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {
+  return Test(scenario, options, program).Run();
+}
+
+}  // namespace plcxx::driver

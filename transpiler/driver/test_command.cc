@@ -1,0 +1,165 @@
+#include "transpiler/driver/test_command.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/compiled_engine.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx test turret.yaml                      the simulator and the generated code, in lockstep
+  plcxx test scenarios --junit result.xml     every *.yaml below a directory
+  plcxx test turret.yaml --vcd turret.vcd     and look at it with a waveform viewer
+
+Exit codes: 0 all passed, 1 a scenario failed, 2 a scenario cannot be read.)";
+
+struct TestSettings {
+  CommonOptions common;  // --set and -W
+  std::vector<std::string> paths, sources;
+  std::string engine = "all";
+  std::string compiler, junit, waveform;
+  unsigned jobs = 2;
+  bool verbose = false;
+};
+
+struct Totals {
+  size_t passed = 0, failed = 0, unusable = 0;
+};
+
+void Report(const ScenarioResult& result, const TestSettings& settings, Totals& totals) {
+  const TestCase& test = result.test;
+  switch (test.outcome) {
+    case TestOutcome::kPassed:
+      ++totals.passed;
+      std::cout << "passed  " << test.name;
+      if (settings.verbose && !result.ran.empty()) std::cout << "  (" << result.ran << ")";
+      std::cout << "\n";
+      break;
+    case TestOutcome::kFailed:
+      ++totals.failed;
+      std::cout << "FAILED  " << test.name << "\n" << test.text << "\n";
+      break;
+    case TestOutcome::kUnusable:
+      ++totals.unusable;
+      std::cout << "ERROR   " << test.name << "\n" << std::flush;
+      std::cerr << test.text << "\n";
+      break;
+  }
+  std::cout << std::flush;
+}
+
+std::string Summary(const Totals& totals) {
+  std::string text = std::to_string(totals.passed) + (totals.passed == 1 ? " scenario passed" : " scenarios passed");
+  if (totals.failed > 0) text += ", " + std::to_string(totals.failed) + " failed";
+  if (totals.unusable > 0) text += ", " + std::to_string(totals.unusable) + " cannot be run";
+  return text;
+}
+
+/// kDone, or kWrongUse when a file cannot be written.
+int WriteFiles(const TestSettings& settings, const std::vector<ScenarioResult>& results,
+               const std::vector<std::string>& paths) {
+  OutputRequest output;
+  output.protected_paths = paths;
+  if (!settings.junit.empty()) {
+    std::vector<TestCase> cases;
+    for (const ScenarioResult& result : results) cases.push_back(result.test);
+    output.files.push_back({settings.junit, JunitXml(cases)});
+  }
+  if (!settings.waveform.empty() && !results.front().waveform.empty()) {
+    output.files.push_back({settings.waveform, results.front().waveform});
+  }
+  if (output.files.empty()) return kDone;
+  const std::optional<WriteFailure> failure = WriteAll(output);
+  if (!failure) return kDone;
+  PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
+  return kWrongUse;
+}
+
+/// None when the command line is wrong; reported.
+std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
+  const std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return std::nullopt;
+  SuiteOptions options;
+  options.engines = settings.engine == "sim"    ? EngineChoice::kSimulator
+                    : settings.engine == "host" ? EngineChoice::kHost
+                                                : EngineChoice::kAll;
+  options.programs = {settings.sources, request->options, request->warnings, settings.compiler};
+  options.jobs = settings.jobs;
+  options.waveform = !settings.waveform.empty();
+  if (options.engines == EngineChoice::kSimulator || !settings.compiler.empty()) return options;
+  options.programs.compiler = FindCompiler();
+  if (!options.programs.compiler.empty()) return options;
+  if (options.engines == EngineChoice::kHost) {
+    PrintUsageError("there is no C++ compiler for '--engine host': install g++ or name one with --cxx");
+    return std::nullopt;
+  }
+  std::cerr << "plcxx: note: no C++ compiler found; scenarios run in the simulator only\n";
+  return options;
+}
+
+int RunTest(const TestSettings& settings) {
+  const std::variant<std::vector<std::string>, std::string> found = FindScenarios(settings.paths);
+  if (const auto* why = std::get_if<std::string>(&found)) {
+    PrintUsageError(*why);
+    return kWrongUse;
+  }
+  const auto& paths = std::get<std::vector<std::string>>(found);
+  if (!settings.waveform.empty() && paths.size() > 1) {
+    PrintUsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
+    return kWrongUse;
+  }
+  const std::optional<SuiteOptions> options = MakeOptions(settings);
+  if (!options) return kWrongUse;
+  Totals totals;
+  const std::vector<ScenarioResult> results =
+      TestScenarios(paths, *options, [&](const ScenarioResult& result) { Report(result, settings, totals); });
+  std::cout << Summary(totals) << "\n";
+  const int written = WriteFiles(settings, results, paths);
+  if (written != kDone) return written;
+  if (totals.unusable > 0) return kWrongUse;
+  return totals.failed > 0 ? kProgramHasErrors : kDone;
+}
+
+}  // namespace
+
+void AddTest(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("test", "Run scenarios in the simulator and as compiled C++");
+  const auto settings = std::make_shared<TestSettings>();
+  command->add_option("SCENARIO", settings->paths, "Scenario files, or directories: all *.yaml in them")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--engine", settings->engine,
+                   "What runs them: sim, host (generated code, compiled here), all in lockstep")
+      ->type_name("ENGINE")
+      ->default_str("all")
+      ->check(CLI::IsMember({"sim", "host", "all"}));
+  command->add_option("--cxx", settings->compiler, "C++ compiler for the generated code; else $CXX, c++, g++, clang++")
+      ->type_name("COMMAND");
+  command->add_option("--sources", settings->sources, "The program, instead of what the scenarios name")
+      ->type_name("FILE...");
+  command->add_option("--junit", settings->junit, "Write the results as JUnit XML")->type_name("FILE");
+  command->add_option("--vcd", settings->waveform, "Write the locations that the scenario names as a waveform")
+      ->type_name("FILE");
+  command->add_option("--jobs", settings->jobs, "Scenarios that run at a time")
+      ->type_name("N")
+      ->default_str("2")
+      ->check(CLI::Range(1, 64));
+  command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
+  AddSettings(*command, settings->common);
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunTest(*settings); }; });
+}
+
+}  // namespace plcxx::driver
