@@ -39,6 +39,26 @@ TEST(Nc110Lexer, CommentsInAnyScript) {
   EXPECT_THAT(WarningsOf("; Привет, \xEF\xBF\xBD %@ \"\n$ Медленная часть\nU4A0=I0A0 ; конец"), IsEmpty());
 }
 
+std::vector<std::string> ErrorsOfBytes(std::string_view bytes) {
+  Parsed parsed;
+  const auto loaded = parsed.sources.AddBytes("file", bytes, {});
+  const auto* file = std::get_if<source::FileId>(&loaded);
+  if (file == nullptr) {
+    return {"not loaded"};
+  }
+  parsed.program = Parse(parsed.sources, std::vector<source::FileId>{*file}, {}, parsed.diagnostics);
+  EXPECT_EQ(parsed.program.assignments.size(), 1u);
+  return parsed.Errors();
+}
+
+// covers: NC110-004 NC110-005 NC110-006
+TEST(Nc110Lexer, BytesOfOldEditors) {
+  EXPECT_THAT(ErrorsOfBytes("U4A0=I0A0\r\n\x1A%%% U4A1=I0A0"), IsEmpty());
+  EXPECT_THAT(ErrorsOfBytes("\xEF\xBB\xBFU4A0=I0A0"), IsEmpty());
+  EXPECT_THAT(ErrorsOfBytes("; \x8F\xE3\xE1\xAA\nU4A0=I0A0 ; \xE1\xE2\xAE\xAF\n"), IsEmpty());  // CP866
+  EXPECT_THAT(ErrorsOfBytes("; \xCF\xF3\xF1\xEA\nU4A0=I0A0 ; \xF1\xF2\xEE\xEF\n"), IsEmpty());  // CP1251
+}
+
 // covers: NC110-018 NC110-019 NC110-027
 TEST(Nc110Lexer, RunsAreNeverSplit) {
   EXPECT_THAT(TokensOf("W13K 5ENDF I0A0U4A0 P1000 T5"),
