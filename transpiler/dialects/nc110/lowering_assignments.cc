@@ -1,5 +1,6 @@
 // Targets: memory, timers, counters, one-shots, MUX.
 
+#include "transpiler/dialects/nc110/accesses.h"
 #include "transpiler/dialects/nc110/lowering_internal.h"
 
 namespace plcxx::nc110 {
@@ -31,9 +32,7 @@ void Lowering::AssignMux(const Operand& target, const Mux& mux) {
 }
 
 ir::ValueId Lowering::Pair(const Operand& low) {
-  Operand high = low;  // the parser has refused a pair at the end of a package
-  high.number = static_cast<uint16_t>(low.number + (low.index + 1) / kBytesPerConnector);
-  high.index = static_cast<uint8_t>((low.index + 1) % kBytesPerConnector);
+  const Operand high = HighByteOf(low);  // the parser has refused a pair at the end of a package
   const ir::ValueId low_byte = builder_.Load(ReadPlaceOf(low)), high_byte = builder_.Load(ReadPlaceOf(high));
   return builder_.Pure(OpKind::kPair16, {low_byte, high_byte});
 }

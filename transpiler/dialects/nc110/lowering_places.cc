@@ -35,7 +35,7 @@ constexpr SystemRow kSystem[] = {
     {SystemPlace::kSlowCycle, "slow_cycle", ir::Type::kI32, 4, ir::kNoBit},
     {SystemPlace::kSlowDone, "slow_done", ir::Type::kI32, 8, ir::kNoBit},
     {SystemPlace::kFastCount, "fast_count", ir::Type::kI32, 12, ir::kNoBit},
-    {SystemPlace::kSlice, "slice", ir::Type::kI8, 16, ir::kNoBit},
+    {SystemPlace::kSlice, "next_slice", ir::Type::kI8, 16, ir::kNoBit},
     {SystemPlace::kSlowOpen, "slow_open", ir::Type::kI8, 17, ir::kNoBit},
     {SystemPlace::kPowerWas, "u10k0_was", ir::Type::kBit, 18, 0},
     {SystemPlace::kSaveWas, "u10n4_was", ir::Type::kBit, 18, 1},

@@ -1,9 +1,11 @@
 #include "transpiler/dialects/nc110/nc110.h"
 
+#include "transpiler/dialects/nc110/documentation.h"
 #include "transpiler/dialects/nc110/locate.h"
 #include "transpiler/dialects/nc110/lowering.h"
 #include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/warnings.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -28,11 +30,37 @@ std::string Syntax(dialects::Request& request) {
   return PrintSyntax(*request.sources, Parse(*request.sources, request.files, settings.parse, *request.diagnostics));
 }
 
+/// The table of texts in the file that an option names.
+TextTable ReadNamedTexts(const dialects::Request& request, const char* key, TextFileKind kind) {
+  const auto file = LoadNamedFile(request, key);
+  if (!file) return {};
+  return ReadTextFile(*request.sources, *file, kind, *request.diagnostics);
+}
+
 dialects::Lowered LowerProgram(dialects::Request& request) {
+  diag::Engine& diagnostics = *request.diagnostics;
+  const source::SourceManager& sources = *request.sources;
   const Settings settings = ReadSettings(request);
-  const Program tree = Parse(*request.sources, request.files, settings.parse, *request.diagnostics);
+  const Program tree = Parse(sources, request.files, settings.parse, diagnostics);
+
+  HelpTexts help;
+  if (const auto file = LoadNamedFile(request, "help")) help = ReadHelpFile(sources, *file, diagnostics);
+  TextTable messages = ReadNamedTexts(request, "messages", TextFileKind::kMessages);
+  AddDeclaredMessages(tree, sources, messages, diagnostics);
+  TextTable menu = ReadNamedTexts(request, "menu", TextFileKind::kMenu);
+
+  const CheckedProgram checked{tree, settings, sources, help, messages};
+  CheckZones(checked, diagnostics);
+  CheckUnwritten(checked, diagnostics);
+  CheckSelfHold(checked, diagnostics);
+  CheckMessages(checked, diagnostics);
+  CheckBcdComparisons(checked, diagnostics);
+
   dialects::Lowered lowered;
-  lowered.program = Lower(tree, settings, *request.sources);
+  lowered.program = Lower(tree, settings, sources);
+  lowered.program.messages = std::move(messages.texts);
+  lowered.program.menu_texts = std::move(menu.texts);
+  lowered.program.documentation = Document(tree, settings, sources, help);
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
   return lowered;
 }

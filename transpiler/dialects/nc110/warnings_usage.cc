@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include "transpiler/dialects/nc110/accesses.h"
+#include "transpiler/dialects/nc110/signals.h"
+#include "transpiler/dialects/nc110/tokens.h"
+#include "transpiler/dialects/nc110/warnings.h"
+
+namespace plcxx::nc110 {
+namespace {
+
+bool Overlap(const Operand& a, const Operand& b) {
+  return IsMemory(a) && IsMemory(b) && a.package == b.package && ByteOf(a) == ByteOf(b) && (BitsOf(a) & BitsOf(b)) != 0;
+}
+
+Operand AsBit(Operand operand) {
+  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
+  return operand;
+}
+
+/// Memory that only the program gives a meaning.
+bool IsFree(const Operand& operand, const Settings& settings) {
+  if (operand.package == Package::kT) return !settings.t_initial[ByteOf(operand)].has_value();
+  return operand.package == Package::kK && !InBasePart(Package::kK, operand.number, settings.processes);
+}
+
+bool IsTermOfOr(const Program& tree, ExprId id, const Operand& operand) {
+  const Expr& expr = tree.exprs[id];
+  if (expr.kind == ExprKind::kOr) return IsTermOfOr(tree, expr.left, operand) || IsTermOfOr(tree, expr.right, operand);
+  return expr.kind == ExprKind::kOperand && AsBit(expr.operand) == operand;
+}
+
+}  // namespace
+
+WriteCounts::WriteCounts(const Program& tree) : counts_(size_t{kAllPackageBytes} * 8) {
+  for (const Item& item : tree.items) {
+    if (item.kind != ItemKind::kAssignment) continue;
+    const Operand& target = tree.assignments[item.assignment()].target.operand;
+    if (!IsMemory(target)) continue;
+    const size_t first = (size_t{PackageBase(target.package)} + ByteOf(target)) * 8;
+    for (size_t bit = 0; bit < 8; ++bit) {
+      uint8_t& count = counts_[first + bit];
+      if ((BitsOf(target) >> bit & 1) != 0 && count < 255) ++count;
+    }
+  }
+}
+
+uint32_t WriteCounts::Of(const Operand& operand) const {
+  const size_t first = (size_t{PackageBase(operand.package)} + ByteOf(operand)) * 8;
+  uint32_t most = 0;
+  for (size_t bit = 0; bit < 8; ++bit) {
+    if ((BitsOf(operand) >> bit & 1) != 0) most = std::max<uint32_t>(most, counts_[first + bit]);
+  }
+  return most;
+}
+
+void CheckUnwritten(const CheckedProgram& program, diag::Engine& diagnostics) {
+  const WriteCounts writes(program.tree);
+  const std::vector<Operand>& external = program.settings.external;
+  std::unordered_set<uint32_t> reported;
+  ForEachAccess(program.tree, [&](const Access& access) {
+    const Operand operand = AsBit(access.operand);
+    if (IsWrite(access.kind) || !IsMemory(operand) || !IsFree(operand, program.settings)) return;
+    if (writes.Of(operand) != 0 || program.help.Describes(operand)) return;
+    if (std::any_of(external.begin(), external.end(), [&](const Operand& e) { return Overlap(e, operand); })) return;
+    const uint32_t key = (PackageBase(operand.package) + ByteOf(operand)) << 8 | BitsOf(operand);
+    if (reported.insert(key).second) {
+      diagnostics.Report(access.range, diag::Nc110ReadNeverWritten, ToText(access.operand));
+    }
+  });
+}
+
+void CheckSelfHold(const CheckedProgram& program, diag::Engine& diagnostics) {
+  const Program& tree = program.tree;
+  const WriteCounts writes(tree);
+  for (const Item& item : tree.items) {
+    if (item.kind != ItemKind::kAssignment || item.faulty) continue;
+    const Assignment& assignment = tree.assignments[item.assignment()];
+    const Operand& target = assignment.target.operand;
+    if (target.kind != OperandKind::kOutput || assignment.inverted || !assignment.value.valid()) continue;
+    if (tree.exprs[assignment.value].kind != ExprKind::kOr || writes.Of(target) > 1) continue;
+    if (IsTermOfOr(tree, assignment.value, target)) {
+      diagnostics.Report(assignment.target.range, diag::Nc110SelfHoldWithoutReset, ToText(target));
+    }
+  }
+}
+
+void CheckBcdComparisons(const CheckedProgram& program, diag::Engine& diagnostics) {
+  const Program& tree = program.tree;
+  const auto check = [&](const Expr& word, const Expr& constant) {
+    if (word.kind != ExprKind::kOperand || word.operand.kind != OperandKind::kWord) return;
+    if (constant.kind != ExprKind::kConstant || constant.value < 10) return;
+    const std::string_view text = program.sources.Text(constant.range);
+    if (text.empty() || Upper(text.back()) == 'H') return;
+    if (!HoldsBcd(word.operand, program.settings.processes)) return;
+    diagnostics.Report(constant.range, diag::Nc110BcdDecimal, ToText(word.operand), text);
+  };
+  for (const Expr& expr : tree.exprs) {
+    if (expr.kind != ExprKind::kLess && expr.kind != ExprKind::kEqual && expr.kind != ExprKind::kGreater) continue;
+    const Expr &left = tree.exprs[expr.left], &right = tree.exprs[expr.right];
+    check(left, right);
+    check(right, left);
+  }
+}
+
+}  // namespace plcxx::nc110
