@@ -53,11 +53,11 @@ bool Reader::Accept(std::string_view wanted) {
 }
 
 void Reader::Expect(std::string_view wanted) {
-  if (!Accept(wanted)) Fail("'" + std::string(wanted) + "' expected");
+  if (!Accept(wanted)) Fail(std::string("'").append(wanted) + "' expected");
 }
 
 void Reader::ExpectEnd() {
-  if (!error && !AtEnd()) Fail("'" + lines[line].tokens[token].text + "' is too much on this line");
+  if (!error && !AtEnd()) Fail(std::string("'").append(lines[line].tokens[token].text) + "' is too much on this line");
 }
 
 std::string Reader::Name() {
