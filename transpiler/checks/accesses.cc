@@ -11,8 +11,10 @@ namespace {
 bool Drives(ir::OpKind op) {
   switch (ir::Info(op).cost) {
     case ir::CostClass::kTimer:
-    case ir::CostClass::kPulse: return true;
-    case ir::CostClass::kCounter: return op != ir::OpKind::kResetCounter;
+    case ir::CostClass::kPulse:
+      return true;
+    case ir::CostClass::kCounter:
+      return op != ir::OpKind::kResetCounter;
     case ir::CostClass::kFree:
     case ir::CostClass::kLogic:
     case ir::CostClass::kArithmetic:
@@ -23,7 +25,8 @@ bool Drives(ir::OpKind op) {
     case ir::CostClass::kStore:
     case ir::CostClass::kBranch:
     case ir::CostClass::kCall:
-    case ir::CostClass::kExpire: return false;
+    case ir::CostClass::kExpire:
+      return false;
   }
   return false;
 }
@@ -40,11 +43,16 @@ struct Walk {
         case ir::Shape::kStore: {
           const ir::PlaceId place(inst.payload);
           const bool load = inst.op == ir::OpKind::kLoad;
-          out.accesses.push_back({load ? AccessKind::kRead : AccessKind::kWrite, place, program.places[place].state, inst.range, arm});
+          out.accesses.push_back(
+              {load ? AccessKind::kRead : AccessKind::kWrite, place, program.places[place].state, inst.range, arm});
           break;
         }
         case ir::Shape::kStep:
-          out.accesses.push_back({Drives(inst.op) ? AccessKind::kDrive : AccessKind::kTouch, {}, ir::StateId(inst.payload), inst.range, arm});
+          out.accesses.push_back({Drives(inst.op) ? AccessKind::kDrive : AccessKind::kTouch,
+                                  {},
+                                  ir::StateId(inst.payload),
+                                  inst.range,
+                                  arm});
           break;
         case ir::Shape::kText:
           out.accesses.push_back({AccessKind::kDrive, {}, ir::StateId(inst.payload), inst.range, arm});
@@ -72,7 +80,8 @@ struct Walk {
         case ir::Shape::kCall:
         case ir::Shape::kHostCall:
         case ir::Shape::kJump:
-        case ir::Shape::kLabel: break;
+        case ir::Shape::kLabel:
+          break;
       }
     }
   }

@@ -11,11 +11,11 @@
 namespace plcxx::checks {
 
 enum class AccessKind : uint8_t {
-  kRead,   // load of a place
-  kWrite,  // store to a place
-  kDrive,  // a step that takes the instance's input: the statement that runs a timer, counter, one-shot
-  kTouch,  // any other operation on an instance (reset, expiry)
-  kLoopEnd // not an access: what was written in the loop may have been read at the start of its next round
+  kRead,    // load of a place
+  kWrite,   // store to a place
+  kDrive,   // a step that takes the instance's input: the statement that runs a timer, counter, one-shot
+  kTouch,   // any other operation on an instance (reset, expiry)
+  kLoopEnd  // not an access: what was written in the loop may have been read at the start of its next round
 };
 
 /// Where an access stands: a chain of (branch, arm) from the top of the routine.
@@ -27,10 +27,10 @@ struct Arm {
 
 struct Access {
   AccessKind kind{};
-  ir::PlaceId place;      // of kRead and kWrite
-  ir::StateId state;      // of kDrive and kTouch; of a read or write of a field
+  ir::PlaceId place;  // of kRead and kWrite
+  ir::StateId state;  // of kDrive and kTouch; of a read or write of a field
   source::Range range;
-  uint32_t arm = 0;       // 0: executed in every run of the routine
+  uint32_t arm = 0;  // 0: executed in every run of the routine
 };
 
 struct PartAccesses {
@@ -59,8 +59,8 @@ class BitNumbering {
   BitSpan Of(const ir::Place& place) const;
 
  private:
-  std::vector<uint32_t> base_;     // by SpaceId
-  std::vector<uint32_t> fields_;   // by StateId
+  std::vector<uint32_t> base_;    // by SpaceId
+  std::vector<uint32_t> fields_;  // by StateId
   uint32_t count_ = 0;
 };
 

@@ -56,7 +56,8 @@ void ReadNeverDriven(const Context& context, const diag::Message<diag::Text>& me
   for (const PartAccesses& part : context.parts) {
     for (const Access& access : part.accesses) {
       if (access.kind == AccessKind::kDrive) driven[access.state.index] = true;
-      if (access.kind == AccessKind::kWrite && access.state.valid()) written[numbering.Of(program.places[access.place]).first] = true;
+      if (access.kind == AccessKind::kWrite && access.state.valid())
+        written[numbering.Of(program.places[access.place]).first] = true;
     }
   }
   for (const PartAccesses& part : context.parts) {

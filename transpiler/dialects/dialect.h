@@ -83,11 +83,11 @@ class ControlStub {
 enum class Budget : uint8_t { kFastUs, kSlowMs, kCodeKb };
 
 struct Dialect {
-  std::string_view name;                            // "nc110"
-  std::string_view title;                           // "Balt-System NC-110 ... NC-400"
-  std::span<const std::string_view> extensions;     // ".plc"
+  std::string_view name;                         // "nc110"
+  std::string_view title;                        // "Balt-System NC-110 ... NC-400"
+  std::span<const std::string_view> extensions;  // ".plc"
   std::span<const OptionInfo> options;
-  source::LoadOptions load;                         // how its sources are read
+  source::LoadOptions load;  // how its sources are read
   /// Does the text look like this dialect? For sources without a telling extension.
   bool (*recognize)(std::string_view text);
   /// Reports a source that cannot be read, by the dialect's own code.
@@ -102,10 +102,11 @@ struct Dialect {
   std::optional<Location> (*locate)(const ir::Program& program, std::string_view text);
   /// A value in the dialect's own spelling ("33H"); none when it is none.
   std::optional<uint64_t> (*parse_value)(std::string_view text);
-  std::unique_ptr<ControlStub> (*make_stub)(const ir::Program& program, const std::map<std::string, std::string>& options);
+  std::unique_ptr<ControlStub> (*make_stub)(const ir::Program& program,
+                                            const std::map<std::string, std::string>& options);
   /// Reports a part that costs more than the budget of its option; `options` holds the limits.
-  void (*report_over_budget)(Budget budget, uint64_t needed, uint64_t limit, source::FileId first, const source::SourceManager& sources,
-                             diag::Engine& diagnostics);
+  void (*report_over_budget)(Budget budget, uint64_t needed, uint64_t limit, source::FileId first,
+                             const source::SourceManager& sources, diag::Engine& diagnostics);
   diag::Lints lints;  // the dialect's codes for the checks of checks/
 };
 

@@ -68,7 +68,8 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds)
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   char buffer[4096];
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
     pollfd poll_fd{fds[0], POLLIN, 0};
     if (left <= 0 || poll(&poll_fd, 1, static_cast<int>(left)) <= 0) {
       kill(pid, SIGKILL);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "transpiler/driver/child_process.h"
 #include "transpiler/driver/embedded_runtime.h"
@@ -19,7 +20,7 @@ constexpr int kCompileSeconds = 300;
 struct Cell {
   bool in_state = false;
   uint32_t offset = 0;
-  uint8_t bit = 0;     // of that byte
+  uint8_t bit = 0;       // of that byte
   bool is_bool = false;  // the byte holds 0 or 1
 };
 
@@ -38,7 +39,10 @@ namespace {
 class CompiledEngine : public sim::Engine {
  public:
   explicit CompiledEngine(std::shared_ptr<CompiledProgram> compiled)
-      : compiled_(std::move(compiled)), program_(*compiled_->program), layout_(compiled_->layout), state_(layout_.size, 0) {
+      : compiled_(std::move(compiled)),
+        program_(*compiled_->program),
+        layout_(compiled_->layout),
+        state_(layout_.size, 0) {
     for (const ir::Space& space : program_.spaces) {
       shadow_.emplace_back(space.bytes, 0);
       shadow_mask_.emplace_back(space.bytes, 0);
@@ -55,7 +59,8 @@ class CompiledEngine : public sim::Engine {
   void PowerOn() override {
     for (uint32_t s = 0; s < shadow_.size(); ++s) {
       std::fill(shadow_[s].begin(), shadow_[s].end(), uint8_t{0});
-      for (const ir::InitialByte& initial : program_.spaces[ir::SpaceId(s)].initial) shadow_[s][initial.offset] = initial.value;
+      for (const ir::InitialByte& initial : program_.spaces[ir::SpaceId(s)].initial)
+        shadow_[s][initial.offset] = initial.value;
       for (size_t i = 0; i < shadow_[s].size(); ++i) ApplyShadowForce(s, i);
     }
     Command("I");
@@ -193,7 +198,8 @@ class CompiledEngine : public sim::Engine {
 
   void ApplyShadowForce(uint32_t space, size_t at) {
     uint8_t& byte = shadow_[space][at];
-    byte = static_cast<uint8_t>((byte & ~shadow_mask_[space][at]) | (shadow_value_[space][at] & shadow_mask_[space][at]));
+    byte =
+        static_cast<uint8_t>((byte & ~shadow_mask_[space][at]) | (shadow_value_[space][at] & shadow_mask_[space][at]));
   }
 
   /// The cell of one bit of a byte of a space.
@@ -291,9 +297,11 @@ std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(co
   std::error_code error;
   bool written = std::filesystem::create_directory(directory.path() + "/plcxx", error);
   for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
-    written = written && directory.Write(std::string("plcxx/") + kRuntimeHeaders[i].name, {kRuntimeHeaders[i].text, kRuntimeHeaders[i].size});
+    written = written && directory.Write(std::string("plcxx/") + kRuntimeHeaders[i].name,
+                                         {kRuntimeHeaders[i].text, kRuntimeHeaders[i].size});
   }
-  std::vector<std::string> arguments = {compiler, "-std=c++17", "-O0", "-w", "-I", directory.path(), "-o", compiled->executable};
+  std::vector<std::string> arguments = {compiler, "-std=c++17",     "-O0", "-w",
+                                        "-I",     directory.path(), "-o",  compiled->executable};
   for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
     written = written && directory.Write(file.name, file.text);
     if (file.name.ends_with(".cpp")) arguments.push_back(directory.path() + "/" + file.name);

@@ -80,14 +80,25 @@ int main() {
 std::string Parameters(const ir::HostFunction& function) {
   std::string out = "(Host& host";
   switch (function.access) {
-    case ir::HostAccess::kNone: break;
-    case ir::HostAccess::kReadsState: out += ", const State&"; break;
-    case ir::HostAccess::kWritesState: out += ", State&"; break;
-    case ir::HostAccess::kReadsRetentive: out += ", const Retentive& retentive"; break;
-    case ir::HostAccess::kWritesRetentive: out += ", Retentive& retentive"; break;
+    case ir::HostAccess::kNone:
+      break;
+    case ir::HostAccess::kReadsState:
+      out += ", const State&";
+      break;
+    case ir::HostAccess::kWritesState:
+      out += ", State&";
+      break;
+    case ir::HostAccess::kReadsRetentive:
+      out += ", const Retentive& retentive";
+      break;
+    case ir::HostAccess::kWritesRetentive:
+      out += ", Retentive& retentive";
+      break;
   }
   for (const ir::Parameter& parameter : function.parameters) {
-    out += ", " + (parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type)) : function.name + "_" + parameter.name) +
+    out += ", " +
+           (parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
+                                          : function.name + "_" + parameter.name) +
            " " + parameter.name;
   }
   return out + ") noexcept";
@@ -101,14 +112,16 @@ std::string HostFunctions(const emit::Emittable& emittable) {
     const ir::HostFunctionId id(i);
     const ir::HostFunction& function = program.host_functions[id];
     const bool loads = function.access == ir::HostAccess::kWritesRetentive;
-    out += (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + Parameters(function) + " {\n";
+    out += (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + Parameters(function) +
+           " {\n";
     out += "  static_cast<void>(host);\n";
     if (id == program.schedule.now) {
       out += "  return host.now;\n";
     } else if (loads) {
       out += "  if (host.has_stored) retentive = host.stored;\n";
     } else {
-      if (function.access == ir::HostAccess::kReadsRetentive) out += "  host.stored = retentive;\n  host.has_stored = true;\n";
+      if (function.access == ir::HostAccess::kReadsRetentive)
+        out += "  host.stored = retentive;\n  host.has_stored = true;\n";
       if (!function.routine_exchange) {
         out += "  host.events.push_back({" + std::to_string(i) + ", {";
         for (size_t k = 0; k < function.parameters.size(); ++k) {
@@ -128,7 +141,8 @@ std::string HostFunctions(const emit::Emittable& emittable) {
 std::string HarnessText(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const bool retentive = emittable.layout.retentive_bytes > 0;
-  std::string out = "#include <stdio.h>\n#include <stdlib.h>\n#include <vector>\n#include \"" + emittable.options.name + ".hpp\"\n";
+  std::string out =
+      "#include <stdio.h>\n#include <stdlib.h>\n#include <vector>\n#include \"" + emittable.options.name + ".hpp\"\n";
   out += "namespace " + emittable.namespace_name + " {\n";
   out += "struct Host {\n  struct Event { uint32_t function; std::vector<uint64_t> arguments; };\n";
   out += "  uint32_t now = 0;\n  std::vector<Event> events;\n";
@@ -137,15 +151,17 @@ std::string HarnessText(const emit::Emittable& emittable) {
   out += "namespace program = " + emittable.namespace_name + ";\n";
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
   const auto runner = [&](std::string_view name, ir::RoutineId routine) {
-    out += "static void " + std::string(name) + "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";
+    out += "static void " + std::string(name) +
+           "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";
     if (routine.valid()) out += "  program::" + program.routines[routine].name + "(m, host);\n";
     out += "}\n";
   };
   runner("RunPeriod", program.schedule.period);
   runner("RunFastOnly", program.schedule.fast_only);
   out += "static void SendText(program::State& m, const char* text, size_t length) {\n";
-  out += program.text_inbox.valid() ? "  program::send_operator_text(m, text, length);\n"
-                                    : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
+  out += program.text_inbox.valid()
+             ? "  program::send_operator_text(m, text, length);\n"
+             : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
   out += "}\nstatic void StoreRetentive(const program::State& m, program::Host& host) {\n";
   out += retentive ? "  host.stored = m.retentive;\n  host.has_stored = true;\n"
                    : "  static_cast<void>(m);\n  static_cast<void>(host);\n";

@@ -25,7 +25,8 @@ Spelling SpellConstant(const ir::Inst& inst) {
   return {std::to_string(value) + (wide ? "u" : ""), Precedence::kPrimary};
 }
 
-/// C++ compilers warn where `&` meets `|` without brackets, and readers hesitate; only a chain of one operator goes without.
+/// C++ compilers warn where `&` meets `|` without brackets, and readers hesitate; only a chain of one operator goes
+/// without.
 bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   if (inner == Precedence::kPrimary) return false;
   // "!a & b" makes GCC ask whether "!(a & b)" was meant when b is a packed bit; behind the operator it does not.
@@ -92,8 +93,10 @@ Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::stri
   const ir::Inst& inst = program[value];
   const ir::OpInfo& info = ir::Info(inst.op);
   switch (info.shape) {
-    case ir::Shape::kConst: return SpellConstant(inst);
-    case ir::Shape::kPure: return SpellPure(emittable, local_names, inst);
+    case ir::Shape::kConst:
+      return SpellConstant(inst);
+    case ir::Shape::kPure:
+      return SpellPure(emittable, local_names, inst);
     case ir::Shape::kLoad: {
       const ir::PlaceId place(inst.payload);
       const std::string& name = emittable.place_names[place.index];
@@ -119,7 +122,8 @@ Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::stri
       const ir::Call& call = program.calls[ir::CallId(inst.payload)];
       const ir::HostFunction& function = program.host_functions[call.host];
       std::string out = function.name + "(host";
-      if (function.access == ir::HostAccess::kReadsState || function.access == ir::HostAccess::kWritesState) out += ", m";
+      if (function.access == ir::HostAccess::kReadsState || function.access == ir::HostAccess::kWritesState)
+        out += ", m";
       if (function.access == ir::HostAccess::kReadsRetentive) out += ", m.retentive";
       for (size_t i = 0; i < call.arguments.size(); ++i) {
         const ir::Parameter& parameter = function.parameters[i];
@@ -148,7 +152,8 @@ Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::stri
     case ir::Shape::kBlock:
     case ir::Shape::kExit:
     case ir::Shape::kJump:
-    case ir::Shape::kLabel: break;
+    case ir::Shape::kLabel:
+      break;
   }
   PLCXX_UNREACHABLE();
 }

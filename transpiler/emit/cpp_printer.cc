@@ -5,8 +5,9 @@ namespace {
 
 /// Characters that would end a line, hide text or turn its direction (compilers warn of the latter).
 bool IsHarmful(unsigned code) {
-  return code < 0x20 || code == 0x7F || (code >= 0x80 && code < 0xA0) || code == 0x61C || (code >= 0x200E && code <= 0x200F) ||
-         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
+  return code < 0x20 || code == 0x7F || (code >= 0x80 && code < 0xA0) || code == 0x61C ||
+         (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
 }
 
 }  // namespace

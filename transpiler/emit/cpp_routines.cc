@@ -14,7 +14,11 @@ constexpr size_t kLineWidth = 110;
 class PartPrinter {
  public:
   PartPrinter(const Emittable& emittable, const source::SourceManager& sources, uint32_t part)
-      : emittable_(emittable), program_(*emittable.program), sources_(sources), part_(part), local_names_(emittable.local_value.size()) {}
+      : emittable_(emittable),
+        program_(*emittable.program),
+        sources_(sources),
+        part_(part),
+        local_names_(emittable.local_value.size()) {}
 
   std::string Run();
 
@@ -47,14 +51,14 @@ class PartPrinter {
   const source::SourceManager& sources_;
   uint32_t part_;
   std::string out_;
-  std::string function_head_;               // of the function being printed
-  std::vector<std::string> parameters_;     // "State& m"
+  std::string function_head_;            // of the function being printed
+  std::vector<std::string> parameters_;  // "State& m"
   size_t body_begin_ = 0;
   int indent_ = 0;
   int loop_depth_ = 0;
-  uint32_t next_local_ = 1;                // restarts in each chunk and routine
-  std::vector<std::string> local_names_;   // by InstId
-  ir::StatementId statement_;              // the one being printed
+  uint32_t next_local_ = 1;               // restarts in each chunk and routine
+  std::vector<std::string> local_names_;  // by InstId
+  ir::StatementId statement_;             // the one being printed
 };
 
 void PartPrinter::Comment(std::string_view text) {
@@ -159,7 +163,8 @@ void PartPrinter::If(const ir::Inst& first) {
       }
       inst = &program_[last];
       const ir::Inst& condition = program_[ir::ValueId(inst->a)];
-      const bool always = condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
+      const bool always =
+          condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
       head = always && !debug() ? "else {" : "else if (" + Condition(inst->a) + ") {";
       if (!statement.valid()) {
         out_.pop_back();  // no comment between: "} else if"
@@ -240,13 +245,14 @@ void PartPrinter::Inst(ir::InstId id) {
   switch (ir::Info(inst.op).shape) {
     case ir::Shape::kPure:
     case ir::Shape::kLoad:
-    case ir::Shape::kConst: return;  // spelled where it is used
+    case ir::Shape::kConst:
+      return;  // spelled where it is used
     case ir::Shape::kStep:
     case ir::Shape::kCall:
     case ir::Shape::kHostCall: {
-      const bool loads_retentive =
-          inst.op == ir::OpKind::kHostCall &&
-          program_.host_functions[program_.calls[ir::CallId(inst.payload)].host].access == ir::HostAccess::kWritesRetentive;
+      const bool loads_retentive = inst.op == ir::OpKind::kHostCall &&
+                                   program_.host_functions[program_.calls[ir::CallId(inst.payload)].host].access ==
+                                       ir::HostAccess::kWritesRetentive;
       if (loads_retentive) {
         const std::string& name = program_.host_functions[program_.calls[ir::CallId(inst.payload)].host].name;
         Line("Retentive copy{};");
@@ -270,12 +276,19 @@ void PartPrinter::Inst(ir::InstId id) {
         if (c == '"' || c == '\\') literal += '\\';
         literal += c;
       }
-      Line("UpdateText(m[" + emittable_.state_names[inst.payload] + "], m[" + emittable_.state_names[inst.a] + "], \"" + literal + "\");");
+      Line("UpdateText(m[" + emittable_.state_names[inst.payload] + "], m[" + emittable_.state_names[inst.a] + "], \"" +
+           literal + "\");");
       return;
     }
-    case ir::Shape::kIf: If(inst); return;
-    case ir::Shape::kSwitch: Switch(inst); return;
-    case ir::Shape::kLoop: Loop(inst); return;
+    case ir::Shape::kIf:
+      If(inst);
+      return;
+    case ir::Shape::kSwitch:
+      Switch(inst);
+      return;
+    case ir::Shape::kLoop:
+      Loop(inst);
+      return;
     case ir::Shape::kBlock:
       RegionBody(ir::RegionId(inst.a));
       Line("end_" + std::to_string(id.index) + ":;");
@@ -287,7 +300,8 @@ void PartPrinter::Inst(ir::InstId id) {
     }
     case ir::Shape::kStatement:
     case ir::Shape::kJump:
-    case ir::Shape::kLabel: break;
+    case ir::Shape::kLabel:
+      break;
   }
   PLCXX_UNREACHABLE();
 }
@@ -319,10 +333,11 @@ void PartPrinter::Range(ir::RegionId region, uint32_t begin, uint32_t end) {
       continue;
     }
     // A step whose result the next instruction spells is not a statement of its own.
-    const bool step_value = inst.type != ir::Type::kNone &&
-                            (ir::Info(inst.op).shape == ir::Shape::kStep || ir::Info(inst.op).shape == ir::Shape::kCall ||
-                             ir::Info(inst.op).shape == ir::Shape::kHostCall) &&
-                            !emittable_.local_value[insts[i].index];
+    const bool step_value =
+        inst.type != ir::Type::kNone &&
+        (ir::Info(inst.op).shape == ir::Shape::kStep || ir::Info(inst.op).shape == ir::Shape::kCall ||
+         ir::Info(inst.op).shape == ir::Shape::kHostCall) &&
+        !emittable_.local_value[insts[i].index];
     if (step_value) {
       uses_result = false;
       for (uint32_t k = i + 1; k < end && !uses_result; ++k) {
@@ -414,9 +429,13 @@ void PartPrinter::CloseFunction() {
       const size_t end = std::min(body.find('\n', line), body.size());
       const std::string_view text = body.substr(line, end - line);
       line = end + 1;
-      if (text.find_first_not_of(' ') != std::string_view::npos && text.substr(text.find_first_not_of(' ')).starts_with("//")) continue;
+      if (text.find_first_not_of(' ') != std::string_view::npos &&
+          text.substr(text.find_first_not_of(' ')).starts_with("//"))
+        continue;
       for (size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-        const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+        const auto letter = [](char c) {
+          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        };
         const bool begins = at == 0 || !letter(text[at - 1]);
         const bool ends = at + name.size() == text.size() || !letter(text[at + name.size()]);
         if (begins && ends) return true;
@@ -427,7 +446,8 @@ void PartPrinter::CloseFunction() {
   std::string head = function_head_ + "(";
   for (size_t i = 0; i < parameters_.size(); ++i) {
     const size_t blank = parameters_[i].rfind(' ');
-    head += (i == 0 ? "" : ", ") + (named(parameters_[i].substr(blank + 1)) ? parameters_[i] : parameters_[i].substr(0, blank));
+    head += (i == 0 ? "" : ", ") +
+            (named(parameters_[i].substr(blank + 1)) ? parameters_[i] : parameters_[i].substr(0, blank));
   }
   out_.insert(body_begin_, head + ") noexcept {\n");
   out_ += "}\n\n";
@@ -454,7 +474,8 @@ void PartPrinter::Routines() {
 
 void PartPrinter::Includes() {
   const std::string& suffix = emittable_.parts[part_].suffix;
-  out_ += "// " + emittable_.options.name + suffix + ".cpp: generated by plcxx. Do not edit: change the PLC program and run plcxx again.\n";
+  out_ += "// " + emittable_.options.name + suffix +
+          ".cpp: generated by plcxx. Do not edit: change the PLC program and run plcxx again.\n";
   out_ += "#include \"" + emittable_.options.name + ".hpp\"\n\n";
   if (part_ == 0) {
     out_ += "#include <stddef.h>\n\n";

@@ -16,13 +16,13 @@
 namespace plcxx::emit {
 namespace {
 
-constexpr uint32_t kLeastStatements = 25;    // of a chunk
+constexpr uint32_t kLeastStatements = 25;  // of a chunk
 constexpr uint32_t kMostStatements = 100;
-constexpr uint32_t kBorderEvery = 24;        // about one statement in so many is a border
-constexpr uint32_t kLeastPerPart = 1000;     // statements of a file
+constexpr uint32_t kBorderEvery = 24;     // about one statement in so many is a border
+constexpr uint32_t kLeastPerPart = 1000;  // statements of a file
 constexpr uint32_t kMostPerPart = 4000;
-constexpr uint32_t kPartBorderEvery = 8;     // about one chunk in so many
-constexpr uint32_t kOneFile = 3000;          // up to so many statements the program is one file
+constexpr uint32_t kPartBorderEvery = 8;  // about one chunk in so many
+constexpr uint32_t kOneFile = 3000;       // up to so many statements the program is one file
 
 struct Cutter {
   Emittable& emittable;
@@ -108,7 +108,8 @@ void Cutter::Cut(ir::RegionId region) {
   }
 }
 
-void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count) {
+void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last,
+                      uint32_t count) {
   std::string name = prefix;
   uint32_t id = 0;
   for (size_t i = first; i <= last; ++i) {

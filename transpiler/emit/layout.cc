@@ -20,9 +20,9 @@ uint32_t RoundUp(uint32_t value, uint32_t alignment) { return (value + alignment
 
 /// How the program touches one byte.
 struct Use {
-  uint8_t bits = 0;       // mask of single bits
-  bool whole = false;     // as a byte
-  uint8_t wide = 0;       // size of the word that starts here
+  uint8_t bits = 0;    // mask of single bits
+  bool whole = false;  // as a byte
+  uint8_t wide = 0;    // size of the word that starts here
   bool inside_wide = false;
 };
 
@@ -158,17 +158,30 @@ uint32_t Builder::MemberOffset(std::string_view name) const {
 void Builder::ResolvePlaces(const std::vector<bool>& used) {
   const auto locate = [this](PlaceStorage& stored) {
     switch (stored.storage) {
-      case Storage::kBit: stored.offset = MemberOffset("bit") + stored.index; break;
+      case Storage::kBit:
+        stored.offset = MemberOffset("bit") + stored.index;
+        break;
       case Storage::kByte:
-      case Storage::kPackedBit: stored.offset = MemberOffset("byte") + stored.index; break;
-      case Storage::kWord16: stored.offset = MemberOffset("word16") + 2 * stored.index; break;
-      case Storage::kWord32: stored.offset = MemberOffset("word32") + 4 * stored.index; break;
-      case Storage::kWord64: stored.offset = MemberOffset("word64") + 8 * stored.index; break;
+      case Storage::kPackedBit:
+        stored.offset = MemberOffset("byte") + stored.index;
+        break;
+      case Storage::kWord16:
+        stored.offset = MemberOffset("word16") + 2 * stored.index;
+        break;
+      case Storage::kWord32:
+        stored.offset = MemberOffset("word32") + 4 * stored.index;
+        break;
+      case Storage::kWord64:
+        stored.offset = MemberOffset("word64") + 8 * stored.index;
+        break;
       case Storage::kRetentiveByte:
-      case Storage::kRetentiveBit: stored.offset = MemberOffset("retentive") + kRetentiveHeader + stored.index; break;
+      case Storage::kRetentiveBit:
+        stored.offset = MemberOffset("retentive") + kRetentiveHeader + stored.index;
+        break;
       case Storage::kNone:
       case Storage::kField:
-      case Storage::kLocal: break;
+      case Storage::kLocal:
+        break;
     }
   };
   for (auto& space : layout.bytes) {

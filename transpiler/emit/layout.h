@@ -62,7 +62,7 @@ struct Layout {
   std::vector<std::vector<ByteStorage>> bytes;  // by SpaceId and byte; empty for spaces of lifetime kRoutine
   std::vector<uint32_t> retentive_base;         // by SpaceId: first byte in State::retentive.bytes
   uint32_t retentive_bytes = 0;
-  uint32_t size = 0;                            // sizeof(State) of the release flavour
+  uint32_t size = 0;  // sizeof(State) of the release flavour
 };
 
 Layout MakeLayout(const ir::Program& program);

@@ -73,13 +73,14 @@ std::string Print(const Emittable& emittable) {
     out += "member " + member.name + " : " + member.element + "[" + std::to_string(member.count) + "] at " +
            std::to_string(member.offset) + "\n";
   }
-  static constexpr std::string_view kStorage[] = {"none",   "bit",    "byte",           "packed_bit",    "word16", "word32",
-                                                  "word64", "retentive_byte", "retentive_bit", "field",  "local"};
+  static constexpr std::string_view kStorage[] = {"none",          "bit",    "byte",   "packed_bit",
+                                                  "word16",        "word32", "word64", "retentive_byte",
+                                                  "retentive_bit", "field",  "local"};
   for (uint32_t i = 0; i < program.places.size(); ++i) {
     if (emittable.place_names[i].empty()) continue;
     const PlaceStorage& stored = emittable.layout.places[i];
-    out += "place " + emittable.place_names[i] + " " + std::string(kStorage[static_cast<size_t>(stored.storage)]) + " at " +
-           std::to_string(stored.offset) + (stored.bit != 0 ? "." + std::to_string(stored.bit) : "") + "\n";
+    out += "place " + emittable.place_names[i] + " " + std::string(kStorage[static_cast<size_t>(stored.storage)]) +
+           " at " + std::to_string(stored.offset) + (stored.bit != 0 ? "." + std::to_string(stored.bit) : "") + "\n";
   }
   for (const Chunk& chunk : emittable.chunks) {
     out += "chunk " + chunk.name + " " + std::to_string(chunk.statements) + " statements, file " +

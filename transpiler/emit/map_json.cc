@@ -41,8 +41,9 @@ void Symbols(const Emittable& emittable, std::string& out) {
     const std::string& address = place.address.empty() ? place.name : place.address;
     out += first ? "\n" : ",\n";
     first = false;
-    out += "    {\"name\": " + Json(emittable.place_names[i]) + ", \"source\": " + Json(place.name) + ", \"address\": " + Json(address) +
-           ", \"type\": " + Json(ir::Name(place.type)) + ", \"offset\": " + std::to_string(stored.offset);
+    out += "    {\"name\": " + Json(emittable.place_names[i]) + ", \"source\": " + Json(place.name) +
+           ", \"address\": " + Json(address) + ", \"type\": " + Json(ir::Name(place.type)) +
+           ", \"offset\": " + std::to_string(stored.offset);
     if (stored.storage == Storage::kPackedBit || stored.storage == Storage::kRetentiveBit) {
       out += ", \"bit\": " + std::to_string(stored.bit);
     }
@@ -62,8 +63,9 @@ void Instances(const Emittable& emittable, std::string& out) {
   for (uint32_t i = 0; i < program.states.size(); ++i) {
     const ir::StateInstance& state = program.states[ir::StateId(i)];
     out += i == 0 ? "\n" : ",\n";
-    out += "    {\"name\": " + Json(emittable.state_names[i]) + ", \"source\": " + Json(state.name) + ", \"kind\": " +
-           Json(ir::Info(state.kind).text) + ", \"offset\": " + std::to_string(emittable.layout.states[i].offset) + ", \"fields\": {";
+    out += "    {\"name\": " + Json(emittable.state_names[i]) + ", \"source\": " + Json(state.name) +
+           ", \"kind\": " + Json(ir::Info(state.kind).text) +
+           ", \"offset\": " + std::to_string(emittable.layout.states[i].offset) + ", \"fields\": {";
     const auto fields = ir::Info(state.kind).fields;
     for (uint8_t f = 0; f < fields.size(); ++f) {
       out += (f == 0 ? "" : ", ") + Json(fields[f].name) + ": " +
@@ -80,9 +82,9 @@ void Statements(const Emittable& emittable, const source::SourceManager& sources
     const source::Position at = sources.Locate(statement.range.begin);
     out += first ? "\n" : ",\n";
     first = false;
-    out += "    {\"id\": " + std::to_string(statement.id) + ", \"subject\": " + Json(statement.subject) + ", \"file\": " +
-           Json(FileName(sources.Get(at.file).path)) + ", \"line\": " + std::to_string(at.line) + ", \"column\": " +
-           std::to_string(at.column) + "}";
+    out += "    {\"id\": " + std::to_string(statement.id) + ", \"subject\": " + Json(statement.subject) +
+           ", \"file\": " + Json(FileName(sources.Get(at.file).path)) + ", \"line\": " + std::to_string(at.line) +
+           ", \"column\": " + std::to_string(at.column) + "}";
   }
 }
 

@@ -22,7 +22,8 @@ constexpr std::string_view kTaken[] = {
     // names of the generated code
     "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "PackedBit", "RetentiveByte",
     "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice", "round", "copy",
-    "layout", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte", "retentive", "Clear", "ReapplyForces"};
+    "layout", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte", "retentive", "Clear",
+    "ReapplyForces"};
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -76,17 +77,12 @@ NameTable::NameTable() {
 
 std::string NameTable::Allocate(std::string_view name, std::string_view address) {
   std::string candidate = SafeIdentifier(name);
-  // A reserved word differs from everything the user wrote by one '_'; a second such name is told apart below.
-  if (taken_.contains(candidate) && address.empty()) candidate += '_';
   if (taken_.insert(candidate).second) return candidate;
-  std::string with_address = candidate;
-  if (SafeIdentifier(address) == candidate || address.empty()) {
-    with_address += '_';
-  } else {
-    with_address += '_' + SafeIdentifier(address);
-  }
-  for (uint32_t i = 2; !taken_.insert(with_address).second; ++i) with_address += std::to_string(i);
-  return with_address;
+  // Through the rule once more: no name may get two underscores in a row.
+  candidate = SafeIdentifier(candidate + "_" + (address.empty() ? "n" : std::string(address)));
+  std::string unique = candidate;
+  for (uint32_t i = 2; !taken_.insert(unique).second; ++i) unique = SafeIdentifier(candidate + "_" + std::to_string(i));
+  return unique;
 }
 
 }  // namespace plcxx::emit

@@ -14,9 +14,9 @@ namespace {
 struct Temporaries {
   const ir::Program& program;
   std::vector<bool>& local;
-  std::vector<uint8_t> uses;      // by InstId, saturating
-  std::vector<uint32_t> epoch;    // by InstId: effects executed before it
-  std::vector<bool> reads;        // by InstId: its inline spelling reads memory or steps an instance
+  std::vector<uint8_t> uses;    // by InstId, saturating
+  std::vector<uint32_t> epoch;  // by InstId: effects executed before it
+  std::vector<bool> reads;      // by InstId: its inline spelling reads memory or steps an instance
   uint32_t now = 0;
 
   void CountUses();
@@ -57,7 +57,8 @@ void Temporaries::Region(ir::RegionId region) {
     const ir::Shape shape = ir::Info(inst.op).shape;
     switch (shape) {
       case ir::Shape::kConst:
-      case ir::Shape::kStatement: break;
+      case ir::Shape::kStatement:
+        break;
       case ir::Shape::kLoad:
         epoch[id.index] = now;
         reads[id.index] = true;
@@ -66,7 +67,8 @@ void Temporaries::Region(ir::RegionId region) {
         epoch[id.index] = now;
         for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
           const bool stale = reads[operand.index] && epoch[operand.index] != now;
-          if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst)) local[operand.index] = true;
+          if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst))
+            local[operand.index] = true;
           if (!local[operand.index] && reads[operand.index]) reads[id.index] = true;
         }
         break;
@@ -92,7 +94,8 @@ void Temporaries::Region(ir::RegionId region) {
           Region(owned);
           ++now;
         }
-        if (ir::Info(inst.op).effect == ir::Effect::kControl && !ir::OwnedRegions(program, inst).empty()) epoch[id.index] = now;
+        if (ir::Info(inst.op).effect == ir::Effect::kControl && !ir::OwnedRegions(program, inst).empty())
+          epoch[id.index] = now;
         break;
       }
     }
@@ -106,7 +109,8 @@ void PlaceTemporaries(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const size_t count = program.insts.size();
   emittable.local_value.assign(count, false);
-  Temporaries temporaries{program, emittable.local_value, {}, std::vector<uint32_t>(count, 0), std::vector<bool>(count, false)};
+  Temporaries temporaries{
+      program, emittable.local_value, {}, std::vector<uint32_t>(count, 0), std::vector<bool>(count, false)};
   temporaries.CountUses();
   for (const ir::Routine& routine : program.routines) {
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {

@@ -127,7 +127,9 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
       add(loop.exhausted);
       break;
     }
-    case Shape::kBlock: add(RegionId(inst.a)); break;
+    case Shape::kBlock:
+      add(RegionId(inst.a));
+      break;
     case Shape::kPure:
     case Shape::kStep:
     case Shape::kConst:
@@ -139,7 +141,8 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
     case Shape::kCall:
     case Shape::kHostCall:
     case Shape::kJump:
-    case Shape::kLabel: break;
+    case Shape::kLabel:
+      break;
   }
   return regions;
 }
@@ -164,15 +167,19 @@ std::vector<ValueId> UsedValues(const Program& program, const Inst& inst) {
     case Shape::kIf:
     case Shape::kSwitch:
     case Shape::kExit:
-    case Shape::kJump: add(inst.a); break;
+    case Shape::kJump:
+      add(inst.a);
+      break;
     case Shape::kCall:
-    case Shape::kHostCall: return program.calls[CallId(inst.payload)].arguments;
+    case Shape::kHostCall:
+      return program.calls[CallId(inst.payload)].arguments;
     case Shape::kConst:
     case Shape::kText:
     case Shape::kStatement:
     case Shape::kLoop:
     case Shape::kBlock:
-    case Shape::kLabel: break;
+    case Shape::kLabel:
+      break;
   }
   return values;
 }

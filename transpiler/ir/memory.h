@@ -50,8 +50,8 @@ constexpr uint8_t kNoBit = 0xFF;
 /// What load and store name: a bit, byte, word or double word of a space, or a field of a state instance.
 /// Two places may overlap, and two may be the same with different names: the address decides, never the name.
 struct Place {
-  std::string name;      // as generated code spells it before it is made safe for C++: "U4A8", "COOLANT", "T5U"
-  std::string address;   // as the source writes the address: "U4A8"; empty when it is the name
+  std::string name;     // as generated code spells it before it is made safe for C++: "U4A8", "COOLANT", "T5U"
+  std::string address;  // as the source writes the address: "U4A8"; empty when it is the name
   Type type = Type::kBit;
   SpaceId space;         // of a memory place
   uint32_t offset = 0;   // its first byte
@@ -60,8 +60,8 @@ struct Place {
   /// writes nothing. The index is an i32 operand of the load or store, read as signed.
   bool indexed = false;
   uint32_t stride = 1, low = 0, high = 0;
-  StateId state;         // of a field place
-  uint8_t field = 0;     // index into Info(kind).fields
+  StateId state;      // of a field place
+  uint8_t field = 0;  // index into Info(kind).fields
 
   bool is_field() const { return state.valid(); }
 };

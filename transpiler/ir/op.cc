@@ -25,21 +25,23 @@ constexpr TypeList Types(T... types) {
 
 constexpr OpInfo Row(std::string_view text, Shape shape, Effect effect, Type result, TypeList operands,
                      std::string_view spelling, Precedence precedence, CostClass cost, std::optional<StateKind> state) {
-  return OpInfo{text, shape, effect, result, operands.count, {operands.types[0], operands.types[1], operands.types[2]},
-                spelling, precedence, cost, state};
+  return OpInfo{
+      text,     shape,      effect, result, operands.count, {operands.types[0], operands.types[1], operands.types[2]},
+      spelling, precedence, cost,   state};
 }
 
 constexpr auto MakeOps() {
   using namespace names;
   return std::to_array<OpInfo>({
-#define PLCXX_PURE(Kind, TextName, Operands, Result, Spelling, Prec, Function, Cost) \
-  Row(TextName, Shape::kPure, Effect::kPure, Result, Types Operands, Spelling, Precedence::Prec, CostClass::Cost, std::nullopt),
-#define PLCXX_STEP(Kind, TextName, State, Operands, Result, Spelling, Function, Cost)                                  \
-  Row(TextName, Shape::kStep, Effect::kWrites, Result, Types Operands, Spelling, Precedence::kPrimary, CostClass::Cost, \
-      StateKind::k##State),
-#define PLCXX_CORE(Kind, TextName, ShapeName, EffectName, Cost)                                                  \
-  Row(TextName, Shape::ShapeName, Effect::EffectName, Type::kNone, TypeList{}, "", Precedence::kPrimary, CostClass::Cost, \
+#define PLCXX_PURE(Kind, TextName, Operands, Result, Spelling, Prec, Function, Cost)                              \
+  Row(TextName, Shape::kPure, Effect::kPure, Result, Types Operands, Spelling, Precedence::Prec, CostClass::Cost, \
       std::nullopt),
+#define PLCXX_STEP(Kind, TextName, State, Operands, Result, Spelling, Function, Cost)                  \
+  Row(TextName, Shape::kStep, Effect::kWrites, Result, Types Operands, Spelling, Precedence::kPrimary, \
+      CostClass::Cost, StateKind::k##State),
+#define PLCXX_CORE(Kind, TextName, ShapeName, EffectName, Cost)                                          \
+  Row(TextName, Shape::ShapeName, Effect::EffectName, Type::kNone, TypeList{}, "", Precedence::kPrimary, \
+      CostClass::Cost, std::nullopt),
 #include "transpiler/ir/ops.def"
 #undef PLCXX_PURE
 #undef PLCXX_STEP
@@ -92,7 +94,8 @@ StateTable MakeStates() {
     for (const auto& row : kRows) {
       if (row.kind == head.kind) table.fields.push_back(row.info);
     }
-    table.states.push_back({head.name, head.text, head.header, {table.fields.data() + first, table.fields.size() - first}});
+    table.states.push_back(
+        {head.name, head.text, head.header, {table.fields.data() + first, table.fields.size() - first}});
   }
   return table;
 }

@@ -32,27 +32,55 @@ enum class StateKind : uint8_t {
 
 /// What the words a, b, c and the payload of an Inst mean; see program.h.
 enum class Shape : uint8_t {
-  kPure, kStep, kConst, kLoad, kStore, kText, kStatement, kIf, kSwitch, kLoop, kBlock, kExit, kCall, kHostCall, kJump, kLabel
+  kPure,
+  kStep,
+  kConst,
+  kLoad,
+  kStore,
+  kText,
+  kStatement,
+  kIf,
+  kSwitch,
+  kLoop,
+  kBlock,
+  kExit,
+  kCall,
+  kHostCall,
+  kJump,
+  kLabel
 };
 enum class Effect : uint8_t { kPure, kReads, kWrites, kHost, kControl };
 /// Of the C++ operator in the spelling, tightest first; the printer parenthesizes by it.
 enum class Precedence : uint8_t { kPrimary, kUnary, kAdditive, kRelational, kEquality, kAnd, kXor, kOr, kAssign };
 /// The classes the cost model prices (cost/).
 enum class CostClass : uint8_t {
-  kFree, kLogic, kArithmetic, kDivide, kTable, kCompare, kLoad, kStore, kBranch, kCall, kTimer, kCounter, kPulse, kExpire
+  kFree,
+  kLogic,
+  kArithmetic,
+  kDivide,
+  kTable,
+  kCompare,
+  kLoad,
+  kStore,
+  kBranch,
+  kCall,
+  kTimer,
+  kCounter,
+  kPulse,
+  kExpire
 };
 
 struct OpInfo {
   std::string_view text;
   Shape shape;
   Effect effect;
-  Type result;                      // kNone where the Inst's own type says it (load, const, call)
-  uint8_t operand_count;            // of kPure and kStep
+  Type result;            // kNone where the Inst's own type says it (load, const, call)
+  uint8_t operand_count;  // of kPure and kStep
   Type operands[3];
-  std::string_view spelling;        // C++; {0} {1} {2} operands, {s} the state instance
+  std::string_view spelling;  // C++; {0} {1} {2} operands, {s} the state instance
   Precedence precedence;
   CostClass cost;
-  std::optional<StateKind> state;   // of kStep
+  std::optional<StateKind> state;  // of kStep
 };
 
 const OpInfo& Info(OpKind op);
@@ -63,7 +91,7 @@ struct FieldInfo {
   std::string_view name;
   Type type;
   uint8_t count;  // more than 1: an array
-  bool hidden;  // only the kind's own operations use it
+  bool hidden;    // only the kind's own operations use it
 };
 struct StateInfo {
   std::string_view struct_name;  // "OnDelayTimer"

@@ -82,15 +82,15 @@ enum class LoopBound : uint8_t {
 struct Loop {
   LoopBound kind = LoopBound::kProven;
   uint64_t bound = 0;
-  PlaceId budget;    // kBudget only
+  PlaceId budget;      // kBudget only
   RegionId condition;  // computed before each round; its last instruction is a bit. None: only Exit leaves
   RegionId body;
   RegionId exhausted;  // executed when the guard ends the loop; may be none
 };
 
 struct Call {
-  RoutineId routine;      // kCall
-  HostFunctionId host;    // kHostCall
+  RoutineId routine;    // kCall
+  HostFunctionId host;  // kHostCall
   std::vector<ValueId> arguments;
 };
 
@@ -105,13 +105,13 @@ enum class HostAccess : uint8_t { kNone, kReadsState, kWritesState, kReadsRetent
 
 /// A function by which the scan reaches the control. Only those that are called are declared in generated code.
 struct HostFunction {
-  std::string name;                  // "fault"
+  std::string name;  // "fault"
   std::vector<Parameter> parameters;
   Type result = Type::kNone;
   HostAccess access = HostAccess::kNone;
   /// Part of the regular exchange (time, inputs, outputs, loading): not an event that scenarios list.
   bool routine_exchange = false;
-  std::string comment;               // for the declaration in the generated header
+  std::string comment;  // for the declaration in the generated header
 };
 
 enum class RoutineKind : uint8_t { kInit, kFast, kSlow, kInterrupt, kSubroutine, kSchedule };
@@ -170,13 +170,13 @@ struct Documentation {
 /// What the stepping of a simulation needs to know of the schedule.
 struct Schedule {
   RoutineId init;
-  RoutineId period;           // everything that one period of the control does
-  RoutineId fast_only;        // `run: {fast: n}`
+  RoutineId period;     // everything that one period of the control does
+  RoutineId fast_only;  // `run: {fast: n}`
   uint32_t period_ms = 10;
-  uint32_t slot_ms = 2;       // of each period, for the slow part; what automatic slicing divides by
+  uint32_t slot_ms = 2;         // of each period, for the slow part; what automatic slicing divides by
   bool slices_by_cost = false;  // the number of slices is to be found from the cost model
-  PlaceId slow_done;          // i32, counts completed slow cycles
-  HostFunctionId now;         // the host function that gives the time in ms
+  PlaceId slow_done;            // i32, counts completed slow cycles
+  HostFunctionId now;           // the host function that gives the time in ms
   HostFunctionId retentive_load, retentive_store;  // none when the dialect has no retentive memory
   PlaceId retain_at_power_off;  // a bit: 1 = the host stores the retentive memory when power fails; none = never
   bool retention = false;
