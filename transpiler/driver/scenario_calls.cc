@@ -30,14 +30,19 @@ std::string WrittenText(const std::vector<PlannedCall>& calls) {
   return text;
 }
 
-std::string UnknownFunctions(const ir::Program& program, const std::vector<PlannedCall>& expected) {
+/// Why some of the expected calls can never be found.
+std::string ImpossibleCalls(const ir::Program& program, const std::vector<PlannedCall>& expected) {
   std::string known;
   for (const ir::HostFunction& function : program.host_functions) known += (known.empty() ? "" : ", ") + function.name;
   std::string text;
   for (const PlannedCall& call : expected) {
-    if (call.function.valid()) continue;
-    text += "\n  the program never calls '" + call.written->function.text +
-            "', so the list cannot match; it may call: " + (known.empty() ? "nothing" : known);
+    const std::string& name = call.written->function.text;
+    if (!call.function.valid()) {
+      text += "\n  the program never calls '" + name +
+              "', so the list cannot match; it may call: " + (known.empty() ? "nothing" : known);
+    } else if (program.host_functions[call.function].routine_exchange) {
+      text += "\n  '" + name + "' is part of the routine exchange, of which no record is kept";
+    }
   }
   return text;
 }
@@ -55,7 +60,7 @@ std::optional<std::string> CallsMismatch(const ir::Program& program, const std::
   const bool equal = std::equal(expected.begin(), expected.end(), counted.begin(), counted.end(), Matches);
   if (equal) return std::nullopt;
   return "expected host calls " + WrittenText(expected) + ", found " + ToText(program, counted) +
-         UnknownFunctions(program, expected);
+         ImpossibleCalls(program, expected);
 }
 
 }  // namespace plcxx::driver
