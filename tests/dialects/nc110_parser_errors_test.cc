@@ -12,7 +12,7 @@ void ExpectAll(const std::vector<Wrong>& table) {
   }
 }
 
-// covers: NC110-014 NC110-018 NC110-019 NC110-026 NC110-046 NC110-047 NC110-132 NC110-155 NC110-175 NC110-249
+// covers: NC110-014 NC110-018 NC110-019 NC110-026 NC110-139 NC110-046 NC110-047 NC110-132 NC110-155 NC110-175 NC110-249
 TEST(Nc110Errors, OperandsOutOfRange) {
   ExpectAll({
       {"U32A0=I0A0", "1:1 nc110-1", {"operand", "connector"}},
@@ -325,7 +325,7 @@ TEST(Nc110Errors, ElevenFiles) {
   EXPECT_EQ(ten.program.items.size(), 10u);
 }
 
-// covers: NC110-229 NC110-255
+// covers: NC110-229 NC110-230 NC110-255
 TEST(Nc110Errors, EveryStatementReportsItsOwn) {
   Parsed parsed;
   ParseInto(parsed, {"U4A0=W1K0 W1K0=I0A0\nU4A1=[W1K0=\nU4A2=I0A0\nI0A0=1\nU4A3=I0A0**I0A1*W1K0\nU4A4=I0A0"});

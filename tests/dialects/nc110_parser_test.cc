@@ -143,6 +143,14 @@ TEST(Nc110Parser, Messages) {
   EXPECT_THAT(WarningsOf("$\nMSG 255 x"), ElementsAre("2:1 nc110-W364"));
 }
 
+// covers: NC110-099 NC110-169
+TEST(Nc110Parser, LiteralsAndCounterWords) {
+  const std::string longest(32, '~');
+  EXPECT_THAT(ItemsOf("U4A0=\" \"*\"" + longest + "\""), ElementsAre("assign U4A0 (and \" \" \"" + longest + "\")"));
+  EXPECT_THAT(ItemsOf("W1K0=[C5W-ENC(C6W)] U4A0=[C5W=C6W]"),
+              ElementsAre("assign W1K0 (subtract C5W (ENC C6W))", "assign U4A0 (equal C5W C6W)"));
+}
+
 // covers: NC110-102
 // The examples of the programming manual, with the damage of its print repaired.
 TEST(Nc110Parser, ExamplesOfTheManual) {
