@@ -5,6 +5,7 @@
 #include "transpiler/dialects/nc110/lowering.h"
 #include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/stub.h"
 #include "transpiler/dialects/nc110/warnings.h"
 
 namespace plcxx::nc110 {
@@ -63,10 +64,6 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   lowered.program.documentation = Document(tree, settings, sources, help);
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
   return lowered;
-}
-
-std::unique_ptr<dialects::ControlStub> MakeStub(const ir::Program&, const std::map<std::string, std::string>&) {
-  return nullptr;
 }
 
 void ReportOverBudget(dialects::Budget budget, uint64_t needed, uint64_t limit, source::FileId first,
