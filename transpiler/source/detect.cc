@@ -42,7 +42,7 @@ constexpr int kSameOfFrame = 2;
 constexpr int kFrameBesideLetter = 14;
 constexpr int kUsualSymbol = 20;
 constexpr int kUnusualSymbol = 36;
-constexpr int kUndefined = 40;
+constexpr int kUndefinedByte = 40;
 
 enum class Kind : uint8_t { kOther, kLatin, kSmall, kCapital, kFrame, kUsual, kUnusual, kUndefined };
 
@@ -99,7 +99,7 @@ class Reading {
         cost_ += kUnusualSymbol;
         break;
       case Kind::kUndefined:
-        cost_ += kUndefined;
+        cost_ += kUndefinedByte;
         break;
       case Kind::kLatin:
       case Kind::kOther:

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <string>
+
+#include "transpiler/diagnostics/places.h"
+#include "transpiler/diagnostics/render.h"
+#include "transpiler/diagnostics/snippet.h"
+#include "transpiler/diagnostics/terminal_text.h"
+
+namespace plcxx::diag {
+namespace {
+
+constexpr std::string_view kBold = "\x1b[1m";
+constexpr std::string_view kRed = "\x1b[1;31m";
+constexpr std::string_view kMagenta = "\x1b[1;35m";
+constexpr std::string_view kCyan = "\x1b[1;36m";
+constexpr std::string_view kGreen = "\x1b[1;32m";
+constexpr std::string_view kReset = "\x1b[0m";
+
+constexpr size_t kGutter = 5;     // digits of a line number
+constexpr uint32_t kNarrow = 20;  // a line cropped to less shows nothing
+constexpr std::string_view kBar = " | ";
+
+class TextRenderer {
+ public:
+  TextRenderer(const source::SourceManager& sources, const TextStyle& style) : sources_(sources), style_(style) {}
+
+  void Add(const Diagnostic& diagnostic) {
+    const bool error = diagnostic.severity == Severity::kError;
+    Head(diagnostic.range, error ? kRed : kMagenta, SeverityName(diagnostic.severity));
+    Coloured(kBold, Escaped(diagnostic.text));
+    out_ += " [" + std::string(diagnostic.row->code) + "]\n";
+    SourceLine(diagnostic.range);
+    if (!diagnostic.remedy.empty()) Below("help: " + Escaped(diagnostic.remedy));
+    for (const FixIt& fixit : diagnostic.fixits) AddFixIt(diagnostic, fixit);
+    for (const Note& note : diagnostic.notes) {
+      Head(note.range, kCyan, "note");
+      out_ += Escaped(note.text) + '\n';
+      SourceLine(note.range);
+    }
+  }
+
+  std::string Finish(std::string_view counts) {
+    if (!counts.empty()) out_ += std::string(counts) + '\n';
+    return std::move(out_);
+  }
+
+ private:
+  /// "turret.plc:3:6: error: "
+  void Head(source::Range range, std::string_view colour, std::string_view kind) {
+    if (HasPlace(range)) {
+      const Place place = PlaceOf(sources_, range);
+      Coloured(kBold, Escaped(place.path) + ':' + LineAndColumn(place.begin) + ':');
+      out_ += ' ';
+    }
+    Coloured(colour, std::string(kind) + ':');
+    out_ += ' ';
+  }
+
+  void SourceLine(source::Range range) {
+    if (!HasPlace(range)) return;
+    const std::string number = std::to_string(sources_.Locate(range.begin).line);
+    const uint32_t gutter = static_cast<uint32_t>(std::max(number.size(), kGutter) + kBar.size());
+    const Snippet snippet = SnippetOf(sources_, range, std::max(style_.width, gutter + kNarrow) - gutter);
+    std::string line =
+        std::string(gutter - kBar.size() - number.size(), ' ') + number + std::string(kBar) + snippet.line;
+    line.erase(line.find_last_not_of(' ') + 1);
+    out_ += line + '\n' + std::string(gutter - kBar.size(), ' ') + std::string(kBar);
+    const size_t blanks = snippet.marker.find('^');
+    out_.append(blanks, ' ');
+    Coloured(kGreen, snippet.marker.substr(blanks));
+    out_ += '\n';
+  }
+
+  void AddFixIt(const Diagnostic& diagnostic, const FixIt& fixit) {
+    std::string text = "fix: " + Escaped(DescriptionOf(sources_, fixit));
+    if (HasPlace(fixit.range) && fixit.range.begin != diagnostic.range.begin) {
+      text += " at " + LineAndColumn(sources_.Locate(fixit.range.begin));
+    }
+    Below(text);
+  }
+
+  void Below(const std::string& text) { out_ += std::string(kGutter + 1, ' ') + text + '\n'; }
+
+  static std::string LineAndColumn(source::Position position) {
+    return std::to_string(position.line) + ':' + std::to_string(position.column);
+  }
+
+  void Coloured(std::string_view colour, std::string_view text) {
+    if (style_.colour == Colour::kOn) out_ += colour;
+    out_ += text;
+    if (style_.colour == Colour::kOn) out_ += kReset;
+  }
+
+  const source::SourceManager& sources_;
+  const TextStyle& style_;
+  std::string out_;
+};
+
+std::string Counted(size_t count, std::string_view what) {
+  return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string CountsText(std::span<const Diagnostic> diagnostics) {
+  const auto errors = static_cast<size_t>(std::ranges::count(diagnostics, Severity::kError, &Diagnostic::severity));
+  const size_t warnings = diagnostics.size() - errors;
+  std::string text;
+  if (errors != 0) text = Counted(errors, "error");
+  if (errors != 0 && warnings != 0) text += ", ";
+  if (warnings != 0) text += Counted(warnings, "warning");
+  return text;
+}
+
+std::string RenderText(const source::SourceManager& sources, std::span<const Diagnostic> diagnostics,
+                       const TextStyle& style) {
+  TextRenderer renderer(sources, style);
+  for (const Diagnostic& diagnostic : diagnostics) renderer.Add(diagnostic);
+  return renderer.Finish(CountsText(diagnostics));
+}
+
+}  // namespace plcxx::diag

@@ -1,0 +1,81 @@
+#include "transpiler/diagnostics/terminal_text.h"
+
+#include <unicode/uchar.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "transpiler/source/decode.h"
+
+namespace plcxx::diag {
+namespace {
+
+constexpr uint32_t kTabStop = 8;
+
+/// Characters that do something instead of showing something: controls, formatting, line and paragraph separators.
+bool ActsOnTerminal(UChar32 c) {
+  if (c < 0x20 || c == 0x7F) return true;
+  if (c < 0x7F) return false;
+  return (U_GET_GC_MASK(c) & (U_GC_CC_MASK | U_GC_CF_MASK | U_GC_CS_MASK | U_GC_ZL_MASK | U_GC_ZP_MASK)) != 0;
+}
+
+uint32_t WidthOf(UChar32 c) {
+  // ASCII without a look into ICU's tables: it is nearly all there is.
+  if (c < 0x7F) return 1;
+  if ((U_GET_GC_MASK(c) & (U_GC_MN_MASK | U_GC_ME_MASK)) != 0) return 0;
+  const int32_t width = u_getIntPropertyValue(c, UCHAR_EAST_ASIAN_WIDTH);
+  return width == U_EA_WIDE || width == U_EA_FULLWIDTH ? 2 : 1;
+}
+
+/// Of one well-formed character.
+UChar32 CodePoint(std::string_view bytes) {
+  constexpr unsigned char kFirstByteMask[] = {0x7F, 0x1F, 0x0F, 0x07};
+  UChar32 value = static_cast<unsigned char>(bytes[0]) & kFirstByteMask[bytes.size() - 1];
+  for (const char c : bytes.substr(1)) value = value << 6 | (static_cast<unsigned char>(c) & 0x3F);
+  return value;
+}
+
+std::string Numbered(const char* format, UChar32 value) {
+  char buffer[16];
+  std::snprintf(buffer, sizeof buffer, format, static_cast<unsigned>(value));
+  return buffer;
+}
+
+Cell Shown(std::string text, size_t begin) {
+  const auto width = static_cast<uint32_t>(text.size());
+  return {std::move(text), width, begin};
+}
+
+}  // namespace
+
+std::vector<Cell> CellsOf(std::string_view text) {
+  std::vector<Cell> cells;
+  cells.reserve(text.size());
+  uint32_t column = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t begin = at;
+    const size_t length = source::Utf8Length(text, at);
+    at += std::max<size_t>(length, 1);
+    const UChar32 c = length == 0 ? 0 : CodePoint(text.substr(begin, length));
+    if (length == 0) {
+      cells.push_back(Shown(Numbered("<%02X>", static_cast<unsigned char>(text[begin])), begin));
+    } else if (c == '\t') {
+      cells.push_back(Shown(std::string(kTabStop - column % kTabStop, ' '), begin));
+    } else if (ActsOnTerminal(c)) {
+      cells.push_back(Shown(Numbered("<U+%04X>", c), begin));
+    } else {
+      cells.push_back({std::string(text.substr(begin, at - begin)), WidthOf(c), begin});
+    }
+    column += cells.back().width;
+  }
+  return cells;
+}
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (const Cell& cell : CellsOf(text)) escaped += cell.text;
+  return escaped;
+}
+
+}  // namespace plcxx::diag
