@@ -276,6 +276,27 @@ TEST(ControlFlow, SwitchedOffHeadIsAFalseCondition) {
   EXPECT_EQ(run(1, 1), 1u);
 }
 
+TEST(ControlFlow, WhatIsSwitchedOffInAnArmEndsWithTheArm) {
+  Machine machine("statement s1 opens\nstatement s2\nstatement s3 closes\n" + std::string(kCounting) + R"(
+    routine period schedule {
+      stmt s1
+      %a = load A
+      if %a {
+        stmt s3
+        call add_one ()
+        stmt s2
+        call add_ten ()
+      }
+      call add_one ()
+    }
+  )");
+  machine.Set("A", 1);
+  machine.simulator.EnableStatement(ir::StatementId(1), false);
+  machine.simulator.EnableStatement(ir::StatementId(2), false);  // what closes a block cannot be switched off
+  machine.Run();
+  EXPECT_EQ(machine.Get("N"), 2u);
+}
+
 TEST(ControlFlow, SwitchedOffHeadOfALoopMeansNoRound) {
   Machine machine("statement s1 opens\n" + std::string(kCounting) + R"(
     routine period schedule {
