@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/reader.h"
+#include "transpiler/ir/verifier.h"
 
 namespace plcxx::ir {
 namespace {
@@ -160,6 +163,27 @@ TEST(Text, AnInsertedStatementChangesItsOwnLinesOnly) {
     longer.erase(at, lines.size());
   }
   EXPECT_EQ(longer, build(1));
+}
+
+TEST(Text, DamagedTextsAreRefusedOrReadNeverMore) {
+  std::mt19937 random(815);
+  for (int round = 0; round < 1000; ++round) {
+    std::string text(kEverything);
+    for (int i = 0; i <= round % 3; ++i) {
+      const size_t at = random() % text.size(), length = 1 + random() % 12;
+      if (random() % 2 == 0) {
+        text.erase(at, length);
+      } else {
+        text.insert(at, text.substr(random() % text.size(), length));
+      }
+    }
+    const auto result = Read(text);
+    if (const Program* program = std::get_if<Program>(&result)) {
+      Verify(*program, Stage::kLowered);
+      const std::string printed = Print(*program);
+      EXPECT_EQ(Print(ReadOrDie(printed)), printed) << text;
+    }
+  }
 }
 
 struct Wrong {
