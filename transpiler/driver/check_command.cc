@@ -25,9 +25,9 @@ int RunCheck(const CommonOptions& options) {
   const Compilation compilation = Compile(*request, Stage::kChecked);
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(options));
-  if (FormatOf(options) == DiagnosticsFormat::kText) {
-    const std::string subject = compilation.name.empty() ? options.sources.front() : compilation.name;
-    std::cerr << subject << ": " << CountText(compilation.diagnostics) << '\n';
+  // The text of diagnostics ends with their count; where there are none, one line says that the check was done.
+  if (compilation.diagnostics.all().empty() && FormatOf(options) == DiagnosticsFormat::kText) {
+    std::cerr << compilation.name << ": " << CountText(compilation.diagnostics) << '\n';
   }
   return ExitCodeOf(compilation);
 }

@@ -16,11 +16,7 @@ constexpr const char* kMessagesGroup = "Messages";
 /// An option that may stand several times and takes one value each time, so that a source may follow it.
 void AddRepeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                  const std::string& placeholder, const std::string& meaning, const char* group) {
-  command.add_option(name, values, meaning)
-      ->type_name(placeholder)
-      ->allow_extra_args(false)
-      ->take_all()
-      ->group(group);
+  command.add_option(name, values, meaning)->type_name(placeholder)->allow_extra_args(false)->take_all()->group(group);
 }
 
 std::string Joined(const std::vector<std::string_view>& words) {
@@ -50,7 +46,8 @@ void AddSettings(CLI::App& command, CommonOptions& options) {
   AddRepeated(command, "--set", options.settings, "KEY=VALUE", "Option of the dialect, such as --set clo=10,2",
               kSourcesGroup);
   AddRepeated(command, "-W", options.warnings, "NAME",
-              "-WNAME turns a warning on, -Wno-NAME off; -Werror, -Werror=NAME make errors of warnings", kMessagesGroup);
+              "-WNAME turns a warning on, -Wno-NAME off; -Werror, -Werror=NAME make errors of warnings",
+              kMessagesGroup);
 }
 
 void AddCommonOptions(CLI::App& command, CommonOptions& options) {
@@ -60,7 +57,9 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--dialect", options.dialect, "Language of the sources; else told by extension, then by content")
       ->type_name("NAME")
       ->group(kSourcesGroup);
-  command.add_option("--encoding", options.encoding, "Encoding of the sources: utf-8, cp866, cp1251, koi8-r; else detected")
+  command
+      .add_option("--encoding", options.encoding,
+                  "Encoding of the sources: utf-8, cp866, cp1251, koi8-r; else detected")
       ->type_name("NAME")
       ->group(kSourcesGroup);
   AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",

@@ -60,16 +60,16 @@ struct Estimates {
 
 struct Compilation {
   std::unique_ptr<source::SourceManager> sources;
-  diag::Engine diagnostics;                     // sorted by source
-  const dialects::Dialect* dialect = nullptr;   // none when it could not be told
-  std::map<std::string, std::string> options;   // as given
-  std::vector<source::FileId> files;            // of the program; what options name is in `sources` only
-  std::string name;                             // of the program and its output files, made safe
-  ir::Program program;                          // as far as `reached` says
+  diag::Engine diagnostics;                    // sorted by source
+  const dialects::Dialect* dialect = nullptr;  // none when it could not be told
+  std::map<std::string, std::string> options;  // as given
+  std::vector<source::FileId> files;           // of the program; what options name is in `sources` only
+  std::string name;                            // of the program and its output files, made safe
+  ir::Program program;                         // as far as `reached` says
   dialects::SourceSummary summary;
-  Estimates estimates;                          // from kChecked on
-  std::optional<Stage> reached;                 // the last stage without errors
-  bool wrong_use = false;                       // the errors are of the command line, not of the program
+  Estimates estimates;           // from kChecked on
+  std::optional<Stage> reached;  // the last stage without errors
+  bool wrong_use = false;        // the errors are of the command line, not of the program
 
   bool ok() const { return !diagnostics.HasErrors(); }
   /// For the dialect's printing functions.

@@ -56,7 +56,8 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
 
 std::string ReportText(const Compilation& compilation) {
   std::string text = compilation.name + ": " + Plural(compilation.summary.lines, "line") + ", " +
-                     Plural(compilation.summary.statements, "statement") + ", " + CountText(compilation.diagnostics) + "\n";
+                     Plural(compilation.summary.statements, "statement") + ", " + CountText(compilation.diagnostics) +
+                     "\n";
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
     text += "  " + partition.name + std::string(partition.name.size() < 6 ? 6 - partition.name.size() : 0, ' ') +
             Padded(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +

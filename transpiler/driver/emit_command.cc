@@ -123,7 +123,8 @@ void AddEmit(CLI::App& app, Run& run) {
   command->add_option("--depfile", settings->dependency_file, "Also write the files read as a rule of Make")
       ->type_name("FILE")
       ->group("Output");
-  command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")->group("Output");
+  command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")
+      ->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
   command->footer(kFooter);

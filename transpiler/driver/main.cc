@@ -22,7 +22,8 @@ plcxx COMMAND --help tells more about one command.
 Exit codes: 0 done, 1 the program has errors or a scenario failed, 2 wrong use, 3 a fault of plcxx.)";
 
 int InternalFault(const char* what) {
-  std::cerr << "plcxx: internal fault: " << what << "\nThis is a fault of plcxx, not of your program; please report it.\n";
+  std::cerr << "plcxx: internal fault: " << what
+            << "\nThis is a fault of plcxx, not of your program; please report it.\n";
   return kInternalFault;
 }
 

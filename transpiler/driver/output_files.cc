@@ -31,7 +31,8 @@ bool HasBytes(const std::string& path, std::string_view bytes) {
   while (!bytes.empty()) {
     const size_t wanted = std::min(piece.size(), bytes.size());
     file.read(piece.data(), static_cast<std::streamsize>(wanted));
-    if (static_cast<size_t>(file.gcount()) != wanted || bytes.substr(0, wanted) != std::string_view(piece).substr(0, wanted)) {
+    if (static_cast<size_t>(file.gcount()) != wanted ||
+        bytes.substr(0, wanted) != std::string_view(piece).substr(0, wanted)) {
       return false;
     }
     bytes.remove_prefix(wanted);

@@ -19,9 +19,9 @@ struct WriteFailure {
 };
 
 struct OutputRequest {
-  std::string directory;                      // created when missing; empty: the current one
-  std::vector<emit::OutputFile> files;        // each with its whole path for a name
-  std::vector<std::string> protected_paths;   // files that were read: never overwritten
+  std::string directory;                     // created when missing; empty: the current one
+  std::vector<emit::OutputFile> files;       // each with its whole path for a name
+  std::vector<std::string> protected_paths;  // files that were read: never overwritten
 };
 
 /// After a failure the directory is as it was before.

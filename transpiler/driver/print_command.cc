@@ -34,9 +34,7 @@ struct PrintSettings {
 };
 
 /// Files that are printed one behind the other need headings; a single one is printed as it is.
-std::string Heading(const std::string& name, size_t count) {
-  return count == 1 ? std::string() : "=== " + name + "\n";
-}
+std::string Heading(const std::string& name, size_t count) { return count == 1 ? std::string() : "=== " + name + "\n"; }
 
 std::string PrintSource(Compilation& compilation) {
   std::string text;

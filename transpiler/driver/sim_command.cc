@@ -116,7 +116,8 @@ void AddSim(CLI::App& app, Run& run) {
   add("--cycles", words.cycles, "N", "Instead: until N slow cycles have been completed")->excludes(duration);
   AddRepeated(*command, "--watch", words.watch, "LOC,...", "What to show, up to 16 locations");
   command->get_option("--watch")->delimiter(',');
-  command->add_flag("--changes", settings->changes, "Only rows in which a watched location changed")->group("Simulation");
+  command->add_flag("--changes", settings->changes, "Only rows in which a watched location changed")
+      ->group("Simulation");
   AddRepeated(*command, "--at", words.at, "TIME:LOC=VALUE", "Write a location as machine or control would");
   AddRepeated(*command, "--force", words.force, "LOC=VALUE", "Hold a location against every writer");
   AddRepeated(*command, "--disconnect-lines", words.disconnect, "LINES",

@@ -197,10 +197,10 @@ bool Planner::TakeLines(std::string_view text) {
   if (text != "*") {
     const size_t comma = text.find(',');
     const std::optional<uint64_t> low = ParseNumber(text.substr(0, comma));
-    const std::optional<uint64_t> high =
-        comma == std::string_view::npos ? low : ParseNumber(text.substr(comma + 1));
+    const std::optional<uint64_t> high = comma == std::string_view::npos ? low : ParseNumber(text.substr(comma + 1));
     if (!low || !high || *low == 0 || *high < *low) {
-      return Fail(Quoted(whole) + " names no lines: write 12, or 12,20, or '*', with FILE: in front where there are several");
+      return Fail(Quoted(whole) +
+                  " names no lines: write 12, or 12,20, or '*', with FILE: in front where there are several");
     }
     if (!file.valid() && compilation_.files.size() > 1) {
       return Fail(Quoted(whole) + " does not tell the source: write FILE:LINE,LINE");

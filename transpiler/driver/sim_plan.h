@@ -17,15 +17,15 @@ namespace plcxx::driver {
 
 /// The words of the command line.
 struct SimWords {
-  std::string duration;                // --for
-  std::optional<uint32_t> cycles;      // --cycles
-  std::vector<std::string> watch;      // --watch, split at commas
-  std::vector<std::string> at;         // --at TIME:LOC=VALUE
-  std::vector<std::string> force;      // --force LOC=VALUE
-  std::string trigger;                 // --trigger rising:LOC
-  std::string delay, sampling;         // durations
+  std::string duration;            // --for
+  std::optional<uint32_t> cycles;  // --cycles
+  std::vector<std::string> watch;  // --watch, split at commas
+  std::vector<std::string> at;     // --at TIME:LOC=VALUE
+  std::vector<std::string> force;  // --force LOC=VALUE
+  std::string trigger;             // --trigger rising:LOC
+  std::string delay, sampling;     // durations
   uint32_t samples = 0;
-  std::vector<std::string> disconnect; // --disconnect-lines
+  std::vector<std::string> disconnect;  // --disconnect-lines
 };
 
 struct SimValue {
@@ -37,10 +37,10 @@ struct SimValue {
 };
 
 struct SimPlan {
-  uint64_t periods = 0;                  // 0: until `slow_cycles` have been completed
+  uint64_t periods = 0;  // 0: until `slow_cycles` have been completed
   uint32_t slow_cycles = 0;
   std::vector<sim::Watched> watched;
-  std::vector<SimValue> at;              // by time
+  std::vector<SimValue> at;  // by time
   std::vector<SimValue> forced;
   std::optional<sim::Graph::Options> graph;
   std::vector<ir::StatementId> disconnected;

@@ -32,8 +32,8 @@ std::string MonitorText(ir::Type type, uint64_t value) {
 }
 
 size_t ColumnWidth(const sim::Watched& watched) {
-  const size_t value = watched.place.type == ir::Type::kBit  ? 1
-                       : watched.place.type == ir::Type::kI8 ? kByteBits + 4
+  const size_t value = watched.place.type == ir::Type::kBit   ? 1
+                       : watched.place.type == ir::Type::kI8  ? kByteBits + 4
                        : watched.place.type == ir::Type::kI16 ? 5
                                                               : 10;
   return std::max(value, watched.name.size());

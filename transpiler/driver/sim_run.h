@@ -20,7 +20,7 @@ struct SimOutcome {
   uint64_t slow_cycles = 0;
   bool out_of_time = false;  // the limit of real time was reached
   sim::Graph::Phase graph = sim::Graph::Phase::kArmed;
-  sim::Trace trace{{}};      // of the watched locations, when asked for
+  sim::Trace trace{{}};  // of the watched locations, when asked for
 };
 
 struct SimRunOptions {

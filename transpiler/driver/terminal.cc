@@ -1,5 +1,6 @@
 #include "transpiler/driver/terminal.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kMoment(300);
 
+int Descriptor(Stream stream) { return stream == Stream::kOutput ? STDOUT_FILENO : STDERR_FILENO; }
+
 std::string_view EnvironmentValue(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
@@ -19,8 +22,14 @@ std::string_view EnvironmentValue(const char* name) {
 }  // namespace
 
 bool ShowsColours(Stream stream) {
-  if (isatty(stream == Stream::kOutput ? STDOUT_FILENO : STDERR_FILENO) == 0) return false;
+  if (isatty(Descriptor(stream)) == 0) return false;
   return EnvironmentValue("NO_COLOR").empty() && EnvironmentValue("TERM") != "dumb";
+}
+
+std::optional<unsigned> TerminalWidth(Stream stream) {
+  winsize size = {};
+  if (ioctl(Descriptor(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return size.ws_col;
 }
 
 void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << text << '\n'; }

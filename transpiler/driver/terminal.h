@@ -3,7 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
-#include <iosfwd>
+#include <optional>
 #include <string_view>
 
 namespace plcxx::driver {
@@ -12,6 +12,9 @@ enum class Stream : uint8_t { kOutput, kErrors };
 
 /// A terminal that shows colours: not redirected, NO_COLOR unset or empty, TERM not "dumb".
 bool ShowsColours(Stream stream);
+
+/// In columns; none when it is no terminal.
+std::optional<unsigned> TerminalWidth(Stream stream);
 
 /// "plcxx: error: <text>" on standard error: faults of the command line, which have no place in a source.
 void PrintUsageError(std::string_view text);

@@ -1,0 +1,147 @@
+// plcxx explain: the long text of a message.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/diagnostics/explain.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx explain nc110-41
+  plcxx explain W356          without the dialect where it is clear
+  plcxx explain --list
+
+Exit codes: 0 shown, 2 no such code.)";
+
+constexpr size_t kMostNearNames = 5;
+constexpr size_t kNear = 2;  // edits
+
+struct ExplainSettings {
+  std::string code;
+  bool list = false;
+};
+
+char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) { return LowerCase(c); });
+  return lower;
+}
+
+std::string_view WithoutDialect(std::string_view code) { return code.substr(code.find('-') + 1); }
+
+size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t{0});
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+/// The codes that `asked` may mean: those that it names without their dialect.
+std::vector<std::string_view> CodesNamed(std::string_view asked) {
+  std::vector<std::string_view> found;
+  for (const std::string_view code : diag::ExplainedCodes()) {
+    if (LowerCase(WithoutDialect(code)) == LowerCase(asked)) found.push_back(code);
+  }
+  return found;
+}
+
+/// The nearest codes, nearest first.
+std::vector<std::string_view> NearCodes(std::string_view asked) {
+  std::vector<std::pair<size_t, std::string_view>> ranked;
+  const std::string lower = LowerCase(asked);
+  for (const std::string_view code : diag::ExplainedCodes()) {
+    const size_t distance =
+        std::min(EditDistance(lower, LowerCase(code)), EditDistance(lower, LowerCase(WithoutDialect(code))) + 1);
+    if (distance <= kNear) ranked.emplace_back(distance, code);
+  }
+  std::ranges::stable_sort(ranked, {}, &std::pair<size_t, std::string_view>::first);
+  std::vector<std::string_view> codes;
+  for (size_t i = 0; i < std::min(ranked.size(), kMostNearNames); ++i) codes.push_back(ranked[i].second);
+  return codes;
+}
+
+std::string Joined(const std::vector<std::string_view>& codes) {
+  std::string joined;
+  for (const std::string_view code : codes) {
+    if (!joined.empty()) joined += ", ";
+    joined += code;
+  }
+  return joined;
+}
+
+/// "nc110-41   error    wrong block name ...": the heading of each page, in the catalogue's order.
+void PrintList() {
+  std::string_view last;
+  for (const diag::Row& row : diag::Catalogue()) {
+    if (row.code == last) continue;
+    last = row.code;
+    const std::optional<std::string_view> page = diag::Explain(row.code);
+    std::string_view heading = page ? page->substr(0, page->find('\n')) : row.text;
+    if (const size_t colon = heading.find(": "); page && colon != std::string_view::npos)
+      heading.remove_prefix(colon + 2);
+    std::cout << row.code << std::string(row.code.size() < 14 ? 14 - row.code.size() : 1, ' ')
+              << (row.severity == diag::Severity::kError ? "error    " : "warning  ") << heading << '\n';
+  }
+}
+
+int RunExplain(const ExplainSettings& settings) {
+  if (settings.list) {
+    PrintList();
+    return kDone;
+  }
+  if (settings.code.empty()) {
+    PrintUsageError("which code? write plcxx explain CODE, or plcxx explain --list");
+    return kWrongUse;
+  }
+  std::optional<std::string_view> page = diag::Explain(settings.code);
+  if (!page) {
+    const std::vector<std::string_view> named = CodesNamed(settings.code);
+    if (named.size() > 1) {
+      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + Joined(named));
+      return kWrongUse;
+    }
+    if (named.size() == 1) page = diag::Explain(named.front());
+  }
+  if (!page) {
+    const std::vector<std::string_view> near = NearCodes(settings.code);
+    PrintUsageError("unknown code '" + settings.code + "'" +
+                    (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + Joined(near)));
+    return kWrongUse;
+  }
+  std::cout << *page;
+  if (!page->ends_with('\n')) std::cout << '\n';
+  return kDone;
+}
+
+}  // namespace
+
+void AddExplain(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("explain", "What a message means and what to do");
+  const auto settings = std::make_shared<ExplainSettings>();
+  command->add_option("CODE", settings->code, "A code such as nc110-41")->type_name("");
+  command->add_flag("--list", settings->list, "All codes");
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunExplain(*settings); }; });
+}
+
+}  // namespace plcxx::driver
