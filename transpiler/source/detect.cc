@@ -159,7 +159,7 @@ std::string_view Evidence(std::string_view bytes) {
 int64_t Surprise(std::string_view bytes, Encoding encoding) {
   Reading reading(encoding);
   for (const char c : bytes) reading.Add(static_cast<unsigned char>(c));
-  return reading.Finish() + (encoding == Encoding::kKoi8R ? kKoi8Handicap : 0);
+  return reading.Finish();
 }
 
 }  // namespace
@@ -170,7 +170,8 @@ Encoding DetectEightBit(std::string_view bytes, Encoding fallback) {
   int64_t least = fallback == Encoding::kUtf8 ? INT64_MAX : Surprise(evidence, fallback) - kFallbackBonus;
   for (const Encoding candidate : kCandidates) {
     if (candidate == fallback) continue;
-    const int64_t surprise = Surprise(evidence, candidate);
+    const int handicap = candidate == Encoding::kKoi8R ? kKoi8Handicap : 0;
+    const int64_t surprise = Surprise(evidence, candidate) + handicap;
     if (surprise < least) {
       best = candidate;
       least = surprise;
