@@ -107,7 +107,8 @@ bool ChildProcess::Start(const std::string& program) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, down[0], 0);
   posix_spawn_file_actions_adddup2(&actions, up[1], 1);
-  const std::vector<char*> pointers = Pointers({program});
+  const std::vector<std::string> arguments = {program};  // the pointers refer to it
+  const std::vector<char*> pointers = Pointers(arguments);
   pid_t pid = -1;
   const int failed = posix_spawn(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

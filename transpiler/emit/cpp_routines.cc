@@ -134,11 +134,13 @@ void PartPrinter::If(const ir::Inst& first) {
   const ir::Inst* inst = &first;
   std::string head = "if (" + Condition(inst->a) + ") {";
   for (;;) {
+    const ir::StatementId own = statement_;
     Line(std::move(head));
     ++indent_;
     RegionBody(ir::RegionId(inst->b));
     --indent_;
     Line("}");
+    statement_ = own;  // an else-if without a marker is still this statement's
     const ir::RegionId otherwise(inst->c);
     if (!otherwise.valid() || program_.regions[otherwise].insts.empty()) return;
     // A chain: an else arm of one statement, which is an If whose condition needs no line of its own.
@@ -465,8 +467,12 @@ void PartPrinter::Routines() {
     parameters.emplace_back("Host& host");
     OpenFunction(std::string(ir::CppName(routine.result)) + " " + routine.name, std::move(parameters));
     if (routine.kind == ir::RoutineKind::kInit) InitStorage();
+    // What the control does before and after the statements stands apart from them.
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-      if (region.valid()) RegionBody(region);
+      if (!region.valid() || program_.regions[region].insts.empty()) continue;
+      if (out_.size() > body_begin_) out_ += '\n';
+      statement_ = {};
+      RegionBody(region);
     }
     CloseFunction();
   }
