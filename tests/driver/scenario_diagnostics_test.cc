@@ -64,9 +64,6 @@ TEST(ExpectedError, IsTheFirstOneOfTheSource) {
   EXPECT_EQ(compiled.Error("{contains: [such, define]}"),
             "s.yaml:1:15: expected an error that contains 'such' and 'define', found first at line 3 of dir/a.plc: "
             "test-41 no such Label");
-  EXPECT_EQ(DiagnosticsText(compiled.diagnostics, compiled.sources),
-            "\n  dir/a.plc:1: warning: test-W356 never read\n  dir/a.plc:3: error: test-41 no such Label\n"
-            "  dir/b.plc:1: error: test-41 no such Label");
 }
 
 TEST(ExpectedError, NoneIsAFailure) {

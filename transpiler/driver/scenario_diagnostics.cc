@@ -130,16 +130,4 @@ std::optional<std::string> CheckExpectedWarnings(const Scenario& scenario, const
   return text;
 }
 
-std::string DiagnosticsText(const diag::Engine& diagnostics, const source::SourceManager& sources) {
-  std::string text;
-  for (const diag::Diagnostic& diagnostic : diagnostics.all()) {
-    const Spot spot = SpotOf(diagnostic, sources);
-    text += "\n  ";
-    if (spot.line != 0) text += spot.path + ":" + std::to_string(spot.line) + ": ";
-    text += diagnostic.severity == diag::Severity::kError ? "error: " : "warning: ";
-    text += std::string(diagnostic.row->code) + " " + diagnostic.text;
-  }
-  return text;
-}
-
 }  // namespace plcxx::driver

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/diagnostics/render.h"
 #include "transpiler/driver/compiled_engine.h"
 #include "transpiler/driver/lockstep.h"
 #include "transpiler/driver/scenario_diagnostics.h"
@@ -76,7 +77,8 @@ class Test {
       failure = scenario_.path + ": the program has errors";
     }
     if (!failure && scenario_.warnings) failure = CheckExpectedWarnings(scenario_, diagnostics, sources);
-    if (failure) *failure += DiagnosticsText(diagnostics, sources);
+    if (failure && !diagnostics.all().empty()) *failure += "\n" + diag::RenderText(sources, diagnostics.all(), {});
+    while (failure && failure->ends_with('\n')) failure->pop_back();
     return failure;
   }
 
