@@ -78,7 +78,8 @@ class Lowering {
   ir::PlaceId LatchedPlaceOf(const Operand& operand);
   bool IsLatched(const Operand& operand) const;
   ir::Place MakePlace(const Operand& operand);
-  std::string NameOf(const Operand& operand) const;
+  /// A bit that has a symbol is named by it, also where the source writes its address, with I or with U.
+  Operand AsNamed(const Operand& operand) const;
   ir::StateId InstanceOf(const Operand& operand);
   ir::PlaceId FlagOf(LiteralId literal);
   ir::PlaceId SystemPlaceOf(SystemPlace place);

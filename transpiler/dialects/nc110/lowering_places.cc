@@ -100,12 +100,10 @@ void Lowering::CollectSymbols() {
   }
 }
 
-std::string Lowering::NameOf(const Operand& operand) const {
-  auto found = symbols_.find(KeyOf(operand));
-  if (found != symbols_.end()) return tree_.symbols[found->second].name;
-  found = bit_symbols_.find(KeyOf(AsOutput(operand)));
-  if (found != bit_symbols_.end()) return tree_.symbols[found->second].name;
-  return ToText(operand);
+Operand Lowering::AsNamed(const Operand& operand) const {
+  if (symbols_.contains(KeyOf(operand))) return operand;
+  const auto found = bit_symbols_.find(KeyOf(AsOutput(operand)));
+  return found == bit_symbols_.end() ? operand : tree_.symbols[found->second].operand;
 }
 
 ir::Place Lowering::MakePlace(const Operand& operand) {
@@ -119,13 +117,17 @@ ir::Place Lowering::MakePlace(const Operand& operand) {
     place.field = field->field;
     place.type = operand.kind == OperandKind::kCounterValue ? ir::Type::kI8 : ir::Type::kBit;
   }
-  place.name = NameOf(operand);
-  place.address = ToText(operand);
-  if (place.address == place.name) place.address.clear();
+  place.name = ToText(operand);
+  const auto symbol = symbols_.find(KeyOf(operand));
+  if (symbol != symbols_.end()) {
+    place.address = tree_.symbols[symbol->second].name;
+    std::swap(place.name, place.address);
+  }
   return place;
 }
 
-ir::PlaceId Lowering::PlaceOf(const Operand& operand) {
+ir::PlaceId Lowering::PlaceOf(const Operand& spelled) {
+  const Operand operand = AsNamed(spelled);
   const auto [found, is_new] = places_.try_emplace(KeyOf(operand));
   if (is_new) found->second = program_.places.Add(MakePlace(operand));
   return found->second;
@@ -136,7 +138,8 @@ bool Lowering::IsLatched(const Operand& operand) const {
          DirectionOf(operand.package, operand.number, settings_.processes) == ir::Direction::kInput;
 }
 
-ir::PlaceId Lowering::LatchedPlaceOf(const Operand& operand) {
+ir::PlaceId Lowering::LatchedPlaceOf(const Operand& spelled) {
+  const Operand operand = AsNamed(spelled);
   const auto [found, is_new] = latched_.try_emplace(KeyOf(operand));
   if (is_new) {
     ir::Place place = program_.places[PlaceOf(operand)];

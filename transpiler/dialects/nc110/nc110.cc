@@ -1,6 +1,7 @@
 #include "transpiler/dialects/nc110/nc110.h"
 
 #include "transpiler/dialects/nc110/documentation.h"
+#include "transpiler/dialects/nc110/ladder_lint.h"
 #include "transpiler/dialects/nc110/locate.h"
 #include "transpiler/dialects/nc110/lowering.h"
 #include "transpiler/dialects/nc110/options.h"
@@ -52,10 +53,13 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
 
   const CheckedProgram checked{tree, settings, sources, help, messages};
   CheckZones(checked, diagnostics);
-  CheckUnwritten(checked, diagnostics);
-  CheckSelfHold(checked, diagnostics);
   CheckMessages(checked, diagnostics);
   CheckBcdComparisons(checked, diagnostics);
+  if (!diagnostics.HasErrors()) {  // what is missing may stand in a statement that was not understood
+    CheckUnwritten(checked, diagnostics);
+    CheckSelfHold(checked, diagnostics);
+    LintLadder(sources, tree, diagnostics);
+  }
 
   dialects::Lowered lowered;
   lowered.program = Lower(tree, settings, sources);
