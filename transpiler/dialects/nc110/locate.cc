@@ -68,7 +68,9 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
 }
 
 std::optional<uint64_t> ParseValue(std::string_view text) {
-  const Number number = Evaluate(Trim(text));
+  text = Trim(text);
+  if (text.empty() || !IsDigit(text[0])) return std::nullopt;
+  const Number number = Evaluate(text);
   if (!number.well_formed) return std::nullopt;
   return number.value;
 }
