@@ -15,6 +15,7 @@ constexpr const char* kFooter = R"(Examples:
   plcxx check main.plc --diagnostics=sarif > main.sarif
 
 Text goes to standard error, JSON and SARIF to standard output. plcxx explain CODE tells more about a message.
+plcxx emit --help lists what --set takes.
 Exit codes: 0 no errors, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
 
 int RunCheck(const CommonOptions& options) {

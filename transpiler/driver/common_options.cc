@@ -74,6 +74,22 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->group(kMessagesGroup);
 }
 
+std::string DialectOptionsText() {
+  constexpr size_t kKeyWidth = 20;
+  std::string text;
+  for (const dialects::Dialect* dialect : dialects::AllDialects()) {
+    text += "Options of dialect " + std::string(dialect->name) + " (--set KEY=VALUE):\n";
+    for (const dialects::OptionInfo& option : dialect->options) {
+      std::string line = "  " + std::string(option.key);
+      line.append(line.size() < kKeyWidth ? kKeyWidth - line.size() : 1, ' ');
+      line += std::string(option.meaning) + ": " + std::string(option.values);
+      if (!option.default_value.empty()) line += " (" + std::string(option.default_value) + ")";
+      text += line + "\n";
+    }
+  }
+  return text;
+}
+
 std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
   CompilationRequest request;
   request.sources = options.sources;

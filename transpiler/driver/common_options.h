@@ -30,6 +30,9 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);
 
+/// A table of the --set options of all dialects, for --help.
+std::string DialectOptionsText();
+
 /// None when an option is wrong: the error has been printed, the exit code is kWrongUse.
 std::optional<CompilationRequest> MakeRequest(const CommonOptions& options);
 DiagnosticsFormat FormatOf(const CommonOptions& options);

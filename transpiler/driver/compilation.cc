@@ -136,6 +136,7 @@ Compilation Compile(const CompilationRequest& request, Stage until) {
   compilation.diagnostics = diag::Engine(request.warnings);
   compilation.options = request.options;
   Pipeline(request, until, compilation).Run();
+  ReportUndecodable(compilation);  // at the end: the dialect loads files, too
   compilation.diagnostics.SortBySource();
   if (IsOn(compilation.options, "stop-on-error")) compilation.diagnostics.KeepFirstErrorOnly();
   return compilation;

@@ -104,7 +104,7 @@ int RunEmit(const EmitSettings& settings) {
   }
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(settings.common));
-  if (!settings.quiet && compilation.dialect != nullptr && !compilation.wrong_use) std::cerr << ReportText(compilation);
+  if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation);
   return ExitCodeOf(compilation);
 }
 
@@ -127,7 +127,7 @@ void AddEmit(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
-  command->footer(kFooter);
+  command->footer([] { return DialectOptionsText() + "\n" + kFooter; });  // made only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunEmit(*settings); }; });
 }
 

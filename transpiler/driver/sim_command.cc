@@ -25,6 +25,7 @@ constexpr const char* kFooter = R"(Examples:
 
 Times are written 100ms, 3s or 2min; values as in the source or as in C++ (0x12). The control itself answers as the
 simulated one does unless --set nc-stub=off.
+plcxx emit --help lists what --set takes.
 Exit codes: 0 done, 1 the program has errors or the time limit was reached, 2 wrong use, 3 a fault of plcxx.)";
 
 constexpr const char* kStubOption = "nc-stub";
@@ -65,6 +66,10 @@ int RunSim(const SimSettings& settings) {
   PrintDiagnosticsBeside(compilation, FormatOf(settings.common));
   if (!compilation.ok()) return ExitCodeOf(compilation);
 
+  if (!settings.waveform.empty() && settings.words.watch.empty()) {
+    PrintUsageError("--vcd needs locations to --watch");
+    return kWrongUse;
+  }
   const auto planned = PlanSimulation(settings.words, compilation);
   if (const auto* problem = std::get_if<std::string>(&planned)) {
     PrintUsageError(*problem);

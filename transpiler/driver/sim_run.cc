@@ -41,8 +41,8 @@ size_t ColumnWidth(const sim::Watched& watched) {
 
 class Table {
  public:
-  Table(const std::vector<sim::Watched>& watched, Rows rows, std::ostream& out)
-      : watched_(watched), rows_(rows), out_(out) {
+  Table(std::vector<sim::Watched> watched, Rows rows, std::ostream& out)
+      : watched_(std::move(watched)), rows_(rows), out_(out) {
     if (watched_.empty()) return;
     out_ << Right("time ms", kTimeWidth);
     for (const sim::Watched& column : watched_) out_ << "  " << Right(column.name, ColumnWidth(column));
@@ -67,7 +67,7 @@ class Table {
   }
 
  private:
-  const std::vector<sim::Watched>& watched_;
+  std::vector<sim::Watched> watched_;
   Rows rows_;
   std::ostream& out_;
   std::vector<uint64_t> last_;

@@ -2,44 +2,60 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <set>
 #include <utility>
 #include <variant>
 
 #include "transpiler/driver/dialect_choice.h"
+#include "transpiler/source/decode.h"
+#include "transpiler/source/read_bytes.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr std::string_view kStandardInput = "-";
 constexpr std::string_view kStandardInputName = "<stdin>";
-constexpr size_t kReadPiece = 64u << 10;
 
 /// Standard input can be read once, but is looked at twice: to tell the dialect, and as a source.
-class StandardInput {
+class Reader {
  public:
-  const std::string& Read(size_t max_bytes) {
-    if (bytes_) return *bytes_;
-    bytes_.emplace();
-    std::string piece(kReadPiece, '\0');
-    while (bytes_->size() <= max_bytes && std::cin) {
-      std::cin.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-      bytes_->append(piece, 0, static_cast<size_t>(std::cin.gcount()));
-    }
-    return *bytes_;
+  std::variant<std::string, source::LoadError> Read(const std::string& path, size_t max_bytes) {
+    if (path != kStandardInput) return source::ReadBytes(path, max_bytes);
+    if (!standard_input_) standard_input_ = source::ReadStandardInput(max_bytes);
+    return *standard_input_;
   }
 
  private:
-  std::optional<std::string> bytes_;
+  std::optional<std::variant<std::string, source::LoadError>> standard_input_;
 };
 
-std::variant<source::FileId, source::LoadError> LoadOne(source::SourceManager& sources, StandardInput& input,
+/// Does UTF-8 end within a character, as in a file that was not copied to its end? An 8-bit encoding is meant only
+/// where another byte speaks for one.
+bool IsCutOff(std::string_view bytes, const source::LoadOptions& options) {
+  if (options.encoding && *options.encoding != source::Encoding::kUtf8) return false;
+  if (options.stop_at_1a) bytes = bytes.substr(0, bytes.find('\x1A'));
+  constexpr size_t kLongestRest = 3;
+  for (size_t rest = 1; rest <= std::min(kLongestRest, bytes.size()); ++rest) {
+    const auto lead = static_cast<unsigned char>(bytes[bytes.size() - rest]);
+    const size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : lead >= 0x80 ? 0 : 1;
+    if (length == 0) continue;  // goes on a character
+    return length > rest && source::IsValidUtf8(bytes.substr(0, bytes.size() - rest));
+  }
+  return false;
+}
+
+std::variant<source::FileId, source::LoadError> LoadOne(source::SourceManager& sources, Reader& reader,
                                                         const std::string& path, const source::LoadOptions& options) {
-  if (path != kStandardInput) return sources.Load(path, options);
-  return sources.AddBytes(std::string(kStandardInputName), input.Read(options.max_bytes), options);
+  auto bytes = reader.Read(path, options.max_bytes);
+  if (auto* error = std::get_if<source::LoadError>(&bytes)) return std::move(*error);
+  const std::string& text = std::get<std::string>(bytes);
+  if (IsCutOff(text, options)) {
+    return source::LoadError{source::LoadProblem::kBinary, "it ends in the middle of a UTF-8 character"};
+  }
+  return sources.AddBytes(path == kStandardInput ? std::string(kStandardInputName) : path, text, options);
 }
 
 std::string ReasonOf(const source::LoadError& error) {
@@ -65,10 +81,10 @@ std::string ReasonOf(const source::LoadError& error) {
 
 /// The text for recognition, from a source manager of its own: another dialect may read the file in another way.
 /// While no dialect is known, an unreadable file is reported in the words of all dialects.
-std::string PeekText(StandardInput& input, const std::string& path, const source::LoadOptions& options,
+std::string PeekText(Reader& reader, const std::string& path, const source::LoadOptions& options,
                      diag::Engine& diagnostics) {
   source::SourceManager scratch;
-  const auto loaded = LoadOne(scratch, input, path, options);
+  const auto loaded = LoadOne(scratch, reader, path, options);
   if (const auto* file = std::get_if<source::FileId>(&loaded)) return scratch.Get(*file).text;
   diagnostics.Report({}, diag::CannotReadSource, path, ReasonOf(std::get<source::LoadError>(loaded)));
   return {};
@@ -98,15 +114,24 @@ dialects::FileLoader MakeLoader(const CompilationRequest& request, source::Sourc
   std::vector<std::string> directories = {request.base_directory};
   directories.insert(directories.end(), request.include_directories.begin(), request.include_directories.end());
   return [directories = std::move(directories), sources, options](const std::string& path) {
-    auto first = sources->Load(FromBase(directories.front(), path), options);
+    Reader reader;
+    auto first = LoadOne(*sources, reader, FromBase(directories.front(), path), options);
     for (size_t i = 1; i < directories.size(); ++i) {
       const auto* error = std::get_if<source::LoadError>(&first);
       if (error == nullptr || error->problem != source::LoadProblem::kMissing) break;
-      auto next = sources->Load(FromBase(directories[i], path), options);
+      auto next = LoadOne(*sources, reader, FromBase(directories[i], path), options);
       if (std::holds_alternative<source::FileId>(next)) return next;
     }
     return first;
   };
+}
+
+void ReportNoDialect(const std::string& name, const std::string& path, diag::Engine& diagnostics) {
+  if (name.empty()) {
+    diagnostics.Report({}, diag::UnknownDialect, path, DialectNames());
+  } else {
+    diagnostics.Report({}, diag::UnknownDialectName, name, DialectNames());
+  }
 }
 
 }  // namespace
@@ -114,6 +139,18 @@ dialects::FileLoader MakeLoader(const CompilationRequest& request, source::Sourc
 std::string FromBase(const std::string& base_directory, const std::string& path) {
   if (base_directory.empty() || path == kStandardInput || std::filesystem::path(path).is_absolute()) return path;
   return (std::filesystem::path(base_directory) / path).string();
+}
+
+void ReportUndecodable(Compilation& compilation) {
+  const source::SourceManager& sources = *compilation.sources;
+  for (uint32_t i = 0; i < sources.size(); ++i) {
+    const source::File& file = sources.Get(source::FileId(i));
+    if (file.replaced.empty()) continue;
+    constexpr source::Offset kReplacementBytes = 3;  // U+FFFD
+    const source::Offset first = file.base + file.replaced.front();
+    compilation.diagnostics.Report({first, first + kReplacementBytes}, diag::UndecodableText, file.path,
+                                   static_cast<int64_t>(file.replaced.size()));
+  }
 }
 
 void LoadSources(const CompilationRequest& request, Compilation& compilation) {
@@ -124,16 +161,15 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
     return;
   }
 
-  StandardInput input;
+  Reader reader;
   source::LoadOptions options;
   options.encoding = request.encoding;
   compilation.dialect = ChooseDialect(request.dialect, paths, [&](const std::string& path) {
-    return PeekText(input, path, options, compilation.diagnostics);
+    return PeekText(reader, path, options, compilation.diagnostics);
   });
   if (compilation.diagnostics.HasErrors()) return;
   if (compilation.dialect == nullptr) {
-    const std::string subject = request.dialect.empty() ? paths.front() : request.dialect;
-    compilation.diagnostics.Report({}, diag::UnknownDialect, subject, DialectNames());
+    ReportNoDialect(request.dialect, paths.front(), compilation.diagnostics);
     compilation.wrong_use = true;
     return;
   }
@@ -141,7 +177,7 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   options = compilation.dialect->load;
   if (request.encoding) options.encoding = request.encoding;
   for (const std::string& path : paths) {
-    const auto loaded = LoadOne(*compilation.sources, input, path, options);
+    const auto loaded = LoadOne(*compilation.sources, reader, path, options);
     if (const auto* file = std::get_if<source::FileId>(&loaded)) {
       compilation.files.push_back(*file);
     } else {

@@ -13,6 +13,9 @@ namespace plcxx::driver {
 /// What is wrong is reported; `wrong_use` tells faults of the command line from unreadable files.
 void LoadSources(const CompilationRequest& request, Compilation& compilation);
 
+/// Of every file read: bytes that its encoding does not define.
+void ReportUndecodable(Compilation& compilation);
+
 /// `path` as it has to be opened from the current directory.
 std::string FromBase(const std::string& base_directory, const std::string& path);
 
