@@ -1,0 +1,144 @@
+// Files that are no program: a clear error each, nothing written, no crash, no hang, memory bounded.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Emits and expects a refusal in these words, and that nothing was written.
+void ExpectRefused(const Workplace& work, const std::string& arguments, const std::string& words, int code = 1) {
+  const Ran ran = work.Run("emit " + arguments + " -o out");
+  EXPECT_EQ(ran.code, code) << arguments << "\n" << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("error")) << arguments;
+  EXPECT_THAT(ran.errors, HasSubstr(words)) << arguments;
+  EXPECT_FALSE(work.Has("out")) << arguments;
+  EXPECT_THAT(ran.out, IsEmpty()) << arguments;
+}
+
+TEST(BadInput, Empty) {
+  const Workplace work;
+  work.Write("empty.plc", "");
+  work.Write("empty", "");
+  ExpectRefused(work, "empty.plc", "empty");
+  ExpectRefused(work, "empty", "empty");
+  ExpectRefused(work, "- --dialect nc110", "empty");
+}
+
+TEST(BadInput, Binary) {
+  const Workplace work;
+  std::string bytes;
+  for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 37 % 256);
+  work.Write("binary.plc", bytes);
+  ExpectRefused(work, "binary.plc", "no text");
+}
+
+TEST(BadInput, MissingOrDirectory) {
+  const Workplace work;
+  std::filesystem::create_directory(work.Path("folder.plc"));
+  ExpectRefused(work, "missing.plc", "cannot read");
+  ExpectRefused(work, "missing", "cannot read");
+  ExpectRefused(work, "folder.plc", "directory");
+  ExpectRefused(work, ".", "directory");
+}
+
+TEST(BadInput, Unreadable) {
+  if (geteuid() == 0) GTEST_SKIP() << "root reads everything";
+  const Workplace work;
+  work.Write("closed.plc", kGoodProgram);
+  std::filesystem::permissions(work.Path("closed.plc"), std::filesystem::perms::none);
+  ExpectRefused(work, "closed.plc", "cannot read");
+}
+
+TEST(BadInput, TooLarge) {
+  const Workplace work;
+  work.Write("large.plc", "");
+  std::filesystem::resize_file(work.Path("large.plc"), 100u << 20);  // sparse
+  ExpectRefused(work, "large.plc", "too long");
+}
+
+TEST(BadInput, LongLine) {
+  const Workplace work;
+  std::string line = "U4A0=I0A0";
+  while (line.size() < (1u << 20)) line += "+I0A1";
+  work.Write("line.plc", line + "\n");
+  ExpectRefused(work, "line.plc", "too long");
+}
+
+TEST(BadInput, NestedBrackets) {
+  const Workplace work;
+  constexpr size_t kDepth = 10'000;
+  work.Write("round.plc", "U4A0=" + std::string(kDepth, '(') + "I0A0" + std::string(kDepth, ')') + "\n$\n");
+  work.Write("square.plc", "W4A0=" + std::string(kDepth, '[') + "W0A0" + std::string(kDepth, ']') + "\n$\n");
+  work.Write("open.plc", "U4A0=" + std::string(kDepth, '(') + "\n$\n");
+  std::string blocks;
+  for (size_t i = 0; i < kDepth; ++i) blocks += "DOF:I0A0\n";
+  work.Write("blocks.plc", blocks);
+  ExpectRefused(work, "round.plc", "parenthes");
+  ExpectRefused(work, "square.plc", "error");
+  ExpectRefused(work, "open.plc", "parenthes");
+  ExpectRefused(work, "blocks.plc", "nesting");
+}
+
+TEST(BadInput, UnknownEncoding) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  ExpectRefused(work, "ok.plc --encoding ebcdic", "cp866", 2);
+}
+
+TEST(BadInput, CutOffUtf8) {
+  const Workplace work;
+  const std::string whole = "U4A0=I0A0 ; \xD0\xB4\xD0\xB0";
+  work.Write("cut.plc", whole.substr(0, whole.size() - 1));
+  work.Write("single.plc", "U4A0=I0A0 ; \xE2\x82");
+  ExpectRefused(work, "cut.plc", "UTF-8");
+  ExpectRefused(work, "cut.plc --encoding utf-8", "UTF-8");
+  ExpectRefused(work, "single.plc", "UTF-8");
+  EXPECT_EQ(work.Run("check cut.plc --encoding cp866").code, 0);
+}
+
+TEST(BadInput, UndefinedBytesAreNamed) {
+  const Workplace work;
+  work.Write("mixed.plc", "U4A0=I0A0 ; \xFF caf\xE9 \n$\n");
+  const Ran ran = work.Run("check mixed.plc --encoding utf-8");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("plcxx-6"));
+}
+
+TEST(BadInput, ContradictorySymbolFile) {
+  const Workplace work;
+  work.Write("names.sym", "*\nCLAMP=U4A0\nCLAMP=U4A1\n");
+  work.Write("main.plc", "!CLAMP=I0A0\n$\n");
+  ExpectRefused(work, "names.sym main.plc", "twice");
+}
+
+TEST(BadInput, SameSourceTwice) {
+  const Workplace work;
+  work.Write("main.plc", kGoodProgram);
+  std::filesystem::create_symlink("main.plc", work.Path("other.plc"));
+  ExpectRefused(work, "main.plc main.plc", "twice", 2);
+  ExpectRefused(work, "main.plc ./main.plc", "twice", 2);
+  ExpectRefused(work, "main.plc other.plc", "twice", 2);
+}
+
+TEST(BadInput, ElevenSources) {
+  const Workplace work;
+  std::string arguments;
+  for (int i = 0; i < 11; ++i) {
+    const std::string name = "part" + std::to_string(i) + ".plc";
+    work.Write(name, "U4A" + std::to_string(i) + "=I0A0\n");
+    arguments += name + " ";
+  }
+  ExpectRefused(work, arguments, "nc110-51");
+}
+
+}  // namespace
+}  // namespace plcxx::driver

@@ -1,0 +1,182 @@
+// The contract of the command line: exit codes, help, options that every subcommand takes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+TEST(CommandLine, VersionAndHelp) {
+  const Workplace work;
+  const Ran version = work.Run("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.out, ::testing::StartsWith("plcxx "));
+  const Ran help = work.Run("--help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("Examples:"));
+  EXPECT_THAT(help.out, HasSubstr("Exit codes:"));
+  EXPECT_THAT(help.errors, IsEmpty());
+}
+
+TEST(CommandLine, EverySubcommandTeaches) {
+  const Workplace work;
+  for (const std::string command : {"emit", "check", "print", "test", "sim", "explain"}) {
+    const Ran help = work.Run(command + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr("Examples:")) << command;
+    EXPECT_THAT(help.out, HasSubstr("plcxx " + command)) << command;
+    EXPECT_THAT(help.out, HasSubstr("Exit codes:")) << command;
+  }
+}
+
+// covers: NC110-253
+TEST(CommandLine, HelpListsTheOptionsOfTheDialect) {
+  const Ran help = Workplace().Run("emit --help");
+  for (const char* key : {"clo", "slices", "t-init", "carry", "nc-stub", "stop-on-error"}) {
+    EXPECT_THAT(help.out, HasSubstr(key));
+  }
+}
+
+TEST(CommandLine, WrongUseIsTwo) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  for (const std::string arguments : {"",
+                                      "frobnicate",
+                                      "emit",
+                                      "check --bogus ok.plc",
+                                      "check ok.plc --encoding klingon",
+                                      "check ok.plc --dialect cobol",
+                                      "check ok.plc --diagnostics=xml",
+                                      "check ok.plc --set clo",
+                                      "check ok.plc --set nothing=1",
+                                      "check ok.plc --set clo=x",
+                                      "check ok.plc --set =1",
+                                      "check ok.plc -Wfoo",
+                                      "check ok.plc -Wno-W999",
+                                      "check ok.plc -DX",
+                                      "check ok.plc -U X",
+                                      "emit ok.plc --name ../x",
+                                      "emit ok.plc --name ''  --name a/b",
+                                      "print nothing ok.plc",
+                                      "print ir",
+                                      "explain",
+                                      "explain nc110-9999",
+                                      "check ok.plc ok.plc",
+                                      "check ok.plc ./ok.plc"}) {
+    const Ran ran = work.Run(arguments);
+    EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("error")) << arguments;
+  }
+}
+
+TEST(CommandLine, OtherVersionsCommandsSaySo) {
+  const Workplace work;
+  for (const std::string arguments : {"build x.plc --target host", "diff a b", "report x.plc"}) {
+    const Ran ran = work.Run(arguments);
+    EXPECT_EQ(ran.code, 2) << arguments;
+    EXPECT_THAT(ran.errors, HasSubstr("comes with a later version")) << arguments;
+  }
+}
+
+TEST(CommandLine, ProgramWithErrorsIsOne) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  work.Write("bad.plc", kBadProgram);
+  EXPECT_EQ(work.Run("check ok.plc").code, 0);
+  EXPECT_EQ(work.Run("check bad.plc").code, 1);
+  EXPECT_EQ(work.Run("print ir bad.plc").code, 1);
+  EXPECT_EQ(work.Run("sim bad.plc").code, 1);
+  EXPECT_EQ(work.Run("emit bad.plc -o out").code, 1);
+}
+
+TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  const Ran ran = work.Run("print cpp ok.plc >/dev/full; true");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full; test $? = 2").code, 0);
+}
+
+// covers: NC110-233
+TEST(CommandLine, WarningsAreSwitchedByName) {
+  const Workplace work;
+  work.Write("fast.plc", "U4A0=I0A0\n");  // no '$': W303
+  EXPECT_THAT(work.Run("check fast.plc").errors, HasSubstr("warning"));
+  EXPECT_THAT(work.Run("check fast.plc -Wno-W303").errors, Not(HasSubstr("warning:")));
+  EXPECT_THAT(work.Run("check fast.plc -Wno-nc110-W303").errors, Not(HasSubstr("warning:")));
+  EXPECT_EQ(work.Run("check fast.plc -Wno-W303 -Werror").code, 0);
+  for (const std::string option : {"-Werror", "-Werror=W303", "-Werror=nc110-W303", "-Wno-W303 -Werror=W303"}) {
+    const Ran ran = work.Run("check fast.plc " + option);
+    EXPECT_EQ(ran.code, 1) << option << "\n" << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("error:")) << option;
+  }
+  EXPECT_EQ(work.Run("check fast.plc -Werror -Wno-error").code, 0);
+}
+
+// covers: NC110-229 NC110-255
+TEST(CommandLine, ErrorsStandInTheOrderOfTheSource) {
+  const Workplace work;
+  work.Write("bad.plc", "U4A1=I0A\nDOF:I0A1\nU4A2=99\n$\nU4A3=!NOT\n");
+  const Ran all = work.Run("check bad.plc");
+  EXPECT_EQ(all.code, 1);
+  size_t last = 0;
+  for (const char* place : {"bad.plc:1:", "bad.plc:2:", "bad.plc:3:", "bad.plc:5:"}) {
+    const size_t at = all.errors.find(place);
+    ASSERT_NE(at, std::string::npos) << place << "\n" << all;
+    EXPECT_GE(at, last) << place << "\n" << all;
+    last = at;
+  }
+  const Ran first = work.Run("check bad.plc --set stop-on-error=on");
+  EXPECT_THAT(first.errors, HasSubstr("bad.plc:1:"));
+  EXPECT_THAT(first.errors, Not(HasSubstr("bad.plc:2:")));
+  EXPECT_THAT(first.errors, HasSubstr("1 error"));
+}
+
+TEST(CommandLine, DialectByExtensionContentOrWord) {
+  const Workplace work;
+  work.Write("program", kGoodProgram);
+  work.Write("letter.txt", "Dear colleague,\nthe machine is broken.\n");
+  EXPECT_EQ(work.Run("check program").code, 0);
+  EXPECT_EQ(work.Run("check program --dialect nc110").code, 0);
+  const Ran unknown = work.Run("check letter.txt");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.errors, HasSubstr("plcxx-1"));
+  EXPECT_THAT(unknown.errors, HasSubstr("nc110"));
+}
+
+TEST(CommandLine, StandardInputIsASource) {
+  const Workplace work;
+  EXPECT_EQ(work.Run("check -", kGoodProgram).code, 0);
+  EXPECT_EQ(work.Run("check - --dialect nc110", kGoodProgram).code, 0);
+  EXPECT_EQ(work.Run("check - -", kGoodProgram).code, 2);
+  const Ran bad = work.Run("check - --dialect nc110", kBadProgram);
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_THAT(bad.errors, HasSubstr("<stdin>:2:"));
+  EXPECT_EQ(work.Run("emit - --dialect nc110 -o out", kGoodProgram).code, 0);
+  EXPECT_TRUE(work.Has("out/program.cpp"));
+}
+
+TEST(CommandLine, NoColoursInAFile) {
+  const Workplace work;
+  work.Write("bad.plc", kBadProgram);
+  EXPECT_THAT(work.Run("check bad.plc", "", "TERM=xterm-256color").errors, Not(HasSubstr("\x1b[")));
+}
+
+TEST(CommandLine, IncludeDirectoriesServeOptions) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  std::filesystem::create_directory(work.Path("texts"));
+  work.Write("texts/messages", "15#hello\n");
+  EXPECT_EQ(work.Run("check ok.plc --set messages=messages").code, 1);
+  EXPECT_EQ(work.Run("check ok.plc --set messages=messages -I nowhere -I texts").code, 0);
+}
+
+}  // namespace
+}  // namespace plcxx::driver
