@@ -1,0 +1,151 @@
+// `plcxx test` as its users see it: exit codes, output, JUnit, waveforms.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/child_process.h"
+
+namespace plcxx::driver {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+constexpr int kSeconds = 120;
+
+/// A folder with a program and scenarios; the tool runs in it.
+class TestCommand : public testing::Test {
+ protected:
+  TestCommand() {
+    Write("coil.plc", "$\nU4A8=I0A3*/I0A4\n");
+    Write("good.yaml", Scenario("- set: {I0A3: 1}\n- run: {slow: 1}\n- expect: {U4A8: 1}\n"));
+    Write("wrong.yaml", Scenario("- run: {slow: 2}\n- expect: {U4A8: 1}\n"));
+  }
+
+  static std::string Scenario(const std::string& steps) {
+    return "dialect: nc110\nsources: [coil.plc]\nsteps:\n" + steps;
+  }
+
+  void Write(const std::string& name, const std::string& text) const {
+    fs::create_directories((root_ / name).parent_path());
+    std::ofstream(root_ / name, std::ios::binary) << text;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream in(root_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  ProcessResult Run(const std::string& arguments) const {
+    return RunProcess({"sh", "-c", "cd '" + root_.string() + "' && '" PLCXX_BINARY "' test " + arguments}, kSeconds);
+  }
+
+  TemporaryDirectory directory_;
+  fs::path root_ = directory_.path();
+};
+
+TEST_F(TestCommand, AScenarioThatPasses) {
+  const ProcessResult simulated = Run("good.yaml --engine sim --verbose");
+  EXPECT_EQ(simulated.exit_code, 0);
+  EXPECT_EQ(simulated.output, "passed  good.yaml  (3 steps in simulator)\n1 scenario passed\n");
+  const ProcessResult both = Run("good.yaml --verbose");
+  EXPECT_EQ(both.exit_code, 0) << both.output;
+  EXPECT_THAT(both.output, HasSubstr("(3 steps in simulator and compiled)"));
+  EXPECT_THAT(Run("good.yaml --engine host --verbose").output, HasSubstr("(3 steps in compiled)"));
+}
+
+TEST_F(TestCommand, AScenarioThatFails) {
+  const ProcessResult result = Run("good.yaml wrong.yaml --engine sim");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.output,
+            "passed  good.yaml\n"
+            "FAILED  wrong.yaml\n"
+            "wrong.yaml:5:12: step 2 (expect), at 20 ms: expected U4A8 = 1, found 0\n"
+            "  last writes to U4A8, newest first:\n"
+            "    value 0 from 0 ms to 10 ms: coil.plc:2:1: U4A8=I0A3*/I0A4\n"
+            "1 scenario passed, 1 failed\n");
+  EXPECT_THAT(Run("wrong.yaml --engine host").output, HasSubstr("only the simulator keeps a record"));
+}
+
+TEST_F(TestCommand, AScenarioThatCannotBeRun) {
+  Write("unknown.yaml", Scenario("- wait: 3\n"));
+  const ProcessResult result = Run("good.yaml unknown.yaml nowhere.yaml wrong.yaml --engine sim");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.output, HasSubstr("unknown.yaml:4:3: 'wait' is no step"));
+  EXPECT_THAT(result.output, HasSubstr("nowhere.yaml: there is no such file"));
+  EXPECT_THAT(result.output, HasSubstr("1 scenario passed, 1 failed, 2 cannot be run"));
+  Write("location.yaml", Scenario("- set: {Z9: 1}\n"));
+  const ProcessResult location = Run("location.yaml --engine sim");
+  EXPECT_EQ(location.exit_code, 2);
+  EXPECT_THAT(location.output, HasSubstr("location.yaml:4:9: 'Z9' is no location of dialect nc110"));
+  Write("sources.yaml", "steps: []\n");
+  EXPECT_THAT(Run("sources.yaml --engine sim").output, HasSubstr("no 'sources'"));
+  EXPECT_EQ(Run("sources.yaml --engine sim --sources coil.plc").exit_code, 0);
+}
+
+TEST_F(TestCommand, AProgramWithErrorsFailsAndShowsThem) {
+  Write("broken.plc", "$\nU4A8=\n");
+  Write("broken.yaml", "dialect: nc110\nsources: [broken.plc]\nsteps: []\n");
+  const ProcessResult result = Run("broken.yaml --engine sim");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("broken.yaml: the program has errors\nbroken.plc:2:"));
+  Write("expected_bad.yaml", "dialect: nc110\nsources: [broken.plc]\nexpect_error: {line: 2}\n");
+  EXPECT_EQ(Run("expected_bad.yaml --engine sim").exit_code, 0);
+}
+
+TEST_F(TestCommand, DirectoriesAreSearchedInOrder) {
+  Write("sub/b/coil.plc", "$\nU4A8=I0A3\n");
+  Write("sub/b/z.yaml", "sources: [coil.plc]\nsteps: []\n");
+  Write("sub/b/a.yaml", "sources: [coil.plc]\nsteps: []\n");
+  Write("sub/a.txt", "not a scenario");
+  EXPECT_EQ(Run("sub --engine sim --jobs 4").output,
+            "passed  sub/b/a.yaml\npassed  sub/b/z.yaml\n2 scenarios passed\n");
+  Write("empty/readme", "");
+  const ProcessResult empty = Run("empty");
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.output, HasSubstr("there is no scenario (*.yaml) in directory 'empty'"));
+}
+
+TEST_F(TestCommand, ResultsForBuildServers) {
+  EXPECT_EQ(Run("good.yaml wrong.yaml --engine sim --junit out/result.xml").exit_code, 1);
+  const std::string xml = Read("out/result.xml");
+  EXPECT_THAT(xml, HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\""));
+  EXPECT_THAT(
+      xml, HasSubstr("<failure message=\"wrong.yaml:5:12: step 2 (expect), at 20 ms: expected U4A8 = 1, found 0\">"));
+  EXPECT_EQ(Run("good.yaml --engine sim --junit good.yaml").exit_code, 2);
+  EXPECT_THAT(Read("good.yaml"), HasSubstr("sources:"));
+}
+
+TEST_F(TestCommand, WaveformsHoldTheLocationsOfTheScenario) {
+  EXPECT_EQ(Run("good.yaml --engine sim --vcd wave.vcd").exit_code, 0);
+  const std::string wave = Read("wave.vcd");
+  EXPECT_THAT(wave, HasSubstr("I0A3"));
+  EXPECT_THAT(wave, HasSubstr("U4A8"));
+  EXPECT_THAT(wave, Not(HasSubstr("I0A4")));
+  EXPECT_EQ(Run("good.yaml wrong.yaml --vcd wave.vcd").exit_code, 2);
+}
+
+TEST_F(TestCommand, WhatTheCompilerSaysIsShown) {
+  const ProcessResult result = Run("good.yaml --cxx false");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("good.yaml: 'false' cannot compile the generated code"));
+  EXPECT_EQ(Run("good.yaml --engine fast").exit_code, 2);
+}
+
+TEST_F(TestCommand, OptionsOfTheCommandLineGiveWayToTheScenario) {
+  const std::string steps = "sources: [coil.plc]\nsteps:\n- run: {ms: 20}\n- run: {slow: 1}\n- expect: {U4A8: 0}\n";
+  Write("plain.yaml", "dialect: nc110\n" + steps);
+  EXPECT_EQ(Run("plain.yaml --engine sim --set cycle_ms=20 --vcd plain.vcd").exit_code, 0);
+  EXPECT_THAT(Read("plain.vcd"), Not(HasSubstr("#10\n")));
+  Write("own.yaml", "dialect: nc110\noptions: {cycle_ms: 10}\n" + steps);
+  EXPECT_EQ(Run("own.yaml --engine sim --set cycle_ms=20 --vcd own.vcd").exit_code, 0);
+  EXPECT_EQ(Run("plain.yaml --engine sim --set nonsense=1").exit_code, 1);
+}
+
+}  // namespace
+}  // namespace plcxx::driver
