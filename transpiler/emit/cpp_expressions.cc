@@ -46,7 +46,7 @@ bool NeverTrue(const Emittable& emittable, const ir::Inst& inst) {
   return is(inst.b, less ? 0 : 255) || is(inst.a, less ? 255 : 0);
 }
 
-Spelling SpellPure(const Emittable& emittable, const std::vector<std::string>& local_names, const ir::Inst& inst) {
+Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
   // "{0}" alone: the conversion is C++'s own.
@@ -83,12 +83,12 @@ Spelling SpellPure(const Emittable& emittable, const std::vector<std::string>& l
 
 }  // namespace
 
-Spelling Spell(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value) {
-  if (emittable.local_value[value.index]) return {local_names[value.index], Precedence::kPrimary};
+Spelling Spell(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value) {
+  if (emittable.local_value[value.index]) return {local_names.at(value.index), Precedence::kPrimary};
   return SpellDefinition(emittable, local_names, value);
 }
 
-Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value) {
+Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value) {
   const ir::Program& program = *emittable.program;
   const ir::Inst& inst = program[value];
   const ir::OpInfo& info = ir::Info(inst.op);

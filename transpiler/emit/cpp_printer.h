@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "transpiler/emit/emittable.h"
@@ -30,15 +31,18 @@ std::string CommentText(std::string_view text);
 std::string PrintHeader(const Emittable& emittable);
 std::string PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
 
-/// The C++ expression of a value; locals by their names. `names` is by InstId, empty where a value has no local.
+/// Names of the locals declared so far, by InstId.
+using LocalNames = std::unordered_map<uint32_t, std::string>;
+
+/// The C++ expression of a value; locals by their names.
 struct Spelling {
   std::string text;
   ir::Precedence precedence = ir::Precedence::kPrimary;
 };
 /// Where a long expression may be broken; the statement printer replaces it by a blank or a line end.
 constexpr char kBreak = '\x01';
-Spelling Spell(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value);
+Spelling Spell(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value);
 /// What a local's name stands for; the same as Spell for a value without local.
-Spelling SpellDefinition(const Emittable& emittable, const std::vector<std::string>& local_names, ir::ValueId value);
+Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value);
 
 }  // namespace plcxx::emit

@@ -14,11 +14,7 @@ constexpr size_t kLineWidth = 110;
 class PartPrinter {
  public:
   PartPrinter(const Emittable& emittable, const source::SourceManager& sources, uint32_t part)
-      : emittable_(emittable),
-        program_(*emittable.program),
-        sources_(sources),
-        part_(part),
-        local_names_(emittable.local_value.size()) {}
+      : emittable_(emittable), program_(*emittable.program), sources_(sources), part_(part) {}
 
   std::string Run();
 
@@ -56,9 +52,9 @@ class PartPrinter {
   size_t body_begin_ = 0;
   int indent_ = 0;
   int loop_depth_ = 0;
-  uint32_t next_local_ = 1;               // restarts in each chunk and routine
-  std::vector<std::string> local_names_;  // by InstId
-  ir::StatementId statement_;             // the one being printed
+  uint32_t next_local_ = 1;    // restarts in each chunk and routine
+  LocalNames local_names_;     // by InstId
+  ir::StatementId statement_;  // the one being printed
 };
 
 void PartPrinter::Comment(std::string_view text) {
@@ -489,20 +485,8 @@ void PartPrinter::Includes() {
 }
 
 void PartPrinter::Using() {
-  std::vector<std::string> names;
-  for (const ir::Inst& inst : program_.insts) {
-    const ir::OpInfo& info = ir::Info(inst.op);
-    const size_t bracket = info.spelling.find('(');
-    if (info.shape == ir::Shape::kPure && bracket != std::string_view::npos && bracket > 0) {
-      names.emplace_back(info.spelling.substr(0, bracket));
-    }
-    // Comparisons that never hold are called by name, see SpellPure.
-    if (inst.op == ir::OpKind::kLess8) names.emplace_back("Less8");
-    if (inst.op == ir::OpKind::kGreater8) names.emplace_back("Greater8");
-  }
-  if (part_ == 0) names.emplace_back("Clear");
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::vector<std::string> names = emittable_.functions;
+  if (part_ == 0) names.insert(std::upper_bound(names.begin(), names.end(), "Clear"), "Clear");
   for (const std::string& name : names) out_ += "using plcxx::" + name + ";\n";
   if (!names.empty()) out_ += '\n';
 }

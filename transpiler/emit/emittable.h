@@ -51,7 +51,8 @@ struct Emittable {
   std::vector<std::vector<uint32_t>>
       region_chunks;  // by RegionId: what the region was cut into; empty: printed in place
   std::vector<Part> parts;
-  std::vector<bool> host_used;  // by HostFunctionId
+  std::vector<std::string> functions;  // of runtime_support that expressions call, sorted
+  std::vector<bool> host_used;         // by HostFunctionId
 };
 
 /// `program` is structured, sliced and optimized, and outlives the result.

@@ -18,6 +18,26 @@ void FindUsedHostFunctions(Emittable& emittable) {
   }
 }
 
+void FindUsedFunctions(Emittable& emittable) {
+  std::vector<bool> used(ir::OpCount(), false);
+  for (const ir::Inst& inst : emittable.program->insts) used[static_cast<size_t>(inst.op)] = true;
+  for (uint32_t i = 0; i < used.size(); ++i) {
+    const auto op = static_cast<ir::OpKind>(i);
+    const ir::OpInfo& info = ir::Info(op);
+    if (!used[i] || info.shape != ir::Shape::kPure) continue;
+    const size_t bracket = info.spelling.find('(');
+    if (bracket != std::string_view::npos && bracket > 0) {
+      emittable.functions.emplace_back(info.spelling.substr(0, bracket));
+    }
+    // Comparisons that never hold are called by name, see SpellPure.
+    if (op == ir::OpKind::kLess8) emittable.functions.emplace_back("Less8");
+    if (op == ir::OpKind::kGreater8) emittable.functions.emplace_back("Greater8");
+  }
+  std::sort(emittable.functions.begin(), emittable.functions.end());
+  emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
+                            emittable.functions.end());
+}
+
 }  // namespace
 
 void NamePlaces(Emittable& emittable) {
@@ -60,6 +80,7 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   emittable.options = options;
   emittable.layout = MakeLayout(program);
   FindUsedHostFunctions(emittable);
+  FindUsedFunctions(emittable);
   NamePlaces(emittable);
   PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
   CutChunks(emittable);

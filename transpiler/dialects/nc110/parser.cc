@@ -43,12 +43,13 @@ std::string Parser::Found() const {
   const std::string_view text = TextOf(token);
   const std::string quoted =
       Quoted(text.size() > kLongest ? std::string(text.substr(0, kLongest)) + "..." : std::string(text));
-  return token.first_on_line ? quoted + " on another line" : quoted;
+  return quoted;
 }
 
 source::Range Parser::MissingAt() const {
   const Token& token = Peek();
-  if (position_ == 0 || !(token.first_on_line || token.kind == TokenKind::kEndOfFile)) {
+  // Section 10.2: the line of the offending token, also when that begins the next line. The end of the file has none.
+  if (position_ == 0 || token.kind != TokenKind::kEndOfFile) {
     return token.range;
   }
   const source::Offset end = lexed_.tokens[position_ - 1].range.end;
