@@ -138,12 +138,13 @@ TEST_F(TestCommand, WhatTheCompilerSaysIsShown) {
 }
 
 TEST_F(TestCommand, OptionsOfTheCommandLineGiveWayToTheScenario) {
-  const std::string steps = "sources: [coil.plc]\nsteps:\n- run: {ms: 20}\n- run: {slow: 1}\n- expect: {U4A8: 0}\n";
+  const std::string steps = "sources: [coil.plc]\nsteps:\n- run: {slow: 1}\n- set: {I0A3: 1}\n- run: {slow: 1}\n";
   Write("plain.yaml", "dialect: nc110\n" + steps);
   EXPECT_EQ(Run("plain.yaml --engine sim --set cycle_ms=20 --vcd plain.vcd").exit_code, 0);
-  EXPECT_THAT(Read("plain.vcd"), Not(HasSubstr("#10\n")));
+  EXPECT_THAT(Read("plain.vcd"), HasSubstr("#20\n"));
   Write("own.yaml", "dialect: nc110\noptions: {cycle_ms: 10}\n" + steps);
   EXPECT_EQ(Run("own.yaml --engine sim --set cycle_ms=20 --vcd own.vcd").exit_code, 0);
+  EXPECT_THAT(Read("own.vcd"), HasSubstr("#10\n"));
   EXPECT_EQ(Run("plain.yaml --engine sim --set nonsense=1").exit_code, 1);
 }
 

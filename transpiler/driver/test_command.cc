@@ -1,10 +1,11 @@
 #include "transpiler/driver/test_command.h"
 
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -80,6 +81,11 @@ int WriteFiles(const TestSettings& settings, const std::vector<ScenarioResult>& 
     output.files.push_back({settings.waveform, results.front().waveform});
   }
   if (output.files.empty()) return kDone;
+  for (const emit::OutputFile& file : output.files) {
+    const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
+    std::error_code error;  // what is wrong is told when the file is written
+    if (!directory.empty()) std::filesystem::create_directories(directory, error);
+  }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;
   PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
