@@ -93,6 +93,14 @@ TEST(Nc110Records, InitialValuesOutOfRange) {
   EXPECT_THAT(lowered.Reported(), ElementsAre("2 nc110-NC123", "3 nc110-NC123", "4 nc110-NC123", "5 nc110-NC123"));
 }
 
+TEST(Nc110Records, MalformedRecordsAreRefused) {
+  for (const char* record : {"CLO=,", "CLO=10", "CLO=0,2", "SPL=", "SPL=many"}) {
+    LoweredProgram lowered;
+    LowerInto(lowered, {"U4A0=I0A0 $"}, {{"iocfil", "I"}}, {{"I", std::string("*1\n") + record}});
+    EXPECT_THAT(lowered.Reported(), ElementsAre("2 plcxx-3")) << record;
+  }
+}
+
 TEST(Nc110Records, AMissingFileIsAnError) {
   LoweredProgram lowered;
   LowerInto(lowered, {"U4A0=I0A0 $"}, {{"iocfil", "I"}});

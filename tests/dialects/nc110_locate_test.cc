@@ -45,7 +45,7 @@ TEST(Nc110Locate, ValuesInTheLanguagesSpelling) {
   EXPECT_EQ(ParseValue("022D"), 22u);
   EXPECT_EQ(ParseValue("1"), 1u);
   EXPECT_FALSE(ParseValue("0FF"));
-  EXPECT_FALSE(ParseValue("FFH"));
+  EXPECT_EQ(ParseValue("FFH"), 255u);
   EXPECT_FALSE(ParseValue(""));
 }
 

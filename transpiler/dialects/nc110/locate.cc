@@ -53,7 +53,6 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   if (text == "OPERATOR_TEXT") {
     dialects::Location location;
     location.text_input = true;
-    location.absent = !program.text_inbox.valid();
     location.place.name = text;
     return location;
   }
@@ -69,7 +68,7 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
 
 std::optional<uint64_t> ParseValue(std::string_view text) {
   text = Trim(text);
-  if (text.empty() || !IsDigit(text[0])) return std::nullopt;
+  if (text.empty()) return std::nullopt;  // "FFH" is no name here, so it needs no 0 in front
   const Number number = Evaluate(text);
   if (!number.well_formed) return std::nullopt;
   return number.value;
