@@ -63,15 +63,22 @@ uint32_t Lowering::StatementNumber(source::Range range) {
   }
 }
 
+/// The comment without its ';': how a comment begins is the language's matter, not the text's.
+source::Range Lowering::TextOf(const Comment& comment) const {
+  source::Range range = comment.range;
+  while (range.begin < range.end && sources_.Text(range).front() == ';') ++range.begin;
+  return range;
+}
+
 void Lowering::AddComments(const Item& item) {
   for (uint32_t i = 0; i < item.comment_count; ++i) {
-    waiting_comments_.push_back(tree_.comments[item.first_comment + i].range);
+    waiting_comments_.push_back(TextOf(tree_.comments[item.first_comment + i]));
   }
 }
 
 void Lowering::CollectFileComments(ItemId next) {
   const auto add = [this](const Span& span) {
-    for (uint32_t i = 0; i < span.count; ++i) waiting_comments_.push_back(tree_.comments[span.first + i].range);
+    for (uint32_t i = 0; i < span.count; ++i) waiting_comments_.push_back(TextOf(tree_.comments[span.first + i]));
   };
   // Heads of the files that begin here, and what stands behind the last item of the files before.
   while (next_file_ < tree_.files.size() && tree_.files[next_file_].items.first <= next.index) {

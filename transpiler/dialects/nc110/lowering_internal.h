@@ -43,6 +43,7 @@ class Lowering {
   /// Opens the source's next statement: everything up to the next call is its.
   ir::StatementId Begin(ItemId id);
   void CollectFileComments(ItemId next);
+  source::Range TextOf(const Comment& comment) const;
   void AddComments(const Item& item);
   uint32_t StatementNumber(source::Range range);
   void EnterPart(Part part);

@@ -52,6 +52,10 @@ source::Range Parser::MissingAt() const {
   if (position_ == 0 || token.kind != TokenKind::kEndOfFile) {
     return token.range;
   }
+  return BehindPrevious();
+}
+
+source::Range Parser::BehindPrevious() const {
   const source::Offset end = lexed_.tokens[position_ - 1].range.end;
   return {end, end};
 }

@@ -11,7 +11,8 @@ void Parser::ParseMessage(Item& item) {
   CheckCase(word);
   Message message;
   if (!At(TokenKind::kNumber) || Peek().first_on_line) {
-    Fault(MissingAt(), diag::Nc110MsgNumberMissing, Found());
+    // A declaration ends with its line.
+    Fault(Peek().first_on_line ? BehindPrevious() : MissingAt(), diag::Nc110MsgNumberMissing, Found());
   } else {
     const ConstantUse number = TakeConstant();
     if (number.well_formed && (number.value < 1 || number.value > kMaxMessage)) {
@@ -38,7 +39,7 @@ void Parser::ParseMessage(Item& item) {
   }
   const size_t length = CountCodePoints(Plain(message.text));
   if (length == 0) {
-    Fault(MissingAt(), diag::Nc110MsgTextMissing);
+    Fault(BehindPrevious(), diag::Nc110MsgTextMissing);
   } else if (length > kMaxMessageText) {
     Fault(message.text, diag::Nc110MsgTextTooLong, static_cast<diag::Number>(length));
   }
