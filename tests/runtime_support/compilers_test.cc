@@ -8,6 +8,8 @@
 #include <ostream>
 #include <string>
 
+#include "tests/temporary_directory.h"
+
 namespace plcxx {
 namespace {
 
@@ -44,9 +46,9 @@ class Compilers : public testing::TestWithParam<Compiler> {
            " -Werror -I" +
            kRoot + "/runtime_support " + rest;
   }
-  std::string Object(const std::string& name) const {
-    return testing::TempDir() + "plcxx_runtime_" + GetParam().name + "_" + name + ".o";
-  }
+  std::string Object(const std::string& name) const { return directory_.File(name + ".o"); }
+
+  const testing_support::TemporaryDirectory directory_;
 };
 
 TEST_P(Compilers, EachHeaderAlone) {

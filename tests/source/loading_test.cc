@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "tests/source/loading.h"
+#include "tests/temporary_directory.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::source {
@@ -16,12 +17,6 @@ namespace {
 
 class Loading : public testing::Test {
  protected:
-  Loading() {
-    std::string name = (std::filesystem::temp_directory_path() / "plcxx-source-XXXXXX").string();
-    directory_ = mkdtemp(name.data());
-  }
-  ~Loading() override { std::filesystem::remove_all(directory_); }
-
   std::string Path(const std::string& name) const { return (directory_ / name).string(); }
   std::string Write(const std::string& name, std::string_view bytes) const {
     std::ofstream(Path(name), std::ios::binary) << bytes;
@@ -34,7 +29,8 @@ class Loading : public testing::Test {
     return Refused(sources_.AddBytes("a.plc", bytes, options));
   }
 
-  std::filesystem::path directory_;
+  const testing_support::TemporaryDirectory temporary_;
+  const std::filesystem::path directory_ = temporary_.path();
   SourceManager sources_;
 };
 

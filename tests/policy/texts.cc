@@ -1,0 +1,71 @@
+#include "tests/policy/texts.h"
+
+#include <regex>
+#include <string_view>
+#include <vector>
+
+namespace plcxx::policy {
+namespace {
+
+struct Pattern {
+  const char* what;
+  std::regex regex;
+};
+
+void CheckLines(const std::string& root, const std::string& file, const std::vector<Pattern>& patterns,
+                Findings& findings) {
+  const std::string text = ReadFile(root + "/" + file);
+  if (text.find('\0') != std::string::npos) return;
+  size_t number = 0;
+  for (const std::string& line : Lines(text)) {
+    ++number;
+    if (line.size() > 4000) continue;  // std::regex recurses; texts of people have no such lines
+    std::smatch match;
+    for (const Pattern& pattern : patterns) {
+      if (std::regex_search(line, match, pattern.regex)) {
+        findings.push_back(Place(file, number) + pattern.what + " '" + match.str() + "'");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Findings CheckGenerated(const std::string& root) {
+  const std::vector<Pattern> patterns = {
+      {"date", std::regex("\\b20[0-9]{2}-[0-9]{2}-[0-9]{2}\\b|__DATE__|__TIME__")},
+      {"path", std::regex("(^|[\\s\"'(])/(work|home|root|tmp|usr|var|opt|mnt|build)/|__FILE__|\\.\\./")},
+      {"version", std::regex("plcxx[ -]v?[0-9]+\\.[0-9]|\\bversion [0-9]+\\.", std::regex::icase)},
+      {"line number",
+       std::regex("#line|__LINE__|\\.(plc|sym|lst):[0-9]|// .*\\bline [0-9]+\\b|^ *// *[0-9]+: ", std::regex::icase)},
+  };
+  Findings findings;
+  for (const std::string& file : FilesBelow(root, "samples", {".hpp", ".cpp"})) {
+    CheckLines(root, file, patterns, findings);
+  }
+  return findings;
+}
+
+Findings CheckPrivate(const std::string& root) {
+  // Written in pieces, because this file is checked as well.
+  const std::vector<Pattern> patterns = {
+      {"path of a machine", std::regex("(^|[^\\w./])/(wo"
+                                       "rk|ho"
+                                       "me/[a-z]|ro"
+                                       "ot/|t"
+                                       "mp/[bg]-)")},
+      {"e-mail address", std::regex("[A-Za-z0-9._%+-]+@[A-Za-z0-9-]+(\\.[A-Za-z0-9-]+)*\\.[A-Za-z]{2,}")},
+      {"registry", std::regex("pypi\\.or"
+                              "g|registry\\.npm|deb\\.deb"
+                              "ian|proxy\\.gol"
+                              "ang|crates\\.i"
+                              "o|artifac"
+                              "tory|packages\\.micro"
+                              "soft")},
+  };
+  Findings findings;
+  for (const std::string& file : FilesBelow(root, "")) CheckLines(root, file, patterns, findings);
+  return findings;
+}
+
+}  // namespace plcxx::policy

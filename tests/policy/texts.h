@@ -1,0 +1,16 @@
+// Rules about what texts may hold: committed C++ output, and everything else in the repository.
+#pragma once
+
+#include <string>
+
+#include "tests/policy/repository.h"
+
+namespace plcxx::policy {
+
+/// Dates, paths, versions and line numbers in the generated C++ below samples/ of `root`.
+Findings CheckGenerated(const std::string& root);
+
+/// Paths of somebody's machine, e-mail addresses, hosts of package registries, in any text file.
+Findings CheckPrivate(const std::string& root);
+
+}  // namespace plcxx::policy

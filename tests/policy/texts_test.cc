@@ -1,0 +1,31 @@
+// What no committed text contains.
+#include "tests/policy/texts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace plcxx::policy {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(Generated, SamplesKeepNothingOfTheirMaking) { EXPECT_THAT(CheckGenerated(Root()), IsEmpty()); }
+
+TEST(Generated, FixtureDoes) {
+  EXPECT_THAT(CheckGenerated(Fixture("generated")),
+              ElementsAre(HasSubstr(":1: version"), HasSubstr(":2: date"), HasSubstr(":3: path"),
+                          HasSubstr(":4: line number"), HasSubstr(":5: line number")));
+}
+
+TEST(Private, NothingOfAMachineOrAPerson) { EXPECT_THAT(CheckPrivate(Root()), IsEmpty()); }
+
+TEST(Private, FixtureDoes) {
+  EXPECT_THAT(CheckPrivate(Fixture("private")),
+              ElementsAre(HasSubstr("notes.md:1: path of a machine"), HasSubstr("notes.md:2: e-mail address"),
+                          HasSubstr("notes.md:3: registry")));
+}
+
+}  // namespace
+}  // namespace plcxx::policy
