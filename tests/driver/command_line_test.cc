@@ -99,9 +99,7 @@ TEST(CommandLine, ProgramWithErrorsIsOne) {
 TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);
-  const Ran ran = work.Run("print cpp ok.plc >/dev/full; true");
-  EXPECT_EQ(ran.code, 0);
-  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full; test $? = 2").code, 0);
+  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full 2>/dev/null; test $? = 2").code, 0);
 }
 
 // covers: NC110-233

@@ -128,7 +128,9 @@ TEST_F(Sim, RealTimeIsLimited) {
   const Ran ran = Run("--for 9999s --changes --watch U4A0 --time-limit 1");
   // A fast machine may be done before.
   EXPECT_TRUE(ran.code == 1 || ran.code == 0) << ran;
-  if (ran.code == 1) EXPECT_THAT(ran.errors, HasSubstr("stopped after 1 s"));
+  if (ran.code == 1) {
+    EXPECT_THAT(ran.errors, HasSubstr("stopped after 1 s"));
+  }
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ void AddEmit(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
+  command->footer("");                                                    // not the one of the program
   command->footer([] { return DialectOptionsText() + "\n" + kFooter; });  // made only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunEmit(*settings); }; });
 }
