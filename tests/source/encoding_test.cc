@@ -47,10 +47,16 @@ TEST(Forced, Utf8ReplacesEveryBadByte) {
   EXPECT_EQ(sources.Get(file).replaced.size(), 3u);
 }
 
-TEST(Forced, EightBitEvenWhereItIsUtf8) {
+TEST(Forced, ValidUtf8StaysUtf8) {
   SourceManager sources;
   const FileId file = Loaded(sources.AddBytes("a.plc", "Ж", {.encoding = Encoding::kCp1251}));
-  EXPECT_EQ(sources.Get(file).text, "Р–");
+  EXPECT_EQ(sources.Get(file).text, "Ж");
+}
+
+TEST(Forced, EightBitWithoutDetection) {
+  SourceManager sources;
+  const FileId file = Loaded(sources.AddBytes("a.plc", "\xC6", {.encoding = Encoding::kCp1251}));
+  EXPECT_EQ(sources.Get(file).text, "Ж");
 }
 
 TEST(Decoding, EveryByteIsOneCharacter) {

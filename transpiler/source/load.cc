@@ -45,9 +45,10 @@ std::optional<LoadError> FindLongLine(std::string_view bytes, const std::vector<
 }
 
 Encoding EncodingOf(std::string_view bytes, const LoadOptions& options, bool had_bom) {
-  if (options.encoding) return *options.encoding;
-  // A BOM is the author's word, even if a byte of another encoding has crept in later.
+  // A BOM is the author's word, even if a byte of another encoding has crept in later; and no text in an 8-bit encoding
+  // is valid UTF-8 but by accident, so one command line serves a project whose files were converted one by one.
   if (had_bom || IsValidUtf8(bytes)) return Encoding::kUtf8;
+  if (options.encoding) return *options.encoding;
   return DetectEightBit(bytes, options.fallback);
 }
 

@@ -36,7 +36,7 @@ std::optional<Encoding> EncodingByName(std::string_view name);
 std::vector<std::string_view> EncodingNames();
 
 struct LoadOptions {
-  std::optional<Encoding> encoding;      // forced; else: valid UTF-8 is UTF-8, otherwise detected by letter frequency
+  std::optional<Encoding> encoding;      // of what is not valid UTF-8; none: detected by the frequency of letters
   Encoding fallback = Encoding::kCp866;  // where detection finds no evidence
   size_t max_bytes = 64u << 20;          // a larger file is refused before it is read
   size_t max_line_bytes = 64u << 10;     // a longer line is refused
