@@ -42,6 +42,8 @@ TEST(NameTable, KnowsTheWordsOfCppAndOfTheGeneratedCode) {
   EXPECT_EQ(names.Allocate("State", "U4A9"), "State_U4A9");
   EXPECT_EQ(names.Allocate("Add8", "U4A10"), "Add8_U4A10");
   EXPECT_EQ(names.Allocate("NULL", "U4A11"), "NULL_U4A11");
+  EXPECT_EQ(names.Allocate("t1", "U4A12"), "t1_U4A12");
+  EXPECT_EQ(names.Allocate("t1a", "U4A13"), "t1a");
 }
 
 TEST(CommentText, CannotLeaveItsLine) {

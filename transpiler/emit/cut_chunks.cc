@@ -161,6 +161,8 @@ void CutChunks(Emittable& emittable) {
   emittable.region_chunks.assign(program.regions.size(), {});
   emittable.parts.push_back({});
   Cutter cutter{emittable, program, std::vector<uint32_t>(program.regions.size(), 0), {}, {}};
+  for (const std::string& name : emittable.place_names) cutter.names.insert(name);
+  for (const std::string& name : emittable.state_names) cutter.names.insert(name);
   for (const ir::Routine& routine : program.routines) {
     cutter.names.insert(routine.name);
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {

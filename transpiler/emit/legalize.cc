@@ -43,7 +43,10 @@ void FindUsedFunctions(Emittable& emittable) {
 void NamePlaces(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   NameTable names;
-  for (const ir::HostFunction& function : program.host_functions) names.Reserve(function.name);
+  for (const ir::HostFunction& function : program.host_functions) {
+    names.Reserve(function.name);
+    for (const ir::Parameter& parameter : function.parameters) names.Reserve(function.name + "_" + parameter.name);
+  }
   for (const ir::Routine& routine : program.routines) names.Reserve(routine.name);
   emittable.namespace_name = SafeIdentifier(emittable.options.name);
   names.Reserve(emittable.namespace_name);

@@ -28,6 +28,16 @@ constexpr std::string_view kTaken[] = {
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
+/// "t1", "round2": what the generated functions call their locals.
+bool IsLocalName(std::string_view name) {
+  const size_t digits = name.starts_with("round") ? 5 : name.starts_with("t") ? 1 : std::string_view::npos;
+  if (digits == std::string_view::npos || digits >= name.size()) return false;
+  for (const char c : name.substr(digits)) {
+    if (!IsDigit(c)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string SafeIdentifier(std::string_view name) {
@@ -77,7 +87,7 @@ NameTable::NameTable() {
 
 std::string NameTable::Allocate(std::string_view name, std::string_view address) {
   std::string candidate = SafeIdentifier(name);
-  if (taken_.insert(candidate).second) return candidate;
+  if (!IsLocalName(candidate) && taken_.insert(candidate).second) return candidate;
   // Through the rule once more: no name may get two underscores in a row.
   candidate = SafeIdentifier(candidate + "_" + (address.empty() ? "n" : std::string(address)));
   std::string unique = candidate;
