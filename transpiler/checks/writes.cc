@@ -20,7 +20,8 @@ void ForBits(const Context& context, const BitNumbering& numbering, const Access
     ir::Place place;
     place.state = access.state;
     const auto fields = ir::Info(context.program.states[access.state].kind).fields;
-    for (place.field = 0; place.field < fields.size(); ++place.field) visit(numbering.Of(place).first);
+    const auto count = static_cast<uint8_t>(fields.size());
+    for (place.field = 0; place.field < count; ++place.field) visit(numbering.Of(place).first);
   }
 }
 

@@ -154,7 +154,7 @@ class CompiledEngine : public sim::Engine {
     for (uint32_t i = 0; i < program_.states.size(); ++i) {
       const ir::StateKind kind = program_.states[ir::StateId(i)].kind;
       const auto fields = ir::Info(kind).fields;
-      for (uint8_t f = 0; f < fields.size(); ++f) {
+      for (uint8_t f = 0; f < static_cast<uint8_t>(fields.size()); ++f) {
         const uint32_t at = layout_.states[i].offset + emit::FieldOffset(kind, f);
         const uint32_t size = ir::Bytes(fields[f].type) * fields[f].count;
         bytes.insert(bytes.end(), state_.begin() + at, state_.begin() + at + size);

@@ -210,7 +210,7 @@ void HeaderPrinter::StateTags() {
     for (const uint32_t i : instances) out_ += "  " + emittable_.state_names[i] + ",\n";
     out_ += "};\n";
     const auto fields = ir::Info(kind).fields;
-    for (uint8_t f = 0; f < fields.size(); ++f) {
+    for (uint8_t f = 0; f < static_cast<uint8_t>(fields.size()); ++f) {
       const std::string field_tag = std::string(ir::Info(kind).struct_name) + "_" + std::string(fields[f].name);
       std::vector<uint32_t> places;
       for (uint32_t i = 0; i < program_.places.size(); ++i) {

@@ -67,7 +67,7 @@ void Instances(const Emittable& emittable, std::string& out) {
            ", \"kind\": " + Json(ir::Info(state.kind).text) +
            ", \"offset\": " + std::to_string(emittable.layout.states[i].offset) + ", \"fields\": {";
     const auto fields = ir::Info(state.kind).fields;
-    for (uint8_t f = 0; f < fields.size(); ++f) {
+    for (uint8_t f = 0; f < static_cast<uint8_t>(fields.size()); ++f) {
       out += (f == 0 ? "" : ", ") + Json(fields[f].name) + ": " +
              std::to_string(emittable.layout.states[i].offset + FieldOffset(state.kind, f));
     }
