@@ -42,7 +42,8 @@ driver::Compilation CompileFence(const Fence& program, const std::vector<Fence>&
     if (IsSource(name)) request.sources.push_back(name);
   }
   directory.Write("program.plc", program.text);
-  request.sources.insert(Has(program, "order=last") ? request.sources.begin() : request.sources.end(), "program.plc");
+  request.sources.insert(Has(program, "program=first") ? request.sources.begin() : request.sources.end(),
+                         "program.plc");
   for (const std::string& word : program.words) {
     const auto setting = ValueOf(word, "set");
     if (!setting) continue;

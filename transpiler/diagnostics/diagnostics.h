@@ -98,6 +98,8 @@ class Engine {
   uint32_t warning_count() const { return warning_count_; }
   /// Would a row be shown at all (not disabled)? For checks that cost time.
   bool Enabled(const Row& row) const;
+  /// Shows a row that is off by default, as its -W would; -Wno- still wins.
+  void Enable(const Row& row) { options_.enabled.emplace(row.code.substr(row.code.find('-') + 1)); }
   /// In source order (file, line, column); ties keep the order of detection.
   void SortBySource();
   const std::vector<Diagnostic>& all() const { return diagnostics_; }

@@ -51,6 +51,9 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   AddDeclaredMessages(tree, sources, messages, diagnostics);
   TextTable menu = ReadNamedTexts(request, "menu", TextFileKind::kMenu);
 
+  const auto ladder_lint = request.options.find("ladder-lint");
+  if (ladder_lint != request.options.end() && ladder_lint->second == "on") diagnostics.Enable(diag::Nc110Ladder.row);
+
   const CheckedProgram checked{tree, settings, sources, help, messages};
   CheckZones(checked, diagnostics);
   CheckMessages(checked, diagnostics);
@@ -58,6 +61,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   if (!diagnostics.HasErrors()) {  // what is missing may stand in a statement that was not understood
     CheckUnwritten(checked, diagnostics);
     CheckSelfHold(checked, diagnostics);
+    CheckSequencers(checked, diagnostics);
     LintLadder(sources, tree, diagnostics);
   }
 

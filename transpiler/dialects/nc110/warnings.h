@@ -30,6 +30,8 @@ void CheckZones(const CheckedProgram& program, diag::Engine& diagnostics);
 void CheckUnwritten(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W359: U = a + U without another statement that writes U.
 void CheckSelfHold(const CheckedProgram& program, diag::Engine& diagnostics);
+/// W354: counters whose input depends on their own count and may stay 1 from one step to the next.
+void CheckSequencers(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W362: messages that are selected and have no text.
 void CheckMessages(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W365: BCD words compared with decimal constants.
