@@ -40,6 +40,7 @@ class Parser {
   std::string Found() const;
   /// Where something is missing: the token in its place, or the end of the line when the line ends there.
   source::Range MissingAt() const;
+  source::Range BehindPrevious() const;
   /// A keyword or operand that is used as such: W305 or, with strict case, error 1.
   void CheckCase(const Token& token);
 
