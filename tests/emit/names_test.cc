@@ -49,7 +49,7 @@ TEST(NameTable, KnowsTheWordsOfCppAndOfTheGeneratedCode) {
 TEST(CommentText, CannotLeaveItsLine) {
   EXPECT_EQ(CommentText("a\\"), "a\\.");
   EXPECT_EQ(CommentText("  a\tb  "), "a b");
-  EXPECT_EQ(CommentText("a\r\nb"), "ab");
+  EXPECT_EQ(CommentText("a\r\nb"), "a b");
   EXPECT_EQ(CommentText("   "), "");
 }
 
