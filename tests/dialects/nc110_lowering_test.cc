@@ -183,7 +183,7 @@ TEST(Nc110Lowering, CommentsStandWithTheirStatements) {
     }
     return texts;
   };
-  EXPECT_THAT(comments(0), ElementsAre("; head of the file", "; above", "; behind"));
+  EXPECT_THAT(comments(0), ElementsAre(" head of the file", " above", " behind"));
   EXPECT_THAT(comments(1), ElementsAre(HasSubstr("slow logic")));
 }
 
