@@ -1,11 +1,10 @@
 // The one-shot: a pulse of one slow cycle on the rising edge of its input.
 //
 // Implements NC110 7.3 to the letter. All zero is the state after power-on, so an input that is 1 from the start gives
-// a pulse. `fast` says which part started the pulse, and with it what `stamp` counts.
+// a pulse. `fast` says which part started the pulse, and with it which part's expiry ends it.
 // One one-shot driven in both parts (W350): pulse and previous input are shared, each statement follows the rule of its
-// own part. The fast part's "a running pulse is not touched" holds only for a pulse that the fast part started: only
-// then is `stamp` the target it speaks of. A pulse of the slow part therefore ends at the next fast statement, as it
-// would end at the next slow one, and a slow statement ends a pulse of the fast part.
+// own part, and each part keeps its own count: a fast statement leaves a running pulse alone while its target is ahead,
+// whoever started the pulse.
 #pragma once
 
 #include <stdint.h>
@@ -13,10 +12,11 @@
 namespace plcxx {
 
 struct OneShot {
-  uint32_t stamp;  // slow part: the slow cycle of the start; fast part: the slow_done at which the pulse ends
-  bool pulse;      // Pnn
-  bool previous;   // the input at the last execution
-  bool fast;       // the part that started the pulse
+  uint32_t stamp;   // slow part: the slow cycle of the start
+  uint32_t target;  // fast part: the slow_done at which the pulse ends
+  bool pulse;       // Pnn
+  bool previous;    // the input at the last execution
+  bool fast;        // the part that started the pulse
 };
 
 /// True when `slow_done` has reached the target, by difference, so that both may wrap.
@@ -38,11 +38,12 @@ constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcep
 /// that the slow part sees it everywhere. `slice` is the slice that the slow part executes next; not 0: a slow cycle is
 /// half done and does not count as a complete one.
 constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done, uint8_t slice) noexcept {
-  const bool running = shot.pulse && shot.fast && !ReachedSlowCycle(slow_done, shot.stamp);
+  const bool running = shot.pulse && !ReachedSlowCycle(slow_done, shot.target);
   if (!running) {
     shot.pulse = input && !shot.previous;
+    shot.target = slow_done;  // reached; kept near, so that a wrap of the count never makes an old one look new
     if (shot.pulse) {
-      shot.stamp = slow_done + (slice != 0 ? 2U : 1U);
+      shot.target = slow_done + (slice != 0 ? 2U : 1U);
       shot.fast = true;
     }
   }
@@ -56,7 +57,7 @@ constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
 
 /// End of an execution of the fast part: a pulse started there ends when its slow cycles are done.
 constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
-  if (shot.fast && ReachedSlowCycle(slow_done, shot.stamp)) shot.pulse = false;
+  if (shot.fast && ReachedSlowCycle(slow_done, shot.target)) shot.pulse = false;
 }
 
 }  // namespace plcxx

@@ -172,7 +172,19 @@ TEST(OneShot, StampOfTheSlowPartIsNoTargetOfTheFastPart) {
   PulseFast(shot, false, 10, 0);
   PulseFast(shot, true, 10, 1);  // a new edge in the fast part
   EXPECT_TRUE(shot.pulse && shot.fast);
-  EXPECT_EQ(shot.stamp, 12U);
+  EXPECT_EQ(shot.target, 12U);
+}
+
+// covers: NC110-248
+TEST(OneShot, FastStatementLeavesARunningPulseAloneWhoeverStartedIt) {
+  OneShot shot{};
+  PulseFast(shot, true, 10, 1);   // target 12
+  PulseSlow(shot, false, 11);     // the slow statement ends it
+  PulseSlow(shot, true, 12);      // and starts one of its own
+  PulseFast(shot, false, 11, 0);  // 7.3: P is 1 and 11 < 12
+  EXPECT_TRUE(shot.pulse);
+  PulseFast(shot, false, 12, 0);
+  EXPECT_FALSE(shot.pulse);
 }
 
 // covers: NC110-248

@@ -1,4 +1,6 @@
 // The command line of plcxx. Nothing is initialized before a subcommand is chosen, so that the start costs nothing.
+#include <pthread.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
@@ -59,16 +61,45 @@ int Main(int argc, char** argv) {
   return code == kDone ? static_cast<int>(kWrongUse) : code;
 }
 
+int GuardedMain(int argc, char** argv) {
+  try {
+    return Main(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "plcxx: out of memory\n";
+    return kInternalFault;
+  } catch (const std::exception& fault) {
+    return InternalFault(fault.what());
+  }
+}
+
+struct Call {
+  int argc;
+  char** argv;
+  int code;
+};
+
+/// A chain of DOE members is a nest of else arms, and the phases walk regions by recursion: what a long chain needs is
+/// stack. The pages are only taken when they are used.
+int RunOnDeepStack(int argc, char** argv) {
+  constexpr size_t kStackBytes = size_t{1} << 30;
+  Call call{argc, argv, kInternalFault};
+  pthread_attr_t attributes;
+  pthread_t thread;
+  pthread_attr_init(&attributes);
+  const auto body = [](void* data) -> void* {
+    auto* const own = static_cast<Call*>(data);
+    own->code = GuardedMain(own->argc, own->argv);
+    return nullptr;
+  };
+  const bool started = pthread_attr_setstacksize(&attributes, kStackBytes) == 0 &&
+                       pthread_create(&thread, &attributes, body, &call) == 0;
+  pthread_attr_destroy(&attributes);
+  if (!started) return GuardedMain(argc, argv);  // not that much address space: the usual stack must do
+  pthread_join(thread, nullptr);
+  return call.code;
+}
+
 }  // namespace
 }  // namespace plcxx::driver
 
-int main(int argc, char** argv) {
-  try {
-    return plcxx::driver::Main(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "plcxx: out of memory\n";
-    return plcxx::driver::kInternalFault;
-  } catch (const std::exception& fault) {
-    return plcxx::driver::InternalFault(fault.what());
-  }
-}
+int main(int argc, char** argv) { return plcxx::driver::RunOnDeepStack(argc, argv); }
