@@ -80,8 +80,8 @@ TEST(Nc110Errors, Syntax) {
       {"U4A0 I0A0", "1:6 nc110-2", {"syntax", "'=' expected"}},
       {"U4A0=", "1:6 nc110-2", {"syntax", "expected"}},
       {"U4A0=I0A0+ +I0A1", "1:12 nc110-2", {"syntax", "expected"}},
-      {"U4A0=I0A0*\nU4A1=I0A1", "1:11 nc110-2", {"syntax", "expected"}},
-      {"U4A0=(I0A0+I0A1\nU4A1=I0A1", "1:16 nc110-2", {"syntax", "')' expected"}},
+      {"U4A0=I0A0*\nU4A1=I0A1", "2:1 nc110-2", {"syntax", "expected"}},
+      {"U4A0=(I0A0+I0A1\nU4A1=I0A1", "2:1 nc110-2", {"syntax", "')' expected"}},
       {"U4A0=I0A0)", "1:10 nc110-2", {"syntax", "statement"}},
       {"U4A0=I0A0,I0A1", "1:10 nc110-2", {"syntax"}},
       {"U4A0=I0A0 5", "1:11 nc110-2", {"syntax"}},
@@ -96,8 +96,8 @@ TEST(Nc110Errors, Syntax) {
       {"T5I(30=I0A0", "1:7 nc110-2", {"syntax", "')' expected"}},
       {"P6(3)=I0A0", "1:3 nc110-2", {"syntax", "'=' expected"}},
       {"U4A0(3)=I0A0", "1:5 nc110-2", {"syntax", "'=' expected"}},
-      {"DOF I0A0\nU4A0=I0A1\nENDF", "1:9 nc110-2", {"syntax", "':' expected"}},
-      {"DOF I0A0*I0A1\nU4A0=I0A1\nENDF", "1:9 nc110-2", {"syntax", "':' expected"}},
+      {"DOF I0A0\nU4A0=I0A1\nENDF", "2:1 nc110-2", {"syntax", "':' expected"}},
+      {"DOF I0A0*I0A1\nU4A0=I0A1\nENDF", "2:1 nc110-2", {"syntax", "':' expected"}},
       {"DOF:\n I0A0 ENDF", "1:4 nc110-2", {"syntax", "condition expected"}},
       {"DOF: ;I0A0\nENDF", "1:4 nc110-2", {"syntax", "condition expected"}},
       {"DOF: U1K0=I0A0 ENDF", "1:4 nc110-2", {"syntax", "condition expected"}},
@@ -165,9 +165,9 @@ TEST(Nc110Errors, Mux) {
       {"W4K0=MUX(W1K0),I0A0)", "1:16 nc110-11", {"MUX", "'('"}},
       {"W4K0=MUX(W1K0,(I0A0)", "1:16 nc110-3", {"word expected"}},
       {"W4K0=MUX(W1K0;)", "1:14 nc110-12", {"MUX", "')'"}},
-      {"W4K0=MUX(W1K0),(I0A0\nU4A0=I0A0", "1:21 nc110-12", {"MUX", "')'"}},
+      {"W4K0=MUX(W1K0),(I0A0\nU4A0=I0A0", "2:1 nc110-12", {"MUX", "')'"}},
       {"W4K0=MUX(W1K0)(I0A0)", "1:15 nc110-2", {"',' expected"}},
-      {"W4K0=MUX(W1K0)\nU4A0=I0A0", "1:15 nc110-2", {"',' expected"}},
+      {"W4K0=MUX(W1K0)\nU4A0=I0A0", "2:1 nc110-2", {"',' expected"}},
       {"W4K0=MUX(W1K0,W1K1),(I0A0)", "1:6 nc110-13", {"MUX", "number of"}},
       {"W4K0=MUX(1,2,3,4,5,6,7,8,9),(I0A0,I0A1,I0A2,I0A3,I0A4,I0A5,I0A6,I0A7,I0A8)",
        "1:26 nc110-13",
@@ -211,11 +211,11 @@ TEST(Nc110Errors, Comparators) {
       {"U4A0=[W1K0+1>W2K0]", "1:11 nc110-20", {"']'"}},
       {"U4A0=[W1K0>W2K0-1]", "1:16 nc110-20", {"']'"}},
       {"U4A0=[W1K0>W2K0 U4A1=I0A0", "1:17 nc110-20", {"']'"}},
-      {"U4A0=[W1K0>W2K0\nU4A1=I0A0", "1:16 nc110-20", {"']'"}},
+      {"U4A0=[W1K0>W2K0\nU4A1=I0A0", "2:1 nc110-20", {"']'"}},
       {"U4A0=[W1K0+W2K0=3]\nU4A1=I0A0", "1:11 nc110-20", {"']'"}},
       {"W4K0=[W1K0+1", "1:13 nc110-20", {"']'"}},
       {"W4K0=[W1K0*2]", "1:11 nc110-20", {"']'"}},
-      {"W4K0=[W1K0+1\nU4A1=I0A0", "1:13 nc110-20", {"']'"}},
+      {"W4K0=[W1K0+1\nU4A1=I0A0", "2:1 nc110-20", {"']'"}},
   });
 }
 
@@ -239,7 +239,7 @@ TEST(Nc110Errors, Functions) {
     const std::string open = " nc110-" + std::to_string(31 + i);
     ExpectWrong({"U4A0=I0A0*" + name + "(W1K0)*I0A1\nU4A1=I0A0", "1:11" + misuse, {name}});
     ExpectWrong({"W4K0=" + name + " W1K0\nU4A1=I0A0", "1:10" + misuse, {name}});
-    ExpectWrong({"W4K0=" + name + "(W1K0\nU4A1=I0A0", "1:14" + open, {name, "')'"}});
+    ExpectWrong({"W4K0=" + name + "(W1K0\nU4A1=I0A0", "2:1" + open, {name, "')'"}});
     ExpectWrong({"W4K0=" + name + "(W1K0]", "1:14" + open, {name, "')'"}});
   }
   ExpectAll({
@@ -330,7 +330,7 @@ TEST(Nc110Errors, EveryStatementReportsItsOwn) {
   Parsed parsed;
   ParseInto(parsed, {"U4A0=W1K0 W1K0=I0A0\nU4A1=[W1K0=\nU4A2=I0A0\nI0A0=1\nU4A3=I0A0**I0A1*W1K0\nU4A4=I0A0"});
   EXPECT_THAT(parsed.Errors(),
-              ElementsAre("1:6 nc110-3", "1:16 nc110-3", "2:12 nc110-3", "4:1 nc110-3", "5:11 nc110-2"));
+              ElementsAre("1:6 nc110-3", "1:16 nc110-3", "3:1 nc110-3", "4:1 nc110-3", "5:11 nc110-2"));
   EXPECT_EQ(parsed.program.items.size(), 7u);
 }
 

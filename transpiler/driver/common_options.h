@@ -46,6 +46,7 @@ void AddCheck(CLI::App& app, Run& run);
 void AddPrint(CLI::App& app, Run& run);
 void AddSim(CLI::App& app, Run& run);
 void AddExplain(CLI::App& app, Run& run);
-void AddLaterCommands(CLI::App& app, Run& run);  // build, diff, report
+void AddReport(CLI::App& app, Run& run);
+void AddLaterCommands(CLI::App& app, Run& run);  // build, diff
 
 }  // namespace plcxx::driver

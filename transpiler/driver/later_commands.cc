@@ -13,10 +13,9 @@ struct LaterCommand {
   const char* name;
   const char* meaning;
 };
-constexpr std::array<LaterCommand, 3> kLaterCommands = {{
+constexpr std::array<LaterCommand, 2> kLaterCommands = {{
     {"build", "Emit and compile for a target (comes with a later version)"},
     {"diff", "Which outputs' logic changed (comes with a later version)"},
-    {"report", "Cross reference, memory map, ladder pictures (comes with a later version)"},
 }};
 
 }  // namespace

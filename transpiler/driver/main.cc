@@ -42,6 +42,7 @@ int Main(int argc, char** argv) {
   AddTest(app, run);
   AddSim(app, run);
   AddExplain(app, run);
+  AddReport(app, run);
   AddLaterCommands(app, run);
   try {
     app.parse(argc, argv);
@@ -81,7 +82,7 @@ struct Call {
 /// A chain of DOE members is a nest of else arms, and the phases walk regions by recursion: what a long chain needs is
 /// stack. The pages are only taken when they are used.
 int RunOnDeepStack(int argc, char** argv) {
-  constexpr size_t kStackBytes = size_t{1} << 30;
+  constexpr size_t kStackBytes = size_t{256} << 20;
   Call call{argc, argv, kInternalFault};
   pthread_attr_t attributes;
   pthread_t thread;

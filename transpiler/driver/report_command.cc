@@ -1,0 +1,178 @@
+// plcxx report: tables about a program. The page with pictures comes with a later version.
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "transpiler/checks/accesses.h"
+#include "transpiler/cost/cost_model.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx report turret.sym turret.plc --print-symbols      names, addresses, number of reads and writes
+  plcxx report turret.sym turret.plc --cross-reference    who reads and who writes, with file and line
+  plcxx report turret.sym turret.plc --cost-listing       the estimated time of each statement
+
+Tables go to standard output. A page with ladder pictures comes with a later version.
+Exit codes: 0 done, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
+
+struct Uses {
+  std::vector<source::Range> reads, writes;
+};
+
+/// By the bits that a place covers.
+using UsesByBits = std::map<std::pair<uint32_t, uint32_t>, Uses>;
+
+/// The field that the instance's own statement sets: its input, or of a one-shot the pulse.
+uint8_t DrivenField(ir::StateKind kind) {
+  const auto fields = ir::Info(kind).fields;
+  uint8_t first_open = 0;
+  for (uint8_t f = static_cast<uint8_t>(fields.size()); f-- > 0;) {
+    if (fields[f].name == "input") return f;
+    if (!fields[f].hidden) first_open = f;
+  }
+  return first_open;
+}
+
+UsesByBits CollectUses(const ir::Program& program) {
+  const checks::BitNumbering numbering(program);
+  UsesByBits uses;
+  for (const checks::PartAccesses& part : checks::CollectAccesses(program)) {
+    for (const checks::Access& access : part.accesses) {
+      if (access.kind == checks::AccessKind::kDrive) {
+        ir::Place place;
+        place.state = access.state;
+        place.field = DrivenField(program.states[access.state].kind);
+        const checks::BitSpan span = numbering.Of(place);
+        uses[{span.first, span.last}].writes.push_back(access.range);
+      } else if (access.place.valid()) {
+        const checks::BitSpan span = numbering.Of(program.places[access.place]);
+        Uses& both = uses[{span.first, span.last}];
+        (access.kind == checks::AccessKind::kRead ? both.reads : both.writes).push_back(access.range);
+      }
+    }
+  }
+  return uses;
+}
+
+const Uses* UsesOf(const Compilation& compilation, const UsesByBits& uses, const std::string& address) {
+  const auto location = compilation.dialect->locate(compilation.program, address);
+  if (!location || location->absent || location->text_input) return nullptr;
+  const checks::BitSpan span = checks::BitNumbering(compilation.program).Of(location->place);
+  const auto found = uses.find({span.first, span.last});
+  return found == uses.end() ? nullptr : &found->second;
+}
+
+std::string Padded(std::string text, size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+std::string PlacesText(const Compilation& compilation, const std::vector<source::Range>& ranges) {
+  std::string out;
+  for (const source::Range& range : ranges) {
+    const source::Position at = compilation.sources->Locate(range.begin);
+    if (!at.file.valid()) continue;
+    out += (out.empty() ? "" : " ") + compilation.sources->Get(at.file).path + ":" + std::to_string(at.line);
+  }
+  return out.empty() ? "-" : out;
+}
+
+void PrintSymbols(const Compilation& compilation) {
+  const UsesByBits uses = CollectUses(compilation.program);
+  struct Row {
+    std::string address;
+    const Uses* uses;
+  };
+  std::map<std::string, Row> rows;  // sorted by name, as the control itself keeps its table
+  for (const ir::Documentation& known : compilation.program.documentation) {
+    const Uses* used = UsesOf(compilation, uses, known.address);
+    for (size_t at = 0; at < known.symbols.size();) {
+      const size_t end = std::min(known.symbols.find(", ", at), known.symbols.size());
+      rows[known.symbols.substr(at, end - at)] = {known.address, used};
+      at = end + 2;
+    }
+  }
+  std::cout << "symbol            operand   reads  writes\n";
+  for (const auto& [name, row] : rows) {
+    std::cout << Padded(name, 17) << ' ' << Padded(row.address, 9) << ' '
+              << Padded(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
+              << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
+  }
+}
+
+void PrintCrossReference(const Compilation& compilation) {
+  const UsesByBits uses = CollectUses(compilation.program);
+  for (const ir::Documentation& known : compilation.program.documentation) {
+    std::cout << known.address;
+    if (!known.symbols.empty()) std::cout << "  " << known.symbols;
+    if (!known.predefined.empty()) std::cout << "  (" << known.predefined << ')';
+    const std::string& text = known.help.empty() ? known.meaning : known.help;
+    if (!text.empty()) std::cout << "  " << text;
+    const Uses* used = UsesOf(compilation, uses, known.address);
+    std::cout << "\n  written: " << (used == nullptr ? "-" : PlacesText(compilation, used->writes))
+              << "\n  read:    " << (used == nullptr ? "-" : PlacesText(compilation, used->reads)) << '\n';
+  }
+}
+
+void PrintCosts(const Compilation& compilation) {
+  const ir::Program& program = compilation.program;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+    if (routine.kind != ir::RoutineKind::kFast && routine.kind != ir::RoutineKind::kSlow) continue;
+    const cost::Estimate estimate = cost::EstimateRoutine(program, ir::RoutineId(i));
+    std::cout << routine.name << ": " << estimate.time_us() << " us, " << estimate.total.code_bytes << " bytes\n";
+    for (const cost::StatementCost& statement : estimate.statements) {
+      const source::Range range = program.statements[statement.statement].range;
+      const std::string_view text = compilation.sources->Text(range);
+      std::cout << "  " << Padded(std::to_string(statement.own.time_ns) + " ns", 9)
+                << Padded(std::to_string(statement.own.code_bytes) + " bytes", 11) << PlacesText(compilation, {range})
+                << "  " << text.substr(0, text.find_first_of("\r\n")) << '\n';
+    }
+  }
+}
+
+struct ReportOptions {
+  CommonOptions common;
+  bool symbols = false;
+  bool cross_reference = false;
+  bool costs = false;
+};
+
+int RunReport(const ReportOptions& options) {
+  std::optional<CompilationRequest> request = MakeRequest(options.common);
+  if (!request) return kWrongUse;
+  if (!options.symbols && !options.cross_reference && !options.costs) {
+    PrintUsageError("report needs a table: --print-symbols, --cross-reference or --cost-listing");
+    return kWrongUse;
+  }
+  const Compilation compilation = Compile(*request, Stage::kChecked);
+  if (!compilation.ok()) {
+    PrintDiagnosticsBeside(compilation, FormatOf(options.common));
+    return ExitCodeOf(compilation);
+  }
+  if (options.symbols) PrintSymbols(compilation);
+  if (options.cross_reference) PrintCrossReference(compilation);
+  if (options.costs) PrintCosts(compilation);
+  return kDone;
+}
+
+}  // namespace
+
+void AddReport(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("report", "Symbols, cross reference, costs of the statements");
+  const auto options = std::make_shared<ReportOptions>();
+  AddCommonOptions(*command, options->common);
+  command->add_flag("--print-symbols", options->symbols, "The symbols by name, with the number of reads and writes");
+  command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");
+  command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");
+  command->footer(kFooter);
+  command->callback([options, &run] { run = [options] { return RunReport(*options); }; });
+}
+
+}  // namespace plcxx::driver
