@@ -97,7 +97,7 @@ TEST(Nc110Errors, Syntax) {
       {"P6(3)=I0A0", "1:3 nc110-2", {"syntax", "'=' expected"}},
       {"U4A0(3)=I0A0", "1:5 nc110-2", {"syntax", "'=' expected"}},
       {"DOF I0A0\nU4A0=I0A1\nENDF", "2:1 nc110-2", {"syntax", "':' expected"}},
-      {"DOF I0A0*I0A1\nU4A0=I0A1\nENDF", "2:1 nc110-2", {"syntax", "':' expected"}},
+      {"DOF I0A0*I0A1\nU4A0=I0A1\nENDF", "1:9 nc110-2", {"syntax", "':' expected"}},
       {"DOF:\n I0A0 ENDF", "1:4 nc110-2", {"syntax", "condition expected"}},
       {"DOF: ;I0A0\nENDF", "1:4 nc110-2", {"syntax", "condition expected"}},
       {"DOF: U1K0=I0A0 ENDF", "1:4 nc110-2", {"syntax", "condition expected"}},

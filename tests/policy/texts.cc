@@ -36,8 +36,7 @@ Findings CheckGenerated(const std::string& root) {
       {"date", std::regex("\\b20[0-9]{2}-[0-9]{2}-[0-9]{2}\\b|__DATE__|__TIME__")},
       {"path", std::regex("(^|[\\s\"'(])/(work|home|root|tmp|usr|var|opt|mnt|build)/|__FILE__|\\.\\./")},
       {"version", std::regex("plcxx[ -]v?[0-9]+\\.[0-9]|\\bversion [0-9]+\\.", std::regex::icase)},
-      {"line number",
-       std::regex("#line|__LINE__|\\.(plc|sym|lst):[0-9]|// .*\\bline [0-9]+\\b", std::regex::icase)},
+      {"line number", std::regex("#line|__LINE__|\\.(plc|sym|lst):[0-9]|// .*\\bline [0-9]+\\b", std::regex::icase)},
   };
   Findings findings;
   for (const std::string& file : FilesBelow(root, "samples", {".hpp", ".cpp"})) {

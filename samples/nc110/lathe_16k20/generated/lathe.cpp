@@ -29,10 +29,10 @@ static_assert(offsetof(State, word32) == 68, "the symbol map holds for this layo
 static_assert(offsetof(State, on_delay_timer) == 84, "the symbol map holds for this layout");
 static_assert(offsetof(State, ring_counter) == 456, "the symbol map holds for this layout");
 static_assert(offsetof(State, one_shot) == 600, "the symbol map holds for this layout");
-static_assert(offsetof(State, text_flag) == 712, "the symbol map holds for this layout");
-static_assert(offsetof(State, text_inbox) == 720, "the symbol map holds for this layout");
-static_assert(offsetof(State, byte) == 754, "the symbol map holds for this layout");
-static_assert(offsetof(State, bit) == 792, "the symbol map holds for this layout");
+static_assert(offsetof(State, text_flag) == 768, "the symbol map holds for this layout");
+static_assert(offsetof(State, text_inbox) == 776, "the symbol map holds for this layout");
+static_assert(offsetof(State, byte) == 810, "the symbol map holds for this layout");
+static_assert(offsetof(State, bit) == 848, "the symbol map holds for this layout");
 
 namespace {
 

@@ -41,14 +41,14 @@ void fault(Host& host, fault_kind kind, uint32_t index) noexcept;
 
 // Signals, one byte each.
 enum Bit : uint16_t {
-  ESTOK,  // I0A0 ESTOK: Emergency chain closed: mushroom buttons, cabinetdoor, over-travel switches. 0 takes the drives off.
+  ESTOK,  // I0A0 ESTOK: Emergency chain closed: mushroom buttons, cabinet door, over-travel switches. 0 takes the drives off.
   KEYON,  // I0A1: key "machine on"
   KEYOFF,  // I0A2: key "machine off", opens
   LIMXP,  // I0A3: travel limit X+, opens
   LIMXN,  // I0A4: travel limit X-, opens
   LIMZP,  // I0A5: travel limit Z+, opens
   LIMZN,  // I0A6: travel limit Z-, opens
-  KEYOVR,  // I0A7 KEYOVR: Key switch of the fitter. In manual mode the axes mayleave a limit switch with it.
+  KEYOVR,  // I0A7 KEYOVR: Key switch of the fitter. In manual mode the axes may leave a limit switch with it.
   P24OK,  // I0A8: 24 V supply
   PHASOK,  // I0A9: phase monitor
   CABOK,  // I0A10: cabinet temperature
@@ -89,7 +89,7 @@ enum Bit : uint16_t {
   RNGV1,  // U4A7: valves of the gearbox
   RNGV2,  // U4A8
   RNGV3,  // U4A9
-  TURFWD,  // U4A10 TURFWD: Contactor of the turret motor: unlock and turn.Never together with U4A11.
+  TURFWD,  // U4A10 TURFWD: Contactor of the turret motor: unlock and turn. Never together with U4A11.
   TURREV,  // U4A11 TURREV: Contactor of the turret motor: turn into the lock.
   CHKVCL,  // U4A12
   CHKVUN,  // U4A13
@@ -365,7 +365,7 @@ inline constexpr plcxx::PackedBit U10K9{W10K1, 1};  // RABI2: close the servo lo
 
 // Words of the retentive block, by address.
 enum RetentiveByte : uint16_t {
-  PLUBINT = 0,  // W0T0 T01: Interval between two lubrications, unit 20 ms:0EA60H = 60000 = 20 minutes.
+  PLUBINT = 0,  // W0T0 T01: Interval between two lubrications, unit 20 ms: 0EA60H = 60000 = 20 minutes.
   W0T1 = 1,
   PLUBPRS = 2,  // W0T2 T03: retentive byte, record T03 of section 4 of IOCFIL
   W0T3 = 3,
