@@ -83,14 +83,8 @@ class LadderLint {
           facts.problem = "arithmetic with other than two operands";
         }
         break;
-      case ExprKind::kEnc:
-      case ExprKind::kDec:
-      case ExprKind::kBcd:
-      case ExprKind::kBin:
-      case ExprKind::kHig:
-      case ExprKind::kLow:
-      case ExprKind::kXch:
-      case ExprKind::kAbs:
+#define PLCXX_WORD_FUNCTION(Kind, ...) case ExprKind::k##Kind:
+#include "transpiler/dialects/nc110/functions.def"
       case ExprKind::kSgn:
         facts.series = 1;
         break;

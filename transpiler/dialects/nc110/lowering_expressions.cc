@@ -72,22 +72,10 @@ ir::ValueId Lowering::EvaluateExpr(const Expr& expr) {
       return two_words(OpKind::kEqual8);
     case ExprKind::kGreater:
       return two_words(OpKind::kGreater8);
-    case ExprKind::kEnc:
-      return one(OpKind::kHighestBit8);
-    case ExprKind::kDec:
-      return one(OpKind::kOneHot8);
-    case ExprKind::kBcd:
-      return one(OpKind::kToBcd8);
-    case ExprKind::kBin:
-      return one(OpKind::kFromBcd8);
-    case ExprKind::kHig:
-      return one(OpKind::kHighNibble8);
-    case ExprKind::kLow:
-      return one(OpKind::kLowNibble8);
-    case ExprKind::kXch:
-      return one(OpKind::kSwapNibbles8);
-    case ExprKind::kAbs:
-      return one(OpKind::kAbs8);
+#define PLCXX_WORD_FUNCTION(Kind, NameText, Operation, ...) \
+  case ExprKind::k##Kind:                                   \
+    return one(OpKind::k##Operation);
+#include "transpiler/dialects/nc110/functions.def"
     case ExprKind::kSgn:
       return one(OpKind::kSignBit8);
   }

@@ -1,6 +1,4 @@
 // Functions, arithmetic and comparators: everything in brackets.
-#include <array>
-
 #include "transpiler/dialects/nc110/parser_internal.h"
 
 namespace plcxx::nc110 {
@@ -13,17 +11,10 @@ struct FunctionMessages {
 };
 
 const FunctionMessages& MessagesOf(Function function) {
-  // In the order of Function, up to ABS.
-  static const std::array<FunctionMessages, 8> kMessages = {{
-      {diag::Nc110DecAsSignal, diag::Nc110DecOpen, diag::Nc110DecClose},
-      {diag::Nc110EncAsSignal, diag::Nc110EncOpen, diag::Nc110EncClose},
-      {diag::Nc110BinAsSignal, diag::Nc110BinOpen, diag::Nc110BinClose},
-      {diag::Nc110BcdAsSignal, diag::Nc110BcdOpen, diag::Nc110BcdClose},
-      {diag::Nc110LowAsSignal, diag::Nc110LowOpen, diag::Nc110LowClose},
-      {diag::Nc110HigAsSignal, diag::Nc110HigOpen, diag::Nc110HigClose},
-      {diag::Nc110XchAsSignal, diag::Nc110XchOpen, diag::Nc110XchClose},
-      {diag::Nc110AbsAsSignal, diag::Nc110AbsOpen, diag::Nc110AbsClose},
-  }};
+  static const FunctionMessages kMessages[] = {
+#define PLCXX_WORD_FUNCTION(Kind, ...) {diag::Nc110##Kind##AsSignal, diag::Nc110##Kind##Open, diag::Nc110##Kind##Close},
+#include "transpiler/dialects/nc110/functions.def"
+  };
   return kMessages[static_cast<size_t>(function)];
 }
 
@@ -36,18 +27,10 @@ uint32_t UpperBound(const Expr& expr) {
   switch (expr.kind) {
     case ExprKind::kConstant:
       return expr.value;
-    case ExprKind::kEnc:
-      return 8;
-    case ExprKind::kHig:
-    case ExprKind::kLow:
-      return 15;
-    case ExprKind::kBin:
-      return 165;
-    case ExprKind::kBcd:
-      return 0x99;
-    case ExprKind::kAbs:
-    case ExprKind::kDec:
-      return 128;
+#define PLCXX_WORD_FUNCTION(Kind, NameText, Operation, greatest) \
+  case ExprKind::k##Kind:                                        \
+    return greatest;
+#include "transpiler/dialects/nc110/functions.def"
     default:
       return 255;
   }

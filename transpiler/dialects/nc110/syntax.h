@@ -82,14 +82,9 @@ enum class ExprKind : uint8_t {
   kLess,  // left, right: unsigned comparison of two words, gives a signal
   kEqual,
   kGreater,
-  kEnc,  // left: word functions
-  kDec,
-  kBcd,
-  kBin,
-  kHig,
-  kLow,
-  kXch,
-  kAbs,
+// left: word functions
+#define PLCXX_WORD_FUNCTION(Kind, ...) k##Kind,
+#include "transpiler/dialects/nc110/functions.def"
   kSgn,  // left: a signal
 };
 

@@ -38,22 +38,10 @@ std::string_view OperatorName(ExprKind kind) {
       return "equal";
     case ExprKind::kGreater:
       return "greater";
-    case ExprKind::kEnc:
-      return "ENC";
-    case ExprKind::kDec:
-      return "DEC";
-    case ExprKind::kBcd:
-      return "BCD";
-    case ExprKind::kBin:
-      return "BIN";
-    case ExprKind::kHig:
-      return "HIG";
-    case ExprKind::kLow:
-      return "LOW";
-    case ExprKind::kXch:
-      return "XCH";
-    case ExprKind::kAbs:
-      return "ABS";
+#define PLCXX_WORD_FUNCTION(Kind, NameText, ...) \
+  case ExprKind::k##Kind:                        \
+    return NameText;
+#include "transpiler/dialects/nc110/functions.def"
     case ExprKind::kSgn:
       return "SGN";
   }

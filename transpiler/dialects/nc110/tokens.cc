@@ -2,12 +2,15 @@
 
 #include <array>
 #include <bit>
+#include <iterator>
 
 namespace plcxx::nc110 {
 namespace {
 
-constexpr std::array<std::string_view, 10> kFunctionNames = {"DEC", "ENC", "BIN", "BCD", "LOW",
-                                                             "HIG", "XCH", "ABS", "SGN", "MUX"};
+constexpr std::string_view kFunctionNames[] = {
+#define PLCXX_WORD_FUNCTION(Kind, NameText, ...) NameText,
+#include "transpiler/dialects/nc110/functions.def"
+    "SGN", "MUX"};
 
 bool Same(std::string_view run, std::string_view capitals) {
   if (run.size() != capitals.size()) {
@@ -198,22 +201,10 @@ std::string_view Name(Function function) { return kFunctionNames[static_cast<siz
 
 ExprKind ExprKindOf(Function function) {
   switch (function) {
-    case Function::kDec:
-      return ExprKind::kDec;
-    case Function::kEnc:
-      return ExprKind::kEnc;
-    case Function::kBin:
-      return ExprKind::kBin;
-    case Function::kBcd:
-      return ExprKind::kBcd;
-    case Function::kLow:
-      return ExprKind::kLow;
-    case Function::kHig:
-      return ExprKind::kHig;
-    case Function::kXch:
-      return ExprKind::kXch;
-    case Function::kAbs:
-      return ExprKind::kAbs;
+#define PLCXX_WORD_FUNCTION(Kind, ...) \
+  case Function::k##Kind:              \
+    return ExprKind::k##Kind;
+#include "transpiler/dialects/nc110/functions.def"
     case Function::kSgn:
       return ExprKind::kSgn;
     case Function::kMux:
@@ -227,7 +218,7 @@ Word Classify(std::string_view run) {
     return {TokenKind::kNumber};
   }
   if (run.size() == 3) {
-    for (size_t i = 0; i < kFunctionNames.size(); ++i) {
+    for (size_t i = 0; i < std::size(kFunctionNames); ++i) {
       if (Same(run, kFunctionNames[i])) {
         return {TokenKind::kFunction, static_cast<Function>(i)};
       }

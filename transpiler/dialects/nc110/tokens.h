@@ -50,7 +50,12 @@ enum class TokenKind : uint8_t {
 /// "operand", "'='": for `print tokens`.
 std::string_view Name(TokenKind kind);
 
-enum class Function : uint8_t { kDec, kEnc, kBin, kBcd, kLow, kHig, kXch, kAbs, kSgn, kMux };
+enum class Function : uint8_t {
+#define PLCXX_WORD_FUNCTION(Kind, ...) k##Kind,
+#include "transpiler/dialects/nc110/functions.def"
+  kSgn,
+  kMux
+};
 
 std::string_view Name(Function function);
 /// kMux has none.
