@@ -66,7 +66,7 @@ SnapshotCell CellAt(const ir::Program& program, size_t at, uint8_t bits) {
   }
   for (uint32_t i = 0; i < program.states.size(); ++i) {
     const auto fields = ir::Info(program.states[ir::StateId(i)].kind).fields;
-    for (uint8_t f = 0; f < fields.size(); ++f) {
+    for (uint8_t f = 0, count = static_cast<uint8_t>(fields.size()); f < count; ++f) {
       const size_t size = size_t{ir::Bytes(fields[f].type)} * fields[f].count;
       if (at < base + size) return FieldCell(program, ir::StateId(i), f, base, at);
       base += size;

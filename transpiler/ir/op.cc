@@ -16,6 +16,7 @@ struct TypeList {
 };
 // Names as the tables write them, so that a row reads "(Bit, I32)".
 namespace names {
+// NOLINTNEXTLINE(readability-identifier-naming)
 constexpr Type None = Type::kNone, Bit = kTypeBit, I8 = kTypeI8, I16 = kTypeI16, I32 = kTypeI32;
 template <class... T>
 constexpr TypeList Types(T... types) {

@@ -146,7 +146,7 @@ void Instances::Clear() {
 
 void Instances::AppendTo(std::vector<uint8_t>& bytes) const {
   for (uint32_t i = 0; i < size(); ++i) {
-    const size_t fields = ir::Info(kinds_[i]).fields.size();
+    const auto fields = static_cast<uint8_t>(ir::Info(kinds_[i]).fields.size());
     for (uint8_t field = 0; field < fields; ++field) {
       const FieldSlot& slot = SlotOf(kinds_[i], field);
       const std::span<const unsigned char> all = FieldBytes(instances_[i], slot);

@@ -188,7 +188,7 @@ void Simulator::Stepped(uint32_t instance) {
   instances_.Reforce(instance);
   if (!last_writes_) return;
   const auto fields = ir::Info(instances_.KindOf(instance)).fields;
-  for (uint8_t field = 0; field < fields.size(); ++field) {
+  for (uint8_t field = 0, count = static_cast<uint8_t>(fields.size()); field < count; ++field) {
     if (!fields[field].hidden) NoteField(instance, field, NewWrite(Writer::kProgram));
   }
 }

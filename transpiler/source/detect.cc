@@ -67,8 +67,8 @@ Meaning MeaningOf(char16_t unit) {
 Meanings MeaningsOf(Encoding encoding) {
   Meanings meanings;
   for (char c = 'a'; c <= 'z'; ++c) {
-    meanings[static_cast<size_t>(c)].kind = Kind::kLatin;
-    meanings[static_cast<size_t>(c - 'a' + 'A')].kind = Kind::kLatin;
+    meanings[static_cast<uint8_t>(c)].kind = Kind::kLatin;
+    meanings[static_cast<uint8_t>(c - 'a' + 'A')].kind = Kind::kLatin;
   }
   const std::array<char16_t, 128>& upper = UpperHalf(encoding);
   for (size_t i = 0; i < upper.size(); ++i) meanings[0x80 + i] = MeaningOf(upper[i]);
