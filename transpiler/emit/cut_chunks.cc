@@ -18,7 +18,7 @@ namespace {
 
 constexpr uint32_t kLeastStatements = 25;  // of a chunk
 constexpr uint32_t kMostStatements = 100;
-constexpr uint32_t kBorderEvery = 24;     // about one statement in so many is a border
+constexpr uint32_t kBorderEvery = 12;     // about one statement in so many is a border
 constexpr uint32_t kLeastPerPart = 1000;  // statements of a file
 constexpr uint32_t kMostPerPart = 4000;
 constexpr uint32_t kPartBorderEvery = 8;  // about one chunk in so many
