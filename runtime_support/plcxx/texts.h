@@ -37,10 +37,11 @@ constexpr void SendText(TextInbox& inbox, const char* text, size_t length) noexc
 /// True when the text in the inbox is the literal, a string of C.
 constexpr bool EqualsText(const TextInbox& inbox, const char* literal) noexcept {
   if (literal == nullptr || inbox.length > kLongestText) return false;
-  for (uint8_t i = 0; i < inbox.length; ++i) {
-    if (literal[i] == '\0' || literal[i] != inbox.text[i]) return false;
+  uint8_t i = 0;
+  for (; literal[i] != '\0'; ++i) {
+    if (i == inbox.length || literal[i] != inbox.text[i]) return false;
   }
-  return literal[inbox.length] == '\0';
+  return i == inbox.length;
 }
 
 /// Start of a slow cycle, for one literal: its flag is 1 for two slow cycles after its text has arrived.

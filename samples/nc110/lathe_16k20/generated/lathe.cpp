@@ -221,7 +221,9 @@ namespace {
 
   // !SPSTOP = !M05 + !MEND + !M00 + !M19 + I0K1 + /!SPSAFE
   m[SPSTOP] = m[M05] | m[MEND] | m[M00] | m[M19] | m[I0K1] | !m[SPSAFE];
+}
 
+[[gnu::noinline]] void slow_U103K16(State& m, Host&) noexcept {
   // --- direction / направление -------------------------------------------------
   // !SPCW = (!M03 + !SPCW*/!M04)*/!SPSTOP
   m[SPCW] = (m[M03] | (m[SPCW] & !m[M04])) & !m[SPSTOP];
@@ -321,7 +323,9 @@ namespace {
 
   // T53I(30) = !SHFOSC*/T54D
   OnDelay(m[T53], m[SHFOSC] & !m[T54D], 300, m[now]);
+}
 
+[[gnu::noinline]] void slow_T54(State& m, Host& host) noexcept {
   // T54I(30) = !SHFOSC*/T53D
   OnDelay(m[T54], m[SHFOSC] & !m[T53D], 300, m[now]);
 
@@ -368,9 +372,7 @@ namespace {
 
   // !M5EXE = !M05 + !MEND + !M5EXE*/!SPZERO*/I0K1
   m[M5EXE] = m[M05] | m[MEND] | (m[M5EXE] & !m[SPZERO] & !m[I0K1]);
-}
 
-[[gnu::noinline]] void slow_U101K23(State& m, Host& host) noexcept {
   // !M19EXE = !M19*!SPSAFE + !M19EXE*!SPORI*/I0K25
   m[M19EXE] = (m[M19] & m[SPSAFE]) | (m[M19EXE] & m[SPORI] & !m[I0K25]);
 
@@ -1265,7 +1267,8 @@ void slow(State& m, uint8_t, Host& host) noexcept {
   ClearText(m[operator_text]);
 
   slow_P0(m, host);
-  slow_U101K23(m, host);
+  slow_U103K16(m, host);
+  slow_T54(m, host);
   slow_C8(m, host);
   slow_U107K0(m, host);
   slow_P33(m, host);
