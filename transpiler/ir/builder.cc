@@ -1,5 +1,7 @@
 #include "transpiler/ir/builder.h"
 
+#include "transpiler/ir/uses.h"
+
 namespace plcxx::ir {
 namespace {
 
@@ -149,38 +151,7 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
 
 std::vector<ValueId> UsedValues(const Program& program, const Inst& inst) {
   std::vector<ValueId> values;
-  const auto add = [&values](uint32_t word) {
-    if (ValueId(word).valid()) values.push_back(ValueId(word));
-  };
-  switch (Info(inst.op).shape) {
-    case Shape::kPure:
-    case Shape::kStep:
-      add(inst.a);
-      add(inst.b);
-      add(inst.c);
-      break;
-    case Shape::kStore:
-      add(inst.a);
-      add(inst.b);
-      break;
-    case Shape::kLoad:
-    case Shape::kIf:
-    case Shape::kSwitch:
-    case Shape::kExit:
-    case Shape::kJump:
-      add(inst.a);
-      break;
-    case Shape::kCall:
-    case Shape::kHostCall:
-      return program.calls[CallId(inst.payload)].arguments;
-    case Shape::kConst:
-    case Shape::kText:
-    case Shape::kStatement:
-    case Shape::kLoop:
-    case Shape::kBlock:
-    case Shape::kLabel:
-      break;
-  }
+  ForEachUse(program, inst, [&values](uint32_t word) { values.emplace_back(word); });
   return values;
 }
 

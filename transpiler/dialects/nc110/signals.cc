@@ -31,7 +31,7 @@ std::string_view TakeField(std::string_view& line) {
 std::vector<Signal> ReadTable() {
   std::vector<Signal> signals;
   signals.reserve(1100);
-  std::string_view rest = kSignalTable;
+  std::string_view rest(kSignalTable[0].text, kSignalTable[0].size);
   rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));  // the heads of the columns
   while (!rest.empty()) {
     const size_t end = std::min(rest.find('\n'), rest.size());

@@ -14,7 +14,13 @@
 
 namespace plcxx::nc110 {
 
-extern const std::string_view kSignalTable;
+struct EmbeddedFile {
+  const char* name;
+  unsigned size;
+  const char* text;
+};
+extern const EmbeddedFile kSignalTable[];
+extern const unsigned kSignalTableCount;
 
 struct Signal {
   Operand operand;  // I is stored as U: one bit
