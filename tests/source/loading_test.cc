@@ -118,7 +118,18 @@ TEST_F(Loading, TheEndMarkEndsTheText) {
   const std::string_view bytes("x=1\n\x1A\0\0\xFFqqqqqqqqqqqq", 20);
   EXPECT_EQ(Text(bytes, {.max_line_bytes = 5}).text, "x=1\n");
   EXPECT_EQ(Text("\x1A").text, "");
-  EXPECT_EQ(Text("a\x1Az", {.stop_at_1a = false}).text, "a\x1Az");
+  EXPECT_EQ(Text("a\x1Az", {.end_marks = ""}).text, "a\x1Az");
+}
+
+TEST_F(Loading, EndMarksOfADialect) {
+  const LoadOptions options{.end_marks = "\x03\x1A"};
+  EXPECT_EQ(Text("a\x03"
+                 "b\x1A",
+                 options)
+                .text,
+            "a");
+  EXPECT_EQ(Text("a\x1A\x03", options).text, "a");
+  EXPECT_EQ(Text("a\x03z").text, "a\x03z");
 }
 
 TEST_F(Loading, TheEndMarkComesBeforeTheEncoding) {

@@ -72,6 +72,21 @@ TEST(Places, ManyFiles) {
   }
 }
 
+void ExpectLines(std::string_view bytes, LineEnds ends, std::vector<std::string> lines) {
+  SourceManager sources;
+  const FileId file = Loaded(sources.AddBytes("a.plc", bytes, {.line_ends = ends}));
+  ASSERT_EQ(sources.LineCount(file), lines.size());
+  for (uint32_t i = 0; i < lines.size(); ++i) EXPECT_EQ(sources.Line(file, i + 1), lines[i]) << "line " << i + 1;
+}
+
+TEST(Lines, EveryCrAndLfIsReadLongestFirst) {
+  ExpectLines("a\nb\r\nc\n\rd\re", LineEnds::kEveryCrAndLf, {"a", "b", "c", "d", "e"});
+  ExpectLines("a\r\n\rb\n\r\nc\n\nd", LineEnds::kEveryCrAndLf, {"a", "", "b", "", "c", "", "d"});
+  ExpectLines("a\n\rb", LineEnds::kLfCrLfOrCr, {"a", "", "b"});
+}
+
+TEST(Lines, ALoneCrMayBeACharacter) { ExpectLines("a\rb\r\nc\n\rd\r", LineEnds::kLfOrCrLf, {"a\rb", "c", "\rd\r"}); }
+
 TEST(Lines, WithoutTheirEnds) {
   SourceManager sources;
   const FileId file = sources.AddText("a.plc", "a\r\n\rb\n");
@@ -118,6 +133,25 @@ TEST(OriginalBytes, EightBitCountsCharacters) {
     EXPECT_EQ(at("x"), 13u);
     EXPECT_EQ(sources.OriginalByte(sources.WholeFile(file).end), bytes.size());
   }
+}
+
+TEST(OriginalBytes, Gb18030CountsWhatACharacterTook) {
+  SourceManager sources;
+  // The last character took four bytes, the broken one stood for one.
+  const std::string_view bytes = ";\xC0\xE4\xC8\xB4\r\n;\xB1\xC3\xFF \x81\x30\x81\x30 x";
+  const LoadOptions options{.detection = Detection::kFallback, .fallback = Encoding::kGb18030};
+  const FileId file = Loaded(sources.AddBytes("a.il", bytes, options));
+  const File& loaded = sources.Get(file);
+  EXPECT_EQ(loaded.text, ";冷却\r\n;泵\uFFFD \u0080 x");
+  const auto at = [&](std::string_view what) {
+    return sources.OriginalByte(loaded.base + static_cast<Offset>(loaded.text.find(what)));
+  };
+  EXPECT_EQ(at("却"), 3u);
+  EXPECT_EQ(at("\r"), 5u);
+  EXPECT_EQ(at("\uFFFD"), 10u);
+  EXPECT_EQ(at("\u0080"), 12u);
+  EXPECT_EQ(at("x"), 17u);
+  EXPECT_EQ(sources.OriginalByte(sources.WholeFile(file).end), bytes.size());
 }
 
 TEST(OriginalBytes, ReplacedBytesCountOnce) {

@@ -59,7 +59,7 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->group(kSourcesGroup);
   command
       .add_option("--encoding", options.encoding,
-                  "Encoding of the sources: utf-8, cp866, cp1251, koi8-r; else detected")
+                  "Encoding of the sources: " + Joined(source::EncodingNames()) + "; else (auto) detected")
       ->type_name("NAME")
       ->group(kSourcesGroup);
   AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",
@@ -95,10 +95,11 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
   request.sources = options.sources;
   request.dialect = options.dialect;
   request.include_directories = options.include_directories;
-  if (!options.encoding.empty()) {
+  if (!options.encoding.empty() && options.encoding != "auto") {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
-      PrintUsageError("unknown encoding '" + options.encoding + "': choose one of " + Joined(source::EncodingNames()));
+      PrintUsageError("unknown encoding '" + options.encoding + "': choose one of auto, " +
+                      Joined(source::EncodingNames()));
       return std::nullopt;
     }
   }

@@ -36,7 +36,8 @@ class Reader {
 /// where another byte speaks for one.
 bool IsCutOff(std::string_view bytes, const source::LoadOptions& options) {
   if (options.encoding && *options.encoding != source::Encoding::kUtf8) return false;
-  if (options.stop_at_1a) bytes = bytes.substr(0, bytes.find('\x1A'));
+  if (options.detection == source::Detection::kFallback) return false;  // the fallback is meant for it
+  bytes = bytes.substr(0, bytes.find_first_of(options.end_marks));
   constexpr size_t kLongestRest = 3;
   for (size_t rest = 1; rest <= std::min(kLongestRest, bytes.size()); ++rest) {
     const auto lead = static_cast<unsigned char>(bytes[bytes.size() - rest]);
@@ -134,6 +135,12 @@ void ReportNoDialect(const std::string& name, const std::string& path, diag::Eng
   }
 }
 
+void ReportEncoding(source::Encoding encoding, const dialects::Dialect& dialect, diag::Engine& diagnostics) {
+  std::string names = "auto";
+  for (const source::Encoding allowed : dialect.load.encodings) names += ", " + std::string(source::Name(allowed));
+  diagnostics.Report({}, diag::EncodingOfAnotherDialect, source::Name(encoding), dialect.name, names);
+}
+
 }  // namespace
 
 std::string FromBase(const std::string& base_directory, const std::string& path) {
@@ -142,6 +149,9 @@ std::string FromBase(const std::string& base_directory, const std::string& path)
 }
 
 void ReportUndecodable(Compilation& compilation) {
+  const bool by_dialect =
+      compilation.dialect != nullptr && compilation.dialect->load.undecodable == source::Undecodable::kByTheDialect;
+  if (by_dialect) return;
   const source::SourceManager& sources = *compilation.sources;
   for (uint32_t i = 0; i < sources.size(); ++i) {
     const source::File& file = sources.Get(source::FileId(i));
@@ -175,7 +185,14 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   }
 
   options = compilation.dialect->load;
-  if (request.encoding) options.encoding = request.encoding;
+  if (request.encoding) {
+    if (std::ranges::find(options.encodings, *request.encoding) == options.encodings.end()) {
+      ReportEncoding(*request.encoding, *compilation.dialect, compilation.diagnostics);
+      compilation.wrong_use = true;
+      return;
+    }
+    options.encoding = request.encoding;
+  }
   for (const std::string& path : paths) {
     const auto loaded = LoadOne(*compilation.sources, reader, path, options);
     if (const auto* file = std::get_if<source::FileId>(&loaded)) {

@@ -3,6 +3,7 @@
 #include <unicode/ucnv.h>
 
 #include <cstring>
+#include <span>
 
 namespace plcxx::source {
 namespace {
@@ -10,17 +11,6 @@ namespace {
 constexpr char16_t kReplacement = 0xFFFD;
 constexpr std::string_view kReplacementUtf8 = "\xEF\xBF\xBD";
 constexpr uint64_t kHighBits = 0x8080808080808080u;
-
-/// The first byte at or behind `at` that is not ASCII.
-size_t SkipAscii(std::string_view bytes, size_t at) {
-  for (; at + 8 <= bytes.size(); at += 8) {
-    uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, 8);
-    if ((word & kHighBits) != 0) break;
-  }
-  while (at < bytes.size() && static_cast<unsigned char>(bytes[at]) < 0x80) ++at;
-  return at;
-}
 
 std::string ToUtf8(char16_t unit) {
   const auto byte = [](unsigned value) { return static_cast<char>(value); };
@@ -30,25 +20,13 @@ std::string ToUtf8(char16_t unit) {
   return {byte(0xE0 | value >> 12), byte(0x80 | (value >> 6 & 0x3F)), byte(0x80 | (value & 0x3F))};
 }
 
-const char* ConverterName(Encoding encoding) {
-  switch (encoding) {
-    case Encoding::kCp866:
-      return "ibm-866_P100-1995";
-    case Encoding::kCp1251:
-      return "windows-1251";
-    case Encoding::kKoi8R:
-      return "KOI8-R";
-    case Encoding::kUtf8:
-      break;
-  }
-  PLCXX_UNREACHABLE();
-}
+using UpperTable = std::array<char16_t, 128>;
 
-std::array<char16_t, 128> ReadUpperHalf(Encoding encoding) {
-  std::array<char16_t, 128> table;
+UpperTable ReadUpperHalf(const char* converter_name) {
+  UpperTable table;
   table.fill(kReplacement);
   UErrorCode error = U_ZERO_ERROR;
-  UConverter* converter = ucnv_open(ConverterName(encoding), &error);
+  UConverter* converter = ucnv_open(converter_name, &error);
   // Without ICU's data nothing can be decoded, but nothing may fail either: all becomes U+FFFD.
   if (U_FAILURE(error)) return table;
   for (unsigned i = 0; i < table.size(); ++i) {
@@ -63,7 +41,46 @@ std::array<char16_t, 128> ReadUpperHalf(Encoding encoding) {
   return table;
 }
 
+struct Letter {
+  uint8_t byte;
+  char16_t letter;
+};
+
+/// Where Mazovia is not code page 437 (specification of prostep, appendix B).
+constexpr Letter kMazoviaLetters[] = {
+    {0x86, u'ą'}, {0x8D, u'ć'}, {0x8F, u'Ą'}, {0x90, u'Ę'}, {0x91, u'ę'}, {0x92, u'ł'},
+    {0x95, u'Ć'}, {0x98, u'Ś'}, {0x9C, u'Ł'}, {0x9E, u'ś'}, {0xA0, u'Ź'}, {0xA1, u'Ż'},
+    {0xA2, u'ó'}, {0xA3, u'Ó'}, {0xA4, u'ń'}, {0xA5, u'Ń'}, {0xA6, u'ź'}, {0xA7, u'ż'},
+};
+
+/// Where KEYBCS2 is not code page 437.
+constexpr Letter kKamenickyLetters[] = {
+    {0x80, u'Č'}, {0x83, u'ď'}, {0x85, u'Ď'}, {0x86, u'Ť'}, {0x87, u'č'}, {0x88, u'ě'}, {0x89, u'Ě'}, {0x8A, u'Ĺ'},
+    {0x8B, u'Í'}, {0x8C, u'ľ'}, {0x8D, u'ĺ'}, {0x8F, u'Á'}, {0x91, u'ž'}, {0x92, u'Ž'}, {0x95, u'Ó'}, {0x96, u'ů'},
+    {0x97, u'Ú'}, {0x98, u'ý'}, {0x9B, u'Š'}, {0x9C, u'Ľ'}, {0x9D, u'Ý'}, {0x9E, u'Ř'}, {0x9F, u'ť'}, {0xA4, u'ň'},
+    {0xA5, u'Ň'}, {0xA6, u'Ů'}, {0xA7, u'Ô'}, {0xA8, u'š'}, {0xA9, u'ř'}, {0xAA, u'ŕ'}, {0xAB, u'Ŕ'}, {0xAD, u'§'},
+};
+
+/// ICU's table is older than this one.
+constexpr Letter kCp852Sign[] = {{0xAA, u'¬'}};
+
+UpperTable Over(const char* converter_name, std::span<const Letter> letters) {
+  UpperTable table = ReadUpperHalf(converter_name);
+  for (const Letter& row : letters) table[row.byte - 0x80u] = row.letter;
+  return table;
+}
+
 }  // namespace
+
+size_t SkipAscii(std::string_view bytes, size_t at) {
+  for (; at + 8 <= bytes.size(); at += 8) {
+    uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, 8);
+    if ((word & kHighBits) != 0) break;
+  }
+  while (at < bytes.size() && static_cast<unsigned char>(bytes[at]) < 0x80) ++at;
+  return at;
+}
 
 bool IsAscii(std::string_view bytes) { return SkipAscii(bytes, 0) == bytes.size(); }
 
@@ -140,21 +157,44 @@ const std::array<char16_t, 128>& UpperHalf(Encoding encoding) {
   // Function-local statics: a converter is opened when a file needs it, never for ASCII and UTF-8.
   switch (encoding) {
     case Encoding::kCp866: {
-      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kCp866);
+      static const UpperTable table = ReadUpperHalf("ibm-866_P100-1995");
       return table;
     }
     case Encoding::kCp1251: {
-      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kCp1251);
+      static const UpperTable table = ReadUpperHalf("windows-1251");
       return table;
     }
     case Encoding::kKoi8R: {
-      static const std::array<char16_t, 128> table = ReadUpperHalf(Encoding::kKoi8R);
+      static const UpperTable table = ReadUpperHalf("KOI8-R");
       return table;
     }
+    case Encoding::kMazovia: {
+      static const UpperTable table = Over("ibm-437_P100-1995", kMazoviaLetters);
+      return table;
+    }
+    case Encoding::kKamenicky: {
+      static const UpperTable table = Over("ibm-437_P100-1995", kKamenickyLetters);
+      return table;
+    }
+    case Encoding::kCp852: {
+      static const UpperTable table = Over("ibm-852_P100-1995", kCp852Sign);
+      return table;
+    }
+    case Encoding::kCp1250: {
+      static const UpperTable table = ReadUpperHalf("windows-1250");
+      return table;
+    }
+    case Encoding::kGb18030:
     case Encoding::kUtf8:
       break;
   }
   PLCXX_UNREACHABLE();
+}
+
+Decoded Decode(std::string_view bytes, Encoding encoding) {
+  if (encoding == Encoding::kUtf8) return DecodeUtf8(bytes);
+  if (encoding == Encoding::kGb18030) return DecodeGb18030(bytes);
+  return DecodeEightBit(bytes, encoding);
 }
 
 }  // namespace plcxx::source

@@ -26,10 +26,21 @@ struct Decoded {
   std::vector<uint32_t> replaced;  // offsets into text of the U+FFFD that stand for one byte each
 };
 
+/// By whichever of the following fits.
+Decoded Decode(std::string_view bytes, Encoding encoding);
+
 /// Every byte that does not belong to a well-formed character becomes one U+FFFD.
 Decoded DecodeUtf8(std::string_view bytes);
 /// `encoding` is one of the 8-bit encodings: every byte becomes one character.
 Decoded DecodeEightBit(std::string_view bytes, Encoding encoding);
+/// Every byte that does not belong to a character of GB18030 becomes one U+FFFD; an ASCII byte is never swallowed.
+Decoded DecodeGb18030(std::string_view bytes);
+
+/// How many bytes of GB18030 a text took that DecodeGb18030 gave; a U+FFFD stood for one.
+size_t Gb18030Length(std::string_view utf8);
+
+/// The first byte at or behind `at` that is not ASCII; the size where there is none.
+size_t SkipAscii(std::string_view bytes, size_t at);
 
 /// What the bytes 80H to FFH mean in an 8-bit encoding, as code points of the basic plane.
 const std::array<char16_t, 128>& UpperHalf(Encoding encoding);

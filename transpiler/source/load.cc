@@ -13,18 +13,17 @@ namespace plcxx::source {
 namespace {
 
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
-constexpr char kDosEndOfFile = '\x1A';
 
 std::string_view UpToEndMark(std::string_view bytes, const LoadOptions& options) {
-  return options.stop_at_1a ? bytes.substr(0, bytes.find(kDosEndOfFile)) : bytes;
+  return bytes.substr(0, bytes.find_first_of(options.end_marks));
 }
 
 bool IsUtf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 
-std::optional<LoadError> FindNul(std::string_view bytes) {
+std::optional<LoadError> FindNul(std::string_view bytes, LineEnds ends) {
   const size_t nul = bytes.find('\0');
   if (nul == std::string_view::npos) return std::nullopt;
-  const auto line = static_cast<uint32_t>(FindLineStarts(bytes.substr(0, nul)).size());
+  const auto line = static_cast<uint32_t>(FindLineStarts(bytes.substr(0, nul), ends).size());
   const std::string what = IsUtf16(bytes) ? "it is UTF-16, which has to be saved as UTF-8"
                                           : "line " + std::to_string(line) + " contains a NUL byte, it is no text";
   return LoadError{LoadProblem::kBinary, what, line};
@@ -44,12 +43,21 @@ std::optional<LoadError> FindLongLine(std::string_view bytes, const std::vector<
   return std::nullopt;
 }
 
-Encoding EncodingOf(std::string_view bytes, const LoadOptions& options, bool had_bom) {
-  // A BOM is the author's word, even if a byte of another encoding has crept in later; and no text in an 8-bit encoding
-  // is valid UTF-8 but by accident, so one command line serves a project whose files were converted one by one.
-  if (had_bom || IsValidUtf8(bytes)) return Encoding::kUtf8;
-  if (options.encoding) return *options.encoding;
-  return DetectEightBit(bytes, options.fallback);
+struct Reading {
+  Encoding encoding;
+  EncodingOrigin origin;
+};
+
+Reading ReadingOf(std::string_view bytes, const LoadOptions& options, bool had_bom) {
+  // A BOM is the author's word, even if a byte of another encoding has crept in later.
+  if (had_bom) return {Encoding::kUtf8, EncodingOrigin::kBom};
+  if (options.encoding && options.choice == Choice::kAlways) return {*options.encoding, EncodingOrigin::kChosen};
+  // No text in an 8-bit encoding is valid UTF-8 but by accident, so one command line serves a project whose files were
+  // converted one by one.
+  if (IsValidUtf8(bytes)) return {Encoding::kUtf8, EncodingOrigin::kValidUtf8};
+  if (options.encoding) return {*options.encoding, EncodingOrigin::kChosen};
+  if (options.detection == Detection::kFallback) return {options.fallback, EncodingOrigin::kFallback};
+  return {DetectEightBit(bytes, options.fallback), EncodingOrigin::kDetected};
 }
 
 }  // namespace
@@ -71,27 +79,26 @@ std::variant<FileId, LoadError> SourceManager::AddOwnedBytes(std::string path, s
                                                              const LoadOptions& options) {
   if (bytes.empty()) return LoadError{LoadProblem::kEmpty, "it is empty"};
   bytes.resize(UpToEndMark(bytes, options).size());
-  if (auto error = FindNul(bytes)) return std::move(*error);
+  if (auto error = FindNul(bytes, options.line_ends)) return std::move(*error);
 
   File file;
   file.path = std::move(path);
   file.had_bom = bytes.starts_with(kBom);
   if (file.had_bom) bytes.erase(0, kBom.size());
-  std::vector<uint32_t> starts = FindLineStarts(bytes);
+  std::vector<uint32_t> starts = FindLineStarts(bytes, options.line_ends);
   if (auto error = FindLongLine(bytes, starts, options.max_line_bytes)) return std::move(*error);
 
-  file.encoding = EncodingOf(bytes, options, file.had_bom);
-  if (file.encoding != Encoding::kUtf8) {
-    Decoded decoded = DecodeEightBit(bytes, file.encoding);
-    file.text = std::move(decoded.text);
-    file.replaced = std::move(decoded.replaced);
-    file.line_bytes = std::move(starts);
-  } else if (IsValidUtf8(bytes)) {
+  const Reading reading = ReadingOf(bytes, options, file.had_bom);
+  file.encoding = reading.encoding;
+  file.origin = reading.origin;
+  file.line_ends = options.line_ends;
+  if (file.encoding == Encoding::kUtf8 && IsValidUtf8(bytes)) {
     file.text = std::move(bytes);
   } else {
-    Decoded decoded = DecodeUtf8(bytes);
+    Decoded decoded = Decode(bytes, file.encoding);
     file.text = std::move(decoded.text);
     file.replaced = std::move(decoded.replaced);
+    if (file.encoding != Encoding::kUtf8) file.line_bytes = std::move(starts);
   }
   if (file.text.size() >= std::numeric_limits<Offset>::max() - next_base_) {
     return LoadError{LoadProblem::kTooLarge, "all sources together are larger than 4 GB"};

@@ -43,7 +43,7 @@ FileId SourceManager::Add(File file) {
   // One more than the text, so that the end of one file is not the beginning of the next.
   PLCXX_CHECK(file.text.size() < std::numeric_limits<Offset>::max() - next_base_);
   file.base = next_base_;
-  file.line_starts = FindLineStarts(file.text);
+  file.line_starts = FindLineStarts(file.text, file.line_ends);
   next_base_ += static_cast<Offset>(file.text.size()) + 1;
   files_.push_back(std::move(file));
   return FileId(size() - 1);
@@ -83,10 +83,8 @@ std::string_view SourceManager::Line(FileId file, uint32_t line) const {
   const File& source = Get(file);
   if (line == 0 || line > source.line_starts.size()) return {};
   const size_t begin = source.line_starts[line - 1];
-  size_t end = line < source.line_starts.size() ? source.line_starts[line] : source.text.size();
-  if (end > begin && source.text[end - 1] == '\n') --end;
-  if (end > begin && source.text[end - 1] == '\r') --end;
-  return Between(source.text, begin, end);
+  const size_t end = line < source.line_starts.size() ? source.line_starts[line] : source.text.size();
+  return WithoutLineEnd(Between(source.text, begin, end), source.line_ends);
 }
 
 uint32_t SourceManager::LineCount(FileId file) const {
@@ -107,7 +105,9 @@ size_t SourceManager::OriginalByte(Offset offset) const {
     return bom + at - 2 * static_cast<size_t>(replaced_before);
   }
   const size_t line = LineIndex(file, at);
-  return bom + file.line_bytes[line] + CountCharacters(Between(file.text, file.line_starts[line], at));
+  const std::string_view before = Between(file.text, file.line_starts[line], at);
+  return bom + file.line_bytes[line] +
+         (file.encoding == Encoding::kGb18030 ? Gb18030Length(before) : CountCharacters(before));
 }
 
 }  // namespace plcxx::source

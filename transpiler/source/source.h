@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,21 +27,64 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-enum class Encoding : uint8_t { kUtf8, kCp866, kCp1251, kKoi8R };
+enum class Encoding : uint8_t {
+  kUtf8,
+  kCp866,
+  kCp1251,
+  kKoi8R,
+  kMazovia,    // Polish letters over code page 437
+  kKamenicky,  // KEYBCS2, Czech and Slovak letters over code page 437
+  kCp852,
+  kCp1250,
+  kGb18030,  // of one, two or four bytes a character; GBK and code page 936 are parts of it
+};
 
-/// The encoding's name as on the command line ("utf-8", "cp866", "cp1251", "koi8-r").
+/// The encoding's name as on the command line ("utf-8", "cp866", "gb18030", ...).
 std::string_view Name(Encoding encoding);
-/// Case-insensitive; also the usual other names (ibm866, windows-1251, utf8). Empty when unknown.
+/// Case-insensitive; also the usual other names (ibm866, windows-1251, utf8, gbk). Empty when unknown.
 std::optional<Encoding> EncodingByName(std::string_view name);
-/// All names that `--encoding` accepts, for messages.
+/// The names of all encodings, for messages.
 std::vector<std::string_view> EncodingNames();
 
+/// What ends a line; the longest that fits, read from the left.
+enum class LineEnds : uint8_t {
+  kLfCrLfOrCr,    // LF, CR LF, CR
+  kEveryCrAndLf,  // LF, CR LF, LF CR, CR
+  kLfOrCrLf,      // LF, CR LF; a lone CR is a character of the line
+};
+
+/// How the encoding of a text without BOM that is not valid UTF-8 is found where nobody chose one.
+enum class Detection : uint8_t {
+  kByLetters,  // the Russian encoding in which it reads best, else the fallback
+  kFallback,   // always the fallback
+};
+
+/// When a chosen encoding is taken.
+enum class Choice : uint8_t {
+  kUnlessUtf8,  // only for what is not valid UTF-8
+  kAlways,      // for every text without BOM
+};
+
+/// Who reports bytes that the encoding does not define.
+enum class Undecodable : uint8_t {
+  kOneWarningPerFile,  // plcxx-6, by the driver
+  kByTheDialect,       // at each place (File::replaced), by the dialect's own code
+};
+
+inline constexpr Encoding kRussianEncodings[] = {Encoding::kUtf8, Encoding::kCp866, Encoding::kCp1251,
+                                                 Encoding::kKoi8R};
+
 struct LoadOptions {
-  std::optional<Encoding> encoding;      // of what is not valid UTF-8; none: detected by the frequency of letters
-  Encoding fallback = Encoding::kCp866;  // where detection finds no evidence
-  size_t max_bytes = 64u << 20;          // a larger file is refused before it is read
-  size_t max_line_bytes = 64u << 10;     // a longer line is refused
-  bool stop_at_1a = true;                // byte 1AH is the DOS end-of-file: it and what follows is not part of the text
+  std::optional<Encoding> encoding;                         // what the user chose; none: found as `detection` says
+  std::span<const Encoding> encodings = kRussianEncodings;  // what the user may choose
+  Choice choice = Choice::kUnlessUtf8;
+  Detection detection = Detection::kByLetters;
+  Encoding fallback = Encoding::kCp866;
+  Undecodable undecodable = Undecodable::kOneWarningPerFile;
+  LineEnds line_ends = LineEnds::kLfCrLfOrCr;
+  std::string_view end_marks = "\x1A";  // the first of these bytes and what follows is not part of the text (DOS: 1AH)
+  size_t max_bytes = 64u << 20;         // a larger file is refused before it is read
+  size_t max_line_bytes = 64u << 10;    // a longer line is refused
 };
 
 enum class LoadProblem : uint8_t { kMissing, kDirectory, kUnreadable, kTooLarge, kLineTooLong, kBinary, kEmpty };
@@ -58,14 +102,19 @@ struct Position {
   uint32_t column = 0;
 };
 
+/// Why a file is read in its encoding.
+enum class EncodingOrigin : uint8_t { kBom, kChosen, kValidUtf8, kDetected, kFallback };
+
 struct File {
   std::string path;  // as the user wrote it; "<stdin>" for "-"
-  std::string text;  // UTF-8, line ends as in the file, BOM and everything from 1AH on removed
+  std::string text;  // UTF-8, line ends as in the file, BOM and everything from the end mark on removed
   Encoding encoding = Encoding::kUtf8;
+  EncodingOrigin origin = EncodingOrigin::kValidUtf8;
   bool had_bom = false;
+  LineEnds line_ends = LineEnds::kLfCrLfOrCr;
   Offset base = 0;                    // global offset of text[0]
-  std::vector<uint32_t> line_starts;  // offsets into text; CR LF, LF and CR each end a line
-  std::vector<uint32_t> line_bytes;   // 8-bit encodings: the byte of the file at which each line starts; else empty
+  std::vector<uint32_t> line_starts;  // offsets into text
+  std::vector<uint32_t> line_bytes;   // not UTF-8: the byte of the file at which each line starts; else empty
   std::vector<uint32_t> replaced;     // offsets into text of the U+FFFD that stand for an undefined byte each
 };
 
@@ -74,7 +123,7 @@ class SourceManager {
   /// Reads `path` ("-": standard input). A file is read once: the same path again gives another FileId only when asked
   /// again.
   std::variant<FileId, LoadError> Load(const std::string& path, const LoadOptions& options);
-  /// Text that is already UTF-8 (tests, generated text), taken as it is: no limits, BOM and 1AH stay.
+  /// Text that is already UTF-8 (tests, generated text), taken as it is: no limits, BOM and end marks stay.
   FileId AddText(std::string path, std::string text);
   /// As Load, from bytes in memory (fuzzing, standard input).
   std::variant<FileId, LoadError> AddBytes(std::string path, std::string_view bytes, const LoadOptions& options);
