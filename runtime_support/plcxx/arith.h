@@ -1,8 +1,10 @@
 // Arithmetic on unsigned words that wraps modulo 2^width: no overflow is undefined, no flag is kept.
 //
 // Implements NC110 6.4 (arithmetic inside [ ], every intermediate result modulo 256) and 6.6 (ABS), and the conversion
-// of a timer's parameter to milliseconds (7.1). Read as two's complement, the results of Add, Sub and Mul are the same.
-// Not here: comparison (compare.h), division (undecided by any paragraph so far).
+// of a timer's parameter to milliseconds (7.1); PROSTEP 6.9 (FM 0-3, 11-14, 60-63) and HOST50 6.3. Read as two's
+// complement, the results of Add, Sub and Mul are the same. Division has a result for every divisor; what a dialect
+// says of division by zero beside it (a fault, an unchanged destination) is a comparison of its lowering.
+// Not here: comparison (compare.h), floating point (floats.h).
 #pragma once
 
 #include <stdint.h>
@@ -48,6 +50,36 @@ namespace plcxx {
 /// The same number in 32 bits.
 [[gnu::const]] constexpr uint32_t Widen8To32(uint8_t value) noexcept { return value; }
 [[gnu::const]] constexpr uint32_t Widen16To32(uint16_t value) noexcept { return value; }
+[[gnu::const]] constexpr uint32_t Widen1To32(bool value) noexcept { return value ? 1U : 0U; }
+[[gnu::const]] constexpr uint16_t Widen8To16(uint8_t value) noexcept { return value; }
+[[gnu::const]] constexpr uint64_t Widen32To64(uint32_t value) noexcept { return value; }
+/// The same number in a wider word, read as two's complement.
+[[gnu::const]] constexpr uint32_t SignExtend16To32(uint16_t value) noexcept {
+  return value > 0x7FFF ? 0xFFFF0000U | value : uint32_t{value};
+}
+[[gnu::const]] constexpr uint64_t SignExtend32To64(uint32_t value) noexcept {
+  return value > 0x7FFFFFFFU ? 0xFFFFFFFF00000000U | value : uint64_t{value};
+}
+
+/// Quotient and remainder of unsigned words. By zero: quotient 0, remainder the dividend.
+[[gnu::const]] constexpr uint32_t UnsignedDiv32(uint32_t a, uint32_t b) noexcept { return b == 0 ? 0 : a / b; }
+[[gnu::const]] constexpr uint32_t UnsignedRem32(uint32_t a, uint32_t b) noexcept { return b == 0 ? a : a % b; }
+
+/// Quotient of two's complement, truncated toward zero. By zero: 0; the lowest number by -1: itself.
+[[gnu::const]] constexpr uint32_t SignedDiv32(uint32_t a, uint32_t b) noexcept {
+  const uint32_t quotient = UnsignedDiv32(Abs32(a), Abs32(b));
+  return ((a ^ b) & 0x80000000U) != 0 ? 0U - quotient : quotient;
+}
+/// Its remainder, with the sign of the dividend. By zero: the dividend.
+[[gnu::const]] constexpr uint32_t SignedRem32(uint32_t a, uint32_t b) noexcept {
+  const uint32_t rest = UnsignedRem32(Abs32(a), Abs32(b));
+  return a > 0x7FFFFFFFU ? 0U - rest : rest;
+}
+/// As SignedDiv32, but by zero: the dividend (HOST50 6.3).
+[[gnu::const]] constexpr uint32_t QuotientOrDividend32(uint32_t a, uint32_t b) noexcept {
+  return b == 0 ? a : SignedDiv32(a, b);
+}
+
 [[gnu::const]] constexpr uint32_t Widen32(uint8_t value) noexcept { return value; }
 [[gnu::const]] constexpr uint32_t Widen32(uint16_t value) noexcept { return value; }
 

@@ -1,6 +1,7 @@
-// Packed BCD: two decimal digits in a byte.
+// Packed BCD: two decimal digits in a byte, four in a 16-bit word.
 //
-// Implements NC110 6.6 (BCD, BIN) with decision D13: numbers above 99 and nibbles above 9 have a result too.
+// Implements NC110 6.6 (BCD, BIN) with decision D13 and PROSTEP 6.9 (FM 4, FM 5): numbers with too many digits and
+// nibbles above 9 have a result too.
 // Not its job: to report them; that is the debug build's choice.
 #pragma once
 
@@ -21,6 +22,23 @@ namespace plcxx {
 /// High nibble times ten plus low nibble, also for nibbles above 9. Range 0..165.
 [[gnu::const]] constexpr uint8_t FromBcd8(uint8_t value) noexcept {
   return static_cast<uint8_t>((value >> 4) * 10 + (value & 0x0F));
+}
+
+/// The last four decimal digits of a number; always four valid digits.
+[[gnu::const]] constexpr uint16_t ToBcd16(uint16_t value) noexcept {
+  unsigned rest = value, digits = 0;
+  for (unsigned shift = 0; shift < 16; shift += 4) {
+    const unsigned tenth = (rest * 52429U) >> 19;  // rest / 10 for every 16-bit number
+    digits |= (rest - tenth * 10) << shift;
+    rest = tenth;
+  }
+  return static_cast<uint16_t>(digits);
+}
+
+/// The four nibbles with the weights 1000, 100, 10, 1, also for nibbles above 9. Range 0..16665.
+[[gnu::const]] constexpr uint16_t FromBcd16(uint16_t value) noexcept {
+  return static_cast<uint16_t>((value >> 12) * 1000 + ((value >> 8) & 15) * 100 + ((value >> 4) & 15) * 10 +
+                               (value & 15));
 }
 
 }  // namespace plcxx

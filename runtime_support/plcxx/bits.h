@@ -90,4 +90,34 @@ namespace plcxx {
   return static_cast<uint16_t>((high << 8) | low);
 }
 
+/// Bits 7..0, bits 15..8, and the word with bits 7..0 replaced (an accumulator's low byte).
+[[gnu::const]] constexpr uint8_t LowByte16(uint16_t value) noexcept { return static_cast<uint8_t>(value & 0xFF); }
+[[gnu::const]] constexpr uint8_t HighByte16(uint16_t value) noexcept { return static_cast<uint8_t>(value >> 8); }
+[[gnu::const]] constexpr uint16_t WithLowByte16(uint16_t word, uint8_t low) noexcept {
+  return static_cast<uint16_t>((word & 0xFF00) | low);
+}
+
+/// Shifts that bring in zeros; by 16 or more, nothing is left (PROSTEP FM 6, FM 7).
+[[gnu::const]] constexpr uint16_t ShiftLeft16(uint16_t value, uint16_t count) noexcept {
+  return count > 15 ? uint16_t{0} : static_cast<uint16_t>(uint32_t{value} << count);
+}
+[[gnu::const]] constexpr uint16_t ShiftRight16(uint16_t value, uint16_t count) noexcept {
+  return count > 15 ? uint16_t{0} : static_cast<uint16_t>(value >> count);
+}
+
+/// The bit at position 0..31 of an empty word; 0 for a position that the word does not have.
+[[gnu::const]] constexpr uint32_t BitAt32(bool bit, uint32_t position) noexcept {
+  return position > 31 ? 0U : uint32_t{bit} << position;
+}
+/// Bit `bit` of the word, 0 being the lowest; false for a bit that the word does not have.
+[[gnu::const]] constexpr bool TestBit32(uint32_t value, uint32_t bit) noexcept {
+  return bit <= 31 && ((value >> bit) & 1U) != 0;
+}
+
+/// The halves of a double word and of a quadruple word.
+[[gnu::const]] constexpr uint16_t LowHalf32(uint32_t value) noexcept { return static_cast<uint16_t>(value & 0xFFFFU); }
+[[gnu::const]] constexpr uint16_t HighHalf32(uint32_t value) noexcept { return static_cast<uint16_t>(value >> 16); }
+[[gnu::const]] constexpr uint32_t LowHalf64(uint64_t value) noexcept { return static_cast<uint32_t>(value); }
+[[gnu::const]] constexpr uint32_t HighHalf64(uint64_t value) noexcept { return static_cast<uint32_t>(value >> 32); }
+
 }  // namespace plcxx

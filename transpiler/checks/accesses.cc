@@ -68,9 +68,12 @@ struct Walk {
           if (inst.op == ir::OpKind::kLoop) out.accesses.push_back({AccessKind::kLoopEnd, {}, {}, inst.range, arm});
           break;
         }
-        case ir::Shape::kBlock: {
-          out.arms.push_back({arm, id, 0});
-          Region(ir::RegionId(inst.a), static_cast<uint32_t>(out.arms.size() - 1));
+        case ir::Shape::kBlock:
+        case ir::Shape::kRepeat: {
+          for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) {
+            out.arms.push_back({arm, id, 0});
+            Region(owned, static_cast<uint32_t>(out.arms.size() - 1));
+          }
           break;
         }
         case ir::Shape::kPure:

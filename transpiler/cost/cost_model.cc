@@ -103,7 +103,9 @@ Cost Estimator::OwnedBySwitch(const ir::Switch& cases) {
 Cost Estimator::OwnedByLoop(const ir::Loop& loop) {
   const Cost condition = Region(loop.condition), body = Region(loop.body), exhausted = Region(loop.exhausted);
   const Cost back = Price(CostClass::kBranch);
-  Cost cost{.time_ns = Times(std::min(condition.time_ns + body.time_ns + back.time_ns, kMostTime), loop.bound),
+  // A budget is for faults, and shared: what is typical is that such a loop is not taken back at all.
+  const uint64_t rounds = loop.kind == ir::LoopBound::kBudget ? 1 : loop.bound;
+  Cost cost{.time_ns = Times(std::min(condition.time_ns + body.time_ns + back.time_ns, kMostTime), rounds),
             .code_bytes = condition.code_bytes + body.code_bytes + back.code_bytes};
   Add(cost, {.time_ns = condition.time_ns, .code_bytes = 0});  // the round that ends it
   Add(cost, exhausted);
@@ -122,6 +124,8 @@ Cost Estimator::Owned(const Inst& inst) {
       return OwnedByLoop(program.loops[ir::LoopId(inst.payload)]);
     case ir::Shape::kBlock:
       return Region(RegionId(inst.a));
+    case ir::Shape::kRepeat:
+      return Region(RegionId(inst.b));
     case ir::Shape::kPure:
     case ir::Shape::kStep:
     case ir::Shape::kConst:

@@ -151,6 +151,7 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
     case ir::Shape::kLoop:
     case ir::Shape::kBlock:
     case ir::Shape::kExit:
+    case ir::Shape::kRepeat:
     case ir::Shape::kJump:
     case ir::Shape::kLabel:
       break;

@@ -296,6 +296,7 @@ void PartPrinter::Inst(ir::InstId id) {
       Line(ir::ValueId(inst.a).valid() ? "if (" + Value(inst.a) + ") " + leave : leave);
       return;
     }
+    case ir::Shape::kRepeat:
     case ir::Shape::kStatement:
     case ir::Shape::kJump:
     case ir::Shape::kLabel:

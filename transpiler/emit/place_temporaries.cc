@@ -81,6 +81,7 @@ void Temporaries::Region(ir::RegionId region) {
       case ir::Shape::kLoop:
       case ir::Shape::kBlock:
       case ir::Shape::kExit:
+      case ir::Shape::kRepeat:
       case ir::Shape::kCall:
       case ir::Shape::kHostCall:
       case ir::Shape::kJump:

@@ -88,23 +88,35 @@ void Builder::Exit(InstId block, ValueId condition) {
   Append({.op = OpKind::kExit, .payload = block.index, .a = Word(condition)});
 }
 
+void Builder::Repeat(InstId loop, ValueId condition, RegionId refused) {
+  Append({.op = OpKind::kRepeat, .payload = loop.index, .a = Word(condition), .b = refused.index});
+}
+
 ValueId Builder::CallRoutine(RoutineId routine, std::vector<ValueId> arguments) {
   const Type result = program_.routines[routine].result;
-  const CallId id = program_.calls.Add({.routine = routine, .host = {}, .arguments = std::move(arguments)});
+  const CallId id = program_.calls.Add({.routine = routine, .host = {}, .arguments = std::move(arguments), .out = {}});
   return Append({.op = OpKind::kCall, .type = result, .payload = id.index});
 }
 
-ValueId Builder::CallHost(HostFunctionId function, std::vector<ValueId> arguments) {
+ValueId Builder::CallHost(HostFunctionId function, std::vector<ValueId> arguments, PlaceId out) {
   const HostFunction& host = program_.host_functions[function];
   PLCXX_CHECK(host.parameters.size() == arguments.size());
   for (size_t i = 0; i < arguments.size(); ++i) PLCXX_CHECK(program_[arguments[i]].type == host.parameters[i].type);
   const Type result = host.result;
-  const CallId id = program_.calls.Add({.routine = {}, .host = function, .arguments = std::move(arguments)});
+  PLCXX_CHECK(out.valid() == (host.out.type != Type::kNone));
+  PLCXX_CHECK(!out.valid() || program_.places[out].type == host.out.type);
+  const CallId id =
+      program_.calls.Add({.routine = {}, .host = function, .arguments = std::move(arguments), .out = out});
   return Append({.op = OpKind::kHostCall, .type = result, .payload = id.index});
 }
 
 void Builder::Jump(uint32_t label, ValueId condition) {
   Append({.op = OpKind::kJump, .payload = label, .a = Word(condition)});
+}
+
+void Builder::JumpBack(uint32_t label, ValueId condition, PlaceId budget, RegionId refused) {
+  PLCXX_CHECK(program_.places[budget].type == Type::kI32);
+  Append({.op = OpKind::kJump, .payload = label, .a = Word(condition), .b = refused.index, .c = budget.index});
 }
 
 void Builder::Label(uint32_t label) { Append({.op = OpKind::kLabel, .payload = label}); }
@@ -132,6 +144,10 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
     case Shape::kBlock:
       add(RegionId(inst.a));
       break;
+    case Shape::kRepeat:
+    case Shape::kJump:
+      add(RegionId(inst.b));
+      break;
     case Shape::kPure:
     case Shape::kStep:
     case Shape::kConst:
@@ -142,7 +158,6 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
     case Shape::kExit:
     case Shape::kCall:
     case Shape::kHostCall:
-    case Shape::kJump:
     case Shape::kLabel:
       break;
   }

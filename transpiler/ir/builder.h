@@ -41,9 +41,13 @@ class Builder {
   InstId LoopWith(Loop loop);
   InstId Block(RegionId body);
   void Exit(InstId block, ValueId condition = {});
+  void Repeat(InstId loop, ValueId condition, RegionId refused);
   ValueId CallRoutine(RoutineId routine, std::vector<ValueId> arguments);
-  ValueId CallHost(HostFunctionId function, std::vector<ValueId> arguments);
+  /// `out`: the place for the second result of a function that gives one.
+  ValueId CallHost(HostFunctionId function, std::vector<ValueId> arguments, PlaceId out = {});
   void Jump(uint32_t label, ValueId condition = {});
+  /// To a label that stands above: at most as often as the i32 place `budget` says; then `refused` runs instead.
+  void JumpBack(uint32_t label, ValueId condition, PlaceId budget, RegionId refused);
   void Label(uint32_t label);
 
  private:

@@ -17,7 +17,8 @@ struct TypeList {
 // Names as the tables write them, so that a row reads "(Bit, I32)".
 namespace names {
 // NOLINTNEXTLINE(readability-identifier-naming)
-constexpr Type None = Type::kNone, Bit = kTypeBit, I8 = kTypeI8, I16 = kTypeI16, I32 = kTypeI32;
+constexpr Type None = Type::kNone, Bit = kTypeBit, I8 = kTypeI8, I16 = kTypeI16, I32 = kTypeI32, I64 = Type::kI64,
+               F32 = Type::kF32;
 template <class... T>
 constexpr TypeList Types(T... types) {
   return TypeList{sizeof...(T), {types...}};

@@ -44,6 +44,7 @@ enum class Shape : uint8_t {
   kLoop,
   kBlock,
   kExit,
+  kRepeat,
   kCall,
   kHostCall,
   kJump,

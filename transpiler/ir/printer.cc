@@ -73,7 +73,9 @@ std::string RoutinePrinter::Operands(const Inst& inst) const {
 std::string RoutinePrinter::Arguments(const Call& call) const {
   std::string list = " (";
   for (size_t i = 0; i < call.arguments.size(); ++i) list += (i == 0 ? "" : ", ") + Value(call.arguments[i].index);
-  return list + ")\n";
+  list += ')';
+  if (call.out.valid()) list += " out " + printer.PlaceName(call.out);
+  return list + '\n';
 }
 
 void RoutinePrinter::Open(std::string_view head) {
@@ -201,9 +203,15 @@ void RoutinePrinter::PrintInst(InstId id) {
       break;
     }
     case Shape::kExit:
+    case Shape::kRepeat:
     case Shape::kJump:
-      out += op + ' ' + (info.shape == Shape::kExit ? Label(inst.payload) : 'L' + std::to_string(inst.payload));
+      out += op + ' ' + (info.shape == Shape::kJump ? 'L' + std::to_string(inst.payload) : Label(inst.payload));
       if (inst.a != kNone) out += " if " + Value(inst.a);
+      if (info.shape == Shape::kJump && inst.c != kNone) out += " budget " + printer.PlaceName(PlaceId(inst.c));
+      if (info.shape != Shape::kExit && RegionId(inst.b).valid()) {
+        out += " refused {\n";
+        Nested(RegionId(inst.b));
+      }
       out += '\n';
       break;
     case Shape::kLabel:

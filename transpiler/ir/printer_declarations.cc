@@ -86,6 +86,7 @@ void PrintHostFunctions(Printer& printer) {
     }
     out += ')';
     if (host.result != Type::kNone) out += " -> " + std::string(Name(host.result));
+    if (host.out.type != Type::kNone) out += " out " + ParameterText(host.out);
     if (host.access != HostAccess::kNone) {
       out += ' ';
       out += text::kAccesses[static_cast<size_t>(host.access)];
@@ -149,6 +150,9 @@ void Printer::PrintSchedule() {
   if (schedule.init.valid()) entry("init", routines[schedule.init.index]);
   if (schedule.period.valid()) entry("period", routines[schedule.period.index]);
   if (schedule.fast_only.valid()) entry("fast_only", routines[schedule.fast_only.index]);
+  if (schedule.elapse.valid()) entry("elapse", routines[schedule.elapse.index]);
+  if (schedule.elapses_every_ms) entry("elapses_every_ms", "1");
+  if (schedule.period_ends_its_time) entry("period_ends_its_time", "1");
   if (schedule.period_ms != usual.period_ms) entry("period_ms", Decimal(schedule.period_ms));
   if (schedule.slot_ms != usual.slot_ms) entry("slot_ms", Decimal(schedule.slot_ms));
   if (schedule.slices_by_cost) entry("slices_by_cost", "1");

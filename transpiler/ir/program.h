@@ -46,7 +46,10 @@ using CallId = support::Id<struct CallTag>;
 ///   kExit       payload = InstId of an enclosing Block or Loop; a = condition (bit), or none = always
 ///   kCall       payload = CallId (its routine and arguments)
 ///   kHostCall   payload = CallId (its host function and arguments)
-///   kJump       payload = label number; a = condition (bit), or none = always
+///   kRepeat     payload = InstId of an enclosing Loop with a budget; a = condition (bit), or none = always;
+///               b = RegionId: what happens instead of another round when nothing is left of the budget
+///   kJump       payload = label number; a = condition (bit), or none = always; b of a backward jump as of kRepeat,
+///               c = PlaceId of its budget
 ///   kLabel      payload = label number
 struct Inst {
   OpKind op{};
@@ -77,12 +80,15 @@ struct Switch {
 enum class LoopBound : uint8_t {
   kProven,  // at most `bound` rounds, shown by the front end
   kGuard,   // at most `bound` rounds for each entry, then the fault's host call and on behind the loop
-  kBudget   // as kGuard, the rounds counted down in a place that several loops of one partition share
+  /// The body runs once and is left at its end; only Repeat goes round. Each Repeat takes 1 from the budget, a place
+  /// that several loops and routines may share; when that is 0 already, Repeat executes its own region and goes on
+  /// behind itself instead. Whoever begins to count stores the number of rounds into the place.
+  kBudget
 };
 struct Loop {
   LoopBound kind = LoopBound::kProven;
-  uint64_t bound = 0;
-  PlaceId budget;      // kBudget only
+  uint64_t bound = 0;  // kProven, kGuard
+  PlaceId budget;      // kBudget only, an i32; such a loop has neither a condition nor a region `exhausted`
   RegionId condition;  // computed before each round; its last instruction is a bit. None: only Exit leaves
   RegionId body;
   RegionId exhausted;  // executed when the guard ends the loop; may be none
@@ -92,6 +98,7 @@ struct Call {
   RoutineId routine;    // kCall
   HostFunctionId host;  // kHostCall
   std::vector<ValueId> arguments;
+  PlaceId out;  // kHostCall of a function that gives a second result: a place of lifetime kRoutine that receives it
 };
 
 struct Parameter {
@@ -108,6 +115,9 @@ struct HostFunction {
   std::string name;  // "fault"
   std::vector<Parameter> parameters;
   Type result = Type::kNone;
+  /// A second result, delivered into a last parameter "T& name"; none: name is empty. When the function does not give
+  /// one, the place keeps its value.
+  Parameter out;
   HostAccess access = HostAccess::kNone;
   /// Part of the regular exchange (time, inputs, outputs, loading): not an event that scenarios list.
   bool routine_exchange = false;
@@ -172,13 +182,17 @@ struct Schedule {
   RoutineId init;
   RoutineId period;     // everything that one period of the control does
   RoutineId fast_only;  // `run: {fast: n}`
+  /// Executed when time has passed without a period (the end of `run: {ms: n}`); none: nothing happens then.
+  RoutineId elapse;
+  bool elapses_every_ms = false;      // the same at every whole millisecond that is not a period's
+  bool period_ends_its_time = false;  // the first period is at t = period_ms, each one at the end of its time
   uint32_t period_ms = 10;
   uint32_t slot_ms = 2;         // of each period, for the slow part; what automatic slicing divides by
   bool slices_by_cost = false;  // the number of slices is to be found from the cost model
   PlaceId slow_done;            // i32, counts completed slow cycles
   HostFunctionId now;           // the host function that gives the time in ms
   HostFunctionId retentive_load, retentive_store;  // none when the dialect has no retentive memory
-  PlaceId retain_at_power_off;  // a bit: 1 = the host stores the retentive memory when power fails; none = never
+  PlaceId retain_at_power_off;  // a bit: 1 = the host stores the retentive memory when power fails; none = always
   bool retention = false;
 };
 

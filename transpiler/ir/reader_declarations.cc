@@ -120,6 +120,11 @@ void ReadHostFunction(Reader& reader) {
   const std::string handle = host.name = reader.Name();
   ReadParameters(reader, host.parameters, nullptr);
   if (reader.Accept("->")) host.result = reader.TypeName();
+  if (reader.Accept("out")) {
+    host.out.name = reader.Name();
+    reader.Expect(":");
+    host.out.type = reader.TypeName();
+  }
   for (size_t i = 0; i < std::size(text::kAccesses); ++i) {
     if (reader.Accept(text::kAccesses[i])) host.access = static_cast<HostAccess>(i);
   }
@@ -234,6 +239,12 @@ void Reader::ReadScheduleEntry() {
     schedule.period = Known(routines, "routine");
   } else if (key == "fast_only") {
     schedule.fast_only = Known(routines, "routine");
+  } else if (key == "elapse") {
+    schedule.elapse = Known(routines, "routine");
+  } else if (key == "elapses_every_ms") {
+    schedule.elapses_every_ms = Number32() != 0;
+  } else if (key == "period_ends_its_time") {
+    schedule.period_ends_its_time = Number32() != 0;
   } else if (key == "period_ms") {
     schedule.period_ms = Number32();
   } else if (key == "slot_ms") {

@@ -22,6 +22,10 @@ struct BodyReader {
   bool NextLine();
   /// The lines up to the one that begins with `}`, which stays the current one, its `}` taken.
   void ReadNested(RegionId region);
+  /// The block or loop around the current line that has this label.
+  uint32_t EnclosingOf(const std::string& label);
+  /// Appends a jump or repeat with its region `refused {`, when there is one.
+  void ReadRefused(RegionId region, const Inst& inst);
   RegionId NestedRegion();
   /// `name {` and the lines of a region, up to its `}`; the region of `place` must not have been read before.
   void ReadSection(RegionId& place);
@@ -85,6 +89,21 @@ void BodyReader::ReadNested(RegionId region) {
     if (reader.Accept("}")) return;
     ReadInst(region);
   }
+}
+
+uint32_t BodyReader::EnclosingOf(const std::string& label) {
+  for (auto open = enclosing.rbegin(); open != enclosing.rend(); ++open) {
+    if (open->first == label) return open->second.index;
+  }
+  reader.Fail("no block or loop '" + label + "' around this");
+  return 0;
+}
+
+void BodyReader::ReadRefused(RegionId region, const Inst& inst) {
+  const InstId id = Append(region, inst);
+  if (!reader.Accept("refused")) return;
+  const RegionId refused = NestedRegion();
+  program[id].b = refused.index;
 }
 
 RegionId BodyReader::NestedRegion() {
@@ -208,18 +227,21 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
       break;
     }
     case Shape::kExit: {
-      const std::string label = reader.Name();
-      for (const auto& [enclosing_name, id] : enclosing) {
-        if (enclosing_name == label) inst.payload = id.index;
-      }
-      if (!InstId(inst.payload).valid()) reader.Fail("no block or loop '" + label + "' around this");
+      inst.payload = EnclosingOf(reader.Name());
       if (reader.Accept("if")) inst.a = ValueWord();
       break;
     }
+    case Shape::kRepeat:
+      inst.payload = EnclosingOf(reader.Name());
+      if (reader.Accept("if")) inst.a = ValueWord();
+      ReadRefused(region, inst);
+      return;
     case Shape::kJump:
       inst.payload = LabelNumber(reader);
       if (reader.Accept("if")) inst.a = ValueWord();
-      break;
+      if (reader.Accept("budget")) inst.c = reader.Known(reader.places, "place").index;
+      ReadRefused(region, inst);
+      return;
     case Shape::kLabel:
       inst.payload = LabelNumber(reader);
       break;
@@ -234,6 +256,7 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
         if (!reader.error) inst.type = program.host_functions[call.host].result;
       }
       call.arguments = Arguments();
+      if (reader.Accept("out")) call.out = reader.Known(reader.places, "place");
       inst.payload = program.calls.Add(std::move(call)).index;
       break;
     }

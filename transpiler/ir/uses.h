@@ -25,6 +25,7 @@ void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
     case Shape::kIf:
     case Shape::kSwitch:
     case Shape::kExit:
+    case Shape::kRepeat:
     case Shape::kJump:
       if (inst.a != kNone) visit(inst.a);
       break;
@@ -44,8 +45,29 @@ void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
 
 /// Whether an instruction owns regions; asks no allocation, unlike OwnedRegions.
 inline bool OwnsRegions(const Inst& inst) {
-  const Shape shape = Info(inst.op).shape;
-  return shape == Shape::kIf || shape == Shape::kSwitch || shape == Shape::kLoop || shape == Shape::kBlock;
+  switch (Info(inst.op).shape) {
+    case Shape::kIf:
+    case Shape::kSwitch:
+    case Shape::kLoop:
+    case Shape::kBlock:
+    case Shape::kRepeat:
+      return true;
+    case Shape::kJump:
+      return RegionId(inst.b).valid();
+    case Shape::kPure:
+    case Shape::kStep:
+    case Shape::kConst:
+    case Shape::kLoad:
+    case Shape::kStore:
+    case Shape::kText:
+    case Shape::kStatement:
+    case Shape::kExit:
+    case Shape::kCall:
+    case Shape::kHostCall:
+    case Shape::kLabel:
+      return false;
+  }
+  return false;
 }
 
 /// Turns an instruction that no region lists any more into one without operands and effects, so that phases that go

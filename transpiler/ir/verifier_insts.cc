@@ -75,6 +75,10 @@ struct OperandCheck {
       if (call.host.index >= program.host_functions.size()) return Report("unknown host function");
       const HostFunction& host = program.host_functions[call.host];
       Arguments(host.parameters, call.arguments, host.result);
+      const bool has_out = call.out.index < program.places.size();
+      if (has_out != (host.out.type != Type::kNone) || (has_out && program.places[call.out].type != host.out.type)) {
+        Report("second result of another type");
+      }
       return;
     }
     if (call.routine.index >= program.routines.size()) return Report("unknown routine");
@@ -137,6 +141,7 @@ void Verifier::VerifyInst(const Inst& inst, uint32_t floor) {
     case Shape::kLoop:
     case Shape::kBlock:
     case Shape::kExit:
+    case Shape::kRepeat:
     case Shape::kJump:
     case Shape::kLabel:
       break;  // verifier_regions.cc

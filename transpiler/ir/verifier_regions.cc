@@ -8,7 +8,7 @@ namespace plcxx::ir {
 
 void Verifier::VerifyRegion(RegionId region, uint32_t floor) {
   region_open[region.index] = true;
-  bool jumps = false;
+  if (stage == Stage::kLowered) OpenLabels(region);
   for (const InstId id : program.regions[region].insts) {
     if (id.index >= program.insts.size()) {
       Report(program.routines[routine].name + ": unknown instruction");
@@ -33,9 +33,7 @@ void Verifier::VerifyRegion(RegionId region, uint32_t floor) {
       case Shape::kJump:
       case Shape::kLabel:
         if (stage == Stage::kStructured) Report(inst, "left over from before structuring");
-        if (inst.op == OpKind::kJump && ValueId(inst.a).valid())
-          VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
-        jumps = true;
+        if (inst.op == OpKind::kJump) VerifyJump(inst, floor);
         break;
       case Shape::kIf:
         VerifyIf(inst, floor);
@@ -52,6 +50,9 @@ void Verifier::VerifyRegion(RegionId region, uint32_t floor) {
       case Shape::kExit:
         VerifyExit(inst, floor);
         break;
+      case Shape::kRepeat:
+        VerifyRepeat(inst, floor);
+        break;
       case Shape::kPure:
       case Shape::kStep:
       case Shape::kConst:
@@ -65,8 +66,9 @@ void Verifier::VerifyRegion(RegionId region, uint32_t floor) {
     }
     position[id.index] = ++now;
     home[id.index] = region;
+    if (stage == Stage::kLowered) ++labels.back().at;
   }
-  if (jumps && stage == Stage::kLowered) VerifyJumps(region);
+  if (stage == Stage::kLowered) labels.pop_back();
   region_open[region.index] = false;
 }
 
@@ -108,8 +110,10 @@ void Verifier::VerifySwitch(const Inst& inst, uint32_t floor) {
 void Verifier::VerifyLoop(InstId id, const Inst& inst, uint32_t floor) {
   if (inst.payload >= program.loops.size()) return Report(inst, "unknown loop");
   const Loop& loop = program.loops[LoopId(inst.payload)];
-  if (loop.bound == 0) Report(inst, "no bound");
-  const bool budget = loop.budget.index < program.places.size();
+  const bool counts = loop.kind != LoopBound::kBudget;
+  if (counts && loop.bound == 0) Report(inst, "no bound");
+  if (!counts && (loop.condition.valid() || loop.exhausted.valid())) Report(inst, "a budget and a condition");
+  const bool budget = loop.budget.index < program.places.size() && program.places[loop.budget].type == Type::kI32;
   if ((loop.kind == LoopBound::kBudget) != budget) Report(inst, budget ? "budget without use" : "no budget place");
   if (loop.body.index != inst.a) Report(inst, "two bodies");
   body_open[id.index] = true;
@@ -137,31 +141,53 @@ void Verifier::VerifyExit(const Inst& inst, uint32_t floor) {
   if (inst.payload >= body_open.size() || !body_open[inst.payload]) Report(inst, "no block or loop around it");
 }
 
-void Verifier::VerifyJumps(RegionId region) {
-  struct LabelAt {
-    uint32_t label;
-    size_t at;
-  };
+void Verifier::VerifyRepeat(const Inst& inst, uint32_t floor) {
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (inst.payload >= body_open.size() || !body_open[inst.payload] ||
+      program[InstId(inst.payload)].op != OpKind::kLoop) {
+    return Report(inst, "no loop around it");
+  }
+  const LoopId loop(program[InstId(inst.payload)].payload);
+  if (loop.index >= program.loops.size() || program.loops[loop].kind != LoopBound::kBudget) {
+    Report(inst, "its loop has no budget");
+  }
+  if (RegionId(inst.b).valid()) VerifyOwned(RegionId(inst.b), floor, inst);
+}
+
+void Verifier::OpenLabels(RegionId region) {
+  labels.push_back({});
+  std::vector<LabelAt>& found = labels.back().labels;
   const std::vector<InstId>& insts = program.regions[region].insts;
-  std::vector<LabelAt> labels;
   for (size_t i = 0; i < insts.size(); ++i) {
-    if (program[insts[i]].op == OpKind::kLabel) labels.push_back({program[insts[i]].payload, i});
+    if (insts[i].index >= program.insts.size() || program[insts[i]].op != OpKind::kLabel) continue;
+    found.push_back({program[insts[i]].payload, i});
   }
-  const auto before = [](const LabelAt& a, const LabelAt& b) { return a.label < b.label; };
-  std::stable_sort(labels.begin(), labels.end(), before);
-  for (size_t i = 1; i < labels.size(); ++i) {
-    if (labels[i - 1].label == labels[i].label) Report(program[insts[labels[i].at]], "the label is there twice");
+  std::stable_sort(found.begin(), found.end(), [](const LabelAt& a, const LabelAt& b) { return a.label < b.label; });
+  for (size_t i = 1; i < found.size(); ++i) {
+    if (found[i - 1].label == found[i].label) Report(program[insts[found[i].at]], "the label is there twice");
   }
-  for (size_t i = 0; i < insts.size(); ++i) {
-    const Inst& inst = program[insts[i]];
-    if (inst.op != OpKind::kJump) continue;
-    const auto label = std::lower_bound(labels.begin(), labels.end(), LabelAt{inst.payload, 0}, before);
-    if (label == labels.end() || label->label != inst.payload) {
-      Report(inst, "no label L" + std::to_string(inst.payload) + " in its region");
-    } else if (label->at < i) {
-      Report(inst, "goes back to L" + std::to_string(inst.payload));
-    }
+}
+
+void Verifier::VerifyJump(const Inst& inst, uint32_t floor) {
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (stage == Stage::kLowered) VerifyTarget(inst);
+  if (RegionId(inst.b).valid()) VerifyOwned(RegionId(inst.b), floor, inst);
+}
+
+/// The label stands in the jump's region or in one around it; a way back has a budget.
+void Verifier::VerifyTarget(const Inst& inst) {
+  const bool has_budget = inst.c < program.places.size() && program.places[PlaceId(inst.c)].type == Type::kI32;
+  for (auto open = labels.rbegin(); open != labels.rend(); ++open) {
+    const auto label =
+        std::lower_bound(open->labels.begin(), open->labels.end(), inst.payload,
+                         [](const LabelAt& candidate, uint32_t wanted) { return candidate.label < wanted; });
+    if (label == open->labels.end() || label->label != inst.payload) continue;
+    const bool back = label->at <= open->at;
+    if (back && !has_budget) Report(inst, "goes back to L" + std::to_string(inst.payload) + " without a budget");
+    if (!back && (PlaceId(inst.c).valid() || RegionId(inst.b).valid())) Report(inst, "goes forward with a budget");
+    return;
   }
+  Report(inst, "no label L" + std::to_string(inst.payload) + " in its region");
 }
 
 }  // namespace plcxx::ir

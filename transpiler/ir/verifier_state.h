@@ -24,6 +24,15 @@ struct Verifier {
   std::vector<RegionId> home;                   // by InstId
   std::vector<std::vector<RoutineId>> callees;  // by RoutineId
   uint32_t now = 0;
+  struct LabelAt {
+    uint32_t label;
+    size_t at;  // index into the region's instructions
+  };
+  struct OpenRegion {
+    std::vector<LabelAt> labels;  // ascending
+    size_t at = 0;                // of the walked instruction
+  };
+  std::vector<OpenRegion> labels;  // of the walked region and those around it, outermost first; kLowered only
 
   explicit Verifier(const Program& verified, Stage at);
 
@@ -48,7 +57,10 @@ struct Verifier {
   void VerifyLoop(InstId id, const Inst& inst, uint32_t floor);
   void VerifyBlock(InstId id, const Inst& inst, uint32_t floor);
   void VerifyExit(const Inst& inst, uint32_t floor);
-  void VerifyJumps(RegionId region);
+  void VerifyRepeat(const Inst& inst, uint32_t floor);
+  void OpenLabels(RegionId region);
+  void VerifyJump(const Inst& inst, uint32_t floor);
+  void VerifyTarget(const Inst& inst);
 
   // verifier_insts.cc: one instruction's operands and types.
   void VerifyInst(const Inst& inst, uint32_t floor);

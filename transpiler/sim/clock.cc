@@ -20,8 +20,9 @@ void Clock::PowerOn() {
 void Clock::PowerCycle() {
   const ir::Schedule& schedule = program_.schedule;
   for (Engine* engine : engines_) {
-    if (!schedule.retention || !schedule.retain_at_power_off.valid()) continue;
-    if (engine->Read(program_.places[schedule.retain_at_power_off]) != 0) engine->StoreRetentive();
+    if (!schedule.retention) continue;
+    const ir::PlaceId asked = schedule.retain_at_power_off;
+    if (!asked.valid() || engine->Read(program_.places[asked]) != 0) engine->StoreRetentive();
   }
   PowerOn();
 }

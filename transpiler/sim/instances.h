@@ -8,10 +8,16 @@
 #include <variant>
 #include <vector>
 
+#include "plcxx/axis_requests.h"
 #include "plcxx/counters.h"
+#include "plcxx/decade_counters.h"
+#include "plcxx/edges.h"
 #include "plcxx/one_shots.h"
+#include "plcxx/position_counters.h"
 #include "plcxx/texts.h"
+#include "plcxx/time_word_timers.h"
 #include "plcxx/timers.h"
+#include "plcxx/unit_timers.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::sim {

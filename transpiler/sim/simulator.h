@@ -88,6 +88,7 @@ class Simulator : public Engine {
   std::vector<bool> switched_off_;  // by StatementId
   Current current_;
   ir::InstId leaving_;
+  bool repeats_ = false;  // what leaves is a Repeat: another round of the loop it names
   uint32_t now_ms_ = 0;
   uint64_t executed_ = 0;
   std::vector<HostEvent> events_;

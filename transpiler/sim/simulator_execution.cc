@@ -2,7 +2,9 @@
 
 #include "plcxx/arith.h"
 #include "plcxx/bcd.h"
+#include "plcxx/floats.h"
 #include "plcxx/logic.h"
+#include "plcxx/rings.h"
 #include "transpiler/sim/evaluate.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/support/check.h"
@@ -135,17 +137,16 @@ Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
       case ir::LoopBound::kGuard:
         exhausted = round >= loop.bound;
         break;
-      case ir::LoopBound::kBudget: {
-        const PlaceAccess& budget = places_[loop.budget.index];
-        const uint64_t left = Get(budget, 0);
-        exhausted = left == 0;
-        if (!exhausted) Set(budget, 0, left - 1, Writer::kProgram);
+      case ir::LoopBound::kBudget:
         break;
-      }
     }
+    repeats_ = false;
     const Flow flow = Execute(exhausted ? loop.exhausted : loop.body);
-    if (flow == Flow::kLeaving) return Leave(id);
-    if (exhausted) return Flow::kOn;
+    if (flow == Flow::kLeaving) {
+      if (leaving_ != id || !repeats_) return Leave(id);
+      continue;
+    }
+    if (exhausted || loop.kind == ir::LoopBound::kBudget) return Flow::kOn;
   }
 }
 
@@ -158,6 +159,19 @@ Simulator::Flow Simulator::Leave(InstId block) { return leaving_ == block ? Flow
 Simulator::Flow Simulator::ExecuteExit(InstId, const Inst& inst) {
   if (ir::ValueId(inst.a).valid() && values_[inst.a] == 0) return Flow::kOn;
   leaving_ = InstId(inst.payload);
+  repeats_ = false;
+  return Flow::kLeaving;
+}
+
+Simulator::Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
+  if (ir::ValueId(inst.a).valid() && values_[inst.a] == 0) return Flow::kOn;
+  const ir::LoopId loop(program_[InstId(inst.payload)].payload);
+  const PlaceAccess& budget = places_[program_.loops[loop].budget.index];
+  const uint64_t left = Get(budget, 0);
+  if (left == 0) return Execute(RegionId(inst.b));
+  Set(budget, 0, left - 1, Writer::kProgram);
+  leaving_ = InstId(inst.payload);
+  repeats_ = true;
   return Flow::kLeaving;
 }
 
