@@ -67,7 +67,7 @@ routine slow slow (slice : i32 = slice) sliced slices 3 {
     %1 = load row[%0]
     %2 = call sub (%0)
     block @1 {
-      loop @2 budget 100 budget {
+      loop @2 guard 100 {
         condition {
           %3 = eq.i8 %1 %1
         }
@@ -78,6 +78,14 @@ routine slow slow (slice : i32 = slice) sliced slices 3 {
         }
         exhausted {
           %5 = host fault (%1)
+        }
+      }
+      loop @3 budget 0 budget {
+        body {
+          %8 = load bit
+          repeat @3 if %8 refused {
+            exit @1
+          }
         }
       }
     }
@@ -107,10 +115,14 @@ TEST(Verifier, ForwardJumpsBeforeStructuringOnly) {
   EXPECT_THAT(Findings(program, Stage::kLowered), IsEmpty());
   EXPECT_THAT(Findings(program), ElementsAre("fast, jump: left over from before structuring",
                                              "fast, label: left over from before structuring"));
-  EXPECT_THAT(Findings(Read(Fast("label L1\njump L1\n")), Stage::kLowered), ElementsAre("fast, jump: goes back to L1"));
+  EXPECT_THAT(Findings(Read(Fast("label L1\njump L1\n")), Stage::kLowered), ElementsAre("fast, jump: goes back to L1 without a budget"));
+  EXPECT_THAT(Findings(Read(Fast("label L1\njump L1 budget budget refused {\n}\n")), Stage::kLowered), IsEmpty());
+  EXPECT_THAT(Findings(Read(Fast("jump L1 budget budget\nlabel L1\n")), Stage::kLowered),
+              ElementsAre("fast, jump: goes forward with a budget"));
   EXPECT_THAT(Findings(Read(Fast("jump L1\nlabel L1\nlabel L1\n")), Stage::kLowered),
               ElementsAre("fast, label: the label is there twice"));
-  EXPECT_THAT(Findings(Read(Fast("%0 = load bit\nif %0 {\n jump L1\n}\nlabel L1\n")), Stage::kLowered),
+  EXPECT_THAT(Findings(Read(Fast("%0 = load bit\nif %0 {\n jump L1\n}\nlabel L1\n")), Stage::kLowered), IsEmpty());
+  EXPECT_THAT(Findings(Read(Fast("%0 = load bit\nif %0 {\n label L1\n}\njump L1\n")), Stage::kLowered),
               ElementsAre("fast, jump: no label L1 in its region"));
 }
 

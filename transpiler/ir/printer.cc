@@ -75,6 +75,7 @@ std::string RoutinePrinter::Arguments(const Call& call) const {
   for (size_t i = 0; i < call.arguments.size(); ++i) list += (i == 0 ? "" : ", ") + Value(call.arguments[i].index);
   list += ')';
   if (call.out.valid()) list += " out " + printer.PlaceName(call.out);
+  if (call.exchange) list += " exchange";
   return list + '\n';
 }
 

@@ -99,6 +99,7 @@ struct Call {
   HostFunctionId host;  // kHostCall
   std::vector<ValueId> arguments;
   PlaceId out;  // kHostCall of a function that gives a second result: a place of lifetime kRoutine that receives it
+  bool exchange = false;  // this call is part of the regular exchange, see HostFunction::routine_exchange
 };
 
 struct Parameter {

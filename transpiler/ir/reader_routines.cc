@@ -257,6 +257,7 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
       }
       call.arguments = Arguments();
       if (reader.Accept("out")) call.out = reader.Known(reader.places, "place");
+      call.exchange = reader.Accept("exchange");
       inst.payload = program.calls.Add(std::move(call)).index;
       break;
     }
