@@ -149,6 +149,37 @@ TEST(Engine, StopsAtTheFirstError) {
   EXPECT_EQ(engine.error_count(), 2u) << "what was dropped may be reported again";
 }
 
+TEST(Engine, LimitsTheErrorsAndKeepsTheRest) {
+  Engine engine;
+  engine.Report({9, 9}, kBroken, "z", 1);
+  engine.Report({1, 2}, kBroken, "a", 1);
+  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({11, 12}, kOdd);
+  engine.LimitErrors(3);
+  EXPECT_EQ(engine.error_count(), 3u);
+  engine.LimitErrors(1);
+  EXPECT_THAT(Texts(engine), ElementsAre("'a' is broken 1 times", "this is odd"));
+  EXPECT_EQ(engine.error_count(), 1u);
+  EXPECT_EQ(engine.warning_count(), 1u);
+  ASSERT_EQ(engine.all().front().notes.size(), 1u);
+  EXPECT_EQ(engine.all().front().notes.front().range, (source::Range{5, 9}));
+}
+
+TEST(Engine, NotesAreBelowWarnings) {
+  constexpr Message<> kNote{{"Note", "test-N1", Severity::kNote, "this was chosen", ""}};
+  Engine engine({.all_errors = true});
+  engine.Report({1, 2}, kNote);
+  EXPECT_FALSE(engine.HasErrors());
+  EXPECT_EQ(engine.warning_count(), 0u);
+  EXPECT_EQ(engine.note_count(), 1u);
+  Engine named({.errors = {"N1"}});
+  named.Report({1, 2}, kNote);
+  EXPECT_TRUE(named.HasErrors());
+  Engine without({.disabled = {"N1"}});
+  without.Report({1, 2}, kNote);
+  EXPECT_TRUE(without.all().empty());
+}
+
 TEST(Engine, WithoutErrorsNothingIsDropped) {
   Engine engine;
   engine.Report({9, 9}, kOdd);

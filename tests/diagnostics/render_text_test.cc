@@ -184,6 +184,13 @@ TEST(RenderText, AVeryNarrowTerminal) {
   EXPECT_THAT(report.Text({.width = 0}), HasSubstr("HERE"));
 }
 
+TEST(RenderText, NotesOfTheirOwn) {
+  constexpr Message<> kNote{{"Note", "test-N1", Severity::kNote, "this was chosen", ""}};
+  Reporting report("x");
+  report.engine.Report(report.Find("x"), kNote);
+  EXPECT_EQ(report.Text(), "a.plc:1:1: note: this was chosen [test-N1]\n    1 | x\n      | ^\n1 note\n");
+}
+
 TEST(RenderText, Colours) {
   Reporting report("x");
   report.engine.Report(report.Find("x"), kBroken, "x");

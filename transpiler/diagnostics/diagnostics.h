@@ -17,7 +17,9 @@
 
 namespace plcxx::diag {
 
-enum class Severity : uint8_t { kError, kWarning };
+/// A note tells of a choice that the specification made where a control may differ; it is no reason to change a
+/// program.
+enum class Severity : uint8_t { kError, kWarning, kNote };
 
 /// One row of the catalogue. Several rows may share a code (the original compilers' codes are coarse);
 /// the key is unique.
@@ -96,6 +98,7 @@ class Engine {
   bool HasErrors() const { return error_count_ > 0; }
   uint32_t error_count() const { return error_count_; }
   uint32_t warning_count() const { return warning_count_; }
+  uint32_t note_count() const { return note_count_; }
   /// Would a row be shown at all (not disabled)? For checks that cost time.
   bool Enabled(const Row& row) const;
   /// Shows a row that is off by default, as its -W would; -Wno- still wins.
@@ -105,11 +108,15 @@ class Engine {
   const std::vector<Diagnostic>& all() const { return diagnostics_; }
   /// Drops everything after the first error (in source order); sorts.
   void KeepFirstErrorOnly();
+  /// Drops the errors behind the first `most` (in source order) and says so at the last one; sorts.
+  void LimitErrors(uint32_t most);
 
  private:
   static std::string ToText(Text text) { return std::string(text); }
   static std::string ToText(Number number) { return std::to_string(number); }
   Diagnostic& Add(source::Range range, const Row& row, const std::vector<std::string>& args);
+  uint32_t& CountOf(Severity severity);
+  void Recount();
 
   WarningOptions options_;
   std::vector<Diagnostic> diagnostics_;
@@ -117,6 +124,7 @@ class Engine {
   Diagnostic discarded_;                      // what Report returns for a disabled warning and for a repetition
   uint32_t error_count_ = 0;
   uint32_t warning_count_ = 0;
+  uint32_t note_count_ = 0;
 };
 
 /// "{0}" ... "{9}" replaced by the arguments; "{{" is a brace.

@@ -69,13 +69,35 @@ Diagnostic& Engine::Add(source::Range range, const Row& row, const std::vector<s
   Diagnostic& diagnostic = diagnostics_.emplace_back();
   diagnostic.row = &Lasting(row);
   diagnostic.severity = row.severity;
-  const bool as_error = options_.all_errors || NamesWhole(options_.errors, row) || NamesShort(options_.errors, row);
+  const bool as_error = (options_.all_errors && row.severity == Severity::kWarning) ||
+                        NamesWhole(options_.errors, row) || NamesShort(options_.errors, row);
   if (as_error) diagnostic.severity = Severity::kError;
   diagnostic.range = range;
   diagnostic.text = std::move(text);
   diagnostic.remedy = Format(row.remedy, args);
-  ++(diagnostic.severity == Severity::kError ? error_count_ : warning_count_);
+  ++CountOf(diagnostic.severity);
   return diagnostic;
+}
+
+uint32_t& Engine::CountOf(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return error_count_;
+    case Severity::kWarning:
+      return warning_count_;
+    case Severity::kNote:
+      return note_count_;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+void Engine::Recount() {
+  error_count_ = warning_count_ = note_count_ = 0;
+  reported_.clear();
+  for (const Diagnostic& kept : diagnostics_) {
+    ++CountOf(kept.severity);
+    reported_.insert(Identity(*kept.row, kept.range, kept.text));
+  }
 }
 
 void Engine::SortBySource() {
@@ -88,10 +110,27 @@ void Engine::KeepFirstErrorOnly() {
   const auto first = std::ranges::find(diagnostics_, Severity::kError, &Diagnostic::severity);
   if (first == diagnostics_.end()) return;
   diagnostics_.erase(first + 1, diagnostics_.end());
-  error_count_ = 1;
-  warning_count_ = static_cast<uint32_t>(diagnostics_.size()) - 1;
-  reported_.clear();
-  for (const Diagnostic& kept : diagnostics_) reported_.insert(Identity(*kept.row, kept.range, kept.text));
+  Recount();
+}
+
+void Engine::LimitErrors(uint32_t most) {
+  PLCXX_CHECK(most > 0);
+  if (error_count_ <= most) return;
+  SortBySource();
+  std::vector<Diagnostic> kept;
+  size_t last = 0;  // the last error in `kept`
+  uint32_t errors = 0;
+  for (Diagnostic& diagnostic : diagnostics_) {
+    const bool error = diagnostic.severity == Severity::kError;
+    if (error && ++errors > most) {
+      if (errors == most + 1) kept[last].notes.push_back({diagnostic.range, "errors from here on are not shown"});
+      continue;
+    }
+    if (error) last = kept.size();
+    kept.push_back(std::move(diagnostic));
+  }
+  diagnostics_ = std::move(kept);
+  Recount();
 }
 
 }  // namespace plcxx::diag

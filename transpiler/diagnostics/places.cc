@@ -29,6 +29,8 @@ std::string_view SeverityName(Severity severity) {
       return "error";
     case Severity::kWarning:
       return "warning";
+    case Severity::kNote:
+      return "note";
   }
   PLCXX_UNREACHABLE();
 }

@@ -28,7 +28,7 @@ struct TextStyle {
 /// and at the end "2 errors, 1 warning"; nothing at all without diagnostics.
 std::string RenderText(const source::SourceManager& sources, std::span<const Diagnostic> diagnostics,
                        const TextStyle& style);
-/// "2 errors, 1 warning"; empty when there are none.
+/// "2 errors, 1 warning, 3 notes"; empty when there are none.
 std::string CountsText(std::span<const Diagnostic> diagnostics);
 
 /// An array of objects: code, severity, message, help, file, line, column, endLine, endColumn, byteOffset, byteLength,

@@ -5,6 +5,7 @@
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/diagnostics/snippet.h"
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::diag {
 namespace {
@@ -20,13 +21,24 @@ constexpr size_t kGutter = 5;     // digits of a line number
 constexpr uint32_t kNarrow = 20;  // a line cropped to less shows nothing
 constexpr std::string_view kBar = " | ";
 
+std::string_view ColourOf(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return kRed;
+    case Severity::kWarning:
+      return kMagenta;
+    case Severity::kNote:
+      return kCyan;
+  }
+  PLCXX_UNREACHABLE();
+}
+
 class TextRenderer {
  public:
   TextRenderer(const source::SourceManager& sources, const TextStyle& style) : sources_(sources), style_(style) {}
 
   void Add(const Diagnostic& diagnostic) {
-    const bool error = diagnostic.severity == Severity::kError;
-    Head(diagnostic.range, error ? kRed : kMagenta, SeverityName(diagnostic.severity));
+    Head(diagnostic.range, ColourOf(diagnostic.severity), SeverityName(diagnostic.severity));
     Coloured(kBold, Escaped(diagnostic.text));
     out_ += " [" + std::string(diagnostic.row->code) + "]\n";
     SourceLine(diagnostic.range);
@@ -103,12 +115,13 @@ std::string Counted(size_t count, std::string_view what) {
 }  // namespace
 
 std::string CountsText(std::span<const Diagnostic> diagnostics) {
-  const auto errors = static_cast<size_t>(std::ranges::count(diagnostics, Severity::kError, &Diagnostic::severity));
-  const size_t warnings = diagnostics.size() - errors;
   std::string text;
-  if (errors != 0) text = Counted(errors, "error");
-  if (errors != 0 && warnings != 0) text += ", ";
-  if (warnings != 0) text += Counted(warnings, "warning");
+  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kNote}) {
+    const auto count = static_cast<size_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
+    if (count == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += Counted(count, SeverityName(severity));
+  }
   return text;
 }
 

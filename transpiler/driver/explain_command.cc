@@ -1,5 +1,6 @@
 // plcxx explain: the long text of a message.
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -9,6 +10,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/explain.h"
+#include "transpiler/diagnostics/places.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
@@ -99,8 +101,8 @@ void PrintList() {
     std::string_view heading = page ? page->substr(0, page->find('\n')) : row.text;
     if (const size_t colon = heading.find(": "); page && colon != std::string_view::npos)
       heading.remove_prefix(colon + 2);
-    std::cout << row.code << std::string(row.code.size() < 14 ? 14 - row.code.size() : 1, ' ')
-              << (row.severity == diag::Severity::kError ? "error    " : "warning  ") << heading << '\n';
+    std::cout << row.code << std::string(row.code.size() < 14 ? 14 - row.code.size() : 1, ' ') << std::left
+              << std::setw(9) << diag::SeverityName(row.severity) << heading << '\n';
   }
 }
 

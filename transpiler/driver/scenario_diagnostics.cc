@@ -65,8 +65,9 @@ std::string ExpectationText(const ExpectedError& expected) {
   return text + (expected.contains.empty() ? "" : "'");
 }
 
+/// Notes may be named among the warnings, too.
 bool IsWarning(const diag::Diagnostic& diagnostic, std::string_view code) {
-  return diagnostic.severity == diag::Severity::kWarning && CodeMatches(diagnostic.row->code, code);
+  return diagnostic.severity != diag::Severity::kError && CodeMatches(diagnostic.row->code, code);
 }
 
 std::string Counted(size_t count) { return std::to_string(count) + (count == 1 ? " warning" : " warnings"); }

@@ -6,10 +6,10 @@
 namespace plcxx::driver {
 namespace {
 
-/// Is `name` the code of a warning, whole ("nc110-W356") or without its dialect ("W356")?
+/// Is `name` the code of a warning or note, whole ("nc110-W356") or without its dialect ("W356")?
 bool NamesWarning(std::string_view name) {
   return std::ranges::any_of(diag::Catalogue(), [&](const diag::Row& row) {
-    if (row.severity != diag::Severity::kWarning) return false;
+    if (row.severity == diag::Severity::kError) return false;
     return row.code == name || row.code.substr(row.code.find('-') + 1) == name;
   });
 }
