@@ -35,6 +35,8 @@ std::vector<std::string> IdsOf(std::string word) {
   return ids;
 }
 
+std::string_view Prefix(std::string_view id) { return id.substr(0, id.find('-')); }
+
 }  // namespace
 
 Coverage FindCoverage(const std::string& root, std::string_view checklist) {
@@ -55,6 +57,8 @@ Coverage FindCoverage(const std::string& root, std::string_view checklist) {
       if (at == std::string::npos) continue;
       for (const std::string& named : Words(line.substr(at + word.size()))) {
         for (const std::string& id : IdsOf(named)) {
+          // Another prefix belongs to another dialect's checklist.
+          if (!coverage.ids.empty() && Prefix(id) != Prefix(coverage.ids.front())) continue;
           const std::string place = file + ":" + std::to_string(number);
           if (!coverage.titles.contains(id)) coverage.unknown.push_back(place + ": " + id);
           coverage.tests[id].push_back(place);
