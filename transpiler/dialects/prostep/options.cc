@@ -1,0 +1,129 @@
+#include "transpiler/dialects/prostep/options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace plcxx::prostep {
+namespace {
+
+/// Takes the value into the settings; false when it does not fit.
+using Apply = bool (*)(std::string_view value, Settings& settings);
+
+struct Row {
+  dialects::OptionInfo info;
+  Apply apply;
+};
+
+bool Number(std::string_view text, uint32_t low, uint32_t high, uint32_t& into) {
+  uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) return false;
+  into = value;
+  return true;
+}
+
+bool Switch(std::string_view text, bool& into) {
+  const bool on = text == "on" || text == "true", off = text == "off" || text == "false";
+  if (on || off) into = on;
+  return on || off;
+}
+
+/// The first word means `first`, the second `second`.
+template <class Enum>
+bool OneOf(std::string_view text, std::string_view first_word, Enum first, std::string_view second_word, Enum second,
+           Enum& into) {
+  if (text != first_word && text != second_word) return false;
+  into = text == first_word ? first : second;
+  return true;
+}
+
+bool ApplyRetentive(std::string_view text, Settings& s) {
+  const size_t dash = text.find('-');
+  uint32_t first = 0, last = 0;
+  if (dash == std::string_view::npos || !Number(text.substr(0, dash), 0, 999, first) ||
+      !Number(text.substr(dash + 1), first, 999, last)) {
+    return false;
+  }
+  s.first_retentive = first;
+  s.last_retentive = last;
+  return true;
+}
+
+constexpr Row kRows[] = {
+    {{"text-encoding", "utf-8 or mazovia", "utf-8", "encoding of the generated tables of texts"},
+     [](std::string_view t, Settings& s) {
+       return OneOf(t, "utf-8", TextEncoding::kUtf8, "mazovia", TextEncoding::kMazovia, s.text_encoding);
+     }},
+    {{"first-check", "textual or dynamic", "textual", "how the first operation of a sequence is told"},
+     [](std::string_view t, Settings& s) {
+       return OneOf(t, "textual", FirstCheck::kTextual, "dynamic", FirstCheck::kDynamic, s.first_check);
+     }},
+    {{"counter-set", "level or edge", "level", "S C n takes the preset whenever S is 1, or when S rises"},
+     [](std::string_view t, Settings& s) {
+       return OneOf(t, "level", CounterSet::kLevel, "edge", CounterSet::kEdge, s.counter_set);
+     }},
+    {{"muldiv", "signed or unsigned", "signed", "operands of FM 2, 3, 32, 33, 62 and 63"},
+     [](std::string_view t, Settings& s) {
+       return OneOf(t, "signed", MulDiv::kSigned, "unsigned", MulDiv::kUnsigned, s.muldiv);
+     }},
+    {{"retentive", "A-B, 0 to 999", "500-999", "bytes of D that survive power-off"}, ApplyRetentive},
+    {{"tick", "1..1000", "12", "period of the interrupt modules in ms"},
+     [](std::string_view t, Settings& s) { return Number(t, 1, 1000, s.tick_ms); }},
+    {{"io-refresh", "tick or 1ms", "tick", "when the images of inputs and outputs are refreshed"},
+     [](std::string_view t, Settings& s) {
+       return OneOf(t, "tick", IoRefresh::kTick, "1ms", IoRefresh::kMillisecond, s.io_refresh);
+     }},
+    {{"loop-budget", "1..1000000000", "10000", "backward jumps of one run of a partition"},
+     [](std::string_view t, Settings& s) { return Number(t, 1, 1'000'000'000, s.loop_budget); }},
+    {{"plc-axes", "0..5", "0", "PLC axes that the simulated control moves"},
+     [](std::string_view t, Settings& s) { return Number(t, 0, 5, s.plc_axes); }},
+    {{"strict", "on or off", "off", "W01, W13 and W14 are errors"},
+     [](std::string_view t, Settings& s) { return Switch(t, s.strict); }},
+};
+
+const Row* RowOf(std::string_view key) {
+  const auto row = std::ranges::find(kRows, key, [](const Row& candidate) { return candidate.info.key; });
+  return row == std::end(kRows) ? nullptr : row;
+}
+
+std::string AllKeys() {
+  std::string keys;
+  for (const Row& row : kRows) keys += (keys.empty() ? "" : ", ") + std::string(row.info.key);
+  return keys;
+}
+
+}  // namespace
+
+std::span<const dialects::OptionInfo> Options() {
+  static const std::vector<dialects::OptionInfo> options = [] {
+    std::vector<dialects::OptionInfo> infos;
+    for (const Row& row : kRows) infos.push_back(row.info);
+    return infos;
+  }();
+  return options;
+}
+
+void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
+  Settings scratch;
+  for (const auto& [key, value] : options) {
+    const Row* row = RowOf(key);
+    if (row == nullptr) {
+      diagnostics.Report({}, diag::UnknownOption, key, "prostep", AllKeys());
+    } else if (!row->apply(value, scratch)) {
+      diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
+    }
+  }
+}
+
+Settings ReadSettings(const std::map<std::string, std::string>& options) {
+  Settings settings;
+  for (const auto& [key, value] : options) {
+    if (const Row* row = RowOf(key)) row->apply(value, settings);
+  }
+  return settings;
+}
+
+}  // namespace plcxx::prostep

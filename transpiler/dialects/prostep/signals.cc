@@ -1,0 +1,111 @@
+#include "transpiler/dialects/prostep/signals.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "transpiler/support/check.h"
+
+namespace plcxx::prostep {
+namespace {
+
+auto Order(const Signal& signal) { return std::tuple(signal.space, signal.byte, signal.bit, signal.width); }
+
+/// The next field of a line of comma separated values. Quotes around it are removed; within them '""' is a quote.
+std::string TakeField(std::string_view& line) {
+  std::string field;
+  if (line.starts_with('"')) {
+    size_t at = 1;
+    for (; at < line.size(); ++at) {
+      if (line[at] == '"') {
+        if (at + 1 >= line.size() || line[at + 1] != '"') break;
+        ++at;
+      }
+      field += line[at];
+    }
+    line.remove_prefix(std::min(at + 1, line.size()));
+  } else {
+    field = line.substr(0, line.find(','));
+    line.remove_prefix(field.size());
+  }
+  if (!line.empty()) line.remove_prefix(1);
+  return field;
+}
+
+uint32_t TakeNumber(std::string_view& text) {
+  uint32_t number = 0;
+  for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1)) {
+    number = number * 10 + static_cast<uint32_t>(text.front() - '0');
+  }
+  return number;
+}
+
+/// "I20.7", "FB201", or the bits "O27.1-0", of which the signal's `bit` is the lowest.
+void TakeAddress(std::string_view text, Signal& signal) {
+  const size_t letters = std::min(text.find_first_of("0123456789"), text.size());
+  // DD and the like are notation here as in the manual: the space and the number count.
+  const OperandClass operand_class = ClassByName(text.substr(0, letters));
+  PLCXX_CHECK(operand_class != OperandClass::kNone);
+  signal.space = SpaceOf(operand_class);
+  text.remove_prefix(letters);
+  signal.byte = TakeNumber(text);
+  if (!text.starts_with('.')) return;
+  text.remove_prefix(1);
+  const uint32_t first = TakeNumber(text);
+  uint32_t last = first;
+  if (text.starts_with('-')) {
+    text.remove_prefix(1);
+    last = TakeNumber(text);
+  }
+  signal.bit = static_cast<uint8_t>(std::min(first, last));
+}
+
+SignalDirection DirectionByName(std::string_view name) {
+  if (name == "machine_in") return SignalDirection::kMachineIn;
+  if (name == "machine_out") return SignalDirection::kMachineOut;
+  if (name == "nc_to_plc") return SignalDirection::kNcToPlc;
+  if (name == "plc_to_nc") return SignalDirection::kPlcToNc;
+  PLCXX_CHECK(name == "internal");
+  return SignalDirection::kInternal;
+}
+
+std::vector<Signal> ReadTable() {
+  std::vector<Signal> signals;
+  signals.reserve(1000);
+  std::string_view rest(kSignalTable[0].text, kSignalTable[0].size);
+  rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));  // the heads of the columns
+  while (!rest.empty()) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty()) continue;
+    Signal signal;
+    TakeAddress(TakeField(line), signal);
+    signal.name = TakeField(line);
+    const std::string width = TakeField(line);
+    std::string_view digits = width;
+    signal.width = static_cast<uint8_t>(TakeNumber(digits));
+    signal.direction = DirectionByName(TakeField(line));
+    signal.meaning = TakeField(line);
+    signals.push_back(std::move(signal));
+  }
+  std::ranges::stable_sort(signals, {}, Order);
+  return signals;
+}
+
+}  // namespace
+
+std::span<const Signal> Signals() {
+  static const std::vector<Signal> signals = ReadTable();
+  return signals;
+}
+
+std::span<const Signal> SignalsAt(Space space, uint32_t byte, uint8_t bit, uint8_t width) {
+  const Signal wanted{.space = space, .byte = byte, .bit = bit, .width = width, .name = {}, .meaning = {}};
+  const auto found = std::ranges::equal_range(Signals(), Order(wanted), {}, Order);
+  return {found.begin(), found.end()};
+}
+
+}  // namespace plcxx::prostep
