@@ -22,6 +22,7 @@ class Image final : public dialects::ImagePort {
     ++writes;
   }
   void StoreRetentive() override {}
+  void LookAtMessages() override {}
 
   uint8_t operator[](std::string_view name) const {
     const ir::Place place = Locate({}, name)->place;
@@ -56,7 +57,7 @@ class Nc110Stub : public testing::Test {
     }
   }
   Image image_;
-  std::unique_ptr<dialects::ControlStub> stub_ = MakeStub({}, {{"stub-ms", "30"}});
+  std::unique_ptr<dialects::ControlStub> stub_ = MakeStub({}, {{"nc-stub", "on"}, {"stub-ms", "30"}});
   uint32_t now_ = 0, slow_cycles_ = 0, periods_ = 0;
 };
 

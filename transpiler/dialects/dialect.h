@@ -51,12 +51,16 @@ struct Lowered {
   SourceSummary summary;
 };
 
-/// A place in a scenario or a watch list: memory, a field of an instance, or the operator's keyboard.
+/// A place in a scenario or a watch list: memory, a field of an instance, a port of the simulated control, or the
+/// operator's keyboard.
 struct Location {
   ir::Place place;          // need not be one of the program's places; a field place names an instance of the program
   bool text_input = false;  // `set` sends a text; nothing can be read
   /// An instance that the program does not use: always 0, cannot be written. `place.type` still tells its type.
   bool absent = false;
+  /// No memory but the simulated control's own, a number that its stub gives a meaning: `place` has a name and a type
+  /// only, ControlStub::ReadCell and WriteCell are what `expect` and `set` do. Cannot be forced.
+  std::optional<uint32_t> cell;
 };
 
 /// Reads and writes the bytes that a control exchanges with the PLC program.
@@ -67,17 +71,38 @@ class ImagePort {
   virtual void Set(ir::SpaceId space, uint32_t offset, uint8_t value) = 0;
   /// The control takes the retentive memory into its store.
   virtual void StoreRetentive() = 0;
+  /// The control looks at the message bits now; it does so at the end of each period in any case.
+  virtual void LookAtMessages() = 0;
 };
 
-/// A simulated control that answers the program's requests.
+/// A simulated control that answers the program's requests. It lives as long as a scenario: a power cycle is a call.
 class ControlStub {
  public:
   virtual ~ControlStub() = default;
-  virtual void PowerOn(ImagePort& image) = 0;
+  /// Power fails: before the init of a power cycle, not before the first one. What the machine holds (inputs) stays.
+  virtual void PowerOff() {}
+  /// Right after init, at the first power-on, too. Host calls of init have come before.
+  virtual void PowerOn(ImagePort&) {}
   /// Right before a period: what the control writes.
-  virtual void BeforePeriod(uint32_t now_ms, ImagePort& image) = 0;
+  virtual void BeforePeriod(uint32_t /*now_ms*/, ImagePort&) {}
   /// Right after a period: what the control sees. `slow_cycles` counts completed slow cycles.
-  virtual void AfterPeriod(uint32_t now_ms, uint32_t slow_cycles, ImagePort& image) = 0;
+  virtual void AfterPeriod(uint32_t /*now_ms*/, uint32_t /*slow_cycles*/, ImagePort&) {}
+
+  /// A host call while the program runs, the regular exchange included; not the time and the store of retentive memory,
+  /// which the simulation keeps. Gives the call's result, and in `out` its second result (none: the program's place
+  /// keeps its value); floats as their bits. The image is that of this moment, and what is written into it the program
+  /// sees behind the call: only a function with HostAccess::kWritesState may write.
+  virtual uint64_t Call(const ir::HostFunction& /*function*/, std::span<const uint64_t> /*arguments*/, ImagePort&,
+                        std::optional<uint64_t>& /*out*/) {
+    return 0;
+  }
+  /// A scenario has set a place, and the image holds the value. True: the control goes on writing this place (an input
+  /// whose new level it delivers from now on). False: it leaves the place to the scenario until the next power-on.
+  virtual bool Written(const ir::Place&, uint64_t /*value*/, ImagePort&) { return false; }
+
+  /// What Location::cell names.
+  virtual uint64_t ReadCell(uint32_t /*cell*/) { return 0; }
+  virtual void WriteCell(uint32_t /*cell*/, uint64_t /*value*/) {}
 };
 
 enum class Budget : uint8_t { kFastUs, kSlowMs, kCodeKb };
@@ -102,12 +127,18 @@ struct Dialect {
   std::optional<Location> (*locate)(const ir::Program& program, std::string_view text);
   /// A value in the dialect's own spelling ("33H"); none when it is none.
   std::optional<uint64_t> (*parse_value)(std::string_view text);
+  /// The simulated control; none when there is none, or the options want none.
   std::unique_ptr<ControlStub> (*make_stub)(const ir::Program& program,
                                             const std::map<std::string, std::string>& options);
   /// Reports a part that costs more than the budget of its option; `options` holds the limits.
   void (*report_over_budget)(Budget budget, uint64_t needed, uint64_t limit, source::FileId first,
                              const source::SourceManager& sources, diag::Engine& diagnostics);
   diag::Lints lints;  // the dialect's codes for the checks of checks/
+  /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
+  bool options_ignore_case = false;
+  /// The text of a message that has just become active, where memory is a part of it (numbers). None: the text is that
+  /// of Program::messages, and "message N" without one.
+  std::string (*message_text)(const ir::Program& program, uint32_t number, const ImagePort& image) = nullptr;
 };
 
 /// All dialects, by name.

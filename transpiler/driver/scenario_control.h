@@ -29,6 +29,7 @@ class ScenarioControl : private dialects::ImagePort {
   uint8_t Get(ir::SpaceId space, uint32_t offset) const override;
   void Set(ir::SpaceId space, uint32_t offset, uint8_t value) override;
   void StoreRetentive() override { engine_.StoreRetentive(); }
+  void LookAtMessages() override {}
 
   const ir::Program& program_;
   sim::Engine& engine_;

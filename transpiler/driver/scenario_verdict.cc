@@ -20,9 +20,6 @@
 namespace plcxx::driver {
 namespace {
 
-/// The option by which every dialect's sources ask for a simulated control; off when a scenario does not name it.
-constexpr const char* kStubOption = "nc-stub";
-
 using Failure = std::optional<std::string>;
 
 struct Engines {
@@ -127,9 +124,7 @@ class Test {
   }
 
   static std::unique_ptr<dialects::ControlStub> MakeStub(const Compilation& compilation) {
-    const auto option = compilation.options.find(kStubOption);
-    const bool asked_for = option != compilation.options.end() && (option->second == "on" || option->second == "true");
-    if (!asked_for || compilation.dialect->make_stub == nullptr) return nullptr;
+    if (compilation.dialect->make_stub == nullptr) return nullptr;
     return compilation.dialect->make_stub(compilation.program, compilation.options);
   }
 

@@ -175,6 +175,8 @@ void NcStub::AfterPeriod(uint32_t, uint32_t slow_cycles, dialects::ImagePort&) {
 }
 
 std::unique_ptr<dialects::ControlStub> MakeStub(const ir::Program&, const std::map<std::string, std::string>& options) {
+  const auto wanted = options.find("nc-stub");
+  if (wanted == options.end() || (wanted->second != "on" && wanted->second != "true")) return nullptr;
   Settings settings;
   ApplyOptions(options, settings);
   return std::make_unique<NcStub>(settings.stub_ms);

@@ -14,6 +14,7 @@
 
 namespace plcxx::nc110 {
 
+/// None unless option `nc-stub` is on.
 std::unique_ptr<dialects::ControlStub> MakeStub(const ir::Program& program,
                                                 const std::map<std::string, std::string>& options);
 
