@@ -73,6 +73,19 @@ TEST(Engine, KeepsARepetitionOnce) {
   EXPECT_EQ(engine.warning_count(), 2u);
 }
 
+TEST(Engine, AWarningIsMadeAnError) {
+  Engine engine;
+  engine.MakeError(kOdd.row);
+  engine.Report({}, kOdd);
+  engine.Report({}, kOther);
+  EXPECT_EQ(engine.error_count(), 1u);
+  EXPECT_EQ(engine.warning_count(), 1u);
+  Engine silent({.disabled = {"W7"}});
+  silent.MakeError(kOdd.row);
+  silent.Report({}, kOdd);
+  EXPECT_FALSE(silent.HasErrors()) << "-Wno- wins";
+}
+
 TEST(Engine, WarningsAreSwitchedOffByEitherName) {
   for (const char* name : {"W7", "test-W7"}) {
     Engine engine({.disabled = {name}});

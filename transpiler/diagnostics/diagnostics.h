@@ -103,6 +103,8 @@ class Engine {
   bool Enabled(const Row& row) const;
   /// Shows a row that is off by default, as its -W would; -Wno- still wins.
   void Enable(const Row& row) { options_.enabled.emplace(row.code.substr(row.code.find('-') + 1)); }
+  /// Reports a warning as an error from now on, as its -Werror= would; -Wno- still wins.
+  void MakeError(const Row& row) { options_.errors.emplace(row.code.substr(row.code.find('-') + 1)); }
   /// In source order (file, line, column); ties keep the order of detection.
   void SortBySource();
   const std::vector<Diagnostic>& all() const { return diagnostics_; }
