@@ -14,13 +14,14 @@ namespace plcxx::passes {
 
 inline constexpr std::string_view kMemory = R"(
 space m 4 volatile little
-space locals 4 routine little
+space locals 8 routine little
 state T5 on_delay_timer
 place a bit m[0].0
 place b bit m[0].1
 place c bit m[0].2
 place w i8 m[1]
 place slice i32 locals[0]
+place rounds i32 locals[4]
 )";
 
 inline ir::Program ReadRoutines(std::string_view routines) {

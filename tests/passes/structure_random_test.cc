@@ -1,4 +1,4 @@
-// Structure keeps what is executed: random forward jumps, followed as they stand and as the regions they became.
+// Structure and NestBlocks keep what is executed: random jumps, followed as they stand and as the regions they became.
 
 #include <gtest/gtest.h>
 
@@ -6,100 +6,200 @@
 #include <vector>
 
 #include "tests/passes/passes_testing.h"
+#include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
 
 namespace plcxx::passes {
 namespace {
 
-/// The stores executed, in order, when the places have the values of the bits of `inputs`; what is stored is not kept.
+constexpr uint32_t kRounds = 7;  // of the budget
+constexpr uint32_t kNoLabel = ~0u;
+
+/// The stores to bits, in order; what is stored is not kept. The value of a bit depends on what was stored before, so
+/// that a loop does not go round for ever the same way.
 struct Follower {
   const ir::Program& program;
   uint32_t inputs;
-  std::vector<uint32_t> trace;
-  ir::InstId leaving;    // an Exit was taken, to the end of this block
-  uint32_t label = ~0u;  // a Jump was taken, to this label
-  std::vector<bool> values;
+  std::vector<uint32_t> trace = {};
+  ir::InstId leaving = {};  // an Exit or Repeat was taken, to this block or loop
+  bool repeats = false;
+  uint32_t label = kNoLabel;  // a Jump was taken, to this label
+  std::vector<uint64_t> values = {};
+  uint64_t rounds = kRounds;
+  std::vector<uint64_t> words = {};  // by PlaceId: where loops go on
 
-  void Region(ir::RegionId region) {
-    for (const ir::InstId id : program.regions[region].insts) {
-      const ir::Inst& inst = program[id];
-      if (label != ~0u) {
-        if (inst.op == ir::OpKind::kLabel && inst.payload == label) label = ~0u;
-        continue;
-      }
-      const bool condition = !ir::ValueId(inst.a).valid() || inst.a >= values.size() || values[inst.a];
-      if (inst.op == ir::OpKind::kStore) trace.push_back(id.index);  // passes keep ids
-      if (inst.op == ir::OpKind::kLoad) values[id.index] = (inputs >> inst.payload & 1) != 0;
-      if (inst.op == ir::OpKind::kBitNot) values[id.index] = !values[inst.a];
-      if (inst.op == ir::OpKind::kJump && condition) label = inst.payload;
-      if (inst.op == ir::OpKind::kExit && condition) leaving = ir::InstId(inst.payload);
-      if (inst.op == ir::OpKind::kIf && condition) Region(ir::RegionId(inst.b));
-      if (inst.op == ir::OpKind::kBlock) {
+  bool going() const { return !leaving.valid() && label == kNoLabel; }
+
+  bool Bit(uint32_t place) const {
+    const uint64_t mixed = (inputs + 1) * 2654435761u + place * 40503u + trace.size() * 97u;
+    return ((mixed * 0x9E3779B97F4A7C15u) >> 40 & 1) != 0;
+  }
+
+  /// Whether a round is left of the budget; otherwise what is refused happens.
+  bool TakeRound(ir::RegionId refused) {
+    if (rounds > 0) {
+      --rounds;
+      return true;
+    }
+    if (refused.valid()) Region(refused);
+    return false;
+  }
+
+  void Inst(ir::InstId id) {
+    const ir::Inst& inst = program[id];
+    const bool condition = !ir::ValueId(inst.a).valid() || inst.a >= values.size() || values[inst.a] != 0;
+    const bool is_word = (inst.op == ir::OpKind::kLoad || inst.op == ir::OpKind::kStore) &&
+                         program.places[ir::PlaceId(inst.payload)].type == ir::Type::kI32;
+    switch (inst.op) {
+      case ir::OpKind::kConst:
+        values[id.index] = ir::ConstantValue(inst);
+        break;
+      case ir::OpKind::kStore:
+        if (is_word) {
+          words[inst.payload] = values[inst.a];
+        } else {
+          trace.push_back(id.index);  // passes keep ids
+        }
+        break;
+      case ir::OpKind::kLoad:
+        values[id.index] = is_word ? words[inst.payload] : Bit(inst.payload);
+        break;
+      case ir::OpKind::kBitNot:
+        values[id.index] = values[inst.a] == 0 ? 1 : 0;
+        break;
+      case ir::OpKind::kEqual32:
+        values[id.index] = values[inst.a] == values[inst.b] ? 1 : 0;
+        break;
+      case ir::OpKind::kJump:
+        if (!condition) break;
+        if (!ir::PlaceId(inst.c).valid() || TakeRound(ir::RegionId(inst.b))) label = inst.payload;
+        break;
+      case ir::OpKind::kExit:
+        if (condition) leaving = ir::InstId(inst.payload);
+        repeats = false;
+        break;
+      case ir::OpKind::kRepeat:
+        if (!condition || !TakeRound(ir::RegionId(inst.b))) break;
+        leaving = ir::InstId(inst.payload);
+        repeats = true;
+        break;
+      case ir::OpKind::kIf:
+        Region(ir::RegionId(condition ? inst.b : inst.c));
+        break;
+      case ir::OpKind::kBlock:
         Region(ir::RegionId(inst.a));
         if (leaving == id) leaving = {};
+        break;
+      case ir::OpKind::kLoop:
+        do {
+          leaving = {};
+          Region(ir::RegionId(inst.a));
+        } while (leaving == id && repeats);
+        if (leaving == id) leaving = {};
+        break;
+      default:
+        break;
+    }
+  }
+
+  void Region(ir::RegionId region) {
+    if (!region.valid()) return;
+    const std::vector<ir::InstId>& insts = program.regions[region].insts;
+    for (size_t i = 0; i < insts.size(); ++i) {
+      Inst(insts[i]);
+      if (label != kNoLabel) {
+        size_t target = 0;
+        while (target < insts.size() &&
+               !(program[insts[target]].op == ir::OpKind::kLabel && program[insts[target]].payload == label)) {
+          ++target;
+        }
+        if (target == insts.size()) return;  // of a region around this one
+        label = kNoLabel;
+        i = target;
       }
-      if (leaving.valid()) return;
+      if (!going()) return;
     }
   }
 };
 
 std::vector<uint32_t> Trace(const ir::Program& program, uint32_t inputs) {
-  Follower follower{.program = program, .inputs = inputs, .values = std::vector<bool>(program.insts.size())};
+  Follower follower{.program = program, .inputs = inputs};
+  follower.values.resize(program.insts.size());
+  follower.words.resize(program.places.size());
   follower.Region(program.routines[ir::RoutineId(0)].body);
-  EXPECT_EQ(follower.label, ~0u);
+  EXPECT_TRUE(follower.going());
   return follower.trace;
 }
 
-/// `count` statements; each may jump to a label further down, each label stands before or behind a marker.
-std::string RandomBody(std::mt19937& random, uint32_t count) {
+enum class Ways : uint8_t { kForward, kBoth };
+
+/// `count` statements; each may jump to a label, each label stands before or behind a marker.
+std::string RandomBody(std::mt19937& random, uint32_t count, Ways ways) {
   const auto below = [&random](uint32_t n) { return static_cast<uint32_t>(random() % n); };
+  const std::string end = "L" + std::to_string(count);
   std::string body;
-  std::vector<bool> wanted(count + 1);
   for (uint32_t i = 0; i < count; ++i) {
-    const std::string label = wanted[i] || below(8) == 0 ? "label L" + std::to_string(i) + "\n" : "";
+    const std::string label = "label L" + std::to_string(i) + "\n";
     const std::string marker = "stmt s" + std::to_string(i + 1) + "\n";
     body += below(2) == 0 ? label + marker : marker + label;
     if (below(3) != 0) body += "%9 = load a\nstore b %9\n";
-    const uint32_t target = i + 1 + below(count - i);
+    const uint32_t target = ways == Ways::kBoth ? below(count + 1) : i + 1 + below(count - i);
     const std::string place(1, "abc"[below(3)]);
-    const std::string jump = "jump L" + std::to_string(target);
-    switch (below(5)) {
+    std::string jump = "jump L" + std::to_string(target), rest = "\n";
+    if (target <= i) {
+      rest = " budget rounds refused {\n  %7 = load b\n  store a %7\n  jump " +
+             (below(2) == 0 ? end : "L" + std::to_string(i + 1)) + "\n}\n";
+    }
+    switch (below(6)) {
       case 0:
-        body += jump + "\n";
+        body += jump + rest;
         break;
       case 1:
-        body += "%0 = load " + place + "\n" + jump + " if %0\n";
+        body += "%0 = load " + place + "\n" + jump + " if %0" + rest + "store c %0\n";
         break;
       case 2:
-        body += "%0 = load " + place + "\n%1 = not.bit %0\n" + jump + " if %1\n";
+        body += "%0 = load " + place + "\n%1 = not.bit %0\n" + jump + " if %1" + rest;
+        break;
+      case 3:  // nested
+        body += "%0 = load " + place + "\nif %0 {\n  %1 = load b\n  store c %1\n  " + jump +
+                (below(2) == 0 ? "" : " if %1") + rest + "}\n";
         break;
       default:
-        continue;
+        break;
     }
-    wanted[target] = true;
   }
-  return body + "label L" + std::to_string(count) + "\n";
+  return body + "label " + end + "\n";
 }
 
-TEST(StructureRandom, ExecutesTheSameStatements) {
-  std::mt19937 random(4711);
-  for (uint32_t round = 0; round < 3000; ++round) {
-    const std::string body = RandomBody(random, 1 + round % 14);
+void ExpectSameTraces(uint32_t seed, uint32_t rounds, Ways ways) {
+  std::mt19937 random(seed);
+  for (uint32_t round = 0; round < rounds; ++round) {
+    const std::string body = RandomBody(random, 1 + round % 14, ways);
     const ir::Program before = ReadFast(body);
-    ASSERT_TRUE(ir::Verify(before, ir::Stage::kLowered).empty()) << body;
+    ASSERT_TRUE(ir::Verify(before, ir::Stage::kLowered).empty()) << body << ir::Verify(before, ir::Stage::kLowered)[0];
     ir::Program after = before;
     Structure(after);
-    ASSERT_TRUE(ir::Verify(after, ir::Stage::kStructured).empty()) << body << ir::Print(after);
-    ir::Program optimized = after;
+    ASSERT_TRUE(ir::Verify(after, ir::Stage::kStructured).empty())
+        << body << ir::Print(after) << ir::Verify(after, ir::Stage::kStructured)[0];
+    ir::Program nested = after;
+    NestBlocks(nested);
+    ASSERT_TRUE(ir::Verify(nested, ir::Stage::kStructured).empty())
+        << body << ir::Print(nested) << ir::Verify(nested, ir::Stage::kStructured)[0];
+    ir::Program optimized = nested;
     Optimize(optimized);
     ASSERT_TRUE(ir::Verify(optimized, ir::Stage::kStructured).empty()) << body << ir::Print(optimized);
-    for (uint32_t inputs = 0; inputs < 8; ++inputs) {
+    for (uint32_t inputs = 0; inputs < 12; ++inputs) {
       ASSERT_EQ(Trace(before, inputs), Trace(after, inputs)) << body << ir::Print(after);
+      ASSERT_EQ(Trace(before, inputs), Trace(nested, inputs)) << body << ir::Print(after) << ir::Print(nested);
       ASSERT_EQ(Trace(before, inputs), Trace(optimized, inputs)) << body << ir::Print(optimized);
     }
   }
 }
+
+TEST(StructureRandom, ForwardJumpsExecuteTheSameStatements) { ExpectSameTraces(4711, 3000, Ways::kForward); }
+
+TEST(StructureRandom, JumpsBothWaysExecuteTheSameStatements) { ExpectSameTraces(815, 6000, Ways::kBoth); }
 
 }  // namespace
 }  // namespace plcxx::passes

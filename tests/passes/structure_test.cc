@@ -27,7 +27,7 @@ stmt s3
             R"(stmt s1
 %0 = load a
 %1 = not.bit %0
-if %1 {
+if %1 stays {
   stmt s2
   %0 = load b
   store c %0
@@ -38,14 +38,15 @@ stmt s3
 
 TEST(Structure, ANegatedConditionLosesItsNegation) {
   EXPECT_EQ(Structured("%0 = load a\n%1 = not.bit %0\njump L1 if %1\nstore b %0\nlabel L1\n"),
-            "%0 = load a\n%1 = not.bit %0\nif %0 {\n  store b %0\n}\n");
+            "%0 = load a\n%1 = not.bit %0\nif %0 stays {\n  store b %0\n}\n");
 }
 
 TEST(Structure, AMarkerBeforeTheLabelStaysWithWhatFollows) {
-  EXPECT_EQ(Structured("stmt s1\n%0 = load a\njump L1 if %0\nstmt s2\n%0 = load b\nstore c %0\nstmt s3\nlabel L1\n%0 = "
-                       "load b\nstore c %0\n"),
-            "stmt s1\n%0 = load a\n%1 = not.bit %0\nif %1 {\n  stmt s2\n  %0 = load b\n  store c %0\n}\nstmt s3\n%0 = "
-            "load b\nstore c %0\n");
+  EXPECT_EQ(
+      Structured("stmt s1\n%0 = load a\njump L1 if %0\nstmt s2\n%0 = load b\nstore c %0\nstmt s3\nlabel L1\n%0 = "
+                 "load b\nstore c %0\n"),
+      "stmt s1\n%0 = load a\n%1 = not.bit %0\nif %1 stays {\n  stmt s2\n  %0 = load b\n  store c %0\n}\nstmt s3\n%0 = "
+      "load b\nstore c %0\n");
 }
 
 TEST(Structure, TwoJumpsToOneLabelMakeABlock) {
@@ -88,10 +89,10 @@ label L1
             R"(%0 = load a
 %1 = load b
 %2 = not.bit %0
-if %2 {
+if %2 stays {
   store a %1
   %3 = not.bit %1
-  if %3 {
+  if %3 stays {
     store b %1
   }
   store c %1
@@ -115,7 +116,7 @@ store a %0
 %1 = load b
 block @1 {
   %2 = not.bit %0
-  if %2 {
+  if %2 stays {
     store a %1
     exit @1 if %1
     store b %1
@@ -143,7 +144,7 @@ label L3
 block @1 {
   block @2 {
     %1 = not.bit %0
-    if %1 {
+    if %1 stays {
       store a %0
       exit @2 if %0
       store b %0
@@ -168,8 +169,9 @@ TEST(Structure, JumpsOverNothingAndLabelsWithoutJumpsDisappear) {
 
 TEST(Structure, NestedRegionsAreStructuredToo) {
   EXPECT_EQ(
-      Structured("%0 = load a\nif %0 {\n jump L1 if %0\n store b %0\n label L1\n} else {\n jump L1\n label L1\n}\n"),
-      "%0 = load a\nif %0 {\n  %1 = not.bit %0\n  if %1 {\n    store b %0\n  }\n} else {\n}\n");
+      Structured(
+          "%0 = load a\nif %0 stays {\n jump L1 if %0\n store b %0\n label L1\n} else {\n jump L1\n label L1\n}\n"),
+      "%0 = load a\nif %0 stays {\n  %1 = not.bit %0\n  if %1 stays {\n    store b %0\n  }\n} else {\n}\n");
 }
 
 TEST(Structure, BlocksOfEqualEndsNest) {
@@ -184,7 +186,7 @@ store c %0
 )"),
             R"(%0 = load a
 %1 = not.bit %0
-if %1 {
+if %1 stays {
   block @1 {
     store a %0
     exit @1 if %0

@@ -8,6 +8,7 @@
 #include "transpiler/driver/source_loading.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/verifier.h"
+#include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
 #include "transpiler/support/check.h"
@@ -101,6 +102,7 @@ void Pipeline::Lower() {
 void Pipeline::Structure() {
   Show("structuring");
   passes::Structure(compilation_.program);
+  passes::NestBlocks(compilation_.program);
   CheckIr(compilation_.program, ir::Stage::kStructured);
 }
 

@@ -109,7 +109,18 @@ void RoutinePrinter::PrintPart(std::string_view name, RegionId region) {
 }
 
 void RoutinePrinter::PrintIf(const Inst& inst) {
-  out += "if " + Value(inst.a) + " {\n";
+  out += "if " + Value(inst.a);
+  switch (static_cast<IfOrigin>(inst.payload)) {
+    case IfOrigin::kSource:
+      break;
+    case IfOrigin::kJumps:
+      out += " jumps";
+      break;
+    case IfOrigin::kStays:
+      out += " stays";
+      break;
+  }
+  out += " {\n";
   Nested(RegionId(inst.b));
   if (RegionId(inst.c).valid()) {
     out += " else {\n";

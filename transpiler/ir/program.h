@@ -39,7 +39,7 @@ using CallId = support::Id<struct CallTag>;
 ///   kStore      payload = PlaceId; a = stored value; b = index value when the place is indexed
 ///   kText       payload = StateId of a TextFlag; a = StateId of the TextInbox; b = TextId
 ///   kStatement  payload = StatementId: what follows in this region, up to the next one, is that statement's
-///   kIf         a = condition (bit); b = RegionId then; c = RegionId else, or none
+///   kIf         a = condition (bit); b = RegionId then; c = RegionId else, or none; payload = IfOrigin
 ///   kSwitch     payload = SwitchId; a = selector
 ///   kLoop       payload = LoopId; a = RegionId body (which ends with the condition's value, see Loop)
 ///   kBlock      a = RegionId body
@@ -61,6 +61,14 @@ struct Inst {
   uint32_t c = support::Id<void>::kNone;
 };
 static_assert(sizeof(Inst) == 28);
+
+/// Where an If comes from, for the debugging of single statements: one that is switched off is skipped together with
+/// the Ifs of its own, but it does not jump over other statements.
+enum class IfOrigin : uint32_t {
+  kJumps = 1,  // condition 1 was a jump: switched off, the condition counts as 0
+  kStays = 2,  // condition 0 was a jump: switched off, the condition counts as 1
+  kSource = support::Id<void>::kNone
+};
 
 struct Region {
   std::vector<InstId> insts;

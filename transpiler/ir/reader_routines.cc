@@ -121,9 +121,13 @@ void BodyReader::ReadSection(RegionId& place) {
 
 void BodyReader::ReadIf(InstId id) {
   const uint32_t condition = ValueWord();
+  IfOrigin origin = IfOrigin::kSource;
+  if (reader.Accept("jumps")) origin = IfOrigin::kJumps;
+  if (reader.Accept("stays")) origin = IfOrigin::kStays;
   const RegionId then = NestedRegion();
   const RegionId otherwise = reader.Accept("else") ? NestedRegion() : RegionId();
   Inst& inst = program[id];
+  inst.payload = static_cast<uint32_t>(origin);
   inst.a = condition;
   inst.b = then.index;
   inst.c = otherwise.index;

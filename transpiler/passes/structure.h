@@ -9,9 +9,24 @@
 //
 // A block begins at the first jump to its label and ends at the label; where two blocks would cross, the one that ends
 // later begins earlier. A label right behind a statement's marker counts as standing before it, so that the marker
-// stays with what follows it. A condition that is itself negated is used without the negation.
+// stays with what follows it. A condition that is itself negated is used without the negation. An If made of a jump
+// says so (Inst, kIf), for a statement that is switched off does not jump.
 //
-// In: forward jumps within their regions (Verify, Stage::kLowered). Out: no Jump, no Label (Stage::kStructured).
+//   label L1                              loop @1 budget rounds {
+//   stmt s1                                 body {
+//   jump L1 if %0 budget rounds     ->        stmt s1
+//     refused { host fault () }               repeat @1 if %0 refused { host fault () }
+//   stmt s2                                 }
+//                                         }
+//                                         stmt s2
+//
+// A loop (structure_loops.cc) goes from its label to the end of the statement that jumps back last. Loops that would
+// cross become one; a loop that is entered in its middle begins where the way in begins. Whatever does not begin at
+// the loop's head is reached by a place `resume`, a choice at the head and forward jumps: every graph of jumps
+// becomes loops and blocks, and no instruction is there twice.
+//
+// In: jumps to labels of their region or of one around it (Verify, Stage::kLowered). Out: no Jump, no Label
+// (Stage::kStructured).
 #pragma once
 
 #include "transpiler/ir/program.h"
@@ -19,5 +34,9 @@
 namespace plcxx::passes {
 
 void Structure(ir::Program& program);
+
+/// The outermost loops of one region, before its forward jumps: their jumps back are Repeats afterwards. Their bodies
+/// may hold inner loops that are still to be made.
+void MakeLoops(ir::Program& program, ir::RegionId region);
 
 }  // namespace plcxx::passes

@@ -58,6 +58,8 @@ class Simulator : public Engine {
   void Run(ir::RoutineId routine);
   Flow Execute(ir::RegionId region);
 
+  /// Of a statement that is switched off: the other statements in the regions that its jumps made.
+  Flow ExecuteOthers(ir::InstId id, const ir::Inst& inst);
   // One for each operation that is the IR's own.
 #define PLCXX_PURE(...)
 #define PLCXX_STEP(...)

@@ -5,6 +5,7 @@
 #include "plcxx/floats.h"
 #include "plcxx/logic.h"
 #include "plcxx/rings.h"
+#include "transpiler/ir/uses.h"
 #include "transpiler/sim/evaluate.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/support/check.h"
@@ -33,7 +34,12 @@ Simulator::Flow Simulator::Execute(RegionId region) {
   Flow flow = Flow::kOn;
   for (const InstId id : program_.regions[region].insts) {
     const Inst& inst = program_[id];
-    if (current_.skipped && inst.op != ir::OpKind::kStatement) continue;
+    if (current_.skipped && inst.op != ir::OpKind::kStatement) {
+      // The statement is switched off; what a jump of it made may hold others.
+      if (ir::OwnsRegions(inst)) flow = ExecuteOthers(id, inst);
+      if (flow == Flow::kLeaving) break;
+      continue;
+    }
     ++executed_;
     const auto operand = [&](size_t i) { return values_[i == 0 ? inst.a : i == 1 ? inst.b : inst.c]; };
     switch (inst.op) {
@@ -99,6 +105,29 @@ Simulator::Flow Simulator::ExecuteStatement(InstId, const Inst& inst) {
 Simulator::Flow Simulator::ExecuteIf(InstId, const Inst& inst) {
   const bool condition = values_[inst.a] != 0 && !current_.head_is_false;
   return Execute(RegionId(condition ? inst.b : inst.c));
+}
+
+/// Of a statement that is switched off: regions that jumps made, with the other statements in them.
+Simulator::Flow Simulator::ExecuteOthers(InstId id, const Inst& inst) {
+  switch (inst.op) {
+    case ir::OpKind::kBlock:
+      return ExecuteBlock(id, inst);
+    case ir::OpKind::kLoop:
+      return program_.loops[ir::LoopId(inst.payload)].kind == ir::LoopBound::kBudget ? ExecuteLoop(id, inst)
+                                                                                     : Flow::kOn;
+    case ir::OpKind::kIf:
+      switch (static_cast<ir::IfOrigin>(inst.payload)) {
+        case ir::IfOrigin::kSource:
+          return Flow::kOn;
+        case ir::IfOrigin::kJumps:
+          return Execute(RegionId(inst.c));
+        case ir::IfOrigin::kStays:
+          return Execute(RegionId(inst.b));
+      }
+      return Flow::kOn;
+    default:
+      return Flow::kOn;
+  }
 }
 
 Simulator::Flow Simulator::ExecuteSwitch(InstId, const Inst& inst) {
