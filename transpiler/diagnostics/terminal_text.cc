@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "transpiler/source/characters.h"
 #include "transpiler/source/decode.h"
 
 namespace plcxx::diag {
@@ -18,22 +19,6 @@ bool ActsOnTerminal(UChar32 c) {
   if (c < 0x20 || c == 0x7F) return true;
   if (c < 0x7F) return false;
   return (U_GET_GC_MASK(c) & (U_GC_CC_MASK | U_GC_CF_MASK | U_GC_CS_MASK | U_GC_ZL_MASK | U_GC_ZP_MASK)) != 0;
-}
-
-uint32_t WidthOf(UChar32 c) {
-  // ASCII without a look into ICU's tables: it is nearly all there is.
-  if (c < 0x7F) return 1;
-  if ((U_GET_GC_MASK(c) & (U_GC_MN_MASK | U_GC_ME_MASK)) != 0) return 0;
-  const int32_t width = u_getIntPropertyValue(c, UCHAR_EAST_ASIAN_WIDTH);
-  return width == U_EA_WIDE || width == U_EA_FULLWIDTH ? 2 : 1;
-}
-
-/// Of one well-formed character.
-UChar32 CodePoint(std::string_view bytes) {
-  constexpr unsigned char kFirstByteMask[] = {0x7F, 0x1F, 0x0F, 0x07};
-  UChar32 value = static_cast<unsigned char>(bytes[0]) & kFirstByteMask[bytes.size() - 1];
-  for (const char c : bytes.substr(1)) value = value << 6 | (static_cast<unsigned char>(c) & 0x3F);
-  return value;
 }
 
 std::string Numbered(const char* format, UChar32 value) {
@@ -57,7 +42,7 @@ std::vector<Cell> CellsOf(std::string_view text) {
     const size_t begin = at;
     const size_t length = source::Utf8Length(text, at);
     at += std::max<size_t>(length, 1);
-    const UChar32 c = length == 0 ? 0 : CodePoint(text.substr(begin, length));
+    const UChar32 c = length == 0 ? 0 : static_cast<UChar32>(source::FirstCodePoint(text.substr(begin)).value);
     if (length == 0) {
       cells.push_back(Shown(Numbered("<%02X>", static_cast<unsigned char>(text[begin])), begin));
     } else if (c == '\t') {
@@ -65,7 +50,8 @@ std::vector<Cell> CellsOf(std::string_view text) {
     } else if (ActsOnTerminal(c)) {
       cells.push_back(Shown(Numbered("<U+%04X>", c), begin));
     } else {
-      cells.push_back({std::string(text.substr(begin, at - begin)), WidthOf(c), begin});
+      cells.push_back(
+          {std::string(text.substr(begin, at - begin)), source::DisplayWidth(static_cast<char32_t>(c)), begin});
     }
     column += cells.back().width;
   }
