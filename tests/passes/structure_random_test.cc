@@ -199,7 +199,7 @@ void ExpectSameTraces(uint32_t seed, uint32_t rounds, Ways ways) {
 
 TEST(StructureRandom, ForwardJumpsExecuteTheSameStatements) { ExpectSameTraces(4711, 3000, Ways::kForward); }
 
-TEST(StructureRandom, JumpsBothWaysExecuteTheSameStatements) { ExpectSameTraces(815, 6000, Ways::kBoth); }
+TEST(StructureRandom, JumpsBothWaysExecuteTheSameStatements) { ExpectSameTraces(815, 3000, Ways::kBoth); }
 
 }  // namespace
 }  // namespace plcxx::passes

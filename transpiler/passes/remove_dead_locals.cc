@@ -1,0 +1,312 @@
+#include "transpiler/passes/remove_dead_locals.h"
+
+#include <algorithm>
+#include <map>
+#include <ranges>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "transpiler/ir/builder.h"
+#include "transpiler/ir/uses.h"
+
+namespace plcxx::passes {
+namespace {
+
+using ir::Inst;
+using ir::InstId;
+using ir::OpKind;
+using ir::RegionId;
+
+constexpr uint32_t kUntracked = ~0u;
+
+/// A set of locals.
+class Live {
+ public:
+  explicit Live(uint32_t locals) : bits_(locals) {}
+  static Live All(uint32_t locals) {
+    Live all(locals);
+    all.bits_.assign(locals, true);
+    return all;
+  }
+  bool Has(uint32_t local) const { return bits_[local]; }
+  void Add(uint32_t local) { bits_[local] = true; }
+  void Remove(uint32_t local) { bits_[local] = false; }
+  void Join(const Live& other) {
+    for (size_t i = 0; i < bits_.size(); ++i) bits_[i] = bits_[i] || other.bits_[i];
+  }
+  void Intersect(const Live& other) {
+    for (size_t i = 0; i < bits_.size(); ++i) bits_[i] = bits_[i] && other.bits_[i];
+  }
+  bool operator==(const Live&) const = default;
+
+ private:
+  std::vector<bool> bits_;
+};
+
+/// What a subroutine does to its caller's locals.
+struct Summary {
+  Live reads;   // before it writes them
+  Live passes;  // those that it may leave as they are
+  Live after;   // those that some caller reads behind a call
+};
+
+struct Analysis {
+  ir::Program& program;
+  std::vector<uint32_t> local_of;  // by PlaceId; kUntracked: not a local, or one that overlaps another
+  uint32_t locals = 0;
+  std::vector<Summary> summaries;             // by RoutineId
+  std::unordered_map<uint32_t, Live> behind;  // by InstId of an open block or loop: live where an Exit leads
+  std::unordered_map<uint32_t, Live> head;    // by InstId of an open loop: live where a Repeat leads
+  bool collects = false;                      // what callers read behind calls
+  bool removes = false;
+  std::vector<bool> dead = {};  // by InstId
+
+  void FindLocals();
+  std::vector<ir::RoutineId> CalleesFirst() const;
+  Live Routine(ir::RoutineId id, Live after);
+  void Region(RegionId region, Live& live);
+  void Instruction(InstId id, Live& live);
+  void Read(uint32_t place, Live& live) const;
+  void Store(InstId id, Live& live);
+  void Call(const Inst& inst, Live& live);
+  void Switch(const Inst& inst, Live& live);
+  void Loop(InstId id, Live& live);
+  void Repeat(const Inst& inst, Live& live);
+  void Sweep();
+};
+
+/// Places that are the same bytes are one local; places that overlap in another way are left alone.
+void Analysis::FindLocals() {
+  using Key = std::tuple<uint32_t, uint32_t, uint8_t, ir::Type>;
+  std::map<Key, uint32_t> numbers;
+  local_of.assign(program.places.size(), kUntracked);
+  std::vector<std::vector<uint32_t>> by_space(program.spaces.size());
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    const ir::Place& place = program.places[ir::PlaceId(i)];
+    if (place.is_field() || program.spaces[place.space].lifetime != ir::Lifetime::kRoutine) continue;
+    by_space[place.space.index].push_back(i);
+  }
+  // Parameters and results are read and written by calls; they are not this pass's business.
+  std::vector<bool> fixed(program.places.size());
+  for (const ir::Routine& routine : program.routines) {
+    for (const ir::PlaceId place : routine.parameter_places) fixed[place.index] = true;
+    if (routine.result_place.valid()) fixed[routine.result_place.index] = true;
+  }
+  for (const std::vector<uint32_t>& places : by_space) {
+    for (const uint32_t i : places) {
+      const ir::Place& place = program.places[ir::PlaceId(i)];
+      bool alone = !place.indexed && !fixed[i];
+      for (const uint32_t j : places) {
+        const ir::Place& other = program.places[ir::PlaceId(j)];
+        const bool same = other.offset == place.offset && other.bit == place.bit && other.type == place.type;
+        const bool apart = other.offset >= place.offset + ir::Bytes(place.type) ||
+                           place.offset >= other.offset + ir::Bytes(other.type) ||
+                           (other.type == ir::Type::kBit && place.type == ir::Type::kBit && other.bit != place.bit);
+        if (other.indexed || (same && fixed[j]) || (!same && !apart)) alone = false;
+      }
+      if (!alone) continue;
+      const Key key(place.space.index, place.offset, place.bit, place.type);
+      const auto [number, added] = numbers.emplace(key, locals);
+      if (added) ++locals;
+      local_of[i] = number->second;
+    }
+  }
+}
+
+std::vector<ir::RoutineId> Analysis::CalleesFirst() const {
+  std::vector<ir::RoutineId> order;
+  std::vector<bool> seen(program.routines.size());
+  const auto visit = [&](auto& self, ir::RoutineId id) -> void {
+    if (seen[id.index]) return;
+    seen[id.index] = true;
+    const ir::Routine& routine = program.routines[id];
+    for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+      ir::ForEachInst(program, region, [&](InstId inst) {
+        if (program[inst].op == OpKind::kCall) self(self, program.calls[ir::CallId(program[inst].payload)].routine);
+      });
+    }
+    order.push_back(id);
+  };
+  for (uint32_t i = 0; i < program.routines.size(); ++i) visit(visit, ir::RoutineId(i));
+  return order;
+}
+
+void Analysis::Read(uint32_t place, Live& live) const {
+  if (place < local_of.size() && local_of[place] != kUntracked) live.Add(local_of[place]);
+}
+
+void Analysis::Store(InstId id, Live& live) {
+  const uint32_t local = local_of[program[id].payload];
+  if (local == kUntracked) return;
+  if (removes && !live.Has(local)) dead[id.index] = true;
+  live.Remove(local);
+}
+
+void Analysis::Call(const Inst& inst, Live& live) {
+  Summary& callee = summaries[program.calls[ir::CallId(inst.payload)].routine.index];
+  // A partition that the schedule calls has locals of its own.
+  if (program.routines[program.calls[ir::CallId(inst.payload)].routine].kind != ir::RoutineKind::kSubroutine) return;
+  if (collects) callee.after.Join(live);
+  live.Intersect(callee.passes);
+  live.Join(callee.reads);
+}
+
+void Analysis::Switch(const Inst& inst, Live& live) {
+  const std::vector<ir::SwitchCase>& cases = program.switches[ir::SwitchId(inst.payload)].cases;
+  Live joined(locals), next = live;
+  bool has_default = false;
+  for (const ir::SwitchCase& arm : std::views::reverse(cases)) {
+    Live before = arm.falls_through ? next : live;
+    Region(arm.region, before);
+    joined.Join(before);
+    next = std::move(before);
+    has_default = has_default || arm.values.empty();
+  }
+  if (!has_default) joined.Join(live);
+  live = std::move(joined);
+}
+
+void Analysis::Loop(InstId id, Live& live) {
+  const ir::Loop loop = program.loops[ir::LoopId(program[id].payload)];
+  const bool remove = std::exchange(removes, false);
+  const Live after = live;
+  Live exhausted(locals);
+  if (loop.exhausted.valid()) {
+    exhausted = after;
+    removes = remove;
+    Region(loop.exhausted, exhausted);
+    removes = false;
+  }
+  behind.insert_or_assign(id.index, after);
+  head.insert_or_assign(id.index, Live(locals));
+  // One round, from what is live at the head of the next one.
+  const auto round = [&] {
+    Live before = loop.kind == ir::LoopBound::kBudget ? after : head.at(id.index);
+    Region(loop.body, before);
+    before.Join(exhausted);
+    if (loop.condition.valid()) {
+      before.Join(after);
+      Region(loop.condition, before);
+    }
+    return before;
+  };
+  for (;;) {
+    Live before = round();
+    before.Join(head.at(id.index));
+    if (before == head.at(id.index)) break;
+    head.insert_or_assign(id.index, std::move(before));
+  }
+  removes = remove;
+  live = removes ? round() : head.at(id.index);
+  live.Join(head.at(id.index));
+  behind.erase(id.index);
+  head.erase(id.index);
+}
+
+void Analysis::Repeat(const Inst& inst, Live& live) {
+  Live refused = live;
+  Region(RegionId(inst.b), refused);
+  if (!ir::ValueId(inst.a).valid()) live = Live(locals);
+  live.Join(refused);
+  live.Join(head.at(inst.payload));
+  Read(program.loops[ir::LoopId(program[InstId(inst.payload)].payload)].budget.index, live);
+}
+
+void Analysis::Instruction(InstId id, Live& live) {
+  const Inst inst = program[id];
+  switch (ir::Info(inst.op).shape) {
+    case ir::Shape::kLoad:
+      Read(inst.payload, live);
+      break;
+    case ir::Shape::kStore:
+      Store(id, live);
+      break;
+    case ir::Shape::kCall:
+      Call(inst, live);
+      break;
+    case ir::Shape::kIf: {
+      Live otherwise = live;
+      Region(RegionId(inst.c), otherwise);
+      Region(RegionId(inst.b), live);
+      live.Join(otherwise);
+      break;
+    }
+    case ir::Shape::kSwitch:
+      Switch(inst, live);
+      break;
+    case ir::Shape::kLoop:
+      Loop(id, live);
+      break;
+    case ir::Shape::kBlock:
+      behind.insert_or_assign(id.index, live);
+      Region(RegionId(inst.a), live);
+      behind.erase(id.index);
+      break;
+    case ir::Shape::kExit:
+      if (!ir::ValueId(inst.a).valid()) live = Live(locals);
+      live.Join(behind.at(inst.payload));
+      break;
+    case ir::Shape::kRepeat:
+      Repeat(inst, live);
+      break;
+    case ir::Shape::kHostCall:  // writes its second result, or leaves the place as it is
+    case ir::Shape::kPure:
+    case ir::Shape::kStep:
+    case ir::Shape::kConst:
+    case ir::Shape::kText:
+    case ir::Shape::kStatement:
+    case ir::Shape::kJump:
+    case ir::Shape::kLabel:
+      break;
+  }
+}
+
+void Analysis::Region(RegionId region, Live& live) {
+  if (!region.valid()) return;
+  for (const InstId id : std::views::reverse(program.regions[region].insts)) Instruction(id, live);
+}
+
+/// What is live before the routine, when `after` is behind it.
+Live Analysis::Routine(ir::RoutineId id, Live after) {
+  const ir::Routine routine = program.routines[id];
+  for (const RegionId region : {routine.epilogue, routine.body, routine.prologue}) Region(region, after);
+  return after;
+}
+
+void Analysis::Sweep() {
+  for (ir::Region& region : program.regions) {
+    std::erase_if(region.insts, [this](InstId id) { return dead[id.index]; });
+  }
+  for (uint32_t i = 0; i < dead.size(); ++i) {
+    if (dead[i]) ir::Forget(program[InstId(i)]);
+  }
+}
+
+}  // namespace
+
+void RemoveDeadLocals(ir::Program& program) {
+  Analysis analysis{.program = program};
+  analysis.FindLocals();
+  if (analysis.locals == 0) return;
+  const Live none(analysis.locals), all = Live::All(analysis.locals);
+  analysis.summaries.assign(program.routines.size(), {.reads = none, .passes = all, .after = none});
+  const std::vector<ir::RoutineId> order = analysis.CalleesFirst();
+  for (const ir::RoutineId id : order) {
+    Live reads = analysis.Routine(id, none);
+    Live passes = analysis.Routine(id, all);
+    analysis.summaries[id.index].reads = std::move(reads);
+    analysis.summaries[id.index].passes = std::move(passes);
+  }
+  analysis.collects = true;
+  analysis.removes = true;
+  analysis.dead.assign(program.insts.size(), false);
+  for (const ir::RoutineId id : std::views::reverse(order)) {
+    const bool shares = program.routines[id].kind == ir::RoutineKind::kSubroutine;
+    analysis.Routine(id, shares ? analysis.summaries[id.index].after : none);
+  }
+  analysis.Sweep();
+}
+
+}  // namespace plcxx::passes
