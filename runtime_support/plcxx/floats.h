@@ -32,6 +32,14 @@ namespace plcxx {
   return bits;
 }
 
+/// The number with these 32 bits: how generated code spells NaN and infinity.
+[[gnu::const]] inline float F32OfBits(uint32_t bits) noexcept {
+  float value = 0.0F;
+  static_assert(sizeof bits == sizeof value, "float is binary32");
+  __builtin_memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 /// A two's complement word as the nearest binary32, ties to even.
 [[gnu::const]] constexpr float SignedToF32(uint32_t value) noexcept {
   return static_cast<float>(static_cast<int32_t>(value));

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "plcxx/debug.h"
+#include "plcxx/forced.h"
 
 namespace plcxx {
 namespace {
@@ -21,7 +21,7 @@ constexpr uint8_t FlippedAndCopied() {
 }
 static_assert(FlippedAndCopied() == 0b1000'0001, "usable in constant expressions");
 static_assert(MaskOf(PackedBit{7, 7}) == 128 && MaskOf(PackedBit{7, 8}) == 0 && MaskOf(PackedBit{7, 255}) == 0);
-static_assert(std::is_trivial_v<PackedBit> && std::is_trivial_v<ForceByte>);
+static_assert(std::is_trivial_v<PackedBit>);
 
 // covers: NC110-050
 TEST(PackedBitRef, AllBytesAndBits) {
@@ -60,7 +60,7 @@ TEST(PackedBitRef, BitThatAByteDoesNotHave) {
 }
 
 // covers: NC110-236
-TEST(Forced, ApplyForceReplacesTheMaskedBits) {
+TEST(Forced, ApplyForcesReplacesTheMaskedBits) {
   for (int byte = 0; byte < 256; ++byte) {
     for (int mask : {0x00, 0x01, 0x0F, 0x81, 0xFF}) {
       for (int value : {0x00, 0x05, 0x55, 0xFF}) {
@@ -68,13 +68,13 @@ TEST(Forced, ApplyForceReplacesTheMaskedBits) {
         for (int power = 1; power < 256; power *= 2) {
           expected += ((mask / power) % 2 == 1 ? (value / power) % 2 : (byte / power) % 2) * power;
         }
-        const ForceByte force{static_cast<uint8_t>(mask), static_cast<uint8_t>(value)};
-        ASSERT_EQ(ApplyForce(static_cast<uint8_t>(byte), force), expected);
-        uint8_t stored = 0xA5;
-        ForcedByteRef ref(stored, force);
-        ref = static_cast<uint8_t>(byte);
+        const auto forced = static_cast<unsigned char>(mask), forced_value = static_cast<unsigned char>(value);
+        auto stored = static_cast<uint8_t>(byte);
+        ApplyForces(&stored, &forced, &forced_value, 1);
         ASSERT_EQ(stored, expected);
-        ASSERT_EQ(static_cast<uint8_t>(ref), expected);
+        stored = 0xA5;
+        Forced<uint8_t>(stored, &forced, &forced_value) = static_cast<uint8_t>(byte);
+        ASSERT_EQ(stored, expected);
       }
     }
   }
@@ -83,37 +83,49 @@ TEST(Forced, ApplyForceReplacesTheMaskedBits) {
 // covers: NC110-236
 TEST(Forced, AForcedBitLeavesTheOthersFree) {
   uint8_t byte = 0;
-  const ForceByte force{0x02, 0x02};
-  ForcedBitRef forced(byte, 0x02, force), unforced(byte, 0x04, force);
-  forced = false;
-  EXPECT_TRUE(forced);
-  unforced = true;
-  EXPECT_TRUE(unforced);
-  unforced = false;
-  EXPECT_FALSE(unforced);
+  const unsigned char mask = 0x02, value = 0x02;
+  ForcedPackedBit(PackedBitRef(byte, 0x02), byte, &mask, &value) = false;
+  EXPECT_TRUE(PackedBitRef(byte, 0x02));
+  ForcedPackedBit(PackedBitRef(byte, 0x04), byte, &mask, &value) = true;
+  EXPECT_EQ(byte, 0x06);
+  ForcedPackedBit(PackedBitRef(byte, 0x04), byte, &mask, &value) = false;
   EXPECT_EQ(byte, 0x02);
-  ForcedByteRef word(byte, force);
-  word = 0xF0;
+  Forced<uint8_t>(byte, &mask, &value) = 0xF0;
   EXPECT_EQ(byte, 0xF2);
+}
+
+TEST(Forced, AStepThatGetsTheObjectCannotChangeForcedBits) {
+  struct Instance {
+    uint8_t count;
+    bool done;
+  } instance = {1, false};
+  const unsigned char mask[sizeof(Instance)] = {0, 0xFF}, value[sizeof(Instance)] = {0, 1};
+  const auto step = [](Instance& stepped) { stepped = {7, false}; };
+  step(Forced<Instance>(instance, mask, value));
+  EXPECT_EQ(instance.count, 7);
+  EXPECT_TRUE(instance.done);
 }
 
 TEST(Forced, AssignmentCopiesTheValue) {
   uint8_t bytes[2] = {0x01, 0x00};
-  const ForceByte forces[2] = {{0, 0}, {0x10, 0x10}};
-  ForcedBitRef from(bytes[0], 0x01, forces[0]), to(bytes[1], 0x08, forces[1]);
-  to = from;
+  const unsigned char masks[2] = {0, 0x10}, values[2] = {0, 0x10};
+  {
+    const ForcedPackedBit from(PackedBitRef(bytes[0], 0x01), bytes[0], masks, values);
+    ForcedPackedBit(PackedBitRef(bytes[1], 0x08), bytes[1], masks + 1, values + 1) = from;
+  }
   EXPECT_EQ(bytes[1], 0x18);
-  ForcedByteRef word_from(bytes[0], forces[0]), word_to(bytes[1], forces[1]);
-  word_to = word_from;
+  {
+    const Forced<uint8_t> from(bytes[0], masks, values);
+    Forced<uint8_t>(bytes[1], masks + 1, values + 1) = from;
+  }
   EXPECT_EQ(bytes[1], 0x11);
 }
 
 TEST(Forced, UnforcedMemoryIsPlain) {
   uint8_t byte = 0;
-  const ForceByte none{};
-  ForcedByteRef ref(byte, none);
+  const unsigned char none = 0;
   for (int value = 0; value < 256; ++value) {
-    ref = static_cast<uint8_t>(value);
+    Forced<uint8_t>(byte, &none, &none) = static_cast<uint8_t>(value);
     EXPECT_EQ(byte, value);
   }
 }
