@@ -1,0 +1,175 @@
+// Which instructions are one statement, and what generated code says above it.
+//
+// A statement is a sequence with all the instructions that use its S: "A ... = ... S ... JC"; likewise a load with the
+// transfers behind it. Values end with their statement, and so does what a reader has to keep in mind. Its text is
+// lines of the source as they stand, labels and comments included.
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/prostep/lowering_internal.h"
+
+namespace plcxx::prostep {
+namespace {
+
+constexpr uint32_t kFnvBasis = 2166136261U, kFnvPrime = 16777619U;
+
+uint32_t Fnv(uint32_t hash, std::string_view text) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kFnvPrime;
+  return (hash ^ 0xFFU) * kFnvPrime;  // texts end: "A", "N" is not "AN"
+}
+
+/// What an instruction that ends a sequence takes from what stands before it.
+enum class Takes : uint8_t { kS, kAx, kNothing };
+
+Takes TakesOf(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kTransfer:
+    case Op::kPerform:
+      return Takes::kAx;
+    case Op::kJump:
+    case Op::kCall:
+    case Op::kEndModule:
+      return Takes::kNothing;
+    default:
+      return Takes::kS;
+  }
+}
+
+bool EndsStatement(Op op) {
+  return op == Op::kJump || op == Op::kJumpIf || op == Op::kEndModule || op == Op::kEndModuleIf;
+}
+
+bool SetsAx(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kLoad:
+    case Op::kLoadCounter:
+    case Op::kLoadCounterBcd:
+    case Op::kLoadTimer:
+    case Op::kLoadTimerBcd:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What the instruction is about, when its statement is named by it.
+std::string_view SubjectSpace(const Instruction& instruction) {
+  switch (Info(instruction.op).role) {
+    case Role::kEnds:
+      return Name(instruction.operand.kind);
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+void Lowering::CutStatements(const Module& module) {
+  begins_statement_.assign(module.instructions.count, false);
+  bool behind_end = false, behind_border = true, sets_ax = false;
+  for (uint32_t i = 0; i < module.instructions.count; ++i) {
+    const Instruction& instruction = tree_.instructions[InstructionId(module.instructions.first + i)];
+    const Role role = Info(instruction.op).role;
+    bool begins = behind_border || label_at_[i];
+    if (behind_end) {
+      const bool uses = role == Role::kEnds || role == Role::kJump;
+      switch (uses ? TakesOf(instruction) : Takes::kNothing) {
+        case Takes::kS:
+          break;
+        case Takes::kAx:
+          begins |= !sets_ax;
+          break;
+        case Takes::kNothing:
+          begins = true;
+          break;
+      }
+    }
+    if (begins) sets_ax = false;
+    begins_statement_[i] = begins;
+    sets_ax |= SetsAx(instruction);
+    behind_end = role == Role::kEnds;
+    behind_border = EndsStatement(instruction.op);
+  }
+}
+
+/// Whole lines, from the first column on, so that the columns of the source stand as they are.
+source::Range Lowering::LinesOf(source::Offset begin, source::Offset end) const {
+  const source::Position first = sources_.Locate(begin), last = sources_.Locate(end);
+  const source::File& file = sources_.Get(first.file);
+  const auto start = [&file](uint32_t line) { return file.base + file.line_starts[line - 1]; };
+  std::string_view text = sources_.Line(last.file, last.line);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return {start(first.line), start(last.line) + static_cast<source::Offset>(text.size())};
+}
+
+void Lowering::AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const {
+  for (uint32_t i = 0; i < comments.count; ++i) {
+    const Comment& comment = tree_.comments[comments.first + i];
+    if (comment.place == place) to.push_back(comment.range);
+  }
+}
+
+std::string Lowering::SubjectOf(InstructionId first, InstructionId end) const {
+  for (uint32_t i = first.index; i < end.index; ++i) {
+    const Instruction& instruction = tree_.instructions[InstructionId(i)];
+    if (SubjectSpace(instruction).empty()) continue;
+    const Operand& operand = instruction.operand;
+    return std::string(Name(operand.kind)) + std::to_string(operand.number) +
+           (operand.shape() == Shape::kBit ? "_" + std::to_string(operand.bit) : "");
+  }
+  return module_->number == 0 ? "init" : "PM" + std::to_string(module_->number);
+}
+
+uint32_t Lowering::StatementNumber(InstructionId first, InstructionId end) {
+  uint32_t text = kFnvBasis;
+  for (uint32_t i = first.index; i < end.index; ++i) {
+    const Instruction& instruction = tree_.instructions[InstructionId(i)];
+    text = Fnv(text, Info(instruction.op).mnemonic);
+    if (instruction.operand.exists()) text = Fnv(text, ToText(instruction.operand));
+    if (instruction.target.valid()) text = Fnv(text, tree_.labels[instruction.target].name);
+    for (uint32_t k = 0; k < instruction.arguments.count; ++k) {
+      text = Fnv(text, ToText(tree_.Argument(instruction, k)));
+    }
+  }
+  // The first of equal texts keeps the text's own hash; 0 is no number.
+  for (uint32_t count = equal_texts_[text]++;; ++count) {
+    const uint32_t number = count == 0 ? text : Fnv(text, std::to_string(count));
+    if (number != 0 && used_numbers_.insert(number).second) return number;
+  }
+}
+
+void Lowering::BeginStatement(InstructionId first, InstructionId end) {
+  const Instruction& head = tree_.instructions[first];
+  source::Offset begin = head.range.begin;
+  for (uint32_t i = 0; i < module_->labels.count; ++i) {
+    const Label& label = tree_.labels[LabelId(module_->labels.first + i)];
+    if (label.at == first) begin = std::min(begin, label.range.begin);
+  }
+  const source::Range lines = LinesOf(begin, tree_.instructions[InstructionId(end.index - 1)].whole.end);
+  std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
+  AddComments(head.comments, CommentPlace::kLeading, comments);
+  std::erase_if(comments,
+                [&](const source::Range& comment) { return comment.begin >= lines.begin && comment.end <= lines.end; });
+  const ir::StatementId id = program_.statements.Add({.range = lines,
+                                                      .comments = std::move(comments),
+                                                      .subject = SubjectOf(first, end),
+                                                      .id = StatementNumber(first, end)});
+  builder_.SetRange(head.range);
+  builder_.Statement(id);
+}
+
+/// What stands before END belongs to no instruction.
+void Lowering::EndComments(const Module& module) {
+  std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
+  AddComments(module.end_comments, CommentPlace::kLeading, comments);
+  if (comments.empty()) return;
+  s_->EndStatement();
+  ax_->EndStatement();
+  if (first_ != nullptr) first_->EndStatement();
+  ir::Statement statement{.range = {}, .comments = std::move(comments), .subject = {}, .id = 0};
+  statement.id = StatementNumber(module.end_of(), module.end_of());
+  builder_.Statement(program_.statements.Add(std::move(statement)));
+}
+
+}  // namespace plcxx::prostep
