@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Measures plcxx on generated NC-110 programs and prints one table; every ratio is taken within this run.
+"""Measures plcxx on generated programs of each dialect and prints one table; every ratio is taken within this run.
 
-    bench.py [--plcxx build/bin/plcxx] [--quick]
+    bench.py [--plcxx build/bin/plcxx] [--quick] [--dialect nc110] ...
 
 Times are processor seconds of one core. Columns: transpiling (time, time per statement, peak memory), g++ -O2 of the generated code, cost of a scan against the
 same program written by hand with one byte per bit and 250 statements a function, code size on x86-64, Cortex-M4, RV32.
@@ -16,11 +16,16 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import generate_accumulator  # noqa: E402
 import generate_nc110  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # A generated program drives few timers from many statements; its warnings are not what is measured.
-QUIET = ["-Wno-W313", "-Wno-W322", "-Wno-W351", "-Wno-W356", "-Wno-W357", "-Wno-W358"]
+QUIET = {
+    "nc110": ["W313", "W322", "W351", "W356", "W357", "W358"],
+    "prostep": generate_accumulator.ProStep.warnings,
+    "host50": generate_accumulator.Host50.warnings,
+}
 RUNTIME = ROOT / "runtime_support"
 
 
@@ -50,13 +55,30 @@ def text_size(tool, sources, directory):
     return sum(int(line.split()[0]) for line in out.splitlines()[1:])
 
 
-def measure(plcxx, count, base):
-    directory = base / str(count)
-    generate_nc110.write(count, directory)
-    emit, peak = timed([plcxx, "emit", "program.plc", "--name", "program", "-o", ".", *QUIET], 5, cwd=directory)
-    row = {"statements": count, "emit s": emit, "us/stmt": emit / count * 1e6, "peak MB": peak / 1024, "kB/stmt over 60 MB": max(0, peak - 60 * 1024) / count}
+def write_sources(dialect, count, directory):
+    """The PLC program and the same one by hand; gives the source's name and what writes the glue between the two."""
+    if dialect == "nc110":
+        generate_nc110.write(count, directory)
+        return "program.plc", lambda: None
+    machine = generate_accumulator.machine_of(dialect)
+    program = generate_accumulator.write(machine, count, directory)
+    (directory / "compare.cpp").write_text(f"#define STATEMENTS {count}\n#define PERIOD {machine.period_ms}\n" + generate_nc110.COMPARE)
+    return f"program.{machine.extension}", lambda: generate_accumulator.write_glue(program, directory)
+
+
+def emit_command(plcxx, dialect, source):
+    quiet = [f"-Wno-{code}" for code in QUIET[dialect]]
+    return [plcxx, "emit", source, "--dialect", dialect, "--name", "program", "-o", ".", *quiet]
+
+
+def measure(plcxx, dialect, count, base):
+    directory = base / f"{dialect}{count}"
+    source, write_glue = write_sources(dialect, count, directory)
+    emit, peak = timed(emit_command(plcxx, dialect, source), 5, cwd=directory)
+    row = {"dialect": dialect, "statements": count, "emit s": emit, "us/stmt": emit / count * 1e6, "peak MB": peak / 1024, "kB/stmt over 60 MB": max(0, peak - 60 * 1024) / count}
     if count > 10_000:
         return row
+    write_glue()
     generated = sorted(p for p in directory.glob("program*.cpp"))
     release = ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti"]
     row["g++ s"] = compile_all(["g++"], release, generated, directory)
@@ -84,18 +106,73 @@ def measure(plcxx, count, base):
     return row
 
 
+def sliced_against_atomic(plcxx, count, base):
+    """HOST 50: the slow section in eight slices against the same in one piece; eight ticks of each."""
+    times = {}
+    for name, sliced in (("atomic", False), ("sliced", True)):
+        directory = base / f"host50{name}{count}"
+        machine = generate_accumulator.machine_of("host50", slow_div=8, sliced=sliced)
+        program = generate_accumulator.write(machine, count, directory)
+        subprocess.run(emit_command(plcxx, "host50", "program.il"), cwd=directory, check=True, capture_output=True)
+        generate_accumulator.write_glue(program, directory)
+        (directory / "ticks.cpp").write_text(f"#define STATEMENTS {count}\n" + TICKS)
+        sources = [*sorted(directory.glob("program*.cpp")), directory / "glue.cpp", directory / "ticks.cpp"]
+        compile_all(["g++"], ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti"], sources, directory)
+        subprocess.run(["g++", *[p.stem + ".o" for p in sources], "-o", "ticks"], cwd=directory, check=True)
+        times[name] = directory / "ticks"
+    # In turns, so that both meet the same weather.
+    best = {name: 1e18 for name in times}
+    for _ in range(7):
+        for name, path in times.items():
+            best[name] = min(best[name], float(subprocess.run([path], check=True, capture_output=True, text=True).stdout))
+    return {"dialect": "host50", "statements": count, "atomic ns/stmt": best["atomic"], "sliced ns/stmt": best["sliced"], "sliced ratio": best["sliced"] / best["atomic"]}
+
+
+TICKS = r"""
+#include <stdint.h>
+#include <stdio.h>
+#include <time.h>
+extern "C" { void generated_init(); void generated_scan(uint32_t); void generated_set(uint32_t); }
+static double Now() { timespec t; clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); return t.tv_sec * 1e9 + t.tv_nsec; }
+int main() {
+  generated_init();
+  uint32_t t = 0, seed = 1;
+  const int cycles = 8000000 / STATEMENTS + 1;
+  double best = 1e18;
+  for (int round = 0; round < 5; ++round) {
+    const double start = Now();
+    for (int i = 0; i < cycles; ++i) {
+      if (i % 16 == 0) generated_set(seed = seed * 1664525u + 1013904223u);
+      for (int k = 0; k < 8; ++k, ++t) generated_scan(t);
+    }
+    const double time = (Now() - start) / cycles / STATEMENTS;
+    if (time < best) best = time;
+  }
+  printf("%.4f\n", best);
+}
+"""
+
+
+def print_row(row):
+    text = [f"{value:.3g}" if isinstance(value, float) else f"{value:,}" if isinstance(value, int) else value for value in row.values()]
+    print("  ".join(f"{key} {value}" for key, value in zip(row, text)), flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plcxx", default=str(ROOT / "build/bin/plcxx"))
     parser.add_argument("--quick", action="store_true", help="1,000 statements only")
+    parser.add_argument("--dialect", action="append", choices=list(QUIET), help="only these")
     options = parser.parse_args()
     plcxx = str(pathlib.Path(options.plcxx).resolve())
     start, _ = timed([plcxx, "--version"], 20)
     print(f"plcxx --version: {start * 1000:.1f} ms")
     with tempfile.TemporaryDirectory() as base:
-        for count in [1_000] if options.quick else [1_000, 10_000, 100_000]:
-            row = measure(plcxx, count, pathlib.Path(base))
-            print("  ".join(f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value:,}" for key, value in row.items()), flush=True)
+        for dialect in options.dialect or list(QUIET):
+            for count in [1_000] if options.quick else [1_000, 10_000, 100_000]:
+                print_row(measure(plcxx, dialect, count, pathlib.Path(base)))
+            if dialect == "host50":
+                print_row(sliced_against_atomic(plcxx, 1_000 if options.quick else 10_000, pathlib.Path(base)))
 
 
 if __name__ == "__main__":

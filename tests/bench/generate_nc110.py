@@ -184,6 +184,9 @@ static inline void Count(Counter& c, bool v, unsigned modulus, uint32_t cycle) {
 
 
 COMPARE = r"""
+#ifndef PERIOD
+#define PERIOD 10
+#endif
 #include <stdint.h>
 #include <stdio.h>
 #include <time.h>
@@ -195,7 +198,7 @@ static double Now() { timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return t.t
 int main() {
   generated_init();
   uint32_t t = 0, seed = 1;
-  for (int i = 0; i < 300; ++i, t += 10) {
+  for (int i = 0; i < 300; ++i, t += PERIOD) {
     seed = seed * 1664525u + 1013904223u;
     reference_set(seed); generated_set(seed);
     reference_scan(t); generated_scan(t);
@@ -205,9 +208,9 @@ int main() {
   double best_reference = 1e18, best_generated = 1e18;
   for (int round = 0; round < 9; ++round) {
     double start = Now();
-    for (int i = 0; i < scans; ++i, t += 10) { if (i % 16 == 0) reference_set(seed += i); reference_scan(t); }
+    for (int i = 0; i < scans; ++i, t += PERIOD) { if (i % 16 == 0) reference_set(seed += i); reference_scan(t); }
     double middle = Now();
-    for (int i = 0; i < scans; ++i, t += 10) { if (i % 16 == 0) generated_set(seed += i); generated_scan(t); }
+    for (int i = 0; i < scans; ++i, t += PERIOD) { if (i % 16 == 0) generated_set(seed += i); generated_scan(t); }
     double end = Now();
     if ((middle - start) / scans < best_reference) best_reference = (middle - start) / scans;
     if ((end - middle) / scans < best_generated) best_generated = (end - middle) / scans;
