@@ -1,10 +1,11 @@
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/dialects/nc110/nc110.h"
+#include "transpiler/dialects/prostep/prostep.h"
 
 namespace plcxx::dialects {
 namespace {
 
-const Dialect* const kAll[] = {&nc110::kNc110};
+const Dialect* const kAll[] = {&nc110::kNc110, &prostep::kProstep};
 
 }  // namespace
 

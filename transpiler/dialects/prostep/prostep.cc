@@ -1,0 +1,97 @@
+#include "transpiler/dialects/prostep/prostep.h"
+
+#include "transpiler/dialects/prostep/lexer.h"
+#include "transpiler/dialects/prostep/lowering.h"
+#include "transpiler/dialects/prostep/numbers.h"
+#include "transpiler/dialects/prostep/options.h"
+#include "transpiler/dialects/prostep/parser.h"
+#include "transpiler/dialects/prostep/program_checks.h"
+
+namespace plcxx::prostep {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".plc", ".pst"};
+constexpr source::Encoding kEncodings[] = {source::Encoding::kMazovia, source::Encoding::kCp852,
+                                           source::Encoding::kCp1250, source::Encoding::kUtf8};
+
+void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+}
+
+std::string Tokens(dialects::Request& request) {
+  std::string text;
+  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
+  return text;
+}
+
+Program ParseProgram(const dialects::Request& request, const Settings& settings) {
+  diag::Engine& diagnostics = *request.diagnostics;
+  if (settings.strict) {
+    for (const diag::Row* row :
+         {&diag::ProstepDeclarationIndented.row, &diag::ProstepHighByteUnknown.row, &diag::ProstepAlwaysZero.row}) {
+      diagnostics.MakeError(*row);
+    }
+  }
+  Program tree = Parse(*request.sources, request.files, diagnostics);
+  ResolveCalls(tree, diagnostics);
+  return tree;
+}
+
+std::string Syntax(dialects::Request& request) {
+  return PrintSyntax(*request.sources, ParseProgram(request, ReadSettings(request.options)));
+}
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  diag::Engine& diagnostics = *request.diagnostics;
+  const Settings settings = ReadSettings(request.options);
+  const Program tree = ParseProgram(request, settings);
+  dialects::Lowered lowered;
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  if (diagnostics.HasErrors()) return lowered;
+  CheckUncalled(tree, diagnostics);
+  CheckActivity(tree, *request.sources, diagnostics);
+  CheckLabels(tree, diagnostics);
+  CheckMessages(tree, diagnostics);
+  CheckTimersAndCounters(tree, diagnostics);
+  CheckInputWrites(tree, diagnostics);
+  lowered.program = Lower(tree, settings, *request.sources, diagnostics);
+  return lowered;
+}
+
+/// A number of 2.5, up to four bytes: 18, -5, 0FFH, 12D.
+std::optional<uint64_t> ParseValue(std::string_view text) {
+  const ConstantNumber constant = ReadConstant(TrimBlanks(text), 4);
+  if (constant.fault != NumberFault::kNone) return std::nullopt;
+  return constant.value;
+}
+
+}  // namespace
+
+const dialects::Dialect kProstep = {
+    .name = "prostep",
+    .title = "PRONUM 630T, 640FC",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = {.encodings = kEncodings,
+             .choice = source::Choice::kAlways,
+             .detection = source::Detection::kFallback,
+             .fallback = source::Encoding::kMazovia,
+             .undecodable = source::Undecodable::kByTheDialect,
+             .line_ends = source::LineEnds::kEveryCrAndLf,
+             .end_marks = "\x03\x1A"},
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = Tokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = [](const ir::Program&, std::string_view) -> std::optional<dialects::Location> { return std::nullopt; },
+    .parse_value = ParseValue,
+    .make_stub = [](const ir::Program&, const std::map<std::string, std::string>&)
+        -> std::unique_ptr<dialects::ControlStub> { return nullptr; },
+    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
+                             diag::Engine&) {},
+    .lints = {},
+};
+
+}  // namespace plcxx::prostep
