@@ -1,8 +1,6 @@
 // The generated header: host functions, tags, State, entry points, texts.
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <set>
 
 #include "transpiler/emit/cpp_printer.h"
@@ -11,40 +9,17 @@
 namespace plcxx::emit {
 namespace {
 
-std::string Quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
-  }
-  return out + "\"";
-}
-
 class HeaderPrinter {
  public:
-  explicit HeaderPrinter(const Emittable& emittable) : emittable_(emittable), program_(*emittable.program) {
-    for (const ir::Documentation& row : program_.documentation) documentation_.emplace(row.address, &row);
-  }
+  explicit HeaderPrinter(const Emittable& emittable) : emittable_(emittable), program_(*emittable.program) {}
 
   std::string Run();
 
  private:
   void Top();
   void HostFunctions();
-  void Tags();
-  void ArrayTags(std::string_view comment, std::string_view type, Storage storage);
-  void PackedTags(std::string_view type, Storage storage);
-  void StateTags();
-  void RetentiveBlock();
-  void StateStruct();
-  void Accessor(std::string_view tag_type, std::string_view value_type, std::string_view expression);
-  void PackedAccessor(std::string_view tag_type, std::string_view array);
   void Entries();
   void Texts(std::string_view name, std::string_view comment, const std::vector<ir::MessageText>& texts);
-  std::vector<uint32_t> PlacesIn(Storage storage) const;
-  std::string DocumentationOf(const ir::Place& place) const;
-  bool HasMember(std::string_view name) const;
-  const Member* FindMember(std::string_view name) const;
   bool debug() const { return emittable_.options.flavour == Flavour::kDebug; }
   std::string CppType(const ir::HostFunction& function, const ir::Parameter& parameter) const {
     return parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
@@ -53,47 +28,8 @@ class HeaderPrinter {
 
   const Emittable& emittable_;
   const ir::Program& program_;
-  std::map<std::string_view, const ir::Documentation*> documentation_;
-  std::set<std::pair<ir::StateKind, uint8_t>> fields_used_;
   std::string out_;
 };
-
-bool HeaderPrinter::HasMember(std::string_view name) const { return FindMember(name) != nullptr; }
-
-const Member* HeaderPrinter::FindMember(std::string_view name) const {
-  for (const Member& member : emittable_.layout.members) {
-    if (member.name == name) return &member;
-  }
-  return nullptr;
-}
-
-/// Places of one storage class in the order of their index; several names of one place stay together.
-std::vector<uint32_t> HeaderPrinter::PlacesIn(Storage storage) const {
-  std::vector<uint32_t> places;
-  for (uint32_t i = 0; i < emittable_.layout.places.size(); ++i) {
-    if (emittable_.layout.places[i].storage == storage && !emittable_.place_names[i].empty()) places.push_back(i);
-  }
-  std::stable_sort(places.begin(), places.end(), [this](uint32_t left, uint32_t right) {
-    const PlaceStorage& a = emittable_.layout.places[left];
-    const PlaceStorage& b = emittable_.layout.places[right];
-    return std::tuple(a.index, a.bit, emittable_.place_names[left]) <
-           std::tuple(b.index, b.bit, emittable_.place_names[right]);
-  });
-  return places;
-}
-
-std::string HeaderPrinter::DocumentationOf(const ir::Place& place) const {
-  std::string out;
-  const std::string& address = place.address.empty() ? place.name : place.address;
-  if (!place.address.empty() && place.address != place.name) out = place.address;
-  const auto row = documentation_.find(address);
-  if (row == documentation_.end()) return out;
-  const ir::Documentation& known = *row->second;
-  if (!known.predefined.empty()) out += (out.empty() ? "" : " ") + known.predefined;
-  const std::string& text = known.help.empty() ? known.meaning : known.help;
-  if (!text.empty()) out += (out.empty() ? "" : ": ") + text;
-  return CommentText(out);
-}
 
 void HeaderPrinter::Top() {
   const std::string& name = emittable_.options.name;
@@ -152,197 +88,6 @@ void HeaderPrinter::HostFunctions() {
   out_ += '\n';
 }
 
-void HeaderPrinter::ArrayTags(std::string_view comment, std::string_view type, Storage storage) {
-  const std::vector<uint32_t> places = PlacesIn(storage);
-  if (places.empty()) return;
-  const bool fixed = storage == Storage::kRetentiveByte;  // its index is its address: it does not move
-  out_ += "// " + std::string(comment) + "\nenum " + std::string(type) + " : uint16_t {\n";
-  std::string aliases;
-  for (size_t i = 0; i < places.size(); ++i) {
-    const ir::Place& place = program_.places[ir::PlaceId(places[i])];
-    const std::string& name = emittable_.place_names[places[i]];
-    const std::string documentation = DocumentationOf(place);
-    const std::string comment_text = documentation.empty() ? "" : "  // " + documentation;
-    if (i > 0 && emittable_.layout.places[places[i]].index == emittable_.layout.places[places[i - 1]].index) {
-      size_t first = i - 1;
-      while (first > 0 &&
-             emittable_.layout.places[places[first - 1]].index == emittable_.layout.places[places[i]].index)
-        --first;
-      aliases += "inline constexpr " + std::string(type) + " " + name + " = " + emittable_.place_names[places[first]] +
-                 ";" + comment_text + "\n";
-      continue;
-    }
-    out_ += "  " + name + (fixed ? " = " + std::to_string(emittable_.layout.places[places[i]].index) : "") + "," +
-            comment_text + "\n";
-  }
-  out_ += "};\n" + aliases + "\n";
-}
-
-void HeaderPrinter::PackedTags(std::string_view type, Storage storage) {
-  const std::vector<uint32_t> places = PlacesIn(storage);
-  if (places.empty()) return;
-  const bool retentive = storage == Storage::kRetentiveBit;
-  out_ += retentive ? "// Bits of the retentive block.\n" : "// Bits of words that the program also uses whole.\n";
-  // A packed bit's byte is used whole, so it has a name.
-  std::map<uint32_t, std::string> byte_names;
-  for (const uint32_t i : PlacesIn(Storage::kByte))
-    byte_names.emplace(emittable_.layout.places[i].index, emittable_.place_names[i]);
-  for (const uint32_t i : places) {
-    const PlaceStorage& stored = emittable_.layout.places[i];
-    const std::string byte = retentive ? std::to_string(stored.index) : byte_names.at(stored.index);
-    const std::string documentation = DocumentationOf(program_.places[ir::PlaceId(i)]);
-    out_ += "inline constexpr plcxx::" + std::string(type) + " " + emittable_.place_names[i] + "{" + byte + ", " +
-            std::to_string(stored.bit) + "};" + (documentation.empty() ? "" : "  // " + documentation) + "\n";
-  }
-  out_ += '\n';
-}
-
-void HeaderPrinter::StateTags() {
-  for (uint32_t k = 0; k < ir::StateKindCount(); ++k) {
-    const auto kind = static_cast<ir::StateKind>(k);
-    const std::string tag = std::string(ir::Info(kind).struct_name) + "Tag";
-    std::vector<uint32_t> instances;
-    for (uint32_t i = 0; i < program_.states.size(); ++i) {
-      if (program_.states[ir::StateId(i)].kind == kind) instances.push_back(i);
-    }
-    if (instances.empty()) continue;
-    out_ += "enum " + tag + " : uint16_t {\n";
-    for (const uint32_t i : instances) out_ += "  " + emittable_.state_names[i] + ",\n";
-    out_ += "};\n";
-    const auto fields = ir::Info(kind).fields;
-    for (uint8_t f = 0; f < static_cast<uint8_t>(fields.size()); ++f) {
-      const std::string field_tag = std::string(ir::Info(kind).struct_name) + "_" + std::string(fields[f].name);
-      std::vector<uint32_t> places;
-      for (uint32_t i = 0; i < program_.places.size(); ++i) {
-        const ir::Place& place = program_.places[ir::PlaceId(i)];
-        if (place.is_field() && place.field == f && program_.states[place.state].kind == kind &&
-            !emittable_.place_names[i].empty()) {
-          places.push_back(i);
-        }
-      }
-      if (places.empty()) continue;
-      std::stable_sort(places.begin(), places.end(), [this](uint32_t a, uint32_t b) {
-        return std::tuple(emittable_.layout.places[a].index, emittable_.place_names[a]) <
-               std::tuple(emittable_.layout.places[b].index, emittable_.place_names[b]);
-      });
-      fields_used_.insert({kind, f});
-      out_ += "struct " + field_tag + " {\n  " + tag + " instance;\n};\n";
-      for (const uint32_t i : places) {
-        const ir::Place& place = program_.places[ir::PlaceId(i)];
-        const std::string documentation = DocumentationOf(place);
-        out_ += "inline constexpr " + field_tag + " " + emittable_.place_names[i] + "{" +
-                emittable_.state_names[place.state.index] + "};" +
-                (documentation.empty() ? "" : "  // " + documentation) + "\n";
-      }
-    }
-    out_ += '\n';
-  }
-}
-
-void HeaderPrinter::Tags() {
-  ArrayTags("Signals, one byte each.", "Bit", Storage::kBit);
-  ArrayTags("Words.", "Byte", Storage::kByte);
-  ArrayTags("16-bit values.", "Word16", Storage::kWord16);
-  ArrayTags("32-bit values.", "Word32", Storage::kWord32);
-  ArrayTags("64-bit values.", "Word64", Storage::kWord64);
-  PackedTags("PackedBit", Storage::kPackedBit);
-  ArrayTags("Words of the retentive block, by address.", "RetentiveByte", Storage::kRetentiveByte);
-  PackedTags("RetentiveBit", Storage::kRetentiveBit);
-  StateTags();
-}
-
-void HeaderPrinter::RetentiveBlock() {
-  if (emittable_.layout.retentive_bytes == 0) return;
-  // The layout is the spaces, not what this program uses of them: a copy made by another program of the machine fits.
-  std::string layout = program_.dialect;
-  for (const ir::Space& space : program_.spaces) {
-    if (space.lifetime == ir::Lifetime::kRetentive)
-      layout += " " + space.name + "[" + std::to_string(space.bytes) + "]";
-  }
-  out_ += "// What outlives power-off, in address order. A copy with another layout is refused.\n";
-  out_ += "inline constexpr uint32_t kRetentiveLayout = plcxx::LayoutHash(" + Quoted(layout) + ");\n";
-  out_ += "struct Retentive {\n  uint32_t layout;\n  uint8_t bytes[" +
-          std::to_string(emittable_.layout.retentive_bytes) + "];\n};\n\n";
-}
-
-void HeaderPrinter::Accessor(std::string_view tag_type, std::string_view value_type, std::string_view expression) {
-  const std::string tag(tag_type), value(value_type), object(expression);
-  if (debug()) {
-    out_ += "  plcxx::Forced<" + value + "> operator[](" + tag + " tag) noexcept { return {" + object + ", Mask(&" +
-            object + "), Value(&" + object + ")}; }\n";
-  } else {
-    out_ += "  [[gnu::const, gnu::always_inline]] " + value + "& operator[](" + tag + " tag) noexcept { return " +
-            object + "; }\n";
-  }
-  out_ += "  [[gnu::pure, gnu::always_inline]] const " + value + "& operator[](" + tag +
-          " tag) const noexcept { return " + object + "; }\n";
-}
-
-void HeaderPrinter::PackedAccessor(std::string_view tag_type, std::string_view array) {
-  const std::string tag(tag_type), bytes(array);
-  const std::string ref =
-      "plcxx::PackedBitRef(" + bytes + "[tag.byte], plcxx::MaskOf(plcxx::PackedBit{tag.byte, tag.bit}))";
-  if (debug()) {
-    out_ += "  plcxx::ForcedPackedBit operator[](" + tag + " tag) noexcept {\n    return {" + ref + ", " + bytes +
-            "[tag.byte], Mask(&" + bytes + "[tag.byte]), Value(&" + bytes + "[tag.byte])};\n  }\n";
-  } else {
-    out_ += "  [[gnu::const, gnu::always_inline]] plcxx::PackedBitRef operator[](" + tag +
-            " tag) noexcept {\n    return " + ref + ";\n  }\n";
-  }
-  out_ += "  [[gnu::pure, gnu::always_inline]] bool operator[](" + tag + " tag) const noexcept {\n    return (" +
-          bytes + "[tag.byte] & plcxx::MaskOf(plcxx::PackedBit{tag.byte, tag.bit})) != 0;\n  }\n";
-}
-
-void HeaderPrinter::StateStruct() {
-  out_ += "struct State {\n";
-  for (const Member& member : emittable_.layout.members) {
-    out_ += "  " + member.element + " " + member.name;
-    if (member.name != "retentive") out_ += "[" + std::to_string(member.count) + "]";
-    out_ += ";\n";
-  }
-  const std::string size = std::to_string(emittable_.layout.size);
-  if (emittable_.layout.members.empty()) out_ += "  bool unused;\n";
-  if (debug()) {
-    const std::string count = std::to_string(std::max(1u, program_.statements.size()));
-    out_ += "\n  // Debug flavour: what is forced, and which statements are switched off.\n";
-    out_ += "  unsigned char force_mask[" + size + "];\n  unsigned char force_value[" + size + "];\n  bool off[" +
-            count + "];\n\n";
-    out_ += "  bool on(unsigned statement) const noexcept { return !off[statement]; }\n";
-    out_ +=
-        "  size_t OffsetOf(const void* object) const noexcept {\n    return static_cast<size_t>(static_cast<const "
-        "unsigned char*>(object) - "
-        "reinterpret_cast<const unsigned char*>(this));\n  }\n";
-    out_ +=
-        "  const unsigned char* Mask(const void* object) const noexcept { return force_mask + OffsetOf(object); }\n";
-    out_ +=
-        "  const unsigned char* Value(const void* object) const noexcept { return force_value + OffsetOf(object); }\n";
-    out_ += "  void ReapplyForces() noexcept { plcxx::ApplyForces(this, force_mask, force_value, " + size + "); }\n";
-  }
-  out_ += '\n';
-  if (HasMember("bit")) Accessor("Bit", "bool", "bit[tag]");
-  if (!PlacesIn(Storage::kByte).empty()) Accessor("Byte", "uint8_t", "byte[tag]");
-  if (HasMember("word16")) Accessor("Word16", "uint16_t", "word16[tag]");
-  if (HasMember("word32")) Accessor("Word32", "uint32_t", "word32[tag]");
-  if (HasMember("word64")) Accessor("Word64", "uint64_t", "word64[tag]");
-  if (!PlacesIn(Storage::kPackedBit).empty()) PackedAccessor("plcxx::PackedBit", "byte");
-  if (!PlacesIn(Storage::kRetentiveByte).empty()) Accessor("RetentiveByte", "uint8_t", "retentive.bytes[tag]");
-  if (!PlacesIn(Storage::kRetentiveBit).empty()) PackedAccessor("plcxx::RetentiveBit", "retentive.bytes");
-  for (uint32_t k = 0; k < ir::StateKindCount(); ++k) {
-    const auto kind = static_cast<ir::StateKind>(k);
-    const ir::StateInfo& info = ir::Info(kind);
-    if (!HasMember(info.text)) continue;
-    Accessor(std::string(info.struct_name) + "Tag", "plcxx::" + std::string(info.struct_name),
-             std::string(info.text) + "[tag]");
-    for (const auto& [used, field] : fields_used_) {
-      if (used != kind) continue;
-      const std::string name(info.fields[field].name);
-      Accessor(std::string(info.struct_name) + "_" + name, ir::CppName(info.fields[field].type),
-               std::string(info.text) + "[tag.instance]." + name);
-    }
-  }
-  out_ += "};\n\n";
-}
-
 void HeaderPrinter::Entries() {
   out_ += "// The partitions, and what the control does around them.\n";
   for (const ir::Routine& routine : program_.routines) {
@@ -373,8 +118,8 @@ void HeaderPrinter::Texts(std::string_view name, std::string_view comment, const
   if (texts.empty()) return;
   out_ += "// " + std::string(comment) + "\ninline constexpr plcxx::DisplayText " + std::string(name) + "[] = {\n";
   for (const ir::MessageText& text : texts) {
-    out_ +=
-        "    {" + std::to_string(text.number) + ", " + std::to_string(text.colour) + ", " + Quoted(text.text) + "},\n";
+    out_ += "    {" + std::to_string(text.number) + ", " + std::to_string(text.colour) + ", " + CppString(text.text) +
+            "},\n";
   }
   out_ += "};\n\n";
 }
@@ -382,9 +127,8 @@ void HeaderPrinter::Texts(std::string_view name, std::string_view comment, const
 std::string HeaderPrinter::Run() {
   Top();
   HostFunctions();
-  Tags();
-  RetentiveBlock();
-  StateStruct();
+  out_ += PrintTags(emittable_);
+  out_ += PrintState(emittable_);
   Entries();
   Texts("messages", "Operator messages: number, colour, text.", program_.messages);
   Texts("menu_texts", "Texts of the soft keys: number, colour, text.", program_.menu_texts);

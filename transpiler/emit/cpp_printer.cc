@@ -36,6 +36,15 @@ std::string CommentText(std::string_view text) {
   return out;
 }
 
+std::string CppString(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) out += c;
+  }
+  return out + "\"";
+}
+
 std::vector<OutputFile> PrintCpp(const Emittable& emittable, const source::SourceManager& sources) {
   const std::string& name = emittable.options.name;
   std::vector<OutputFile> files;

@@ -27,8 +27,13 @@ std::string PrintMap(const Emittable& emittable, const source::SourceManager& so
 /// A line of the source made safe for a C++ comment: no control or direction characters, no backslash at the end.
 std::string CommentText(std::string_view text);
 
+/// A C++ string literal of a text without control characters.
+std::string CppString(std::string_view text);
+
 // The pieces of PrintCpp, one file each.
 std::string PrintHeader(const Emittable& emittable);
+std::string PrintTags(const Emittable& emittable);
+std::string PrintState(const Emittable& emittable);
 std::string PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
 
 /// Names of the locals declared so far, by InstId.

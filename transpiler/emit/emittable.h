@@ -44,10 +44,11 @@ struct Emittable {
   EmitOptions options;
   Layout layout;
   std::string namespace_name;
-  std::vector<std::string> place_names;  // by PlaceId; empty: nothing uses it
-  std::vector<std::string> state_names;  // by StateId
-  std::vector<bool> local_value;         // by InstId: computed into a named const before its use
-  std::vector<Chunk> chunks;             // nested ones before the ones that call them
+  std::vector<std::string> place_names;    // by PlaceId; empty: nothing uses it
+  std::vector<std::string> state_names;    // by StateId
+  std::vector<std::string> stretch_names;  // by index in Layout::stretches: of its first byte
+  std::vector<bool> local_value;           // by InstId: computed into a named const before its use
+  std::vector<Chunk> chunks;               // nested ones before the ones that call them
   std::vector<std::vector<uint32_t>>
       region_chunks;  // by RegionId: what the region was cut into; empty: printed in place
   std::vector<Part> parts;

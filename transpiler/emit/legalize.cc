@@ -71,6 +71,18 @@ void NamePlaces(Emittable& emittable) {
                                      : names.Allocate(place.name, is_symbol ? place.address : "");
     }
   }
+  // A stretch has the name of its first byte, if that is a place.
+  for (const Stretch& stretch : emittable.layout.stretches) {
+    std::string name;
+    for (uint32_t i = 0; i < program.places.size(); ++i) {
+      const PlaceStorage& stored = emittable.layout.places[i];
+      const std::string& other = emittable.place_names[i];
+      if (stored.storage != Storage::kByte || stored.index != stretch.index || other.empty()) continue;
+      if (name.empty() || other < name) name = other;
+    }
+    const std::string address = program.spaces[stretch.space].name + "_" + std::to_string(stretch.begin);
+    emittable.stretch_names.push_back(name.empty() ? names.Allocate(address, "byte") : name);
+  }
   // An instance whose own name is the name of its signal ("P6") gives way: the signal is what statements name.
   for (const ir::StateInstance& state : program.states) {
     emittable.state_names.push_back(names.Allocate(state.name, "state"));
@@ -97,9 +109,23 @@ std::string Print(const Emittable& emittable) {
     out += "member " + member.name + " : " + member.element + "[" + std::to_string(member.count) + "] at " +
            std::to_string(member.offset) + "\n";
   }
-  static constexpr std::string_view kStorage[] = {"none",          "bit",    "byte",   "packed_bit",
-                                                  "word16",        "word32", "word64", "retentive_byte",
-                                                  "retentive_bit", "field",  "local"};
+  static constexpr std::string_view kStorage[] = {"none",
+                                                  "bit",
+                                                  "byte",
+                                                  "packed_bit",
+                                                  "word16",
+                                                  "word32",
+                                                  "word64",
+                                                  "float32",
+                                                  "float64",
+                                                  "wide",
+                                                  "indexed",
+                                                  "retentive_byte",
+                                                  "retentive_bit",
+                                                  "retentive_wide",
+                                                  "retentive_indexed",
+                                                  "field",
+                                                  "local"};
   for (uint32_t i = 0; i < program.places.size(); ++i) {
     if (emittable.place_names[i].empty()) continue;
     const PlaceStorage& stored = emittable.layout.places[i];

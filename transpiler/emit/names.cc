@@ -20,10 +20,10 @@ constexpr std::string_view kTaken[] = {
     "NULL", "offsetof", "size_t", "ptrdiff_t", "max_align_t", "nullptr_t", "errno", "assert", "EOF", "stdin", "stdout",
     "stderr", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min", "max", "main", "std", "plcxx",
     // names of the generated code
-    "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "PackedBit", "RetentiveByte",
-    "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice", "round", "copy",
-    "layout", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte", "retentive", "Clear",
-    "ReapplyForces"};
+    "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
+    "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
+    "round", "copy", "layout", "At", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte",
+    "retentive", "Clear", "ReapplyForces"};
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }

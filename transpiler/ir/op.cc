@@ -26,29 +26,43 @@ constexpr TypeList Types(T... types) {
 }  // namespace names
 
 constexpr OpInfo Row(std::string_view text, Shape shape, Effect effect, Type result, TypeList operands,
-                     std::string_view spelling, Precedence precedence, CostClass cost, std::optional<StateKind> state) {
+                     std::string_view spelling, std::string_view function, std::string_view header,
+                     Precedence precedence, CostClass cost, std::optional<StateKind> state) {
   return OpInfo{
-      text,     shape,      effect, result, operands.count, {operands.types[0], operands.types[1], operands.types[2]},
-      spelling, precedence, cost,   state};
+      text,     shape,    effect, result,     operands.count, {operands.types[0], operands.types[1], operands.types[2]},
+      spelling, function, header, precedence, cost,           state};
 }
 
-constexpr auto MakeOps() {
-  using namespace names;
-  return std::to_array<OpInfo>({
-#define PLCXX_PURE(Kind, TextName, Operands, Result, Spelling, Prec, Function, Cost)                              \
-  Row(TextName, Shape::kPure, Effect::kPure, Result, Types Operands, Spelling, Precedence::Prec, CostClass::Cost, \
-      std::nullopt),
-#define PLCXX_STEP(Kind, TextName, State, Operands, Result, Spelling, Function, Cost)                  \
-  Row(TextName, Shape::kStep, Effect::kWrites, Result, Types Operands, Spelling, Precedence::kPrimary, \
-      CostClass::Cost, StateKind::k##State),
-#define PLCXX_CORE(Kind, TextName, ShapeName, EffectName, Cost)                                          \
-  Row(TextName, Shape::ShapeName, Effect::EffectName, Type::kNone, TypeList{}, "", Precedence::kPrimary, \
-      CostClass::Cost, std::nullopt),
+constexpr uint32_t kOpCount = 0
+#define PLCXX_PURE(...) +1
+#define PLCXX_STEP(...) +1
+#define PLCXX_CORE(...) +1
 #include "transpiler/ir/ops.def"
 #undef PLCXX_PURE
 #undef PLCXX_STEP
 #undef PLCXX_CORE
-  });
+    ;
+
+constexpr auto MakeOps() {
+  using namespace names;
+  std::array<OpInfo, kOpCount> ops{};
+  std::string_view header;
+  size_t next = 0;
+#define PLCXX_HEADER(Header) header = Header;
+#define PLCXX_PURE(Kind, TextName, Operands, Result, Spelling, Prec, Function, Cost)                            \
+  ops[next++] = Row(TextName, Shape::kPure, Effect::kPure, Result, Types Operands, Spelling, #Function, header, \
+                    Precedence::Prec, CostClass::Cost, std::nullopt);
+#define PLCXX_STEP(Kind, TextName, State, Operands, Result, Spelling, Function, Cost)                         \
+  ops[next++] = Row(TextName, Shape::kStep, Effect::kWrites, Result, Types Operands, Spelling, #Function, "", \
+                    Precedence::kPrimary, CostClass::Cost, StateKind::k##State);
+#define PLCXX_CORE(Kind, TextName, ShapeName, EffectName, Cost)                                          \
+  ops[next++] = Row(TextName, Shape::ShapeName, Effect::EffectName, Type::kNone, TypeList{}, "", "", "", \
+                    Precedence::kPrimary, CostClass::Cost, std::nullopt);
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+  return ops;
 }
 constexpr auto kOps = MakeOps();
 

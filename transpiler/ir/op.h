@@ -79,6 +79,8 @@ struct OpInfo {
   uint8_t operand_count;  // of kPure and kStep
   Type operands[3];
   std::string_view spelling;  // C++; {0} {1} {2} operands, {s} the state instance
+  std::string_view function;  // of runtime_support; empty for the IR's own
+  std::string_view header;    // where that is; empty: in logic.h, or with the state
   Precedence precedence;
   CostClass cost;
   std::optional<StateKind> state;  // of kStep
