@@ -204,20 +204,11 @@ class CompiledEngine : public sim::Engine {
 
   /// The cell of one bit of a byte of a space.
   Cell BitCell(ir::SpaceId space, uint32_t at, uint8_t bit) const {
+    if (at >= layout_.bytes[space.index].size()) return {false, at, bit, false};  // a local of routines
     const emit::ByteStorage& stored = layout_.bytes[space.index][at];
     if (stored.bits[bit].storage != emit::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
+    // Bytes of words too: the host is little-endian.
     if (stored.whole.storage != emit::Storage::kNone) return {true, stored.whole.offset, bit, false};
-    // A byte inside a wider value that starts before it; the host is little-endian, as the values are in memory.
-    for (uint32_t back = 1; back < 8 && back <= at; ++back) {
-      const emit::PlaceStorage& whole = layout_.bytes[space.index][at - back].whole;
-      const uint32_t bytes = whole.storage == emit::Storage::kWord16   ? 2
-                             : whole.storage == emit::Storage::kWord32 ? 4
-                             : whole.storage == emit::Storage::kWord64 ? 8
-                                                                       : 1;
-      if (whole.storage == emit::Storage::kNone) continue;
-      if (back < bytes) return {true, whole.offset + back, bit, false};
-      break;
-    }
     return {false, at, bit, false};
   }
 
