@@ -19,7 +19,7 @@ Lowering::Reach Lowering::ReachOf(const Instruction& instruction, uint32_t bytes
   const bool byte = displacement.shape() == Shape::kByte;
   const ValueId value = ReadData(displacement);
   const ValueId wide = builder_.Pure(byte ? OpKind::kWiden8To32 : OpKind::kSignExtend16To32, {value});
-  reach.address = base.number == 0 ? wide : builder_.Pure(OpKind::kAdd32, {wide, Number(base.number)});
+  reach.address = Moved(wide, base.number);
   // Without a sign: what is below 0 is above everything else.
   if (!byte || base.number + 0xFFu > last)
     reach.outside = builder_.Pure(OpKind::kGreater32, {reach.address, Number(last)});

@@ -175,6 +175,7 @@ class Lowering {
   /// nothing.
   ir::ValueId LoadIndexed(Space space, ir::ValueId address, ir::Type type);
   void StoreIndexed(Space space, ir::ValueId address, ir::Type type, ir::ValueId value);
+  ir::ValueId Moved(ir::ValueId address, uint32_t by);
   /// A word in D as two bytes, which may lie in different parts; `behind` is 0 for the low one.
   template <class Visit>
   void ForEachPart(uint32_t behind, uint32_t bytes, Visit&& visit);

@@ -147,6 +147,10 @@ void Lowering::ForEachPart(uint32_t behind, uint32_t bytes, Visit&& visit) {
   }
 }
 
+ValueId Lowering::Moved(ValueId address, uint32_t by) {
+  return by == 0 ? address : builder_.Pure(OpKind::kAdd32, {address, Number(by)});
+}
+
 ValueId Lowering::LoadIndexed(Space space, ValueId address, Type type) {
   const uint32_t bytes = ir::Bytes(type);
   if (space != Space::kD) {
@@ -157,8 +161,7 @@ ValueId Lowering::LoadIndexed(Space space, ValueId address, Type type) {
   for (uint32_t behind = 0; behind < bytes; ++behind) {
     ValueId byte;
     ForEachPart(behind, bytes, [&](ir::PlaceId place, uint32_t first) {
-      const ValueId index = builder_.Pure(OpKind::kAdd32, {address, Number(behind - first)});
-      const ValueId value = builder_.Load(place, index);
+      const ValueId value = builder_.Load(place, Moved(address, behind - first));
       byte = byte.valid() ? builder_.Pure(OpKind::kOr8, {byte, value}) : value;  // outside its part it is 0
     });
     word = behind == 0 ? byte : builder_.Pure(OpKind::kPair16, {word, byte});
@@ -176,7 +179,7 @@ void Lowering::StoreIndexed(Space space, ValueId address, Type type, ValueId val
     ValueId byte = value;
     if (bytes > 1) byte = builder_.Pure(behind == 0 ? OpKind::kLowByte16 : OpKind::kHighByte16, {value});
     ForEachPart(behind, bytes, [&](ir::PlaceId place, uint32_t first) {
-      builder_.Store(place, byte, builder_.Pure(OpKind::kAdd32, {address, Number(behind - first)}));
+      builder_.Store(place, byte, Moved(address, behind - first));
     });
   }
 }

@@ -1,11 +1,13 @@
 #include "transpiler/dialects/prostep/prostep.h"
 
 #include "transpiler/dialects/prostep/lexer.h"
+#include "transpiler/dialects/prostep/locate.h"
 #include "transpiler/dialects/prostep/lowering.h"
 #include "transpiler/dialects/prostep/numbers.h"
 #include "transpiler/dialects/prostep/options.h"
 #include "transpiler/dialects/prostep/parser.h"
 #include "transpiler/dialects/prostep/program_checks.h"
+#include "transpiler/dialects/prostep/stub.h"
 
 namespace plcxx::prostep {
 namespace {
@@ -85,13 +87,13 @@ const dialects::Dialect kProstep = {
     .print_tokens = Tokens,
     .print_syntax = Syntax,
     .lower = LowerProgram,
-    .locate = [](const ir::Program&, std::string_view) -> std::optional<dialects::Location> { return std::nullopt; },
+    .locate = Locate,
     .parse_value = ParseValue,
-    .make_stub = [](const ir::Program&, const std::map<std::string, std::string>&)
-        -> std::unique_ptr<dialects::ControlStub> { return nullptr; },
+    .make_stub = MakeStub,
     .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
                              diag::Engine&) {},
     .lints = {},
+    .message_text = MessageText,
 };
 
 }  // namespace plcxx::prostep
