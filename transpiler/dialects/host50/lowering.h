@@ -1,6 +1,11 @@
-// Lowers a syntax tree of dialect host50 to IR (specification sections 4, 6 and 7).
+// Lowers a syntax tree of dialect host50 to IR (specification sections 4 to 8).
 //
-// In: a tree without errors, its settings. Out: a program.
+// In: a tree without errors, its settings. Out: a program with the routines init, fast, slow, one for each subroutine,
+// and period (the tick of 4.3); its memory map, its schedule, its tables and documentation.
+//
+// One statement is a rung: instructions whose results no instruction outside of them uses; of a drawing whole rows.
+// Results are computed where they are used, so that a rung reads as one expression; what an instruction between would
+// change is computed before it, and edges and blocks, which have a state, where they stand.
 #pragma once
 
 #include "transpiler/dialects/host50/syntax.h"

@@ -1,0 +1,104 @@
+#include "transpiler/dialects/host50/locate.h"
+
+#include <charconv>
+
+#include "transpiler/dialects/host50/addresses.h"
+#include "transpiler/dialects/host50/places.h"
+
+namespace plcxx::host50 {
+namespace {
+
+std::optional<Address> AddressFromText(const ir::Program& program, std::string_view text) {
+  const std::string spelled = text.starts_with('%') ? std::string(text) : "%" + std::string(text);
+  const AddressText read = ReadAddressText(spelled, ChannelsOf(program));
+  if (read.fault != AddressFault::kNone) return std::nullopt;
+  return read.address;
+}
+
+/// By the documentation that lowering wrote: it lists every symbol with its address.
+std::optional<Address> AddressOfSymbol(const ir::Program& program, std::string_view symbol) {
+  for (const ir::Documentation& entry : program.documentation) {
+    if (entry.symbols == symbol) return AddressFromText(program, entry.address);
+  }
+  return std::nullopt;
+}
+
+std::string_view SymbolOf(const ir::Program& program, std::string_view address) {
+  for (const ir::Documentation& entry : program.documentation) {
+    if (entry.address == address) return entry.symbols;
+  }
+  return {};
+}
+
+std::optional<Address> AddressOf(const ir::Program& program, std::string_view text) {
+  const bool quoted = text.starts_with('\'');
+  if (!quoted) {
+    if (const auto address = AddressFromText(program, text)) return address;
+    if (const auto address = AddressOfSymbol(program, text)) return address;
+  }
+  std::string_view name = text, attribute;
+  if (quoted) {
+    name.remove_prefix(1);
+    const size_t end = name.find('\'');
+    if (end == std::string_view::npos) return std::nullopt;
+    attribute = name.substr(end + 1);
+    name = name.substr(0, end);
+    if (attribute.empty()) return AddressOfSymbol(program, name);
+  } else {
+    const size_t dot = text.rfind('.');
+    if (dot == std::string_view::npos) return std::nullopt;
+    name = text.substr(0, dot);
+    attribute = text.substr(dot);
+  }
+  if (!attribute.starts_with('.')) return std::nullopt;
+  std::optional<Address> address = AddressOfSymbol(program, name);
+  if (!address || !FieldOf(*address)) return std::nullopt;
+  address->attribute = AttributeByName(attribute.substr(1));
+  if (address->attribute == Attribute::kNone) return std::nullopt;
+  return address;
+}
+
+}  // namespace
+
+std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
+  const std::optional<Address> address = AddressOf(program, text);
+  if (!address) return std::nullopt;
+  dialects::Location location;
+  if (const auto field = FieldOf(*address)) {
+    location.place.type = field->type;
+    location.place.field = field->field;
+    const std::string number = NameOf(WithoutAttribute(*address));
+    const std::string_view symbol = SymbolOf(program, number);
+    for (uint32_t i = 0; i < program.states.size(); ++i) {
+      const ir::StateInstance& state = program.states[ir::StateId(i)];
+      if (state.kind == field->kind && state.name == (symbol.empty() ? number : symbol)) {
+        location.place.state = ir::StateId(i);
+      }
+    }
+    location.absent = !location.place.state.valid();
+  } else {
+    location.place = MemoryPlace(*address);
+  }
+  location.place.name = NameOf(*address);
+  return location;
+}
+
+std::optional<uint64_t> ParseValue(std::string_view text) {
+  constexpr size_t kMostHexDigits = 8;
+  if (!text.starts_with('$')) return std::nullopt;
+  text.remove_prefix(1);
+  uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, value, 16);
+  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || last != end) return std::nullopt;
+  return value;
+}
+
+std::string MessageText(const ir::Program& program, uint32_t number, const dialects::ImagePort& /*image*/) {
+  for (const ir::MessageText& message : program.messages) {
+    if (message.number == number) return message.text;
+  }
+  return "%Q" + std::to_string(kFirstAlarm + number);
+}
+
+}  // namespace plcxx::host50

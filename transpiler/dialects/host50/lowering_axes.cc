@@ -1,0 +1,162 @@
+// Axis blocks: writers of the signals of the PLC axes, and what they tell the control (6.8).
+
+#include <iterator>
+
+#include "transpiler/dialects/host50/lowering_internal.h"
+
+namespace plcxx::host50 {
+namespace {
+
+using ir::OpKind;
+using ir::ValueId;
+
+/// In the order of the enumerators of axis_command.
+constexpr Op kKinds[] = {Op::kHome, Op::kPosa, Op::kPosm, Op::kVelp, Op::kVeln};
+
+Address Signal(Area area, uint32_t number) { return {.area = area, .number = static_cast<uint16_t>(number)}; }
+
+}  // namespace
+
+ir::PlaceId Lowering::AxisField(const AxisRequest& request, std::string_view field) {
+  const uint8_t index = ir::FieldIndex(ir::StateKind::kAxisRequest, field);
+  // A block has few fields, and they are its newest places.
+  for (uint32_t i = program_.places.size(); i-- > 0;) {
+    const ir::Place& place = program_.places[ir::PlaceId(i)];
+    if (place.state == request.state && place.field == index) return ir::PlaceId(i);
+    if (place.is_field() && place.state < request.state) break;
+  }
+  ir::Place place{.name = program_.states[request.state].name + "." + std::string(field),
+                  .type = ir::Info(ir::StateKind::kAxisRequest).fields[index].type,
+                  .state = request.state};
+  place.field = index;
+  return program_.places.Add(std::move(place));
+}
+
+void Lowering::SwitchOverAxes(ValueId axis, const std::function<void(uint32_t)>& arm) {
+  ir::Switch cases;
+  for (uint32_t i = 0; i < kAxes; ++i) {
+    cases.cases.push_back({.values = {i}, .region = RegionOf([&] { arm(i); })});
+  }
+  builder_.SwitchOn(axis, std::move(cases));
+}
+
+/// What the block does not have counts as 0, and is not compared.
+void Lowering::ReadNumbers(AxisRequest& request) {
+  uint32_t next = 1;  // behind the axis number
+  const auto read = [&](AxisValue value, Type type) {
+    if (value == AxisValue::kNotWritten) {
+      return builder_.Constant(type == Type::kFloat ? ir::Type::kF32 : ir::Type::kI32, 0);
+    }
+    const ValueId number = Number(OperandOf(tree_, *request.instruction, next++), type);
+    return value == AxisValue::kNegated ? builder_.Pure(OpKind::kNegateF32, {number}) : number;
+  };
+  request.method = read(request.block->method, Type::kInteger);
+  request.position = read(request.block->position, Type::kFloat);
+  request.speed = read(request.block->speed, Type::kFloat);
+}
+
+void Lowering::WriteAxisSignals(const AxisRequest& request, uint32_t axis) {
+  const AxisBlock& block = *request.block;
+  Store(Signal(Area::kQ, kAxisMove + axis), builder_.Bit(1));
+  Store(Signal(Area::kQ, kAxisPositionMode + axis), builder_.Bit(block.position_mode ? 1 : 0));
+  Store(Signal(Area::kQ, kAxisAbsolute + axis), builder_.Bit(block.absolute ? 1 : 0));
+  Store(Signal(Area::kQ, kAxisHoming + axis), builder_.Bit(block.homing ? 1 : 0));
+  if (block.method != AxisValue::kNotWritten) Store(Signal(Area::kQw, kAxisMethod + axis), request.method);
+  if (block.speed != AxisValue::kNotWritten) Store(Signal(Area::kQf, kAxisSpeed + axis), request.speed);
+  if (block.position != AxisValue::kNotWritten) Store(Signal(Area::kQf, kAxisPosition + axis), request.position);
+}
+
+void Lowering::SendRequest(const AxisRequest& request, ValueId axis) {
+  const AxisBlock& block = *request.block;
+  ValueId changed = Not(builder_.Load(AxisField(request, "active")));
+  const auto compare = [&](AxisValue value, ValueId now, std::string_view field) {
+    if (value == AxisValue::kNotWritten) return;
+    ValueId before = builder_.Load(AxisField(request, field));
+    if (program_[now].type == ir::Type::kF32) {
+      now = builder_.Pure(OpKind::kBitsOfF32, {now});
+      before = builder_.Pure(OpKind::kBitsOfF32, {before});
+    }
+    const ValueId differs = builder_.Pure(OpKind::kNotEqual32, {now, before});
+    changed = Or(changed, differs);
+  };
+  compare(block.method, request.method, "method");
+  compare(block.position, request.position, "position");
+  compare(block.speed, request.speed, "speed");
+  builder_.If(changed, RegionOf([&] {
+                const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(1);
+                CallHost(HostCall::kAxisCommand, {axis, kind, active, request.method, request.position, request.speed});
+                if (block.method != AxisValue::kNotWritten)
+                  builder_.Store(AxisField(request, "method"), request.method);
+                if (block.position != AxisValue::kNotWritten)
+                  builder_.Store(AxisField(request, "position"), request.position);
+                if (block.speed != AxisValue::kNotWritten) builder_.Store(AxisField(request, "speed"), request.speed);
+                builder_.Store(AxisField(request, "active"), builder_.Bit(1));
+              }));
+}
+
+void Lowering::StopAxis(const AxisRequest& request, ValueId axis) {
+  builder_.Store(AxisField(request, "active"), builder_.Bit(0));
+  const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(0);
+  const ValueId zero = builder_.Constant(ir::Type::kI32, 0), none = builder_.Constant(ir::Type::kF32, 0);
+  CallHost(HostCall::kAxisCommand, {axis, kind, active, zero, none, none});
+}
+
+void Lowering::CommandKnownAxis(AxisRequest request, uint32_t axis, ValueId input) {
+  const auto number = [&] { return builder_.Constant(ir::Type::kI32, axis); };
+  const auto run = [&] {
+    ReadNumbers(request);
+    WriteAxisSignals(request, axis);
+    SendRequest(request, number());
+  };
+  if (IsConstant(input, 1)) return run();
+  const ir::RegionId running = RegionOf(run);
+  const ir::RegionId idle = RegionOf([&] {
+    const ValueId active = builder_.Load(AxisField(request, "active"));
+    builder_.If(active, RegionOf([&] {
+                  Store(Signal(Area::kQ, kAxisMove + axis), builder_.Bit(0));
+                  StopAxis(request, number());
+                }));
+  });
+  builder_.If(input, running, idle);
+}
+
+void Lowering::CommandComputedAxis(AxisRequest request, ValueId axis, ValueId input) {
+  const ValueId exists = builder_.Pure(OpKind::kLess32, {axis, builder_.Constant(ir::Type::kI32, kAxes)});
+  const ValueId valid = And(input, exists);
+  const ValueId active = builder_.Load(AxisField(request, "active"));
+  const ValueId other = builder_.Pure(OpKind::kNotEqual32, {axis, builder_.Load(AxisField(request, "axis"))});
+  const ValueId withdrawn = And(active, Or(Not(valid), other));
+  builder_.If(withdrawn, RegionOf([&] {
+                const ValueId before = builder_.Load(AxisField(request, "axis"));
+                SwitchOverAxes(before, [&](uint32_t i) { Store(Signal(Area::kQ, kAxisMove + i), builder_.Bit(0)); });
+                StopAxis(request, before);
+              }));
+  const ValueId wrong = And(input, Not(exists));
+  builder_.If(wrong, RegionOf([&] { CallFault(Fault::kAxisRange); }));
+  builder_.If(valid, RegionOf([&] {
+                ReadNumbers(request);
+                builder_.Store(AxisField(request, "axis"), axis);
+                SwitchOverAxes(axis, [&](uint32_t i) { WriteAxisSignals(request, i); });
+                SendRequest(request, axis);
+              }));
+}
+
+void Lowering::CommandAxis(InstructionId id) {
+  const Instruction& instruction = tree_.instructions[id];
+  open_if_ = {};
+  const ValueId input = TakeInput(instruction.input);
+  Keep(Endangered(WritesOf(instruction)));
+  builder_.SetRange(instruction.range);
+  AxisRequest request{.instruction = &instruction, .block = AxisBlockOf(instruction.op), .state = OwnInstance(id)};
+  for (uint32_t i = 0; i < std::size(kKinds); ++i) {
+    if (kKinds[i] == instruction.op) request.kind = i;
+  }
+  const Operand& axis = OperandOf(tree_, instruction, 0);
+  const uint32_t base = settings_.axisbase == AxisBaseOption::kOne ? 1 : 0;
+  if (axis.kind == OperandKind::kConstant) return CommandKnownAxis(request, axis.bits - base, input);
+  ValueId index = Number(axis, Type::kInteger);
+  if (base != 0) index = builder_.Pure(OpKind::kSub32, {index, builder_.Constant(ir::Type::kI32, base)});
+  CommandComputedAxis(request, index, input);
+}
+
+}  // namespace plcxx::host50

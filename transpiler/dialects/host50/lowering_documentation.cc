@@ -1,0 +1,38 @@
+// What is known of the addresses that the program uses or names: for maps, comments and reports.
+
+#include <algorithm>
+
+#include "transpiler/dialects/host50/lowering_internal.h"
+#include "transpiler/dialects/host50/signals.h"
+
+namespace plcxx::host50 {
+
+void Lowering::Document() {
+  for (const Symbol& symbol : tree_.symbols) used_.push_back(symbol.address);
+  const auto order = [](const Address& address) { return std::tuple(address.area, address.number, address.attribute); };
+  std::ranges::sort(used_, {}, order);
+  const auto repeated = std::ranges::unique(used_);
+  used_.erase(repeated.begin(), repeated.end());
+
+  std::unordered_map<uint32_t, std::string_view> comments;
+  for (const Symbol& symbol : tree_.symbols) comments.emplace(KeyOf(symbol.address), symbol.comment);
+  for (const Address& address : used_) {
+    ir::Documentation entry{.address = NameOf(address), .symbols = {}, .predefined = {}, .meaning = {}, .help = {}};
+    const std::string name = SpelledName(address);
+    if (name != entry.address) entry.symbols = name;
+    for (const Signal& signal : SignalsAt(address)) {
+      entry.predefined += (entry.predefined.empty() ? "" : ", ") + signal.name;
+      if (entry.meaning.empty()) entry.meaning = signal.meaning;
+    }
+    if (entry.predefined == entry.symbols) entry.predefined.clear();
+    const auto comment = comments.find(KeyOf(WithoutAttribute(address)));
+    if (comment != comments.end() && !comment->second.empty()) entry.meaning = comment->second;
+    for (const Alarm& alarm : tree_.alarms) {
+      const bool is_this = address.area == Area::kQ && address.number == kFirstAlarm + alarm.index;
+      if (is_this && entry.meaning.empty()) entry.meaning = alarm.text;
+    }
+    program_.documentation.push_back(std::move(entry));
+  }
+}
+
+}  // namespace plcxx::host50

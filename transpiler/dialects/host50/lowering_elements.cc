@@ -1,0 +1,120 @@
+// Blocks with a state or result of their own: timers, CNUD, ROT (6.5, 7.2, 7.3).
+
+#include "transpiler/dialects/host50/lowering_internal.h"
+
+namespace plcxx::host50 {
+namespace {
+
+using ir::OpKind;
+using ir::ValueId;
+
+struct TimerRow {
+  Op op;
+  TpOption tp;
+  OpKind by_unit[3];  // by TimerUnit
+};
+constexpr TimerRow kTimers[] = {
+    {Op::kTon, TpOption::kManual, {OpKind::kTonMs, OpKind::kTonS, OpKind::kTonM}},
+    {Op::kTon, TpOption::kIec, {OpKind::kTonMs, OpKind::kTonS, OpKind::kTonM}},
+    {Op::kTof, TpOption::kManual, {OpKind::kTofMs, OpKind::kTofS, OpKind::kTofM}},
+    {Op::kTof, TpOption::kIec, {OpKind::kTofMs, OpKind::kTofS, OpKind::kTofM}},
+    {Op::kTp, TpOption::kManual, {OpKind::kTpMs, OpKind::kTpS, OpKind::kTpM}},
+    {Op::kTp, TpOption::kIec, {OpKind::kPulseMs, OpKind::kPulseS, OpKind::kPulseM}},
+};
+
+}  // namespace
+
+ValueId Lowering::Element(const Instruction& instruction) {
+  open_if_.then = {};
+  const ValueId input = TakeInput(instruction.input);
+  std::vector<InstructionId> endangered = Endangered(WritesOf(instruction));
+  Keep(endangered);
+  builder_.SetRange(instruction.range);
+  if (instruction.op == Op::kCnud) return StepCounter(instruction, input);
+  if (instruction.op == Op::kRot) return Rotate(instruction, input);
+  return StepTimer(instruction, input);
+}
+
+ValueId Lowering::StepTimer(const Instruction& instruction, ValueId input) {
+  // The preset is the last operand; the unit may stand before it or in the mnemonic.
+  const ValueId preset = Number(OperandOf(tree_, instruction, instruction.operands.count - 1), Type::kInteger);
+  const ValueId period = builder_.Constant(ir::Type::kI32, now_.period_ms);
+  for (const TimerRow& row : kTimers) {
+    if (row.op != instruction.op || row.tp != settings_.tp) continue;
+    const ir::StateId timer = InstanceOf(OperandOf(tree_, instruction, 0).address);
+    return builder_.Step(row.by_unit[static_cast<size_t>(instruction.unit)], timer, {input, preset, period});
+  }
+  PLCXX_UNREACHABLE();
+}
+
+ValueId Lowering::PinValue(const Pin& pin) {
+  if (pin.from_stack) {
+    Compute({pin.result});
+    return Take(pin.result);
+  }
+  const Operand& operand = pin.operand;
+  if (operand.kind == OperandKind::kConstant) return builder_.Bit(operand.bits);
+  const ValueId value = Load(operand.address);
+  return operand.inverted ? Not(value) : value;
+}
+
+ValueId Lowering::StepCounter(const Instruction& instruction, ValueId input) {
+  const ValueId preset = Number(OperandOf(tree_, instruction, 1), Type::kInteger);
+  PLCXX_CHECK(instruction.pins.count == 3);
+  ValueId pins[3];
+  uint64_t constant = 0;
+  bool all_constant = true;
+  for (uint32_t i = 0; i < 3; ++i) {
+    pins[i] = PinValue(tree_.pins[instruction.pins.first + i]);
+    all_constant = all_constant && (IsConstant(pins[i], 0) || IsConstant(pins[i], 1));
+    if (IsConstant(pins[i], 1)) constant |= uint64_t{1} << i;
+  }
+  const ValueId packed = all_constant ? builder_.Constant(ir::Type::kI8, constant)
+                                      : builder_.Pure(OpKind::kCounterPins, {pins[0], pins[1], pins[2]});
+  const OpKind step = settings_.cnud == CnudOption::kHold ? OpKind::kCountHold : OpKind::kCountRing;
+  return builder_.Step(step, InstanceOf(OperandOf(tree_, instruction, 0).address), {input, preset, packed});
+}
+
+/// Positions are counted from 0 inside. The result may be one of the sources, so that everything is read first.
+ValueId Lowering::Rotate(const Instruction& instruction, ValueId input) {
+  const uint32_t base = settings_.rotbase == RotBaseOption::kOne ? 1 : 0;
+  const auto position = [&](uint32_t index) {
+    const Operand& operand = OperandOf(tree_, instruction, index);
+    if (operand.kind == OperandKind::kConstant) return builder_.Constant(ir::Type::kI32, operand.bits - base);
+    const ValueId value = Number(operand, Type::kInteger);
+    return base == 0 ? value : builder_.Pure(OpKind::kSub32, {value, builder_.Constant(ir::Type::kI32, base)});
+  };
+  const ValueId places = Number(OperandOf(tree_, instruction, 0), Type::kInteger);
+  const ValueId from = position(1), to = position(2);
+  const ValueId steps_only = PinValue(tree_.pins[instruction.pins.first]);
+  const ValueId on_ring = builder_.Pure(OpKind::kOnRing, {places, from, to});
+  ValueId forward = builder_.Pure(OpKind::kRingForward, {places, from, to});
+  if (settings_.rotq == RotQOption::kReverse) forward = Not(forward);
+  const ValueId q = And(And(input, on_ring), forward);
+
+  const Address& result = OperandOf(tree_, instruction, 3).address;
+  const auto store_steps = [&] { Store(result, builder_.Pure(OpKind::kRingSteps, {places, from, to})); };
+  const auto store_position = [&] {
+    ValueId before = builder_.Pure(OpKind::kRingBefore, {places, from, to});
+    if (base != 0) before = builder_.Pure(OpKind::kAdd32, {before, builder_.Constant(ir::Type::kI32, base)});
+    Store(result, before);
+  };
+  const auto write = [&] {
+    if (IsConstant(steps_only, 1)) return store_steps();
+    if (IsConstant(steps_only, 0)) return store_position();
+    const ir::RegionId steps = RegionOf(store_steps);
+    builder_.If(steps_only, steps, RegionOf(store_position));
+  };
+  const auto turn = [&] {
+    const ir::RegionId inside = RegionOf(write);
+    builder_.If(on_ring, inside, RegionOf([&] { CallFault(Fault::kRotRange); }));
+  };
+  if (IsConstant(input, 1)) {
+    turn();
+  } else {
+    builder_.If(input, RegionOf(turn));
+  }
+  return q;
+}
+
+}  // namespace plcxx::host50
