@@ -173,6 +173,112 @@ TEST_F(Stepping, PowerCycleStoresWhenRetentionIsOnAndTheProgramAsks) {
   EXPECT_EQ(cycle(8, 0), 7u);  // the last image that was stored
 }
 
+TEST_F(Stepping, AnInterruptedStepEndsBehindItsPeriod) {
+  clock.interrupted = [this] { return periods.size() == 2; };
+  EXPECT_EQ(clock.RunMs(100), Step::kInterrupted);
+  EXPECT_EQ(clock.time_ms(), 20u);
+  periods.clear();
+  EXPECT_EQ(clock.RunSlow(3), Step::kInterrupted);
+  periods.clear();
+  EXPECT_EQ(clock.RunFast(5), Step::kInterrupted);
+  EXPECT_THAT(periods, ElementsAre(40, 50));
+}
+
+/// Periods at the end of their time, 12 ms; ELAPSED holds the time of the last `elapse`, COUNT their number.
+constexpr std::string_view kEnds = R"(
+  space M 20 volatile little host_visible
+  place DONE i32 M[0]
+  place ELAPSED i32 M[4]
+  place COUNT i8 M[8]
+  host now () -> i32 routine_exchange
+  routine period schedule {
+    %done = load DONE
+    %one = const i32 1
+    %more = add.i32 %done %one
+    store DONE %more
+  }
+  routine elapse schedule {
+    %now = host now ()
+    store ELAPSED %now
+    %count = load COUNT
+    %one = const i8 1
+    %more = add.i8 %count %one
+    store COUNT %more
+  }
+  schedule period period
+  schedule fast_only period
+  schedule elapse elapse
+  schedule period_ms 12
+  schedule period_ends_its_time 1
+  schedule slow_done DONE
+  schedule now now
+)";
+
+struct EndingPeriods : testing::Test {
+  Machine machine{kEnds};
+  Clock clock{machine.program, {&machine.simulator}};
+  std::vector<uint32_t> periods;
+
+  void SetUp() override {
+    clock.after_period = [this](uint32_t now) { periods.push_back(now); };
+  }
+};
+
+TEST_F(EndingPeriods, TheFirstOneIsAtTheEndOfItsTime) {
+  EXPECT_EQ(clock.RunSlow(2), Step::kDone);
+  EXPECT_EQ(clock.time_ms(), 24u);
+  clock.RunFast(1);
+  EXPECT_THAT(periods, ElementsAre(12, 24, 36));
+  EXPECT_EQ(clock.time_ms(), 36u);
+  EXPECT_EQ(machine.Get("COUNT"), 0u);
+}
+
+TEST_F(EndingPeriods, MillisecondsAndTheTimeThatIsLeft) {
+  struct Row {
+    uint64_t ms;
+    std::vector<uint32_t> periods;
+    uint64_t elapsed, count;
+  };
+  const Row kRows[] = {{0, {}, 0, 0},  {11, {}, 11, 1}, {1, {12}, 11, 1},      {12, {24}, 11, 1},
+                       {1, {}, 25, 2}, {0, {}, 25, 2},  {25, {36, 48}, 50, 3}, {10, {60}, 50, 3}};
+  for (const Row& row : kRows) {
+    periods.clear();
+    EXPECT_EQ(clock.RunMs(row.ms), Step::kDone);
+    EXPECT_EQ(periods, row.periods) << clock.time_ms();
+    EXPECT_EQ(machine.Get("ELAPSED"), row.elapsed) << clock.time_ms();
+    EXPECT_EQ(machine.Get("COUNT"), row.count) << clock.time_ms();
+  }
+  EXPECT_EQ(clock.time_ms(), 60u);
+}
+
+TEST_F(EndingPeriods, FromTheMiddleTheNextPeriodIsTheNextMultiple) {
+  clock.RunMs(17);
+  EXPECT_EQ(clock.RunSlow(1), Step::kDone);
+  clock.RunMs(1);
+  clock.RunFast(1);
+  EXPECT_THAT(periods, ElementsAre(12, 24, 36));
+}
+
+TEST_F(EndingPeriods, ElapseAtEveryMillisecondThatIsNoPeriods) {
+  machine.program.schedule.elapses_every_ms = true;
+  clock.RunSlow(1);
+  EXPECT_EQ(machine.Get("COUNT"), 11u);
+  clock.RunFast(1);
+  EXPECT_EQ(machine.Get("COUNT"), 22u);
+  clock.RunMs(14);
+  EXPECT_EQ(machine.Get("COUNT"), 35u);
+  EXPECT_EQ(machine.Get("ELAPSED"), 38u);
+  EXPECT_THAT(periods, ElementsAre(12, 24, 36));
+}
+
+TEST_F(EndingPeriods, AfterAPowerCycleTimeBeginsAnew) {
+  clock.RunMs(30);
+  periods.clear();
+  clock.PowerCycle();
+  clock.RunMs(30);
+  EXPECT_THAT(periods, ElementsAre(12, 24));
+}
+
 TEST(Clock, EnginesRunInLockstep) {
   Machine first(kSliced), second(kSliced);
   Clock clock(first.program, {&first.simulator, &second.simulator});

@@ -114,11 +114,13 @@ TEST(ControlFlow, GuardEndsALoopAndTellsTheHost) {
 }
 
 TEST(ControlFlow, LoopsShareABudget) {
-  const std::string loop =
-      "loop @1 budget 4 BUDGET {\nbody {\ncall add_one ()\n}\nexhausted {\ncall add_ten ()\n}\n}\n";
-  Machine machine = Counting("%four = const i32 4\nstore BUDGET %four\n" + loop + loop);
+  const auto loop = [](const std::string& number) {
+    return "loop @" + number + " budget 0 BUDGET {\nbody {\ncall add_one ()\nrepeat @" + number +
+           " refused {\ncall add_ten ()\n}\n}\n}\n";
+  };
+  Machine machine = Counting("%four = const i32 4\nstore BUDGET %four\n" + loop("1") + loop("2"));
   machine.Run();
-  EXPECT_EQ(machine.Get("N"), 24u);
+  EXPECT_EQ(machine.Get("N"), 26u);  // five rounds and one, each loop refused once
   EXPECT_EQ(machine.Get("BUDGET"), 0u);
 }
 

@@ -337,5 +337,27 @@ TEST(LastWrites, TellWhoWroteABit) {
   EXPECT_THAT(of("W.0"), IsEmpty());
 }
 
+TEST(Memory, LastWritesOfAWordHaveItsValue) {
+  Machine machine(R"(
+    space M 8 volatile little
+    place WIDE i32 M[0]
+    place LOW i8 M[0]
+    routine period schedule {
+      %0 = const i32 -7
+      store WIDE %0
+    }
+    schedule period period
+  )");
+  machine.simulator.RecordLastWrites();
+  const auto newest = [&](std::string_view name) {
+    return machine.simulator.last_writes()->Of(PlaceNamed(machine.program, name)).front().value;
+  };
+  machine.Run();
+  EXPECT_EQ(newest("WIDE"), 0xFFFFFFF9u);
+  EXPECT_EQ(newest("LOW"), 0xF9u);
+  machine.Set("LOW", 5);
+  EXPECT_EQ(newest("WIDE"), 5u);  // only its first byte was written
+}
+
 }  // namespace
 }  // namespace plcxx::sim

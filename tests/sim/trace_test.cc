@@ -31,16 +31,16 @@ struct Tracing : testing::Test {
 
 TEST_F(Tracing, Vcd) {
   Trace trace(WatchAll());
-  trace.Record(0, machine.simulator);
+  trace.Record(0, ReadsFrom(machine.simulator));
   machine.Set("U4A8", 1);
   machine.Set("WIDE", 0x0105);
-  trace.Record(10, machine.simulator);
-  trace.Record(20, machine.simulator);
+  trace.Record(10, ReadsFrom(machine.simulator));
+  trace.Record(20, ReadsFrom(machine.simulator));
   machine.Set("T5U", 1);
   machine.Set("U4A8", 0);
   machine.Set("W2K0", 0xFF);
-  trace.Record(30, machine.simulator);
-  trace.Record(40, machine.simulator);
+  trace.Record(30, ReadsFrom(machine.simulator));
+  trace.Record(40, ReadsFrom(machine.simulator));
   EXPECT_EQ(WriteVcd(trace, "two words"), R"($timescale 1 ms $end
 $scope module two_words $end
 $scope module A $end
@@ -73,6 +73,22 @@ b11111111 "
 )");
 }
 
+TEST_F(Tracing, FloatsAreNumbersAndCellsAreTheReaders) {
+  Trace trace({{"F0", "F", {.type = ir::Type::kF32}, {}}, {"P0.3", "ports", {.type = ir::Type::kI8}, 3}});
+  const uint64_t values[] = {0x41480000, 0xC0500000, 0x7FC00000};  // 12.5, -3.25, nan
+  for (uint64_t time = 0; time < 3; ++time) {
+    trace.Record(10 * time, [&](const Watched& watched) { return watched.cell ? *watched.cell + time : values[time]; });
+  }
+  EXPECT_EQ(WriteTable(trace),
+            "t/ms     F0  P0.3\n"
+            "   0   12.5     3\n"
+            "  10  -3.25     4\n"
+            "  20    nan     5\n");
+  const std::string text = WriteVcd(trace, "p");
+  EXPECT_THAT(text, testing::HasSubstr("$var real 32 ! F0 $end\n"));
+  EXPECT_THAT(text, testing::HasSubstr("#10\nr-3.25 !\nb100 \"\n#20\nrnan !\n"));
+}
+
 TEST_F(Tracing, VcdOfNothing) {
   EXPECT_EQ(WriteVcd(Trace({}), ""),
             "$timescale 1 ms $end\n$scope module _ $end\n$upscope $end\n$enddefinitions $end\n");
@@ -88,12 +104,12 @@ TEST_F(Tracing, Table) {
   std::vector<Watched> watched = WatchAll();
   watched[0].name = "Насос";  // as wide as its characters
   Trace trace(watched);
-  trace.Record(0, machine.simulator);
+  trace.Record(0, ReadsFrom(machine.simulator));
   machine.Set("W2K0", 200);
   machine.Set("WIDE", 65535);
-  trace.Record(1000, machine.simulator);
+  trace.Record(1000, ReadsFrom(machine.simulator));
   machine.Set("U4A8", 1);
-  trace.Record(1000, machine.simulator);  // once more at the same time: the later one counts
+  trace.Record(1000, ReadsFrom(machine.simulator));  // once more at the same time: the later one counts
   EXPECT_EQ(WriteTable(trace),
             "t/ms  Насос  W2K0  T5U   WIDE\n"
             "   0      0     0    0      0\n"
@@ -107,7 +123,7 @@ std::vector<uint64_t> Times(const Graph& graph) {
 }
 
 TEST_F(Tracing, GraphStartsAtTheEdge) {
-  const ir::Place& trigger = PlaceNamed(machine.program, "U4A8");
+  const Watched trigger = Watch(machine.program, "U4A8", PlaceNamed(machine.program, "U4A8"));
   Graph rising(WatchAll(), {.trigger = trigger, .edge = Edge::kRising, .sampling_ms = 20, .samples = 3});
   Graph falling(WatchAll(), {.trigger = trigger, .edge = Edge::kFalling, .sampling_ms = 4, .delay_ms = 15});
   machine.Set("U4A8", 1);  // no edge: it was so from the start
@@ -116,8 +132,8 @@ TEST_F(Tracing, GraphStartsAtTheEdge) {
     if (time == 40) machine.Set("U4A8", 1);
     if (time == 60) machine.Set("U4A8", 0);
     if (time == 80) machine.Set("U4A8", 1);
-    rising.Observe(time, machine.simulator);
-    falling.Observe(time, machine.simulator);
+    rising.Observe(time, ReadsFrom(machine.simulator));
+    falling.Observe(time, ReadsFrom(machine.simulator));
     EXPECT_EQ(rising.phase(), time < 40   ? Graph::Phase::kArmed
                               : time < 80 ? Graph::Phase::kStarted
                                           : Graph::Phase::kComplete);
@@ -128,11 +144,11 @@ TEST_F(Tracing, GraphStartsAtTheEdge) {
 }
 
 TEST_F(Tracing, GraphTakesALateSampleAndKeepsItsGrid) {
-  const ir::Place& trigger = PlaceNamed(machine.program, "U4A8");
+  const Watched trigger = Watch(machine.program, "U4A8", PlaceNamed(machine.program, "U4A8"));
   Graph graph(WatchAll(), {.trigger = trigger, .sampling_ms = 25});
   for (uint64_t time = 0; time <= 120; time += 10) {
     if (time == 10) machine.Set("U4A8", 1);
-    graph.Observe(time, machine.simulator);
+    graph.Observe(time, ReadsFrom(machine.simulator));
   }
   EXPECT_THAT(Times(graph), ElementsAre(10, 40, 60, 90, 110));  // due at 10, 35, 60, 85, 110
 }

@@ -77,6 +77,16 @@ class CompiledEngine : public sim::Engine {
     Answer();
   }
 
+  void RunElapse(uint32_t now_ms) override {
+    Command("L", {now_ms});
+    Answer();
+  }
+
+  void AnswerHostCalls(sim::HostAnswers answers) override {
+    answers_ = std::move(answers);
+    Command("H", {answers_ ? 1u : 0u});
+  }
+
   uint64_t Read(const ir::Place& place) override {
     if (place.is_field()) {
       uint64_t value = 0;
@@ -174,17 +184,30 @@ class CompiledEngine : public sim::Engine {
     Check(child_.Send(bytes));
   }
 
+  /// What a command ends with; what the child asks before is answered.
   void Answer() {
     uint32_t count = 0;
     Check(child_.Receive(&count, sizeof count));
-    for (uint32_t i = 0; i < count; ++i) {
-      std::array<uint32_t, 2> head{};
-      Check(child_.Receive(head.data(), sizeof head));
-      sim::HostEvent event{ir::HostFunctionId(head[0]), std::vector<uint64_t>(head[1])};
-      if (head[1] > 0) Check(child_.Receive(event.arguments.data(), head[1] * sizeof(uint64_t)));
-      events_.push_back(std::move(event));
+    for (; count == kHostQuestion; Check(child_.Receive(&count, sizeof count))) {
+      const sim::HostEvent call = ReceiveCall();
+      Check(child_.Receive(state_.data(), state_.size()));
+      const sim::HostAnswer answer = answers_(call.function, call.arguments);
+      const uint64_t second = answer.out.value_or(0);
+      Command("A", {Low(answer.result), High(answer.result), answer.out ? 1u : 0u, Low(second), High(second)});
     }
+    for (uint32_t i = 0; i < count; ++i) events_.push_back(ReceiveCall());
     Check(child_.Receive(state_.data(), state_.size()));
+  }
+
+  static uint32_t Low(uint64_t value) { return static_cast<uint32_t>(value); }
+  static uint32_t High(uint64_t value) { return static_cast<uint32_t>(value >> 32); }
+
+  sim::HostEvent ReceiveCall() {
+    std::array<uint32_t, 2> head{};
+    Check(child_.Receive(head.data(), sizeof head));
+    sim::HostEvent call{ir::HostFunctionId(head[0]), std::vector<uint64_t>(head[1])};
+    if (head[1] > 0) Check(child_.Receive(call.arguments.data(), head[1] * sizeof(uint64_t)));
+    return call;
   }
 
   /// The place of byte `i` of a value of `bytes` bytes in that value, least significant first.
@@ -254,6 +277,7 @@ class CompiledEngine : public sim::Engine {
   std::vector<uint8_t> force_mask_, force_value_;
   std::vector<std::vector<uint8_t>> shadow_, shadow_mask_, shadow_value_;  // by SpaceId
   std::vector<sim::HostEvent> events_;
+  sim::HostAnswers answers_;
 };
 
 std::string FirstLines(const std::string& text, size_t lines) {

@@ -3,74 +3,130 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr std::string_view kMain = R"(
-namespace {
+// Before the host functions: what they do with a call.
+constexpr std::string_view kCalls = R"(
+struct Event { uint32_t function; std::vector<uint64_t> arguments; };
+struct Answer { uint64_t result; uint32_t has_second; uint64_t second; };
+static std::vector<Event> events;
+static bool asks = false;
 
-using program::Host;
-using program::State;
-
-State m;
-Host host;
-
-uint32_t ReadWord() {
+static uint32_t ReadWord() {
   uint32_t value = 0;
   if (fread(&value, sizeof value, 1, stdin) != 1) exit(0);
   return value;
 }
 
-void Answer() {
-  const uint32_t count = static_cast<uint32_t>(host.events.size());
-  fwrite(&count, sizeof count, 1, stdout);
-  for (const Host::Event& event : host.events) {
-    const uint32_t head[2] = {event.function, static_cast<uint32_t>(event.arguments.size())};
-    fwrite(head, sizeof head, 1, stdout);
-    fwrite(event.arguments.data(), sizeof(uint64_t), event.arguments.size(), stdout);
-  }
-  host.events.clear();
+static uint64_t ReadLong() {
+  const uint64_t low = ReadWord();
+  return static_cast<uint64_t>(ReadWord()) << 32 | low;
+}
+
+static void WriteCall(uint32_t function, const std::vector<uint64_t>& arguments) {
+  const uint32_t head[2] = {function, static_cast<uint32_t>(arguments.size())};
+  fwrite(head, sizeof head, 1, stdout);
+  fwrite(arguments.data(), sizeof(uint64_t), arguments.size(), stdout);
+}
+
+static void HostWrites() {
+  const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
+  unsigned char* const bytes = reinterpret_cast<unsigned char*>(&m);
+  bytes[at] = static_cast<unsigned char>((bytes[at] & ~mask) | (value & mask));
+  m.ReapplyForces();
+}
+
+static Answer Ask(uint32_t function, const std::vector<uint64_t>& arguments) {
+  if (!asks) return {0, 0, 0};
+  fwrite(&kHostQuestion, sizeof kHostQuestion, 1, stdout);
+  WriteCall(function, arguments);
   fwrite(&m, kStateBytes, 1, stdout);
+  fflush(stdout);
+  for (;;) {
+    switch (getchar()) {
+      case 'W': HostWrites(); break;
+      case 'S': StoreRetentive(); break;
+      case 'A': {
+        Answer answer;
+        answer.result = ReadLong();
+        answer.has_second = ReadWord();
+        answer.second = ReadLong();
+        return answer;
+      }
+      default: exit(0);
+    }
+  }
+}
+
+template <class T>
+uint64_t Bits(T value) { return static_cast<uint64_t>(value); }
+static uint64_t Bits(float value) {
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+static uint64_t Bits(double value) {
+  uint64_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+template <class T>
+void TakeBits(uint64_t bits, T& value) { value = static_cast<T>(bits); }
+static void TakeBits(uint64_t bits, float& value) {
+  const uint32_t low = static_cast<uint32_t>(bits);
+  memcpy(&value, &low, sizeof low);
+}
+static void TakeBits(uint64_t bits, double& value) { memcpy(&value, &bits, sizeof bits); }
+}
+)";
+
+constexpr std::string_view kMain = R"(
+namespace harness = program::harness;
+
+static void Report() {
+  const uint32_t count = static_cast<uint32_t>(harness::events.size());
+  fwrite(&count, sizeof count, 1, stdout);
+  for (const harness::Event& event : harness::events) harness::WriteCall(event.function, event.arguments);
+  harness::events.clear();
+  fwrite(&harness::m, harness::kStateBytes, 1, stdout);
   fflush(stdout);
 }
 
-}  // namespace
-
 int main() {
-  unsigned char* const bytes = reinterpret_cast<unsigned char*>(&m);
+  program::Host& host = harness::host;
+  program::State& m = harness::m;
+  const auto word = [] { return harness::ReadWord(); };
   for (;;) {
     switch (getchar()) {
-      case 'I': program::init(m, host); Answer(); break;
-      case 'P': host.now = ReadWord(); RunPeriod(m, host); Answer(); break;
-      case 'F': host.now = ReadWord(); RunFastOnly(m, host); Answer(); break;
-      case 'W': {
-        const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
-        bytes[at] = static_cast<unsigned char>((bytes[at] & ~mask) | (value & mask));
-        m.ReapplyForces();
-        break;
-      }
+      case 'I': program::init(m, host); Report(); break;
+      case 'P': host.now = word(); RunPeriod(m, host); Report(); break;
+      case 'F': host.now = word(); RunFastOnly(m, host); Report(); break;
+      case 'L': host.now = word(); RunElapse(m, host); Report(); break;
+      case 'W': harness::HostWrites(); break;
       case 'K': {
-        const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
+        const uint32_t at = word(), mask = word(), value = word();
         m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] | mask);
         m.force_value[at] = static_cast<unsigned char>((m.force_value[at] & ~mask) | (value & mask));
         m.ReapplyForces();
         break;
       }
       case 'R': {
-        const uint32_t at = ReadWord(), mask = ReadWord();
+        const uint32_t at = word(), mask = word();
         m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] & ~mask);
         break;
       }
       case 'T': {
-        std::vector<char> text(ReadWord() + 1);
+        std::vector<char> text(word() + 1);
         if (text.size() > 1 && fread(text.data(), text.size() - 1, 1, stdin) != 1) exit(0);
         SendText(m, text.data(), text.size() - 1);
-        Answer();
+        Report();
         break;
       }
       case 'E': {
-        const uint32_t statement = ReadWord();
-        m.off[statement] = ReadWord() == 0;
+        const uint32_t statement = word();
+        m.off[statement] = word() == 0;
         break;
       }
-      case 'S': StoreRetentive(m, host); break;
+      case 'H': harness::asks = word() != 0; break;
+      case 'S': harness::StoreRetentive(); break;
       default: return 0;
     }
   }
@@ -101,7 +157,36 @@ std::string Parameters(const ir::HostFunction& function) {
                                           : function.name + "_" + parameter.name) +
            " " + parameter.name;
   }
+  if (!function.out.name.empty()) out += ", " + std::string(ir::CppName(function.out.type)) + "& " + function.out.name;
   return out + ") noexcept";
+}
+
+/// The body of a function whose calls are events, and are answered by who drives the engine.
+std::string Asking(const ir::HostFunction& function, uint32_t number) {
+  std::string call = std::to_string(number) + ", {";
+  for (const ir::Parameter& parameter : function.parameters) {
+    call += (call.back() == '{' ? "" : ", ") + ("harness::Bits(" + parameter.name + ")");
+  }
+  call += '}';
+  std::string out = "  static_cast<void>(host);\n";
+  if (!function.routine_exchange) out += "  harness::events.push_back({" + call + "});\n";
+  out += "  const harness::Answer harness_answer = harness::Ask(" + call + ");\n";
+  if (!function.out.name.empty())
+    out += "  if (harness_answer.has_second) harness::TakeBits(harness_answer.second, " + function.out.name + ");\n";
+  if (function.result == ir::Type::kNone) return out + "  static_cast<void>(harness_answer);\n";
+  return out + "  " + std::string(ir::CppName(function.result)) +
+         " harness_result;\n  harness::TakeBits(harness_answer.result, harness_result);\n  return harness_result;\n";
+}
+
+/// The host's store of retentive memory, kept beside the State.
+std::string Storing(const ir::HostFunction& function, uint32_t number) {
+  const bool loads = function.access == ir::HostAccess::kWritesRetentive;
+  std::string out;
+  if (!function.routine_exchange) out += "  harness::events.push_back({" + std::to_string(number) + ", {}});\n";
+  out += loads ? "  if (host.has_stored) retentive = host.stored;\n"
+               : "  host.stored = retentive;\n  host.has_stored = true;\n";
+  if (function.result != ir::Type::kNone && !loads) out += "  return {};\n";
+  return out;
 }
 
 std::string HostFunctions(const emit::Emittable& emittable) {
@@ -111,25 +196,15 @@ std::string HostFunctions(const emit::Emittable& emittable) {
     if (!emittable.host_used[i]) continue;
     const ir::HostFunctionId id(i);
     const ir::HostFunction& function = program.host_functions[id];
-    const bool loads = function.access == ir::HostAccess::kWritesRetentive;
+    const bool loads = function.access == ir::HostAccess::kWritesRetentive;  // into a copy; its result is not used
     out += (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + Parameters(function) +
            " {\n";
-    out += "  static_cast<void>(host);\n";
     if (id == program.schedule.now) {
       out += "  return host.now;\n";
-    } else if (loads) {
-      out += "  if (host.has_stored) retentive = host.stored;\n";
+    } else if (id == program.schedule.retentive_load || id == program.schedule.retentive_store) {
+      out += Storing(function, i);
     } else {
-      if (function.access == ir::HostAccess::kReadsRetentive)
-        out += "  host.stored = retentive;\n  host.has_stored = true;\n";
-      if (!function.routine_exchange) {
-        out += "  host.events.push_back({" + std::to_string(i) + ", {";
-        for (size_t k = 0; k < function.parameters.size(); ++k) {
-          out += (k == 0 ? "" : ", ") + ("static_cast<uint64_t>(" + function.parameters[k].name + ")");
-        }
-        out += "}});\n";
-      }
-      if (function.result != ir::Type::kNone) out += "  return {};\n";
+      out += Asking(function, i);
     }
     out += "}\n";
   }
@@ -141,15 +216,17 @@ std::string HostFunctions(const emit::Emittable& emittable) {
 std::string HarnessText(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const bool retentive = emittable.layout.retentive_bytes > 0;
-  std::string out =
-      "#include <stdio.h>\n#include <stdlib.h>\n#include <vector>\n#include \"" + emittable.options.name + ".hpp\"\n";
-  out += "namespace " + emittable.namespace_name + " {\n";
-  out += "struct Host {\n  struct Event { uint32_t function; std::vector<uint64_t> arguments; };\n";
-  out += "  uint32_t now = 0;\n  std::vector<Event> events;\n";
+  std::string out = "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include <vector>\n#include \"" +
+                    emittable.options.name + ".hpp\"\n";
+  out += "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
   if (retentive) out += "  Retentive stored{};\n  bool has_stored = false;\n";
-  out += "};\n" + HostFunctions(emittable) + "}\n";
-  out += "namespace program = " + emittable.namespace_name + ";\n";
+  out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
+  out += "constexpr uint32_t kHostQuestion = " + std::to_string(kHostQuestion) + "u;\n";
+  out += "static void StoreRetentive() {\n";
+  if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
+  out += "}\n" + std::string(kCalls) + HostFunctions(emittable) + "}\n";
+  out += "namespace program = " + emittable.namespace_name + ";\n";
   const auto runner = [&](std::string_view name, ir::RoutineId routine) {
     out += "static void " + std::string(name) +
            "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";
@@ -158,13 +235,11 @@ std::string HarnessText(const emit::Emittable& emittable) {
   };
   runner("RunPeriod", program.schedule.period);
   runner("RunFastOnly", program.schedule.fast_only);
+  runner("RunElapse", program.schedule.elapse);
   out += "static void SendText(program::State& m, const char* text, size_t length) {\n";
   out += program.text_inbox.valid()
              ? "  program::send_operator_text(m, text, length);\n"
              : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
-  out += "}\nstatic void StoreRetentive(const program::State& m, program::Host& host) {\n";
-  out += retentive ? "  host.stored = m.retentive;\n  host.has_stored = true;\n"
-                   : "  static_cast<void>(m);\n  static_cast<void>(host);\n";
   out += "}\n";
   return out + std::string(kMain);
 }

@@ -21,43 +21,108 @@ Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::
   PLCXX_CHECK(!engines_.empty());
 }
 
+void Lockstep::Execute(uint32_t now_ms, const Change& piece) {
+  now_ms_ = now_ms;
+  calls_.clear();
+  for (const auto& engine : engines_) {
+    repeated_ = 0;
+    piece(*engine);
+    if (engine != engines_.front() && repeated_ < calls_.size()) {
+      CallsDiffer(*engine, ToText(program_, calls_[repeated_].call), "none");
+    }
+  }
+  Compare(now_ms);
+}
+
+void Lockstep::Each(Change change) {
+  if (answering_) {
+    change(*engines_.front());
+    calls_.back().changes.push_back(std::move(change));
+    return;
+  }
+  for (const auto& engine : engines_) change(*engine);
+}
+
+void Lockstep::AnswerHostCalls(sim::HostAnswers answers) {
+  answers_ = std::move(answers);
+  for (const auto& engine : engines_) {
+    if (!answers_) {
+      engine->AnswerHostCalls({});
+    } else if (engine == engines_.front()) {
+      engine->AnswerHostCalls([this](auto function, auto arguments) { return AnswerFirst(function, arguments); });
+    } else {
+      engine->AnswerHostCalls([this, other = engine.get()](auto function, auto arguments) {
+        return AnswerAgain(*other, function, arguments);
+      });
+    }
+  }
+}
+
+sim::HostAnswer Lockstep::AnswerFirst(ir::HostFunctionId function, std::span<const uint64_t> arguments) {
+  calls_.push_back({{function, {arguments.begin(), arguments.end()}}, {}, {}});
+  answering_ = true;
+  const sim::HostAnswer answer = answers_(function, arguments);
+  answering_ = false;
+  calls_.back().answer = answer;
+  return answer;
+}
+
+sim::HostAnswer Lockstep::AnswerAgain(sim::Engine& engine, ir::HostFunctionId function,
+                                      std::span<const uint64_t> arguments) {
+  const sim::HostEvent call{function, {arguments.begin(), arguments.end()}};
+  if (repeated_ >= calls_.size()) {
+    CallsDiffer(engine, "none", ToText(program_, call));
+    return {};
+  }
+  const AnsweredCall& before = calls_[repeated_++];
+  if (before.call != call) CallsDiffer(engine, ToText(program_, before.call), ToText(program_, call));
+  for (const Change& change : before.changes) change(engine);
+  return before.answer;
+}
+
+void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second) {
+  if (difference_) return;
+  difference_ = {"the host calls", std::nullopt, Named(*engines_.front(), first), Named(other, second), now_ms_};
+}
+
 void Lockstep::PowerOn() {
-  for (const auto& engine : engines_) engine->PowerOn();
-  Compare(0);
+  Execute(0, [](sim::Engine& engine) { engine.PowerOn(); });
 }
 
 void Lockstep::RunPeriod(uint32_t now_ms) {
-  for (const auto& engine : engines_) engine->RunPeriod(now_ms);
-  Compare(now_ms);
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunPeriod(now_ms); });
 }
 
 void Lockstep::RunFastOnly(uint32_t now_ms) {
-  for (const auto& engine : engines_) engine->RunFastOnly(now_ms);
-  Compare(now_ms);
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunFastOnly(now_ms); });
+}
+
+void Lockstep::RunElapse(uint32_t now_ms) {
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunElapse(now_ms); });
 }
 
 void Lockstep::Write(const ir::Place& place, uint64_t value) {
-  for (const auto& engine : engines_) engine->Write(place, value);
+  Each([place, value](sim::Engine& engine) { engine.Write(place, value); });
 }
 
 void Lockstep::Force(const ir::Place& place, uint64_t value) {
-  for (const auto& engine : engines_) engine->Force(place, value);
+  Each([place, value](sim::Engine& engine) { engine.Force(place, value); });
 }
 
 void Lockstep::Release(const ir::Place& place) {
-  for (const auto& engine : engines_) engine->Release(place);
+  Each([place](sim::Engine& engine) { engine.Release(place); });
 }
 
 void Lockstep::SendText(std::string_view text) {
-  for (const auto& engine : engines_) engine->SendText(text);
+  Each([text = std::string(text)](sim::Engine& engine) { engine.SendText(text); });
 }
 
 void Lockstep::EnableStatement(ir::StatementId statement, bool enabled) {
-  for (const auto& engine : engines_) engine->EnableStatement(statement, enabled);
+  Each([statement, enabled](sim::Engine& engine) { engine.EnableStatement(statement, enabled); });
 }
 
 void Lockstep::StoreRetentive() {
-  for (const auto& engine : engines_) engine->StoreRetentive();
+  Each([](sim::Engine& engine) { engine.StoreRetentive(); });
 }
 
 std::vector<sim::HostEvent> Lockstep::TakeEvents() { return std::exchange(events_, {}); }
@@ -69,7 +134,7 @@ void Lockstep::Compare(uint32_t now_ms) {
   const std::vector<uint8_t> state = engines_.front()->Snapshot();
   for (size_t i = 1; i < engines_.size(); ++i) {
     CompareStates(*engines_[i], state, now_ms);
-    CompareEvents(*engines_[i], events, now_ms);
+    CompareEvents(*engines_[i], events);
   }
 }
 
@@ -89,11 +154,9 @@ void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& exp
                  Named(other, ValueText(cell.type, CellValue(cell, found))), now_ms};
 }
 
-void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected, uint32_t now_ms) {
+void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected) {
   const std::vector<sim::HostEvent> found = other.TakeEvents();
-  if (difference_ || found == expected) return;
-  difference_ = {"the host calls", std::nullopt, Named(*engines_.front(), ToText(program_, expected)),
-                 Named(other, ToText(program_, found)), now_ms};
+  if (found != expected) CallsDiffer(other, ToText(program_, expected), ToText(program_, found));
 }
 
 std::string ToText(const ir::Program& program, const sim::HostEvent& event) {

@@ -1,12 +1,16 @@
 // Several engines of one program as one: every command goes to each, and after each period their states are compared.
 //
 // In: a simulator, compiled code, or both. Out: the engine that a scenario drives, and the first difference. The first
-// engine answers for all. Not its job: what a difference means for a scenario (scenario_run.h).
+// engine answers for all. Its host calls are answered by whoever drives the scenario; the others, which execute the
+// same period after it, must make the same calls and get the same answers, with the same changes of memory. Not its
+// job: what a difference means for a scenario (scenario_run.h).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +40,8 @@ class Lockstep : public sim::Engine {
   void PowerOn() override;
   void RunPeriod(uint32_t now_ms) override;
   void RunFastOnly(uint32_t now_ms) override;
+  void RunElapse(uint32_t now_ms) override;
+  void AnswerHostCalls(sim::HostAnswers answers) override;
   uint64_t Read(const ir::Place& place) override { return engines_.front()->Read(place); }
   void Write(const ir::Place& place, uint64_t value) override;
   void Force(const ir::Place& place, uint64_t value) override;
@@ -47,13 +53,33 @@ class Lockstep : public sim::Engine {
   std::vector<uint8_t> Snapshot() override { return engines_.front()->Snapshot(); }
 
  private:
+  using Change = std::function<void(sim::Engine& engine)>;
+  /// A host call of the first engine, and what was done to the engine while it was answered.
+  struct AnsweredCall {
+    sim::HostEvent call;
+    sim::HostAnswer answer;
+    std::vector<Change> changes;
+  };
+
+  /// Each engine executes a piece of the program, the first one before the others.
+  void Execute(uint32_t now_ms, const Change& piece);
+  /// To each engine; while a call of the first one is answered to that one only, the others follow at the same call.
+  void Each(Change change);
+  sim::HostAnswer AnswerFirst(ir::HostFunctionId function, std::span<const uint64_t> arguments);
+  sim::HostAnswer AnswerAgain(sim::Engine& engine, ir::HostFunctionId function, std::span<const uint64_t> arguments);
+  void CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second);
   void Compare(uint32_t now_ms);
-  void CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected, uint32_t now_ms);
+  void CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected);
   void CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms);
 
   const ir::Program& program_;
   std::vector<std::unique_ptr<sim::Engine>> engines_;
   std::vector<sim::HostEvent> events_;
+  sim::HostAnswers answers_;
+  std::vector<AnsweredCall> calls_;  // of the piece that is being executed
+  size_t repeated_ = 0;              // those that the engine which is executing has made, too
+  bool answering_ = false;           // the last one of calls_ is being answered
+  uint32_t now_ms_ = 0;
   std::optional<Difference> difference_;
 };
 

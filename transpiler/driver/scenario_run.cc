@@ -34,6 +34,7 @@ class Runner {
         messages_(run_.program) {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) { AfterPeriod(now_ms); };
+    clock_.interrupted = [this] { return run_.engines.difference().has_value(); };
   }
 
   Verdict Run() {
@@ -108,31 +109,31 @@ class Runner {
     return std::nullopt;
   }
 
-  /// In pieces of one period, so that it ends where the engines part.
   Verdict Do(const RunStep& run) {
     for (const RunPart& part : run.parts) {
-      uint32_t left = part.count;
-      while (left > 0 && !run_.engines.difference()) {
-        uint32_t piece = 1;
-        switch (part.unit) {
-          case RunUnit::kSlowCycles:
-            if (clock_.RunSlow(1) == sim::Step::kStuck) {
-              return Failed(step_->written->mark, "the slow part was not completed within " +
-                                                      std::to_string(sim::Clock::kLongestSlowCycle) + " periods");
-            }
-            break;
-          case RunUnit::kFastTicks:
-            clock_.RunFast(1);
-            break;
-          case RunUnit::kMilliseconds:
-            piece = std::min(left, std::max(1u, run_.program.schedule.period_ms));
-            clock_.RunMs(piece);
-            break;
-        }
-        left -= piece;
+      switch (Execute(part)) {
+        case sim::Step::kDone:
+          break;
+        case sim::Step::kInterrupted:
+          return std::nullopt;
+        case sim::Step::kStuck:
+          return Failed(step_->written->mark, "the slow part was not completed within " +
+                                                  std::to_string(sim::Clock::kLongestSlowCycle) + " periods");
       }
     }
     return std::nullopt;
+  }
+
+  sim::Step Execute(const RunPart& part) {
+    switch (part.unit) {
+      case RunUnit::kSlowCycles:
+        return clock_.RunSlow(part.count);
+      case RunUnit::kFastTicks:
+        return clock_.RunFast(part.count);
+      case RunUnit::kMilliseconds:
+        return clock_.RunMs(part.count);
+    }
+    return sim::Step::kDone;
   }
 
   Verdict Do(const ExpectStep&) {

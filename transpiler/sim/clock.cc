@@ -27,12 +27,16 @@ void Clock::PowerCycle() {
   PowerOn();
 }
 
-uint64_t Clock::NextPeriod() const { return (time_ms_ + period_ms_ - 1) / period_ms_ * period_ms_; }
+uint64_t Clock::NextPeriod() const {
+  if (program_.schedule.period_ends_its_time) return (time_ms_ / period_ms_ + 1) * period_ms_;
+  return (time_ms_ + period_ms_ - 1) / period_ms_ * period_ms_;
+}
 
-void Clock::RunPeriod(Part part) {
-  const uint64_t begin = NextPeriod();
-  const auto now = static_cast<uint32_t>(begin);  // a control's clock wraps, too
-  time_ms_ = begin;                               // what the callbacks see is the time of their period
+Step Clock::RunPeriod(Part part) {
+  const uint64_t at = NextPeriod();
+  ElapseEachMsBefore(at);
+  const auto now = static_cast<uint32_t>(at);  // a control's clock wraps, too
+  time_ms_ = at;                               // what the callbacks see is the time of their period
   if (before_period) before_period(now);
   for (Engine* engine : engines_) {
     switch (part) {
@@ -45,7 +49,19 @@ void Clock::RunPeriod(Part part) {
     }
   }
   if (after_period) after_period(now);
-  time_ms_ = begin + period_ms_;
+  if (!program_.schedule.period_ends_its_time) time_ms_ = at + period_ms_;
+  return interrupted && interrupted() ? Step::kInterrupted : Step::kDone;
+}
+
+void Clock::ElapseEachMsBefore(uint64_t end) {
+  if (!program_.schedule.elapses_every_ms) return;
+  while (time_ms_ + 1 < end) Elapse(time_ms_ + 1);
+}
+
+void Clock::Elapse(uint64_t end) {
+  ElapseEachMsBefore(end);
+  time_ms_ = end;
+  for (Engine* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
 }
 
 uint32_t Clock::SlowCycles() {
@@ -55,7 +71,7 @@ uint32_t Clock::SlowCycles() {
 Step Clock::RunSlow(uint32_t count) {
   for (uint32_t done = 0; done < count;) {
     if (!program_.schedule.slow_done.valid()) {  // a program that does not count them completes one in each period
-      RunPeriod(Part::kWholePeriod);
+      if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
       ++done;
       continue;
     }
@@ -63,7 +79,7 @@ Step Clock::RunSlow(uint32_t count) {
     uint32_t completed = 0;
     for (uint32_t periods = 0; completed == 0; ++periods) {
       if (periods == kLongestSlowCycle) return Step::kStuck;
-      RunPeriod(Part::kWholePeriod);
+      if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
       completed = SlowCycles() - before;  // by difference: the count wraps
     }
     done += std::min(completed, count - done);
@@ -71,14 +87,23 @@ Step Clock::RunSlow(uint32_t count) {
   return Step::kDone;
 }
 
-void Clock::RunMs(uint64_t ms) {
+Step Clock::RunMs(uint64_t ms) {
+  const ir::Schedule& schedule = program_.schedule;
   const uint64_t end = time_ms_ + ms;
-  while (NextPeriod() < end) RunPeriod(Part::kWholePeriod);
+  const uint64_t behind = schedule.period_ends_its_time ? end + 1 : end;  // periods before it are executed
+  while (NextPeriod() < behind) {
+    if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
+  }
+  if (time_ms_ < end && schedule.elapse.valid()) Elapse(end);
   time_ms_ = end;
+  return Step::kDone;
 }
 
-void Clock::RunFast(uint32_t count) {
-  for (uint32_t i = 0; i < count; ++i) RunPeriod(Part::kFastOnly);
+Step Clock::RunFast(uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (RunPeriod(Part::kFastOnly) == Step::kInterrupted) return Step::kInterrupted;
+  }
+  return Step::kDone;
 }
 
 }  // namespace plcxx::sim

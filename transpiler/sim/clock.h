@@ -1,8 +1,9 @@
 // Simulated time: which periods a step of a scenario executes, and when.
 //
-// Several engines of one program run in lockstep: each period is executed by all of them, with the same time. A period
-// begins at multiples of the schedule's period only. Not its job: what a period does (the program's own routine), what
-// the machine around it does (the callbacks).
+// Several engines of one program run in lockstep: each period is executed by all of them, with the same time. Periods
+// are executed at multiples of the schedule's period P only: as a rule at the beginning of their time (0, P, 2P ...),
+// with Schedule::period_ends_its_time at its end (P, 2P ...). Not its job: what a period does (the program's own
+// routine), what the machine around it does (the callbacks).
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,9 @@
 
 namespace plcxx::sim {
 
-/// Whether a step ended by itself; kStuck: the slow part was not completed within Clock::kLongestSlowCycle periods.
-enum class Step : uint8_t { kDone, kStuck };
+/// Whether a step ended by itself, or was interrupted; kStuck: the slow part was not completed within
+/// Clock::kLongestSlowCycle periods.
+enum class Step : uint8_t { kDone, kInterrupted, kStuck };
 
 class Clock {
  public:
@@ -26,8 +28,10 @@ class Clock {
 
   /// Called with the time of a period right before and right after all engines have executed it.
   std::function<void(uint32_t now_ms)> before_period, after_period;
+  /// Asked after each period: true ends the step there.
+  std::function<bool()> interrupted;
 
-  /// The time t of the simulation: that of the next period, or shortly before it.
+  /// The time t of the simulation: during a period that of the period, between two what has passed since power-on.
   uint64_t time_ms() const { return time_ms_; }
 
   /// Every engine initializes itself; t = 0.
@@ -36,17 +40,22 @@ class Clock {
   void PowerCycle();
   /// Whole periods until `count` slow cycles have been completed.
   Step RunSlow(uint32_t count);
-  /// Every period whose time lies in [t, t + ms); then t + ms.
-  void RunMs(uint64_t ms);
+  /// Every period whose time lies in [t, t + ms), or in (t, t + ms] when periods end their time; then t + ms. When that
+  /// is not a period's, the schedule's `elapse` runs at t + ms, and with `elapses_every_ms` at every other millisecond,
+  /// too.
+  Step RunMs(uint64_t ms);
   /// `count` times the fast part alone.
-  void RunFast(uint32_t count);
+  Step RunFast(uint32_t count);
 
  private:
   enum class Part : uint8_t { kWholePeriod, kFastOnly };
 
-  /// One period at the next multiple of the period; then t is its end.
-  void RunPeriod(Part part);
+  /// One period at its next time; then t is the end of its time. Never kStuck.
+  Step RunPeriod(Part part);
   uint64_t NextPeriod() const;
+  /// `elapse` at those of the milliseconds (t, end] for which it is meant, none of which is a period's; then t = end.
+  void Elapse(uint64_t end);
+  void ElapseEachMsBefore(uint64_t end);
   uint32_t SlowCycles();
 
   const ir::Program& program_;

@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +16,25 @@
 
 namespace plcxx::sim {
 
-/// A host call that is an event (not part of the regular exchange).
+/// A call of a host function that is an event (HostFunction::routine_exchange is false). Arguments as raw bits.
 struct HostEvent {
   ir::HostFunctionId function;
   std::vector<uint64_t> arguments;
-  bool operator==(const HostEvent&) const = default;
+  /// This call is part of the regular exchange (Call::exchange). Only the simulator knows, so that equality does not.
+  bool exchange = false;
+  bool operator==(const HostEvent& other) const { return function == other.function && arguments == other.arguments; }
 };
+
+/// What a host call gives back, as raw bits that fit the function's types; no `out`: the place of the second result
+/// keeps its value.
+struct HostAnswer {
+  uint64_t result = 0;
+  std::optional<uint64_t> out;
+  bool operator==(const HostAnswer&) const = default;
+};
+
+/// Answers a host call in the middle of a period; it may read and write the engine that asks.
+using HostAnswers = std::function<HostAnswer(ir::HostFunctionId function, std::span<const uint64_t> arguments)>;
 
 class Engine {
  public:
@@ -30,6 +46,12 @@ class Engine {
   virtual void PowerOn() = 0;
   virtual void RunPeriod(uint32_t now_ms) = 0;
   virtual void RunFastOnly(uint32_t now_ms) = 0;
+  /// The schedule's `elapse`: time has passed without a period.
+  virtual void RunElapse(uint32_t now_ms) = 0;
+
+  /// From now on `answers` is asked for every host call but those that the engine answers itself: the time, and the
+  /// host's store of retentive memory. Without it calls give 0 and no second result.
+  virtual void AnswerHostCalls(HostAnswers answers) = 0;
 
   /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
   virtual uint64_t Read(const ir::Place& place) = 0;

@@ -18,7 +18,8 @@ void LastWrites::Note(Cell cell, const LastWrite& write) {
   std::vector<LastWrite>& writes = cells_[cell];
   if (!writes.empty()) {
     LastWrite& newest = writes.front();
-    if (newest.writer == write.writer && newest.statement == write.statement && newest.value == write.value) {
+    if (newest.writer == write.writer && newest.statement == write.statement && newest.value == write.value &&
+        newest.accessed == write.accessed) {
       newest.last_ms = write.last_ms;
       return;
     }
@@ -44,7 +45,13 @@ std::vector<LastWrite> LastWrites::Of(const ir::Place& place) const {
                         ? FieldCell(place.state, place.field)
                         : MemoryCell(place.space, place.offset, place.type == ir::Type::kBit ? place.bit : kWhole);
   const auto found = cells_.find(cell);
-  return found == cells_.end() ? std::vector<LastWrite>() : found->second;
+  if (found == cells_.end()) return {};
+  std::vector<LastWrite> writes = found->second;
+  for (LastWrite& write : writes) {
+    const uint32_t bytes = place.is_field() ? 1 : ir::Bytes(place.type);
+    if (bytes > 1 && write.offset == place.offset && write.bytes == bytes) write.value = write.accessed;
+  }
+  return writes;
 }
 
 }  // namespace plcxx::sim

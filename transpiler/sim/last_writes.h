@@ -21,6 +21,10 @@ struct LastWrite {
   uint32_t first_ms = 0;      // since when this writer writes this value
   uint32_t last_ms = 0;
   uint64_t value = 0;  // what the cell held afterwards: a forced bit keeps its own
+  /// Of an access of several bytes that wrote it: its first byte, their number, and what they held afterwards.
+  uint32_t offset = 0;
+  uint8_t bytes = 1;
+  uint64_t accessed = 0;
   bool operator==(const LastWrite&) const = default;
 };
 
@@ -34,7 +38,8 @@ class LastWrites {
   /// At power-on: what was before explains nothing any more.
   void Clear() { cells_.clear(); }
 
-  /// The last writes of a place, newest first. Of a place of several bytes: those of its first byte (in memory).
+  /// The last writes of a place, newest first. Of a place of several bytes: those of its first byte (in memory), with
+  /// the value of the place where it was written as a whole.
   std::vector<LastWrite> Of(const ir::Place& place) const;
 
  private:

@@ -39,6 +39,11 @@ void Simulator::RunFastOnly(uint32_t now_ms) {
   Run(program_.schedule.fast_only);
 }
 
+void Simulator::RunElapse(uint32_t now_ms) {
+  now_ms_ = now_ms;
+  Run(program_.schedule.elapse);
+}
+
 uint64_t Simulator::Read(const ir::Place& place) { return Get(AccessTo(program_, place), 0); }
 
 void Simulator::Write(const ir::Place& place, uint64_t value) {
@@ -162,10 +167,15 @@ void Simulator::Set(const PlaceAccess& access, uint64_t index, uint64_t value, W
       break;
   }
   if (!last_writes_) return;
-  const LastWrite write = NewWrite(writer);
+  LastWrite write = NewWrite(writer);
   if (access.kind == AccessKind::kField) {
     NoteField(access.owner, access.field, write);
     return;
+  }
+  if (access.kind == AccessKind::kWide) {
+    write.offset = offset;
+    write.bytes = access.bytes;
+    write.accessed = Get(access, index);
   }
   for (uint32_t i = 0; i < access.bytes; ++i) {
     last_writes_->NoteByte(ir::SpaceId(access.owner), offset + i, mask, spaces_[access.owner][offset + i], write);

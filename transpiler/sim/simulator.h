@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -27,6 +28,8 @@ class Simulator : public Engine {
   void PowerOn() override;
   void RunPeriod(uint32_t now_ms) override;
   void RunFastOnly(uint32_t now_ms) override;
+  void RunElapse(uint32_t now_ms) override;
+  void AnswerHostCalls(HostAnswers answers) override { answers_ = std::move(answers); }
   uint64_t Read(const ir::Place& place) override;
   void Write(const ir::Place& place, uint64_t value) override;
   void Force(const ir::Place& place, uint64_t value) override;
@@ -71,7 +74,7 @@ class Simulator : public Engine {
 
   /// What an Exit means for the block or loop that it has come to.
   Flow Leave(ir::InstId block);
-  uint64_t CallHost(ir::HostFunctionId function, const std::vector<ir::ValueId>& arguments);
+  HostAnswer CallHost(const ir::Call& call);
   void LoadRetentive();
 
   /// Of an indexed place `index` says which element; of others it is 0.
@@ -94,6 +97,7 @@ class Simulator : public Engine {
   uint32_t now_ms_ = 0;
   uint64_t executed_ = 0;
   std::vector<HostEvent> events_;
+  HostAnswers answers_;
   std::optional<std::vector<uint8_t>> stored_;  // the host's store: all retentive spaces in order
   std::unique_ptr<LastWrites> last_writes_;
 };

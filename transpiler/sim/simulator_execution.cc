@@ -217,19 +217,27 @@ Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
 
 Simulator::Flow Simulator::ExecuteHostCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
-  values_[id.index] = CallHost(call.host, call.arguments);
+  const HostAnswer answer = CallHost(call);
+  values_[id.index] = answer.result;
+  if (call.out.valid() && answer.out) Set(places_[call.out.index], 0, *answer.out, Writer::kProgram);
   return Flow::kOn;
 }
 
-uint64_t Simulator::CallHost(ir::HostFunctionId function, const std::vector<ir::ValueId>& arguments) {
-  if (function == program_.schedule.now) return now_ms_;
-  if (function == program_.schedule.retentive_load) LoadRetentive();
-  if (function == program_.schedule.retentive_store) StoreRetentive();
-  if (program_.host_functions[function].routine_exchange) return 0;
-  HostEvent event{function, {}};
-  for (const ir::ValueId argument : arguments) event.arguments.push_back(values_[argument.index]);
-  events_.push_back(std::move(event));
-  return 0;
+HostAnswer Simulator::CallHost(const ir::Call& call) {
+  const ir::Schedule& schedule = program_.schedule;
+  if (call.host == schedule.now) return {.result = now_ms_, .out = {}};
+  std::vector<uint64_t> arguments;
+  for (const ir::ValueId argument : call.arguments) arguments.push_back(values_[argument.index]);
+  if (!program_.host_functions[call.host].routine_exchange) events_.push_back({call.host, arguments, call.exchange});
+  if (call.host == schedule.retentive_load) {
+    LoadRetentive();
+    return {};
+  }
+  if (call.host == schedule.retentive_store) {
+    StoreRetentive();
+    return {};
+  }
+  return answers_ ? answers_(call.host, arguments) : HostAnswer{};
 }
 
 // Structuring has replaced both; the verifier refuses them in what comes here.

@@ -2,19 +2,25 @@
 
 #include <algorithm>
 
+#include "transpiler/sim/value_text.h"
+
 namespace plcxx::sim {
 
 Watched Watch(const ir::Program& program, std::string name, const ir::Place& place) {
   std::string scope = place.is_field() ? std::string(ir::Info(program.states[place.state].kind).text)
                                        : program.spaces[place.space].name;
-  return {std::move(name), std::move(scope), place};
+  return {std::move(name), std::move(scope), place, {}};
 }
 
-void Trace::Record(uint64_t time_ms, Engine& engine) {
+ReadWatched ReadsFrom(Engine& engine) {
+  return [&engine](const Watched& watched) { return engine.Read(watched.place); };
+}
+
+void Trace::Record(uint64_t time_ms, const ReadWatched& read) {
   if (samples_.empty() || samples_.back().time_ms != time_ms) samples_.push_back({time_ms, {}});
   std::vector<uint64_t>& values = samples_.back().values;
   values.clear();
-  for (const Watched& watched : watched_) values.push_back(engine.Read(watched.place));
+  for (const Watched& watched : watched_) values.push_back(read(watched));
 }
 
 namespace {
@@ -37,7 +43,9 @@ std::string WriteTable(const Trace& trace) {
   for (const Watched& watched : trace.watched()) rows[0].push_back(watched.name);
   for (const Sample& sample : trace.samples()) {
     std::vector<std::string> row = {std::to_string(sample.time_ms)};
-    for (const uint64_t value : sample.values) row.push_back(std::to_string(value));
+    for (size_t i = 0; i < sample.values.size(); ++i) {
+      row.push_back(ValueDigits(trace.watched()[i].place.type, sample.values[i]));
+    }
     rows.push_back(std::move(row));
   }
   std::vector<size_t> widths(rows[0].size());
@@ -52,8 +60,8 @@ std::string WriteTable(const Trace& trace) {
   return out;
 }
 
-void Graph::Observe(uint64_t time_ms, Engine& engine) {
-  const Level level = engine.Read(options_.trigger) != 0 ? Level::kHigh : Level::kLow;
+void Graph::Observe(uint64_t time_ms, const ReadWatched& read) {
+  const Level level = read(options_.trigger) != 0 ? Level::kHigh : Level::kLow;
   if (phase_ == Phase::kArmed) {
     const Level before = options_.edge == Edge::kRising ? Level::kLow : Level::kHigh;
     if (level_ == before && level != before) {
@@ -63,7 +71,7 @@ void Graph::Observe(uint64_t time_ms, Engine& engine) {
   }
   level_ = level;
   if (phase_ != Phase::kStarted || time_ms < due_ms_) return;
-  trace_.Record(time_ms, engine);
+  trace_.Record(time_ms, read);
   const uint64_t sampling = std::max(1u, options_.sampling_ms);
   due_ms_ += ((time_ms - due_ms_) / sampling + 1) * sampling;  // the grid stays where the edge has put it
   if (options_.samples != 0 && trace_.samples().size() >= options_.samples) phase_ = Phase::kComplete;

@@ -1,11 +1,13 @@
 // The values of chosen places over time, and the two forms in which people look at them: a waveform and a table.
 //
-// In: places of a program and an engine that executes it. Out: samples; the text of a VCD file (value change dump,
-// IEEE 1364) or of a table. The same samples give the same bytes: no date, no version. Not its job: when to sample (the
-// caller's, or a Graph's).
+// In: places of a program and an engine that executes it, or whoever else can read them. Out: samples; the text of a
+// VCD file (value change dump, IEEE 1364) or of a table. The same samples give the same bytes: no date, no version. Not
+// its job: when to sample (the caller's, or a Graph's).
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +21,13 @@ struct Watched {
   std::string name;   // as the user names it: "U4A8"
   std::string scope;  // what it belongs to, for the waveform's tree: "A", "on_delay_timer"
   ir::Place place;
+  std::optional<uint32_t> cell;  // no memory: a number that means something to the reader; `place` has a type only
 };
+
+/// Gives the value of what is watched.
+using ReadWatched = std::function<uint64_t(const Watched& watched)>;
+/// What is in memory, read through an engine.
+ReadWatched ReadsFrom(Engine& engine);
 
 /// With the scope that the program suggests: the space's name, or the kind of the instance.
 Watched Watch(const ir::Program& program, std::string name, const ir::Place& place);
@@ -38,7 +46,7 @@ class Trace {
   const std::vector<Sample>& samples() const { return samples_; }
 
   /// Times ascend; a second sample at one time replaces the first.
-  void Record(uint64_t time_ms, Engine& engine);
+  void Record(uint64_t time_ms, const ReadWatched& read);
 
  private:
   std::vector<Watched> watched_;
@@ -47,7 +55,7 @@ class Trace {
 
 /// The text of a VCD file; `program` names its outermost scope.
 std::string WriteVcd(const Trace& trace, std::string_view program);
-/// One line for each sample: the time and the values, decimal.
+/// One line for each sample: the time and the values in digits.
 std::string WriteTable(const Trace& trace);
 
 enum class Edge : uint8_t { kRising, kFalling };
@@ -57,7 +65,7 @@ enum class Edge : uint8_t { kRising, kFalling };
 class Graph {
  public:
   struct Options {
-    ir::Place trigger;  // a bit
+    Watched trigger;  // a bit
     Edge edge = Edge::kRising;
     uint32_t sampling_ms = 1;
     uint32_t delay_ms = 0;
@@ -68,7 +76,7 @@ class Graph {
   Graph(std::vector<Watched> watched, Options options) : trace_(std::move(watched)), options_(std::move(options)) {}
 
   /// After each period. What the trigger is at the first call is no edge.
-  void Observe(uint64_t time_ms, Engine& engine);
+  void Observe(uint64_t time_ms, const ReadWatched& read);
 
   Phase phase() const { return phase_; }
   const Trace& trace() const { return trace_; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "transpiler/sim/trace.h"
+#include "transpiler/sim/value_text.h"
 
 namespace plcxx::sim {
 namespace {
@@ -31,7 +32,9 @@ std::string SafeName(std::string_view name) {
 
 uint32_t WidthOf(ir::Type type) { return type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type); }
 
-std::string Change(uint64_t value, uint32_t width, const std::string& code) {
+std::string Change(uint64_t value, ir::Type type, const std::string& code) {
+  if (IsFloat(type)) return 'r' + ValueDigits(type, value) + ' ' + code + '\n';
+  const uint32_t width = WidthOf(type);
   if (width == 1) return std::string(1, (value & 1) != 0 ? '1' : '0') + code + '\n';
   // Leading zeros say nothing: a reader extends with 0 to the left.
   uint32_t digits = 1;
@@ -58,8 +61,10 @@ std::string WriteVcd(const Trace& trace, std::string_view program) {
     for (const size_t i : members[scope]) {
       const Watched& watched = trace.watched()[i];
       const uint32_t width = WidthOf(watched.place.type);
-      out += "$var wire " + std::to_string(width) + ' ' + Code(i) + ' ' + SafeName(watched.name);
-      if (width > 1) out += " [" + std::to_string(width - 1) + ":0]";
+      const bool real = IsFloat(watched.place.type);
+      out +=
+          (real ? "$var real " : "$var wire ") + std::to_string(width) + ' ' + Code(i) + ' ' + SafeName(watched.name);
+      if (width > 1 && !real) out += " [" + std::to_string(width - 1) + ":0]";
       out += " $end\n";
     }
     out += "$upscope $end\n";
@@ -71,7 +76,7 @@ std::string WriteVcd(const Trace& trace, std::string_view program) {
     std::string changes;
     for (size_t i = 0; i < sample.values.size(); ++i) {
       if (before != nullptr && before->values[i] == sample.values[i]) continue;
-      changes += Change(sample.values[i], WidthOf(trace.watched()[i].place.type), Code(i));
+      changes += Change(sample.values[i], trace.watched()[i].place.type, Code(i));
     }
     const bool last = &sample == &trace.samples().back();  // also without a change: it is where the waveform ends
     if (before == nullptr) {

@@ -268,6 +268,13 @@ std::optional<Mnemonic> MnemonicByName(std::string_view word) {
   return std::nullopt;
 }
 
+std::string_view TimerName(Op op, TimerUnit unit) {
+  for (const SpellingRow& row : kSpellings) {
+    if (row.mnemonic.op == op && row.mnemonic.unit == unit) return row.name;
+  }
+  PLCXX_UNREACHABLE();
+}
+
 std::optional<Op> DrawnOp(char bracket, char prefix) {
   for (const DrawnRow& row : kDrawn) {
     if (row.bracket == bracket && row.prefix == Upper(prefix)) return row.op;

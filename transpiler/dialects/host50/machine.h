@@ -67,9 +67,9 @@ Type TypeOf(const Address& address);
 
 constexpr uint32_t kMostChannels = 8;
 constexpr uint32_t kFirstAlarm = 400;  // of %Q
-constexpr uint32_t kAlarms = 100;
-constexpr uint32_t kFirstNcBit = 500;  // %I and %Q from here on belong to the NC
-constexpr uint32_t kMostDigits = 5;    // of an address
+constexpr uint32_t kAlarmCount = 100;
+constexpr uint32_t kFirstNcBit = 500;       // %I and %Q from here on belong to the NC
+constexpr uint32_t kMostAddressDigits = 5;  // of an address
 constexpr uint32_t kGreatestLabel = 9999;
 constexpr uint32_t kGreatestMCode = 999;
 constexpr uint32_t kLastRegularMCode = 99;
@@ -171,6 +171,9 @@ struct Mnemonic {
 };
 /// Without regard to case, all spellings of 3.1; none for a word that is no instruction.
 std::optional<Mnemonic> MnemonicByName(std::string_view word);
+
+/// "TONS": the spelling with its unit.
+std::string_view TimerName(Op op, TimerUnit unit);
 
 /// What a bracket of a drawing with this prefix (' ': none) is; none when it has no such prefix.
 std::optional<Op> DrawnOp(char bracket, char prefix);

@@ -134,6 +134,7 @@ struct Network {
   uint32_t number = 0;
   bool has_label = false;  // written, not implied by its position
   bool is_drawing = false;
+  bool is_stray = false;  // no NETWORK was written (reported)
   SectionId section;
   source::Range range;    // the line of NETWORK
   source::Range keyword;  // the word alone
@@ -151,7 +152,8 @@ struct Section {
   uint32_t number = 0;     // of a SUB; kNoNumber when it could not be read
   source::Range range;     // the line of its keyword
   source::Range keyword;
-  std::string name;   // the string behind the keyword
+  std::string name;  // the string behind the keyword
+  source::Range name_range;
   Span networks;      // of Program::networks
   Span comments;      // above the keyword and on its line
   Span end_comments;  // in front of END_x and on its line
@@ -175,7 +177,8 @@ struct Symbol {
   std::string name;  // empty: the entry has a comment only
   Address address;
   std::string comment;
-  source::Range range;      // the line; empty where the control predefines it
+  source::Range range;  // the line; empty where the control predefines it
+  source::Range name_range, comment_range;
   bool predefined = false;  // of signals.csv, option PREDEFINED
 };
 
@@ -208,7 +211,6 @@ struct Program {
   std::vector<InstructionId> results;
   support::Store<ExprId, Expr> exprs;
   std::vector<Comment> comments;
-  std::vector<source::Range> rest_comments;  // those that belong to no statement
   uint32_t line_count = 0;
   uint32_t statement_count = 0;  // instructions and elements
 };

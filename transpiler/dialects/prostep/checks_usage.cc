@@ -1,6 +1,8 @@
 // What is set, started or declared, but never used, and the other way round.
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "transpiler/dialects/prostep/accesses.h"
@@ -35,6 +37,9 @@ SetFlags CollectSetFlags(const Program& program) {
   }
   return flags;
 }
+
+/// Run by the scheduler while its activity bit is 1.
+bool IsScheduled(const Module& module) { return module.number > 0 && module.number < kFirstSubroutine; }
 
 std::string FlagName(uint32_t byte, uint32_t bit) { return "F " + std::to_string(byte) + "." + std::to_string(bit); }
 
@@ -96,11 +101,12 @@ void CheckActivity(const Program& program, const source::SourceManager& sources,
   if (!program.module_of[0].valid()) diagnostics.Report(place, diag::ProstepNoInitialisation);
 
   const SetFlags flags = CollectSetFlags(program);
-  if (flags.bits[kActivityByte] == 0 && flags.bits[kActivityByte + 1] == 0) {
+  const bool scheduled = std::ranges::any_of(program.modules, IsScheduled);
+  if (scheduled && flags.bits[kActivityByte] == 0 && flags.bits[kActivityByte + 1] == 0) {
     diagnostics.Report(place, diag::ProstepNothingActive);
   }
   for (const Module& module : program.modules) {
-    if (module.number == 0 || module.number >= kFirstSubroutine) continue;
+    if (!IsScheduled(module)) continue;
     const uint32_t index = module.number - 1u;
     const uint32_t byte = kActivityByte + index / 8;
     if (flags.IsSet(byte, index % 8)) continue;
@@ -129,8 +135,7 @@ void CheckMessages(const Program& program, diag::Engine& diagnostics) {
 void CheckTimersAndCounters(const Program& program, diag::Engine& diagnostics) {
   std::array<Use, kTimers> timers;
   std::array<Use, kCounters> counters;
-  // By Edge and number; the second and all later ones are reported.
-  std::array<std::array<source::Range, 64>, 4> first_edge{};
+  std::map<std::pair<Edge, uint32_t>, std::vector<const Instruction*>> edges;  // by number
   for (const Module& module : program.modules) {
     const uint32_t end = module.end_of().index;
     for (uint32_t i = module.instructions.first; i < end; ++i) {
@@ -146,13 +151,15 @@ void CheckTimersAndCounters(const Program& program, diag::Engine& diagnostics) {
       if (edge != Edge::kNone || instruction.op == Op::kSetCounter) NoteFirst(use.first_step, instruction.range);
       if (edge == Edge::kNone) continue;
       if (IsOutputUsed(program, i, end)) NoteFirst(use.first_read, operand.range);
-      source::Range& first = first_edge[static_cast<size_t>(edge)][operand.number];
-      if (first == source::Range{}) {
-        first = instruction.range;
-      } else {
-        diagnostics.Report(instruction.range, diag::ProstepEdgeShared, ToText(operand))
-            .notes.push_back({first, "stepped here, too"});
-      }
+      edges[{edge, operand.number}].push_back(&instruction);
+    }
+  }
+  for (const auto& [memory, users] : edges) {
+    if (users.size() < 2) continue;
+    for (const Instruction* user : users) {
+      const Instruction* other = user == users.front() ? users.back() : users.front();
+      diagnostics.Report(user->range, diag::ProstepEdgeShared, ToText(user->operand))
+          .notes.push_back({other->range, "stepped here, too"});
     }
   }
   const auto report = [&](const auto& uses, std::string_view name) {

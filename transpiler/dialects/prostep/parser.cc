@@ -95,6 +95,10 @@ bool Parser::IsReported(const Statement& statement) const {
 void Parser::ReportOutside(const Statement& statement) {
   if (statement.has_comment()) AddComment(statement.comment.range, CommentPlace::kLeading);
   if (forgiving_ || IsReported(statement)) return;
+  if (statement.labels.size() > 1) {  // a comment rather than an instruction
+    TheLabel(statement);
+    return;
+  }
   if (statement.tokens.empty()) {
     const source::Range range = {statement.labels.front().range.begin, statement.labels.back().range.end};
     diagnostics_.Report(range, diag::ProstepOutside, sources_.Text(range));

@@ -1,0 +1,79 @@
+#include "transpiler/dialects/host50/host50.h"
+
+#include "transpiler/dialects/host50/locate.h"
+#include "transpiler/dialects/host50/lowering.h"
+#include "transpiler/dialects/host50/options.h"
+#include "transpiler/dialects/host50/parser.h"
+#include "transpiler/dialects/host50/recognize.h"
+#include "transpiler/dialects/host50/stub.h"
+#include "transpiler/dialects/host50/warnings.h"
+
+namespace plcxx::host50 {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".il"};
+constexpr source::Encoding kEncodings[] = {source::Encoding::kUtf8, source::Encoding::kGb18030};
+constexpr uint32_t kMostErrors = 100;  // of section 10
+
+void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+}
+
+std::string Tokens(dialects::Request& request) {
+  std::string text;
+  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
+  return text;
+}
+
+Program ParseProgram(const dialects::Request& request) {
+  return Parse(*request.sources, request.files, request.options, *request.diagnostics);
+}
+
+std::string Syntax(dialects::Request& request) {
+  const std::string text = PrintSyntax(*request.sources, ParseProgram(request));
+  request.diagnostics->LimitErrors(kMostErrors);
+  return text;
+}
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  diag::Engine& diagnostics = *request.diagnostics;
+  const Program tree = ParseProgram(request);
+  CheckProgram(tree, *request.sources, diagnostics);
+  diagnostics.LimitErrors(kMostErrors);
+  dialects::Lowered lowered;
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  if (!tree.faulty) lowered.program = Lower(tree, tree.settings, *request.sources);
+  return lowered;
+}
+
+}  // namespace
+
+const dialects::Dialect kHost50 = {
+    .name = "host50",
+    .title = "CTB HOST 50 series",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = {.encodings = kEncodings,
+             .choice = source::Choice::kAlways,
+             .detection = source::Detection::kFallback,
+             .fallback = source::Encoding::kGb18030,
+             .undecodable = source::Undecodable::kByTheDialect,
+             .line_ends = source::LineEnds::kLfOrCrLf,
+             .end_marks = ""},
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = Tokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = Locate,
+    .parse_value = ParseValue,
+    .make_stub = MakeStub,
+    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
+                             diag::Engine&) {},  // it has no options for budgets
+    .lints = {},                                 // its own warnings are those of warnings.h
+    .options_ignore_case = true,
+    .message_text = MessageText,
+};
+
+}  // namespace plcxx::host50
