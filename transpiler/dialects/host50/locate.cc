@@ -17,6 +17,7 @@ std::optional<Address> AddressFromText(const ir::Program& program, std::string_v
 
 /// By the documentation that lowering wrote: it lists every symbol with its address.
 std::optional<Address> AddressOfSymbol(const ir::Program& program, std::string_view symbol) {
+  if (symbol.empty()) return std::nullopt;  // entries of addresses without one
   for (const ir::Documentation& entry : program.documentation) {
     if (entry.symbols == symbol) return AddressFromText(program, entry.address);
   }

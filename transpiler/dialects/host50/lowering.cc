@@ -129,6 +129,9 @@ std::string Lowering::SubjectOf(Span rung) const {
   std::string otherwise;
   for (uint32_t i = 0; i < rung.count; ++i) {
     const Instruction& instruction = tree_.instructions[InstructionId(rung.first + i)];
+    if (instruction.op == Op::kCall) {
+      return SubroutineName(tree_.sections[OperandOf(tree_, instruction, 0).section].number);
+    }
     const int32_t operand = SubjectOperand(instruction);
     if (operand >= 0) return SpelledName(OperandOf(tree_, instruction, static_cast<uint32_t>(operand)).address);
     if (otherwise.empty() && Info(instruction.op).form == Form::kBlock) otherwise = Info(instruction.op).name;
