@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "transpiler/dialects/prostep/lowering_internal.h"
+#include "transpiler/dialects/prostep/warnings.h"
 
 namespace plcxx::prostep {
 namespace {
@@ -223,6 +224,7 @@ ir::Program Lowering::Run() {
 ir::Program Lower(const Program& tree, const Settings& settings, const source::SourceManager& sources,
                   diag::Engine& diagnostics) {
   if (diagnostics.HasErrors()) return {};
+  CheckWhatIsExecuted(tree, settings, diagnostics);
   return Lowering(tree, settings, sources).Run();
 }
 

@@ -1,0 +1,51 @@
+// The paths through a module, and what the text says of each instruction's place in its sequence (specification 5.3,
+// 6.5).
+//
+// In: a tree without errors. Out: successors by number in the module; number size() is the module's end. Not its job:
+// what is on the paths (warnings_paths.cc).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transpiler/dialects/prostep/syntax.h"
+
+namespace plcxx::prostep {
+
+/// Before the instruction, on the bracket level on which it acts (a closing bracket: on the one outside).
+struct TextState {
+  bool first = true;       // it loads
+  bool in_string = false;  // behind an operand-less O
+  uint8_t depth = 0;       // of brackets
+};
+
+class ModulePaths {
+ public:
+  ModulePaths(const Program& program, ModuleId module);
+
+  uint32_t size() const { return static_cast<uint32_t>(text_.size()); }
+  const Instruction& At(uint32_t number) const { return program_.instructions[InstructionId(first_ + number)]; }
+  const TextState& Text(uint32_t number) const { return text_[number]; }
+
+  /// Where the jump of the instruction goes; size() when it leaves the module, or is no jump.
+  uint32_t Target(uint32_t number) const { return target_[number]; }
+  bool Jumps(uint32_t number) const;
+  /// Goes the program on behind the instruction?
+  bool GoesOn(uint32_t number) const;
+
+  bool IsReached(uint32_t number) const { return reached_[number]; }
+  /// Is there a path of at least one step?
+  bool Leads(uint32_t from, uint32_t to) const;
+
+ private:
+  std::vector<bool> From(std::vector<uint32_t> open) const;
+  void ReadText();
+
+  const Program& program_;
+  uint32_t first_;
+  std::vector<TextState> text_;
+  std::vector<uint32_t> target_;
+  std::vector<bool> reached_;
+};
+
+}  // namespace plcxx::prostep

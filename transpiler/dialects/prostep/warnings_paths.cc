@@ -1,0 +1,334 @@
+// What is known of S, AX and the first check on the paths from the scheduler into the modules.
+//
+// One walk for each module and each state in which it is entered: the state is six facts, each of which holds on some
+// path (or on all), so that there are few of them; a called module is walked with the state of its caller and gives the
+// state behind the call. Calls form no ring. A use is reported once; behind it the register counts as set, so that one
+// cause gives one message.
+
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "transpiler/dialects/prostep/parser.h"
+#include "transpiler/dialects/prostep/warnings.h"
+
+namespace plcxx::prostep {
+namespace {
+
+struct State {
+  bool reached = false;
+  // On some path:
+  bool s_unset = false;
+  bool ax_unset = false;
+  bool high_set = false;      // AH may be something else than 0
+  bool byte_in_word = false;  // AX was last loaded by a byte, with such an AH
+  bool may_load = false;      // by the run-time reading the next operation is the first of its sequence
+  bool may_combine = false;
+  // On all paths:
+  bool s_is_0 = false;  // a conditional jump was not taken
+
+  auto operator<=>(const State&) const = default;
+};
+
+/// What holds where two paths meet.
+State Join(const State& a, const State& b) {
+  if (!a.reached) return b;
+  if (!b.reached) return a;
+  return {.reached = true,
+          .s_unset = a.s_unset || b.s_unset,
+          .ax_unset = a.ax_unset || b.ax_unset,
+          .high_set = a.high_set || b.high_set,
+          .byte_in_word = a.byte_in_word || b.byte_in_word,
+          .may_load = a.may_load || b.may_load,
+          .may_combine = a.may_combine || b.may_combine,
+          .s_is_0 = a.s_is_0 && b.s_is_0};
+}
+
+constexpr State kFromScheduler{.reached = true, .s_unset = true, .ax_unset = true, .may_load = true};
+
+bool UsesS(Op op) {
+  switch (op) {
+    case Op::kAssign:
+    case Op::kSet:
+    case Op::kReset:
+    case Op::kCountUp:
+    case Op::kCountDown:
+    case Op::kSetCounter:
+    case Op::kResetCounter:
+    case Op::kPulse:
+    case Op::kExtendedPulse:
+    case Op::kOnDelay:
+    case Op::kLatchedOnDelay:
+    case Op::kOffDelay:
+    case Op::kResetTimer:
+    case Op::kJumpIf:
+    case Op::kCallIf:
+    case Op::kPerformIf:
+    case Op::kEndModuleIf:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool IsStep(Op op) {
+  switch (op) {
+    case Op::kCountUp:
+    case Op::kCountDown:
+    case Op::kPulse:
+    case Op::kExtendedPulse:
+    case Op::kOnDelay:
+    case Op::kLatchedOnDelay:
+    case Op::kOffDelay:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What a functional module does with AX: 6.9.
+enum class AxUse : uint8_t { kNone, kReads, kChanges, kLoadsByte, kLoadsWord };
+
+AxUse AxUseOf(Function function) {
+  switch (function) {
+    case Function::kToBcd:
+    case Function::kFromBcd:
+    case Function::kShiftLeft:
+    case Function::kShiftRight:
+    case Function::kBitAnd:
+    case Function::kBitOr:
+    case Function::kBitXor:
+    case Function::kNegate:
+    case Function::kComplement:
+    case Function::kIncrement:
+    case Function::kDecrement:
+      return AxUse::kChanges;
+    case Function::kReadByte:
+      return AxUse::kLoadsByte;
+    case Function::kReadWord:
+      return AxUse::kLoadsWord;
+    case Function::kWriteByte:
+    case Function::kWriteWord:
+      return AxUse::kReads;
+    default:
+      return AxUse::kNone;
+  }
+}
+
+bool SetsS(Function function) {
+  return function == Function::kToBcd || (function >= Function::kAddLong && function <= Function::kLessSigned);
+}
+
+struct PathChecker {
+  const Program& program;
+  const Paths& paths;
+  const Settings& settings;
+  diag::Engine& diagnostics;
+  std::map<std::pair<uint32_t, State>, State> left = {};  // by module and state at its entry: the state at its end
+  std::set<std::pair<const void*, uint32_t>> reported = {};
+
+  template <class Message>
+  void Report(const Message& message, const Instruction& instruction) {
+    if (!reported.emplace(&message, instruction.range.begin).second) return;
+    diagnostics.Report(instruction.range, message, ToText(program, instruction));
+  }
+
+  State Walk(ModuleId module, const State& entry);
+  void Step(const ModulePaths& module, uint32_t number, State& state);
+  void Logic(const Instruction& instruction, const TextState& text, State& state);
+  void UseS(const Instruction& instruction, State& state);
+  void UseAx(const Instruction& instruction, State& state);
+  void LoadByte(State& state);
+  void Load(const Instruction& instruction, State& state);
+  void Perform(const Instruction& instruction, State& state);
+  void Call(const Instruction& instruction, State& state);
+};
+
+void PathChecker::UseS(const Instruction& instruction, State& state) {
+  if (state.s_unset) Report(diag::ProstepSUnset, instruction);
+  state.s_unset = false;
+}
+
+void PathChecker::UseAx(const Instruction& instruction, State& state) {
+  if (state.ax_unset) Report(diag::ProstepAxUnset, instruction);
+  state.ax_unset = false;
+}
+
+void PathChecker::LoadByte(State& state) {
+  state.ax_unset = false;
+  state.byte_in_word = state.high_set;
+}
+
+void PathChecker::Load(const Instruction& instruction, State& state) {
+  const Operand& operand = instruction.operand;
+  if (instruction.op == Op::kLoad && operand.shape() == Shape::kByte) return LoadByte(state);
+  state.ax_unset = state.byte_in_word = false;
+  state.high_set = operand.shape() != Shape::kConstant || operand.value > 0xFF;
+}
+
+/// On the lowest level; what is inside brackets has a value of its own.
+void PathChecker::Logic(const Instruction& instruction, const TextState& text, State& state) {
+  if (text.depth > 0) return;
+  const bool differs = text.first ? state.may_combine : state.may_load;
+  if (!text.in_string && differs) Report(diag::ProstepFirstDiffers, instruction);
+  const bool dynamic = settings.first_check == FirstCheck::kDynamic && !text.in_string;
+  const bool combines = dynamic ? state.may_combine : !text.first;
+  const bool always = dynamic ? !state.may_load : !text.first;
+  if (combines) UseS(instruction, state);
+  const bool conjunction =
+      instruction.op == Op::kAnd || instruction.op == Op::kAndNot || instruction.op == Op::kOpenAnd;
+  if (conjunction && combines && always && state.s_is_0) Report(diag::ProstepAlwaysZero, instruction);
+}
+
+void PathChecker::Perform(const Instruction& instruction, State& state) {
+  const Function function = *instruction.function;
+  if (SetsS(function)) state.s_unset = state.s_is_0 = false;
+  switch (AxUseOf(function)) {
+    case AxUse::kNone:
+      return;
+    case AxUse::kReads:
+      return UseAx(instruction, state);
+    case AxUse::kChanges: {
+      UseAx(instruction, state);
+      state.byte_in_word = false;
+      const bool masks = function == Function::kBitAnd;
+      const bool shifts = function == Function::kShiftRight;
+      const Operand* operand = masks || shifts ? &program.Argument(instruction, 0) : nullptr;
+      const bool constant = operand != nullptr && operand->shape() == Shape::kConstant;
+      const bool clears = constant && (masks ? operand->value <= 0xFF : operand->value >= 8);
+      state.high_set = clears ? false : operand == nullptr || constant || state.high_set;
+      return;
+    }
+    case AxUse::kLoadsByte:
+      return LoadByte(state);
+    case AxUse::kLoadsWord:
+      state.ax_unset = state.byte_in_word = false;
+      state.high_set = true;
+      return;
+  }
+}
+
+void PathChecker::Call(const Instruction& instruction, State& state) {
+  State entry = state;
+  entry.s_is_0 = false;
+  entry.may_load = true;
+  entry.may_combine = false;
+  const State behind = Walk(instruction.module, entry);
+  if (instruction.op == Op::kCall) {
+    state = behind;
+  } else {
+    state.s_is_0 = false;
+    state = Join(state, behind);
+  }
+}
+
+void PathChecker::Step(const ModulePaths& module, uint32_t number, State& state) {
+  const Instruction& instruction = module.At(number);
+  const TextState& text = module.Text(number);
+  const Role role = Info(instruction.op).role;
+  if (UsesS(instruction.op)) UseS(instruction, state);
+  switch (role) {
+    case Role::kLogic:
+    case Role::kClose:
+    case Role::kString:
+      Logic(instruction, text, state);
+      if (text.depth > 0) break;
+      if (role != Role::kString) state.s_unset = state.s_is_0 = false;
+      state.may_load = false;
+      state.may_combine = true;
+      break;
+    case Role::kOpen:
+      // The bracket decides when it is closed; but that it is in vain is seen here.
+      if (instruction.op == Op::kOpenAnd && text.depth == 0 && !text.first && state.s_is_0) {
+        Report(diag::ProstepAlwaysZero, instruction);
+      }
+      break;
+    case Role::kCompare:
+      UseAx(instruction, state);
+      if (instruction.operand.shape() == Shape::kConstant && state.byte_in_word) {
+        Report(diag::ProstepHighByteUnknown, instruction);
+      }
+      if (text.depth > 0) break;
+      state.s_unset = state.s_is_0 = state.may_load = false;
+      state.may_combine = true;
+      break;
+    case Role::kNeutral:
+      if (instruction.op != Op::kNop && instruction.op != Op::kUnknown) Load(instruction, state);
+      break;
+    case Role::kJump:
+      break;
+    case Role::kEnds:
+      if (instruction.op == Op::kTransfer) UseAx(instruction, state);
+      if (IsStep(instruction.op)) state.s_unset = state.s_is_0 = false;
+      if (instruction.op == Op::kPerform) Perform(instruction, state);
+      if (instruction.op == Op::kPerformIf) {
+        State done = state;
+        Perform(instruction, done);
+        state = Join(state, done);
+      }
+      if (instruction.op == Op::kCall || instruction.op == Op::kCallIf) Call(instruction, state);
+      state.may_load = true;
+      state.may_combine = false;
+      break;
+  }
+}
+
+State PathChecker::Walk(ModuleId id, const State& entry) {
+  const auto [known, is_new] = left.try_emplace({id.index, entry});
+  if (!is_new) return known->second;
+  const ModulePaths& module = paths[id.index];
+  std::vector<State> states(module.size() + 1);
+  std::vector<uint32_t> open = {0};
+  states[0] = entry;
+  const auto flow = [&](uint32_t to, const State& state) {
+    const State joined = Join(states[to], state);
+    if (joined == states[to]) return;
+    states[to] = joined;
+    open.push_back(to);
+  };
+  while (!open.empty()) {
+    const uint32_t number = open.back();
+    open.pop_back();
+    if (number == module.size()) continue;
+    State state = states[number];
+    Step(module, number, state);
+    const Op op = module.At(number).op;
+    if (module.Jumps(number)) {
+      State taken = state;
+      taken.s_is_0 = false;
+      flow(module.Target(number), taken);
+    }
+    if (!module.GoesOn(number)) continue;
+    if (op == Op::kJumpIf) state.s_is_0 = true;
+    flow(number + 1, state);
+  }
+  return left[{id.index, entry}] = states[module.size()];
+}
+
+void CheckReached(const Program& program, const ModulePaths& module, diag::Engine& diagnostics) {
+  bool inside = false;
+  for (uint32_t i = 0; i < module.size(); ++i) {
+    const bool reached = module.IsReached(i);
+    if (!reached && !inside) {
+      diagnostics.Report(module.At(i).range, diag::ProstepUnreachable, ToText(program, module.At(i)));
+    }
+    inside = !reached;
+  }
+}
+
+}  // namespace
+
+void CheckPaths(const Program& program, const Paths& paths, const Settings& settings, diag::Engine& diagnostics) {
+  for (const ModulePaths& module : paths) CheckReached(program, module, diagnostics);
+  PathChecker checker{program, paths, settings, diagnostics};
+  for (uint32_t number = 0; number < kFirstSubroutine; ++number) {
+    if (program.module_of[number].valid()) checker.Walk(program.module_of[number], kFromScheduler);
+  }
+  // What nothing calls is looked at as if somebody did.
+  const std::vector<bool> reached = ReachedFrom(program, 0, kFirstSubroutine - 1);
+  for (uint32_t i = 0; i < reached.size(); ++i) {
+    if (!reached[i]) checker.Walk(ModuleId(i), {.reached = true, .may_load = true});
+  }
+}
+
+}  // namespace plcxx::prostep
