@@ -76,7 +76,9 @@ std::optional<uint64_t> ParseValue(std::string_view text) {
 
 /// One assignment to an operand, or the head of a block, is enough: no other dialect writes "U4A8=" or "DOF:".
 bool Recognize(std::string_view text) {
-  if (text.starts_with('*')) return true;
+  // A symbol file; but in other languages '*' begins a comment and ':' an instruction.
+  if (text.starts_with('*'))
+    return text.find("\n:") == std::string_view::npos && text.find("\r:") == std::string_view::npos;
   text = text.substr(0, kSample);
   while (!text.empty()) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
