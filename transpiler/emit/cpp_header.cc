@@ -20,6 +20,7 @@ class HeaderPrinter {
   void HostFunctions();
   void Entries();
   void Texts(std::string_view name, std::string_view comment, const std::vector<ir::MessageText>& texts);
+  void Tables();
   bool debug() const { return emittable_.options.flavour == Flavour::kDebug; }
   std::string CppType(const ir::HostFunction& function, const ir::Parameter& parameter) const {
     return parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
@@ -41,6 +42,16 @@ void HeaderPrinter::Top() {
   out_ += "#pragma once\n\n#include <stddef.h>\n#include <stdint.h>\n\n";
   std::set<std::string> headers = {"arith.h", "bcd.h", "bits.h", "logic.h", "state.h"};
   for (const ir::StateInstance& state : program_.states) headers.insert(std::string(ir::Info(state.kind).header));
+  for (const ir::Inst& inst : program_.insts) {
+    const std::string_view header = ir::Info(inst.op).header;
+    if (!header.empty()) headers.insert(std::string(header));
+    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
+  }
+  for (const PlaceStorage& stored : emittable_.layout.places) {
+    const bool wide = stored.storage == Storage::kWide || stored.storage == Storage::kIndexed ||
+                      stored.storage == Storage::kRetentiveWide || stored.storage == Storage::kRetentiveIndexed;
+    if (wide) headers.insert("wide.h");
+  }
   if (emittable_.layout.retentive_bytes > 0) headers.insert("retentive.h");
   if (debug()) headers.insert("forced.h");
   for (const std::string& header : headers) out_ += "#include <plcxx/" + header + ">\n";
@@ -83,6 +94,8 @@ void HeaderPrinter::HostFunctions() {
     }
     for (const ir::Parameter& parameter : function.parameters)
       out_ += ", " + CppType(function, parameter) + " " + parameter.name;
+    if (!function.out.name.empty())
+      out_ += ", " + std::string(ir::CppName(function.out.type)) + "& " + function.out.name;
     out_ += ") noexcept;\n";
   }
   out_ += '\n';
@@ -91,7 +104,7 @@ void HeaderPrinter::HostFunctions() {
 void HeaderPrinter::Entries() {
   out_ += "// The partitions, and what the control does around them.\n";
   for (const ir::Routine& routine : program_.routines) {
-    if (routine.simulation_only && !debug()) continue;
+    if (SharesLocals(routine.kind) || (routine.simulation_only && !debug())) continue;
     if (!routine.comment.empty()) out_ += "/// " + CommentText(routine.comment) + "\n";
     if (routine.sliced) {
       out_ += "inline constexpr uint8_t k" + std::string("Slices_") + routine.name + " = " +
@@ -124,6 +137,25 @@ void HeaderPrinter::Texts(std::string_view name, std::string_view comment, const
   out_ += "};\n\n";
 }
 
+void HeaderPrinter::Tables() {
+  for (const ir::Table& table : program_.tables) {
+    if (table.cells.empty()) continue;
+    if (!table.comment.empty()) out_ += "// " + CommentText(table.comment) + "\n";
+    out_ += "struct " + table.name + "_row {\n";
+    for (const ir::Parameter& column : table.columns) {
+      out_ += "  " + std::string(ir::CppName(column.type)) + " " + column.name + ";\n";
+    }
+    out_ += "};\ninline constexpr " + table.name + "_row " + table.name + "[] = {\n";
+    for (size_t i = 0; i < table.cells.size(); ++i) {
+      const size_t column = i % table.columns.size();
+      const bool bit = table.columns[column].type == ir::Type::kBit;
+      const std::string cell = bit ? (table.cells[i] != 0 ? "true" : "false") : std::to_string(table.cells[i]);
+      out_ += (column == 0 ? "    {" : ", ") + cell + (column + 1 == table.columns.size() ? "},\n" : "");
+    }
+    out_ += "};\n\n";
+  }
+}
+
 std::string HeaderPrinter::Run() {
   Top();
   HostFunctions();
@@ -132,6 +164,7 @@ std::string HeaderPrinter::Run() {
   Entries();
   Texts("messages", "Operator messages: number, colour, text.", program_.messages);
   Texts("menu_texts", "Texts of the soft keys: number, colour, text.", program_.menu_texts);
+  Tables();
   out_ += "}  // namespace " + emittable_.namespace_name + "\n";
   return std::move(out_);
 }

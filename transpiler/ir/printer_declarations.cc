@@ -105,6 +105,17 @@ void PrintMessages(std::string& out, std::string_view keyword, const std::vector
   }
 }
 
+void PrintTable(std::string& out, const Table& table) {
+  out += "table " + Word(table.name) + " (";
+  for (size_t i = 0; i < table.columns.size(); ++i) out += (i == 0 ? "" : ", ") + ParameterText(table.columns[i]);
+  out += ')';
+  if (!table.comment.empty()) out += ' ' + Quoted(table.comment);
+  for (size_t i = 0; i < table.cells.size(); ++i) {
+    out += (i % table.columns.size() == 0 ? "\nrow " : " ") + Decimal(table.cells[i]);
+  }
+  out += '\n';
+}
+
 }  // namespace
 
 Printer::Printer(const Program& printed) : program(printed) {
@@ -170,6 +181,7 @@ void Printer::PrintSchedule() {
   for (const MessageWord& word : program.message_words) out += "message_word " + PlaceName(word.place) + '\n';
   PrintMessages(out, "message", program.messages);
   PrintMessages(out, "menu_text", program.menu_texts);
+  for (const Table& table : program.tables) PrintTable(out, table);
 }
 
 }  // namespace plcxx::ir

@@ -177,6 +177,14 @@ struct MessageText {
   std::string text;  // UTF-8
 };
 
+/// Constants that a program declares for its control (M functions ...): generated code has them as an array of structs.
+struct Table {
+  std::string name;
+  std::string comment;
+  std::vector<Parameter> columns;
+  std::vector<uint64_t> cells;  // row by row
+};
+
 /// What is known of a place or instance beside its use: for maps and reports.
 struct Documentation {
   std::string address;     // "U10K20"
@@ -228,6 +236,7 @@ struct Program {
   std::vector<MessageText> menu_texts;
   std::vector<MessageBits> message_bits;
   std::vector<MessageWord> message_words;
+  std::vector<Table> tables;
   std::vector<Documentation> documentation;  // ascending by address as the dialect orders them
 
   const Inst& operator[](InstId id) const { return insts[id]; }

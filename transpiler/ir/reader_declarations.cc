@@ -168,6 +168,19 @@ void ReadMessage(Reader& reader, std::vector<MessageText>& messages) {
   messages.push_back(std::move(message));
 }
 
+void ReadTable(Reader& reader) {
+  Table table{.name = reader.Name(), .comment = {}, .columns = {}, .cells = {}};
+  ReadParameters(reader, table.columns, nullptr);
+  ReadText(reader, table.comment);
+  reader.program.tables.push_back(std::move(table));
+}
+
+void ReadRow(Reader& reader) {
+  if (reader.program.tables.empty()) return reader.Fail("row without a table");
+  Table& table = reader.program.tables.back();
+  for (size_t i = 0; i < table.columns.size(); ++i) table.cells.push_back(reader.Number());
+}
+
 void ReadMessageBits(Reader& reader) {
   MessageBits bits{.space = reader.Known(reader.spaces, "space"), .offset = reader.Number32()};
   reader.Expect("first");
@@ -225,6 +238,10 @@ void Reader::ReadDeclaration(std::string_view keyword) {
     ReadMessage(*this, program.messages);
   } else if (keyword == "menu_text") {
     ReadMessage(*this, program.menu_texts);
+  } else if (keyword == "table") {
+    ReadTable(*this);
+  } else if (keyword == "row") {
+    ReadRow(*this);
   } else {
     Fail("declaration expected, found '" + std::string(keyword) + "'");
   }

@@ -62,7 +62,8 @@ std::optional<Location> Port(Shape shape, uint32_t number, uint8_t bit, std::str
   Location location;
   location.place.type = TypeOf(shape);
   location.place.name = std::move(name);
-  location.cell = ToCell({number, bit, static_cast<uint8_t>(shape == Shape::kWord ? 2 : 1)});
+  const auto bytes = static_cast<uint8_t>(shape == Shape::kWord ? 2 : 1);
+  location.cell = ToNumber({.number = number, .bit = bit, .bytes = bytes});
   return location;
 }
 
@@ -100,10 +101,15 @@ std::optional<Location> Locate(const ir::Program& program, std::string_view text
   const Space space = SpaceOf(kind);
   if (type == ir::Type::kNone || space == Space::kNone) return std::nullopt;
   if (space == Space::kP) return Port(shape, *number, bit, std::move(name));
-  if (*number >= BytesOf(space)) return std::nullopt;
+  if (*number + ir::Bytes(type) > BytesOf(space)) return std::nullopt;
   const Cell cell = Memory(program).At(space, *number);
-  if (cell.left < ir::Bytes(type)) return std::nullopt;
   Location location;
+  if (cell.left < ir::Bytes(type)) {  // half retentive
+    location.place.name = std::move(name);
+    location.place.type = type;
+    location.cell = ToNumber({.is_data = true, .number = *number, .bytes = static_cast<uint8_t>(ir::Bytes(type))});
+    return location;
+  }
   location.place = {.name = std::move(name), .type = type, .space = cell.space, .offset = cell.offset, .bit = bit};
   return location;
 }

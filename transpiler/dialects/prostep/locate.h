@@ -12,19 +12,21 @@
 
 namespace plcxx::prostep {
 
-/// "I0.3", "IB0", "IW0", "ID100", "P0.3", "T5", "C5"; capitals or small letters. None for what is no location, and for
-/// a word that lies half in the retentive part of D.
+/// "I0.3", "IB0", "IW0", "ID100", "P0.3", "T5", "C5"; capitals or small letters. None for what is no location.
 std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
 
-/// The cell of a port: its number, the bit (none: a byte or word), and bytes.
-struct PortCell {
-  uint32_t port = 0;
-  uint8_t bit = ir::kNoBit;
+/// A location that is no place: a port, or bytes of D that lie in two spaces of the program.
+struct ControlCell {
+  bool is_data = false;
+  uint32_t number = 0;       // port, or address in D
+  uint8_t bit = ir::kNoBit;  // of a port; none: bytes
   uint8_t bytes = 1;
 };
-constexpr uint32_t ToCell(const PortCell& cell) { return cell.port << 16 | uint32_t{cell.bit} << 8 | cell.bytes; }
-constexpr PortCell FromCell(uint32_t cell) {
-  return {cell >> 16, static_cast<uint8_t>(cell >> 8), static_cast<uint8_t>(cell)};
+constexpr uint32_t ToNumber(const ControlCell& cell) {
+  return (cell.is_data ? 1u << 31 : 0) | cell.number << 16 | uint32_t{cell.bit} << 8 | cell.bytes;
+}
+constexpr ControlCell CellOf(uint32_t number) {
+  return {number >> 31 != 0, number >> 16 & 0x7FFF, static_cast<uint8_t>(number >> 8), static_cast<uint8_t>(number)};
 }
 
 }  // namespace plcxx::prostep

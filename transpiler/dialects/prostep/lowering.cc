@@ -32,6 +32,15 @@ Lowering::Lowering(const Program& tree, const Settings& settings, const source::
       sources_(sources),
       memory_(program_, settings.first_retentive, settings.last_retentive) {}
 
+void Lowering::InitialData() {
+  const auto bytes = prostep::InitialData(tree_);
+  for (uint32_t address = 0; address < bytes.size(); ++address) {
+    if (bytes[address] == 0) continue;
+    const Cell cell = memory_.At(Space::kD, address);
+    program_.spaces[cell.space].initial.push_back({.offset = cell.offset, .value = bytes[address]});
+  }
+}
+
 void Lowering::FindCalledModules() {
   called_.assign(tree_.modules.size(), false);
   for (const Instruction& instruction : tree_.instructions) {
@@ -92,6 +101,7 @@ void Lowering::LowerModule(ModuleId id) {
   AddComments(module.comments, CommentPlace::kLeading, waiting_comments_);
   waiting_comments_.push_back(LinesOf(module.open.begin, module.open.end));
   for (uint32_t i = module.begin_of().index; i < module.end_of().index; ++i) Execute(InstructionId(i));
+  Fold();  // END ends a sequence, too: its S is the caller's
   EndComments(module);
   builder_.SetRange({});
   SpillAll();
@@ -201,6 +211,7 @@ void Lowering::Dispatch(InstructionId id, const Instruction& instruction) {
 
 ir::Program Lowering::Run() {
   program_.dialect = "prostep";
+  InitialData();
   FindCalledModules();
   AddHostFunctions();
   AddScheduleRoutines();
@@ -218,6 +229,7 @@ ir::Program Lowering::Run() {
   Periods();
   FillSchedule();
   Messages();
+  MFunctions();
   return std::move(program_);
 }
 

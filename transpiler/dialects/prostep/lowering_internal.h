@@ -33,6 +33,7 @@ enum class ScalarPlace : uint8_t {
   kAx,
   kFirst,  // with --set first-check=dynamic
   kNcValue,
+  kPortWord,  // a time or preset that comes from a port
   kCount
 };
 
@@ -61,6 +62,7 @@ class Lowering {
 
  private:
   // --- modules (lowering.cc) ---
+  void InitialData();
   void FindCalledModules();
   void AddModuleRoutines();
   /// Whether calls enter the module; then S and AX are its caller's.
@@ -99,7 +101,11 @@ class Lowering {
   ir::StateId CounterOf(uint32_t number);
   ir::PlaceId OutputOf(uint32_t timer);
   ir::PlaceId ValueOf(uint32_t counter);
-  /// The time word or preset of an instruction.
+  ir::ValueId StartsTimer(const Instruction& instruction, ir::ValueId condition);
+  ir::ValueId PortWord(const Operand& operand, ir::ValueId needed);
+  /// A bit of an instance that has no name in the language.
+  ir::PlaceId FieldOf(ir::StateId state, std::string_view field, std::string name);
+  /// The time word or preset of an instruction, no port.
   ir::ValueId Parameter(const Instruction& instruction);
 
   // --- load and transfer (lowering_data.cc) ---
@@ -219,7 +225,11 @@ class Lowering {
   ModuleId ModuleOf(uint32_t number) const { return tree_.module_of[number]; }
   void FillSchedule();
 
+  // --- declarations (lowering_tables.cc) ---
   void Messages();
+  void MFunctions();
+  /// Sets or clears the bits that the M function `number`, an i8, has by its DMF.
+  void SetDeclaredBits(ir::ValueId number, bool value, bool also_static);
 
   const Program& tree_;
   const Settings& settings_;
@@ -243,6 +253,7 @@ class Lowering {
   std::vector<ir::RoutineId> routines_;                   // by ModuleId
   std::unordered_map<uint32_t, ir::PlaceId> places_;      // by address and type
   std::unordered_map<std::string, ir::PlaceId> indexed_;  // by name
+  std::unordered_map<std::string, ir::PlaceId> fields_;   // by name
   std::array<ir::PlaceId, static_cast<size_t>(ScalarPlace::kCount)> scalars_;
   std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
   std::array<ir::StateId, kTimers> timers_;

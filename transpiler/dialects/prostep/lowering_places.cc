@@ -28,6 +28,7 @@ constexpr ScalarRow kScalars[] = {
     {ScalarPlace::kAx, SpaceKey::kRegisters, "ax", Type::kI16, 2},
     {ScalarPlace::kFirst, SpaceKey::kRegisters, "first", Type::kBit, 4},
     {ScalarPlace::kNcValue, SpaceKey::kRegisters, "nc_value", Type::kI32, 8},
+    {ScalarPlace::kPortWord, SpaceKey::kRegisters, "port_word", Type::kI16, 12},
 };
 
 /// Above all addresses of a space, types and bits: one number for each place.

@@ -347,11 +347,4 @@ void Lowering::FillSchedule() {
   if (schedule.retention) schedule.retentive_load = host_[static_cast<size_t>(HostCall::kRetentiveLoad)];
 }
 
-void Lowering::Messages() {
-  program_.message_bits.push_back(
-      {.space = memory_[SpaceKey::kF], .offset = kFirstMessageByte, .first_number = 1, .count = kMessages});
-  for (const Text& text : tree_.messages) program_.messages.push_back({.number = text.number, .text = text.text});
-  for (const Text& text : tree_.menu_texts) program_.menu_texts.push_back({.number = text.number, .text = text.text});
-}
-
 }  // namespace plcxx::prostep

@@ -167,7 +167,8 @@ void Lowering::EndComments(const Module& module) {
   s_->EndStatement();
   ax_->EndStatement();
   if (first_ != nullptr) first_->EndStatement();
-  ir::Statement statement{.range = {}, .comments = std::move(comments), .subject = {}, .id = 0};
+  const source::Range place{module.close.begin, module.close.begin};
+  ir::Statement statement{.range = place, .comments = std::move(comments), .subject = {}, .id = 0};
   statement.id = StatementNumber(module.end_of(), module.end_of());
   builder_.Statement(program_.statements.Add(std::move(statement)));
 }

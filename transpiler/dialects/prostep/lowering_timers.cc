@@ -47,6 +47,42 @@ ir::PlaceId Lowering::ValueOf(uint32_t counter) {
   return value;
 }
 
+/// A port is read only when its word is needed: reading is an event at the machine.
+ValueId Lowering::PortWord(const Operand& operand, ValueId needed) {
+  const ir::PlaceId word = PlaceOf(ScalarPlace::kPortWord);
+  builder_.Store(word, Word(0));
+  When(needed, [&] { builder_.Store(word, ReadData(operand)); });
+  return builder_.Load(word);
+}
+
+/// Whether the start instruction takes its time word now: 7.1.
+ValueId Lowering::StartsTimer(const Instruction& instruction, ValueId condition) {
+  using dialects::Join;
+  const auto both = [&](ValueId a, ValueId b) { return dialects::Joined(builder_, Join::kAnd, a, b); };
+  const uint32_t number = instruction.operand.number;
+  const ValueId edge = builder_.Load(FieldOf(TimerOf(number), "edge", "T" + std::to_string(number) + "_edge"));
+  const ValueId rises = both(condition, dialects::Inverted(builder_, edge));
+  switch (instruction.op) {
+    case Op::kLatchedOnDelay:
+      return both(rises, dialects::Inverted(builder_, builder_.Load(OutputOf(number))));
+    case Op::kOffDelay:
+      return both(both(dialects::Inverted(builder_, condition), edge), builder_.Load(OutputOf(number)));
+    default:
+      return rises;
+  }
+}
+
+ir::PlaceId Lowering::FieldOf(ir::StateId state, std::string_view field, std::string name) {
+  const auto [found, is_new] = fields_.try_emplace(name);
+  if (is_new) {
+    ir::Place place{.name = std::move(name), .address = {}, .type = ir::Type::kBit};
+    place.state = state;
+    place.field = ir::FieldIndex(program_.states[state].kind, field);
+    found->second = program_.places.Add(std::move(place));
+  }
+  return found->second;
+}
+
 ValueId Lowering::Parameter(const Instruction& instruction) {
   const Operand& operand = tree_.Argument(instruction, 0);
   // Its digits are BCD whatever the form: hexadecimal shows them.
@@ -56,7 +92,9 @@ ValueId Lowering::Parameter(const Instruction& instruction) {
 
 void Lowering::StartTimer(const Instruction& instruction) {
   const ValueId condition = logic_->Value();
-  const ValueId time = Parameter(instruction);
+  const Operand& operand = tree_.Argument(instruction, 0);
+  const ValueId time = operand.kind == OperandClass::kPW ? PortWord(operand, StartsTimer(instruction, condition))
+                                                         : Parameter(instruction);
   const auto start = [&](OpKind op) {
     logic_->Replace(builder_.Step(op, TimerOf(instruction.operand.number), {condition, time}));
   };
@@ -86,8 +124,19 @@ void Lowering::StepCounter(const Instruction& instruction) {
       return logic_->Replace(builder_.Step(OpKind::kCountDown, counter, {condition}));
     case Op::kSetCounter: {
       const bool edge = settings_.counter_set == CounterSet::kEdge;
-      builder_.Step(edge ? OpKind::kSetCounterOnEdge : OpKind::kSetCounter, counter,
-                    {condition, Parameter(instruction)});
+      ValueId preset;
+      if (const Operand& operand = tree_.Argument(instruction, 0); operand.kind == OperandClass::kPW) {
+        ValueId needed = condition;
+        if (edge) {
+          const std::string name = "C" + std::to_string(instruction.operand.number) + "_set_edge";
+          const ValueId was = builder_.Load(FieldOf(counter, "set_edge", name));
+          needed = dialects::Joined(builder_, dialects::Join::kAnd, condition, dialects::Inverted(builder_, was));
+        }
+        preset = PortWord(operand, needed);
+      } else {
+        preset = Parameter(instruction);
+      }
+      builder_.Step(edge ? OpKind::kSetCounterOnEdge : OpKind::kSetCounter, counter, {condition, preset});
       return;
     }
     case Op::kResetCounter:

@@ -16,7 +16,7 @@ class Stub final : public dialects::ControlStub {
  public:
   Stub(const ir::Program& program, uint32_t axes) : memory_(program), axes_(memory_, axes) {}
 
-  void PowerOn(dialects::ImagePort&) override;
+  void PowerOn(dialects::ImagePort& image) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort&) override;
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
                 std::optional<uint64_t>& out) override;
@@ -30,10 +30,12 @@ class Stub final : public dialects::ControlStub {
   std::map<std::pair<uint16_t, uint16_t>, uint32_t> variables_;  // by index and offset
   PlcAxes axes_;
   uint32_t last_tick_ms_ = 0, now_ms_ = 0;
+  dialects::ImagePort* image_ = nullptr;  // from the first power-on on; it lives as long as the scenario
 };
 
 /// What the machine holds stays: inputs, and what the extra cards were told last. The latches are cleared (4.3).
-void Stub::PowerOn(dialects::ImagePort&) {
+void Stub::PowerOn(dialects::ImagePort& image) {
+  image_ = &image;
   for (uint32_t port = 0; port < kMostOutputBytes; ++port) outputs_[port] = 0;
   last_tick_ms_ = now_ms_ = 0;
   axes_.PowerOn();
@@ -86,21 +88,36 @@ bool Stub::Written(const ir::Place& place, uint64_t value, dialects::ImagePort& 
 }
 
 uint64_t Stub::ReadCell(uint32_t cell) {
-  const PortCell port = FromCell(cell);
-  if (port.bit != ir::kNoBit) return outputs_[port.port] >> port.bit & 1;
-  return port.bytes == 1 ? outputs_[port.port] : outputs_[port.port] | outputs_[port.port + 1] << 8;
+  const ControlCell named = CellOf(cell);
+  if (named.is_data) {
+    uint64_t value = 0;
+    for (uint32_t i = 0; i < named.bytes; ++i) {
+      const Cell byte = memory_.At(Space::kD, named.number + i);
+      value |= uint64_t{image_->Get(byte.space, byte.offset)} << 8 * i;
+    }
+    return value;
+  }
+  if (named.bit != ir::kNoBit) return outputs_[named.number] >> named.bit & 1;
+  return named.bytes == 1 ? outputs_[named.number] : outputs_[named.number] | outputs_[named.number + 1] << 8;
 }
 
 void Stub::WriteCell(uint32_t cell, uint64_t value) {
-  const PortCell port = FromCell(cell);
-  uint8_t& low = inputs_[port.port];
-  if (port.bit != ir::kNoBit) {
-    const auto mask = static_cast<uint8_t>(1u << port.bit);
+  const ControlCell named = CellOf(cell);
+  if (named.is_data) {
+    for (uint32_t i = 0; i < named.bytes; ++i) {
+      const Cell byte = memory_.At(Space::kD, named.number + i);
+      image_->Set(byte.space, byte.offset, static_cast<uint8_t>(value >> 8 * i));
+    }
+    return;
+  }
+  uint8_t& low = inputs_[named.number];
+  if (named.bit != ir::kNoBit) {
+    const auto mask = static_cast<uint8_t>(1u << named.bit);
     low = static_cast<uint8_t>(value != 0 ? low | mask : low & ~mask);
     return;
   }
   low = static_cast<uint8_t>(value);
-  if (port.bytes == 2) inputs_[port.port + 1] = static_cast<uint8_t>(value >> 8);
+  if (named.bytes == 2) inputs_[named.number + 1] = static_cast<uint8_t>(value >> 8);
 }
 
 }  // namespace

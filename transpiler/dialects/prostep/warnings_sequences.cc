@@ -98,6 +98,7 @@ void CheckSequences(const Program& program, const Paths& paths, diag::Engine& di
   for (const ModulePaths& module : paths) {
     SequenceChecker checker{program, module, diagnostics};
     for (uint32_t i = 0; i < module.size(); ++i) checker.Check(i);
+    checker.Fold();
   }
 }
 
