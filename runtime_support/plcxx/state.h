@@ -29,4 +29,10 @@ inline void Clear(T (&array)[kCount]) noexcept {
   for (T& element : array) element = T{};
 }
 
+/// Sets the elements from `first` on to a table of values; what would lie beyond the array is left out.
+template <class T, size_t kSize, size_t kCount>
+inline void Place(T (&array)[kSize], size_t first, const T (&values)[kCount]) noexcept {
+  for (size_t i = 0; i < kCount && first + i < kSize; ++i) array[first + i] = values[i];
+}
+
 }  // namespace plcxx

@@ -178,6 +178,17 @@ TEST(Engine, LimitsTheErrorsAndKeepsTheRest) {
   EXPECT_EQ(engine.all().front().notes.front().range, (source::Range{5, 9}));
 }
 
+TEST(Engine, MovesPlaces) {
+  Engine engine;
+  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({2, 3}, kOdd);
+  engine.MovePlaces([](source::Range range) { return range.begin == 5 ? source::Range{1, 2} : range; });
+  EXPECT_EQ(engine.all()[0].range, (source::Range{1, 2}));
+  ASSERT_EQ(engine.all()[0].notes.size(), 1u);
+  EXPECT_EQ(engine.all()[0].notes[0].range, (source::Range{5, 9}));
+  EXPECT_TRUE(engine.all()[1].notes.empty());
+}
+
 TEST(Engine, NotesAreBelowWarnings) {
   constexpr Message<> kNote{{"Note", "test-N1", Severity::kNote, "this was chosen", ""}};
   Engine engine({.all_errors = true});

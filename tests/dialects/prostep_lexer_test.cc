@@ -86,6 +86,7 @@ TEST(ProstepLexer, Declarations) {
 TEST(ProstepLexer, Characters) {
   EXPECT_THAT(ErrorsOf("; zażółć \x01\nzażółć\n" + InModule(":A I 0.0 ż")), IsEmpty());
   EXPECT_THAT(ErrorsOf(InModule(":Ż")), ElementsAre("2:2 E01"));
+  EXPECT_THAT(ErrorsOf(InModule(":L\n:Kż")), ElementsAre("3:3 E01"));
   EXPECT_THAT(ErrorsOf(InModule("ŁAD:A I 0.0")), ElementsAre("2:1 E01"));
   EXPECT_THAT(ErrorsOf(InModule(":A Ł 0.0")), ElementsAre("2:4 E01"));
   EXPECT_THAT(ErrorsOf(InModule(":A I 0.0\u0142")), ElementsAre("2:9 E01"));

@@ -62,7 +62,7 @@ TEST(BadInput, TooLarge) {
   const Workplace work;
   work.Write("large.plc", "");
   std::filesystem::resize_file(work.Path("large.plc"), 100u << 20);  // sparse
-  ExpectRefused(work, "large.plc", "too long");
+  ExpectRefused(work, "large.plc --dialect nc110", "too long");
 }
 
 TEST(BadInput, LongLine) {
@@ -70,7 +70,7 @@ TEST(BadInput, LongLine) {
   std::string line = "U4A0=I0A0";
   while (line.size() < (1u << 20)) line += "+I0A1";
   work.Write("line.plc", line + "\n");
-  ExpectRefused(work, "line.plc", "too long");
+  ExpectRefused(work, "line.plc --dialect nc110", "too long");
 }
 
 TEST(BadInput, NestedBrackets) {

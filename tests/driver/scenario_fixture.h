@@ -83,6 +83,7 @@ inline constexpr std::string_view kScenarioProgram = R"(
 inline std::optional<dialects::Location> LocateByName(const ir::Program& program, std::string_view text) {
   if (text == "OPERATOR_TEXT") return dialects::Location{.place = {}, .text_input = true};
   if (text == "T9U") return dialects::Location{.place = {}, .absent = true};
+  if (text == "P3") return dialects::Location{.place = {.name = "P3", .type = ir::Type::kI8}, .cell = 3};
   for (const ir::Place& place : program.places) {
     if (place.name == text) return dialects::Location{.place = place};
   }
@@ -150,6 +151,7 @@ struct ScenarioBench {
     Lockstep lockstep(program, std::move(engines));
     const std::optional<std::string> failure = RunScenario({.scenario = scenario,
                                                             .plan = std::get<ScenarioPlan>(plan),
+                                                            .dialect = dialect,
                                                             .program = program,
                                                             .sources = sources,
                                                             .engines = lockstep,

@@ -86,7 +86,7 @@ steps:
   ASSERT_EQ(calls.size(), 4u);
   EXPECT_EQ(calls[0].arguments[1].value.text, "20");
   EXPECT_EQ(calls[3].function.text, "load");
-  EXPECT_THAT(std::get<ExpectMessagesStep>(steps[8].action).numbers, ElementsAre(9, 36));
+  EXPECT_THAT(std::get<ExpectMessagesStep>(steps[8].action).messages, ElementsAre("9", "36"));
   EXPECT_EQ(steps[10].number, 11u);
   EXPECT_EQ(steps[10].name, "power_cycle");
 }
@@ -135,7 +135,7 @@ TEST(ScenarioReader, WrongShapesAreRefusedAtTheirPlace) {
   EXPECT_THAT(Errors("steps:\n- power_cycle: {now: 1}\n"),
               ElementsAre("s.yaml:2:16: 'power_cycle' has no parameters: write 'power_cycle: {}'"));
   EXPECT_THAT(Errors("steps:\n- expect_messages: 9\n"),
-              ElementsAre("s.yaml:2:20: 'expect_messages' is a list of message numbers"));
+              ElementsAre("s.yaml:2:20: 'expect_messages' is a list of numbers or texts of messages"));
   EXPECT_THAT(Errors("steps:\n- expect_calls: [{a: {}, b: {}}]\n"),
               ElementsAre("s.yaml:2:26: a call has one key; 'b' begins another call"));
   EXPECT_THAT(Errors("steps: []\nexpect_error: {line: 1}\n"),

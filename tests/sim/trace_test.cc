@@ -74,7 +74,8 @@ b11111111 "
 }
 
 TEST_F(Tracing, FloatsAreNumbersAndCellsAreTheReaders) {
-  Trace trace({{"F0", "F", {.type = ir::Type::kF32}, {}}, {"P0.3", "ports", {.type = ir::Type::kI8}, 3}});
+  Trace trace({{.name = "F0", .scope = "F", .place = {.type = ir::Type::kF32}},
+               {.name = "P0.3", .scope = "ports", .place = {.type = ir::Type::kI8}, .cell = 3}});
   const uint64_t values[] = {0x41480000, 0xC0500000, 0x7FC00000};  // 12.5, -3.25, nan
   for (uint64_t time = 0; time < 3; ++time) {
     trace.Record(10 * time, [&](const Watched& watched) { return watched.cell ? *watched.cell + time : values[time]; });

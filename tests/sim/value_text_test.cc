@@ -16,6 +16,10 @@ TEST(ValueText, Digits) {
   EXPECT_EQ(ValueDigits(ir::Type::kBit, 1), "1");
   EXPECT_EQ(ValueDigits(ir::Type::kI32, 0xFFFFFFFF), "4294967295");
   EXPECT_EQ(ValueDigits(ir::Type::kI64, ~uint64_t{0}), "18446744073709551615");
+  EXPECT_EQ(ValueDigits(ir::Type::kI32, 0xFFFFFFF9, Sign::kTwosComplement), "-7");
+  EXPECT_EQ(ValueDigits(ir::Type::kI8, 0x7F, Sign::kTwosComplement), "127");
+  EXPECT_EQ(ValueDigits(ir::Type::kI64, ~uint64_t{0}, Sign::kTwosComplement), "-1");
+  EXPECT_EQ(ValueDigits(ir::Type::kBit, 1, Sign::kTwosComplement), "1");
   EXPECT_EQ(ValueDigits(ir::Type::kF32, Bits(12.5f)), "12.5");
   EXPECT_EQ(ValueDigits(ir::Type::kF32, Bits(0.1f)), "0.1");
   EXPECT_EQ(ValueDigits(ir::Type::kF32, Bits(-0.0f)), "-0");

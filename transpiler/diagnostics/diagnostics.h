@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -112,6 +113,8 @@ class Engine {
   void KeepFirstErrorOnly();
   /// Drops the errors behind the first `most` (in source order) and says so at the last one; sorts.
   void LimitErrors(uint32_t most);
+  /// Moves what has been reported to the place that `move` gives for its own; where it stood becomes a note.
+  void MovePlaces(const std::function<source::Range(source::Range)>& move);
 
  private:
   static std::string ToText(Text text) { return std::string(text); }

@@ -113,6 +113,16 @@ void Engine::KeepFirstErrorOnly() {
   Recount();
 }
 
+void Engine::MovePlaces(const std::function<source::Range(source::Range)>& move) {
+  for (Diagnostic& diagnostic : diagnostics_) {
+    const source::Range place = move(diagnostic.range);
+    if (place == diagnostic.range) continue;
+    diagnostic.notes.push_back({diagnostic.range, "it is here"});
+    diagnostic.range = place;
+  }
+  Recount();
+}
+
 void Engine::LimitErrors(uint32_t most) {
   PLCXX_CHECK(most > 0);
   if (error_count_ <= most) return;

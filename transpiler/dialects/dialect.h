@@ -61,6 +61,7 @@ struct Location {
   /// No memory but the simulated control's own, a number that its stub gives a meaning: `place` has a name and a type
   /// only, ControlStub::ReadCell and WriteCell are what `expect` and `set` do. Cannot be forced.
   std::optional<uint32_t> cell;
+  bool has_sign = false;  // people read the integer as two's complement
 };
 
 /// Reads and writes the bytes that a control exchanges with the PLC program.
@@ -136,8 +137,8 @@ struct Dialect {
   diag::Lints lints;  // the dialect's codes for the checks of checks/
   /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
   bool options_ignore_case = false;
-  /// The text of a message that has just become active, where memory is a part of it (numbers). None: the text is that
-  /// of Program::messages, and "message N" without one.
+  /// The text of a message that has just become active, where memory is a part of it (numbers); empty: "message N".
+  /// None: the text is that of Program::messages.
   std::string (*message_text)(const ir::Program& program, uint32_t number, const ImagePort& image) = nullptr;
 };
 

@@ -28,14 +28,14 @@ std::string Joined(const std::vector<std::string_view>& words) {
   return joined;
 }
 
-bool TakeSettings(const std::vector<std::string>& settings, std::map<std::string, std::string>& options) {
+bool TakeSettings(const std::vector<std::string>& settings, std::vector<std::pair<std::string, std::string>>& options) {
   for (const std::string& setting : settings) {
     const size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
       PrintUsageError("'--set " + setting + "' has no value: write --set key=value");
       return false;
     }
-    options[setting.substr(0, equals)] = setting.substr(equals + 1);
+    options.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
   return true;
 }

@@ -1,5 +1,7 @@
 #include "transpiler/driver/compilation.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -35,6 +37,19 @@ std::string DefaultName(const Compilation& compilation) {
 bool IsOn(const std::map<std::string, std::string>& options, const std::string& key) {
   const auto option = options.find(key);
   return option != options.end() && (option->second == "on" || option->second == "true");
+}
+
+bool SameLetters(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+/// The name of an option in the dialect's own letters; as it is when the dialect has none such.
+std::string OptionName(const dialects::Dialect& dialect, const std::string& name) {
+  if (!dialect.options_ignore_case) return name;
+  for (const dialects::OptionInfo& option : dialect.options) {
+    if (SameLetters(option.key, name)) return std::string(option.key);
+  }
+  return name;
 }
 
 /// The phases up to `until`; each is left out after an error in one before it.
@@ -83,6 +98,8 @@ void Pipeline::Load() {
   Show("reading");
   LoadSources(request_, compilation_);
   if (compilation_.dialect == nullptr) return;
+  for (const auto& [name, value] : request_.options)
+    compilation_.options[OptionName(*compilation_.dialect, name)] = value;
   const uint32_t before = compilation_.diagnostics.error_count();
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
   if (compilation_.diagnostics.error_count() > before) compilation_.wrong_use = true;
@@ -136,7 +153,6 @@ Compilation Compile(const CompilationRequest& request, Stage until) {
   Compilation compilation;
   compilation.sources = std::make_unique<source::SourceManager>();
   compilation.diagnostics = diag::Engine(request.warnings);
-  compilation.options = request.options;
   Pipeline(request, until, compilation).Run();
   ReportUndecodable(compilation);  // at the end: the dialect loads files, too
   compilation.diagnostics.SortBySource();

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "transpiler/diagnostics/diagnostics.h"
@@ -21,10 +22,11 @@
 namespace plcxx::driver {
 
 struct CompilationRequest {
-  std::vector<std::string> sources;            // the program, in the user's order; "-" is standard input
-  std::string dialect;                         // empty: by extension, then by content
-  std::optional<source::Encoding> encoding;    // none: detected
-  std::map<std::string, std::string> options;  // --set key=value, or `options:` of a scenario
+  std::vector<std::string> sources;          // the program, in the user's order; "-" is standard input
+  std::string dialect;                       // empty: by extension, then by content
+  std::optional<source::Encoding> encoding;  // none: detected
+  /// --set key=value, then `options:` of a scenario: of two with one name the later one counts.
+  std::vector<std::pair<std::string, std::string>> options;
   diag::WarningOptions warnings;
   /// Where relative paths of `sources` and of options stand; empty: the current directory.
   std::string base_directory;
@@ -62,7 +64,7 @@ struct Compilation {
   std::unique_ptr<source::SourceManager> sources;
   diag::Engine diagnostics;                    // sorted by source
   const dialects::Dialect* dialect = nullptr;  // none when it could not be told
-  std::map<std::string, std::string> options;  // as given
+  std::map<std::string, std::string> options;  // each once, its name as the dialect writes it
   std::vector<source::FileId> files;           // of the program; what options name is in `sources` only
   std::string name;                            // of the program and its output files, made safe
   ir::Program program;                         // as far as `reached` says

@@ -50,6 +50,7 @@ class CompiledEngine : public sim::Engine {
     }
     force_mask_.assign(layout_.size, 0);
     force_value_.assign(layout_.size, 0);
+    FindStored();
   }
 
   bool Start() { return child_.Start(compiled_->executable); }
@@ -157,9 +158,13 @@ class CompiledEngine : public sim::Engine {
   std::vector<uint8_t> Snapshot() override {
     std::vector<uint8_t> bytes;
     for (uint32_t s = 0; s < program_.spaces.size(); ++s) {
-      const ir::Space& space = program_.spaces[ir::SpaceId(s)];
-      if (!space.host_visible) continue;
-      for (uint32_t i = 0; i < space.bytes; ++i) bytes.push_back(ReadByte(ir::SpaceId(s), i));
+      if (program_.spaces[ir::SpaceId(s)].host_visible) bytes.insert(bytes.end(), shadow_[s].begin(), shadow_[s].end());
+    }
+    for (const Stored& stored : stored_) {
+      uint8_t& byte = bytes[stored.at];
+      const uint8_t state = state_[stored.offset];
+      byte = stored.bit == ir::kNoBit ? state
+                                      : static_cast<uint8_t>((byte & ~(1u << stored.bit)) | (state & 1u) << stored.bit);
     }
     for (uint32_t i = 0; i < program_.states.size(); ++i) {
       const ir::StateKind kind = program_.states[ir::StateId(i)].kind;
@@ -174,6 +179,27 @@ class CompiledEngine : public sim::Engine {
   }
 
  private:
+  /// What of a snapshot is in State: a byte, or a bit of one that is a bool there.
+  struct Stored {
+    size_t at;
+    uint32_t offset;
+    uint8_t bit;
+  };
+
+  void FindStored() {
+    size_t at = 0;
+    for (uint32_t s = 0; s < program_.spaces.size(); ++s) {
+      if (!program_.spaces[ir::SpaceId(s)].host_visible) continue;
+      for (uint32_t i = 0; i < program_.spaces[ir::SpaceId(s)].bytes; ++i, ++at) {
+        for (uint8_t bit = 0; bit < 8; ++bit) {
+          const Cell cell = BitCell(ir::SpaceId(s), i, bit);
+          if (cell.in_state) stored_.push_back({at, cell.offset, cell.is_bool ? bit : ir::kNoBit});
+          if (cell.in_state && !cell.is_bool) break;  // the whole byte
+        }
+      }
+    }
+  }
+
   void Check(bool alive) {
     if (!alive) throw EngineFault{"the compiled program ended or did not answer within 10 s"};
   }
@@ -276,6 +302,7 @@ class CompiledEngine : public sim::Engine {
   std::vector<uint8_t> state_;  // mirror of the child's State
   std::vector<uint8_t> force_mask_, force_value_;
   std::vector<std::vector<uint8_t>> shadow_, shadow_mask_, shadow_value_;  // by SpaceId
+  std::vector<Stored> stored_;
   std::vector<sim::HostEvent> events_;
   sim::HostAnswers answers_;
 };

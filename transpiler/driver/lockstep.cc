@@ -14,6 +14,13 @@ std::string Named(const sim::Engine& engine, const std::string& text) {
   return std::string(engine.name()) + ": " + text;
 }
 
+/// Words without a sign; but nothing counts up to where small negative numbers are.
+std::string ArgumentText(ir::Type type, uint64_t value) {
+  constexpr uint64_t kSmallNegative = 0xFFFF'0000;
+  const bool negative = type == ir::Type::kI32 && value >= kSmallNegative;
+  return sim::ValueDigits(type, value, negative ? sim::Sign::kTwosComplement : sim::Sign::kNone);
+}
+
 }  // namespace
 
 Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines)
@@ -171,7 +178,7 @@ std::string ToText(const ir::Program& program, const sim::HostEvent& event) {
     }
     const ir::Parameter& parameter = function.parameters[i];
     text += parameter.name + ": ";
-    text += value < parameter.enumerators.size() ? parameter.enumerators[value] : std::to_string(value);
+    text += value < parameter.enumerators.size() ? parameter.enumerators[value] : ArgumentText(parameter.type, value);
   }
   return text + ")";
 }
@@ -183,11 +190,11 @@ std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>
   return text;
 }
 
-std::string ValueText(ir::Type type, uint64_t value) {
+std::string ValueText(ir::Type type, uint64_t value, sim::Sign sign) {
   if (type == ir::Type::kBit) return std::to_string(value);
   char hex[24];
   std::snprintf(hex, sizeof hex, " (0x%02llX)", static_cast<unsigned long long>(value));
-  return std::to_string(value) + hex;
+  return sim::ValueDigits(type, value, sign) + hex;
 }
 
 }  // namespace plcxx::driver

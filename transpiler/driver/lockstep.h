@@ -17,6 +17,7 @@
 
 #include "transpiler/ir/program.h"
 #include "transpiler/sim/engine.h"
+#include "transpiler/sim/value_text.h"
 
 namespace plcxx::driver {
 
@@ -87,7 +88,8 @@ class Lockstep : public sim::Engine {
 std::string ToText(const ir::Program& program, const sim::HostEvent& event);
 std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>& events);
 
-/// A value as messages show it: "1" for a bit, "18 (0x12)" for anything wider.
-std::string ValueText(ir::Type type, uint64_t value);
+/// A value as messages show it: "1" for a bit, "18 (0x12)" for a byte, "-7 (0xFFFFFFF9)" for a double word with a sign,
+/// "12.5 (0x41480000)" for a float.
+std::string ValueText(ir::Type type, uint64_t value, sim::Sign sign = sim::Sign::kNone);
 
 }  // namespace plcxx::driver

@@ -70,8 +70,9 @@ struct ExpectedCall {
 struct ExpectCallsStep {
   std::vector<ExpectedCall> calls;
 };
+/// Each by its number or its text.
 struct ExpectMessagesStep {
-  std::vector<uint32_t> numbers;
+  std::vector<std::string> messages;
 };
 struct PowerCycleStep {};
 

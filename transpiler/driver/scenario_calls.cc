@@ -7,10 +7,12 @@
 namespace plcxx::driver {
 namespace {
 
-bool Matches(const PlannedCall& call, const sim::HostEvent& event) {
+bool Matches(const ir::Program& program, const PlannedCall& call, const sim::HostEvent& event) {
   if (call.function != event.function) return false;
+  const std::vector<ir::Parameter>& parameters = program.host_functions[call.function].parameters;
   return std::all_of(call.arguments.begin(), call.arguments.end(), [&](const PlannedArgument& argument) {
-    return argument.index < event.arguments.size() && event.arguments[argument.index] == argument.value;
+    return argument.index < event.arguments.size() &&
+           sim::SameValue(parameters[argument.index].type, event.arguments[argument.index], argument.value);
   });
 }
 
@@ -53,11 +55,12 @@ std::optional<std::string> CallsMismatch(const ir::Program& program, const std::
                                          const std::vector<sim::HostEvent>& events) {
   std::vector<sim::HostEvent> counted;
   for (const sim::HostEvent& event : events) {
-    const bool named = std::any_of(expected.begin(), expected.end(),
-                                   [&](const PlannedCall& c) { return c.function == event.function; });
-    if (named || !program.host_functions[event.function].routine_exchange) counted.push_back(event);
+    const bool exchange = event.exchange || program.host_functions[event.function].routine_exchange;
+    if (!exchange) counted.push_back(event);
   }
-  const bool equal = std::equal(expected.begin(), expected.end(), counted.begin(), counted.end(), Matches);
+  const bool equal =
+      std::equal(expected.begin(), expected.end(), counted.begin(), counted.end(),
+                 [&](const PlannedCall& call, const sim::HostEvent& event) { return Matches(program, call, event); });
   if (equal) return std::nullopt;
   return "expected host calls " + WrittenText(expected) + ", found " + ToText(program, counted) +
          ImpossibleCalls(program, expected);

@@ -11,8 +11,8 @@
 
 namespace plcxx::driver {
 
-/// The events must be the expected calls, in order; of the arguments only those named count. Functions of the routine
-/// exchange count only when the list names them. None when all is as expected, else both lists in words.
+/// The events must be the expected calls, in order; of the arguments only those named count. Calls of the regular
+/// exchange do not count. None when all is as expected, else both lists in words.
 std::optional<std::string> CallsMismatch(const ir::Program& program, const std::vector<PlannedCall>& expected,
                                          const std::vector<sim::HostEvent>& events);
 

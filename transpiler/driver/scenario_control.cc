@@ -14,16 +14,51 @@ ir::Place ByteOf(ir::SpaceId space, uint32_t offset) {
   return place;
 }
 
+/// What a value of the type can hold.
+uint64_t Fitting(ir::Type type, uint64_t value) {
+  if (type == ir::Type::kNone) return 0;
+  if (type == ir::Type::kBit) return value != 0 ? 1 : 0;
+  const uint32_t bits = 8 * ir::Bytes(type);
+  return bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1);
+}
+
+std::string DeclaredText(const ir::Program& program, uint32_t number) {
+  for (const ir::MessageText& message : program.messages) {
+    if (message.number == number) return message.text;
+  }
+  return {};
+}
+
 }  // namespace
 
-ScenarioControl::ScenarioControl(const ir::Program& program, sim::Engine& engine,
+std::string TextOf(const ShownMessage& message) {
+  return message.text.empty() ? "message " + std::to_string(message.number) : message.text;
+}
+
+ScenarioControl::ScenarioControl(const ir::Program& program, const dialects::Dialect& dialect, sim::Engine& engine,
                                  std::unique_ptr<dialects::ControlStub> stub)
-    : program_(program), engine_(engine), stub_(std::move(stub)) {
+    : program_(program), dialect_(dialect), engine_(engine), stub_(std::move(stub)), messages_(program) {
   for (const ir::Space& space : program.spaces) set_bits_.emplace_back(space.bytes, uint8_t{0});
+  if (!stub_) return;
+  engine_.AnswerHostCalls(
+      [this](ir::HostFunctionId function, std::span<const uint64_t> arguments) { return Answer(function, arguments); });
+}
+
+sim::HostAnswer ScenarioControl::Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments) {
+  const ir::HostFunction& function = program_.host_functions[id];
+  sim::HostAnswer answer;
+  answer.result = Fitting(function.result, stub_->Call(function, arguments, *this, answer.out));
+  if (answer.out) answer.out = Fitting(function.out.type, *answer.out);
+  return answer;
+}
+
+void ScenarioControl::PowerOff() {
+  for (std::vector<uint8_t>& bits : set_bits_) std::fill(bits.begin(), bits.end(), uint8_t{0});
+  if (stub_) stub_->PowerOff();
 }
 
 void ScenarioControl::PowerOn() {
-  for (std::vector<uint8_t>& bits : set_bits_) std::fill(bits.begin(), bits.end(), uint8_t{0});
+  messages_.PowerOn();
   if (stub_) stub_->PowerOn(*this);
 }
 
@@ -32,10 +67,21 @@ void ScenarioControl::BeforePeriod(uint32_t now_ms) {
 }
 
 void ScenarioControl::AfterPeriod(uint32_t now_ms) {
+  LookAtMessages();
   if (!stub_) return;
   const ir::PlaceId slow_done = program_.schedule.slow_done;
   const uint64_t cycles = slow_done.valid() ? engine_.Read(program_.places[slow_done]) : 0;
   stub_->AfterPeriod(now_ms, static_cast<uint32_t>(cycles), *this);
+}
+
+void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
+  if (location.cell) {
+    if (stub_) stub_->WriteCell(*location.cell, value);
+    return;
+  }
+  engine_.Write(location.place, value);
+  if (stub_ && stub_->Written(location.place, value, *this)) return;
+  NoteSet(location.place);
 }
 
 void ScenarioControl::NoteSet(const ir::Place& place) {
@@ -47,6 +93,24 @@ void ScenarioControl::NoteSet(const ir::Place& place) {
   }
 }
 
+sim::ReadWatched ScenarioControl::Reader() {
+  return [this](const sim::Watched& watched) {
+    return watched.cell ? ReadCell(*watched.cell) : engine_.Read(watched.place);
+  };
+}
+
+void ScenarioControl::LookAtMessages() {
+  messages_.Observe(engine_);
+  for (const uint32_t number : messages_.TakeEntered()) {
+    const std::string declared = DeclaredText(program_, number);
+    const std::string shown =
+        dialect_.message_text != nullptr ? dialect_.message_text(program_, number, *this) : declared;
+    shown_.push_back({number, declared.empty() ? shown : declared, shown});
+  }
+}
+
+std::vector<ShownMessage> ScenarioControl::TakeMessages() { return std::exchange(shown_, {}); }
+
 uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
   return static_cast<uint8_t>(engine_.Read(ByteOf(space, offset)));
 }
@@ -56,6 +120,17 @@ void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
   const uint8_t kept = set_bits_[space.index][offset];
   const auto after = static_cast<uint8_t>((before & kept) | (value & ~kept));
   if (after != before) engine_.Write(ByteOf(space, offset), after);
+}
+
+sim::Watched WatchLocation(const ir::Program& program, std::string name, const dialects::Location& location) {
+  sim::Watched watched;
+  if (location.cell) {
+    watched = {.name = std::move(name), .scope = "ports", .place = location.place, .cell = location.cell};
+  } else {
+    watched = sim::Watch(program, std::move(name), location.place);
+  }
+  watched.sign = SignOf(location);
+  return watched;
 }
 
 }  // namespace plcxx::driver

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "transpiler/driver/scenario_control.h"
+
 namespace plcxx::driver {
 namespace {
 
@@ -55,15 +57,15 @@ std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, Scen
                                   std::to_string(time_ms) + " ms: " + std::string(message)});
 }
 
-std::string LastWritesText(const std::string& name, const ir::Place& place, const sim::LastWrites* writes,
+std::string LastWritesText(const std::string& name, const dialects::Location& location, const sim::LastWrites* writes,
                            const ir::Program& program, const source::SourceManager& sources) {
   if (writes == nullptr) return "  who wrote " + name + " last: only the simulator keeps a record of it";
-  const std::vector<sim::LastWrite> last = writes->Of(place);
+  const std::vector<sim::LastWrite> last = writes->Of(location.place);
   if (last.empty()) return "  nothing has written " + name + " since power-on";
   std::string text = "  last writes to " + name + ", newest first:";
   for (const sim::LastWrite& write : last) {
-    text +=
-        "\n    value " + std::to_string(write.value) + " " + Times(write) + ": " + WriterText(write, program, sources);
+    text += "\n    value " + sim::ValueDigits(location.place.type, write.value, SignOf(location)) + " " + Times(write) +
+            ": " + WriterText(write, program, sources);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "transpiler/dialects/dialect.h"
 #include "transpiler/driver/lockstep.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/ir/program.h"
@@ -21,7 +22,7 @@ std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, Scen
 
 /// Indented lines, newest write first, each with the source's place and statement. `writes` is none when no simulator
 /// takes part.
-std::string LastWritesText(const std::string& name, const ir::Place& place, const sim::LastWrites* writes,
+std::string LastWritesText(const std::string& name, const dialects::Location& location, const sim::LastWrites* writes,
                            const ir::Program& program, const source::SourceManager& sources);
 
 /// "simulator and compiled differ in U4A8 (simulator: 1, compiled: 0)"

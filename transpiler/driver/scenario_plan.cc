@@ -1,10 +1,16 @@
 #include "transpiler/driver/scenario_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <system_error>
+#include <type_traits>
 #include <utility>
+
+#include "transpiler/sim/value_text.h"
 
 namespace plcxx::driver {
 namespace {
@@ -39,6 +45,45 @@ std::optional<uint64_t> Truth(std::string_view text) {
 std::optional<uint64_t> Plain(std::string_view text) {
   if (text.starts_with("0x") || text.starts_with("0X")) return Digits(text.substr(2), 16);
   return Digits(text, 10);
+}
+
+/// None for a text that is no number, or too large for the type.
+template <class Float>
+std::optional<Float> Real(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Float value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (end != last || text.empty()) return std::nullopt;
+  if (error == std::errc()) return value;
+  if constexpr (std::is_same_v<Float, float>) {  // too large, or too small: then it is a 0 or nearly
+    const std::optional<double> wide = Real<double>(text);
+    if (wide && std::abs(*wide) < 1) return static_cast<float>(*wide);
+  }
+  return std::nullopt;
+}
+
+/// The bits of a number, a whole one in other notations included; "nan" is the quiet one without a sign.
+template <class Float, class Bits>
+std::optional<uint64_t> FloatBits(std::string_view text, const dialects::Dialect& dialect) {
+  if (text == "nan" || text == ".nan") return std::bit_cast<Bits>(std::numeric_limits<Float>::quiet_NaN());
+  const bool negative = text.starts_with('-');
+  const std::string_view magnitude = negative ? text.substr(1) : text;
+  std::optional<Float> value;
+  if (magnitude == "inf" || magnitude == ".inf") {
+    value = std::numeric_limits<Float>::infinity();
+  } else if (!magnitude.starts_with('-') && !magnitude.starts_with("inf") && !magnitude.starts_with("nan")) {
+    value = Real<Float>(magnitude);
+  }
+  if (value) return std::bit_cast<Bits>(negative ? -*value : *value);
+  const std::optional<uint64_t> whole = dialect.parse_value(text);
+  if (!whole) return std::nullopt;
+  return std::bit_cast<Bits>(static_cast<Float>(static_cast<int32_t>(*whole)));
+}
+
+/// "0 to 255"
+std::string RangeText(ir::Type type) {
+  return sim::IsFloat(type) ? "a number" : "0 to " + std::to_string(Largest(type));
 }
 
 class Planner {
@@ -78,6 +123,9 @@ class Planner {
     } else if (location->text_input && use != Use::kSet) {
       Fail(written.mark, "'" + written.text + "' can only be set: it sends a text");
       return std::nullopt;
+    } else if (location->cell && (use == Use::kForce || use == Use::kRelease)) {
+      Fail(written.mark, "'" + written.text + "' can only be set and expected: it is no memory of the program");
+      return std::nullopt;
     }
     return location;
   }
@@ -108,7 +156,7 @@ class Planner {
 
   uint64_t Value(const MarkedText& text, ir::Type type, const std::string& owner) {
     if (const std::optional<uint64_t> value = ParseScenarioValue(text.text, type, dialect_)) return *value;
-    const std::string range = "'" + owner + "' takes 0 to " + std::to_string(Largest(type));
+    const std::string range = "'" + owner + "' takes " + RangeText(type);
     Fail(text.mark, ParseScenarioValue(text.text, ir::Type::kI64, dialect_)
                         ? "value " + text.text + " does not fit: " + range
                         : "'" + text.text + "' is no value: " + range);
@@ -176,6 +224,8 @@ class Planner {
 }  // namespace
 
 std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type, const dialects::Dialect& dialect) {
+  if (type == ir::Type::kF32) return FloatBits<float, uint32_t>(text, dialect);
+  if (type == ir::Type::kF64) return FloatBits<double, uint64_t>(text, dialect);
   if (text.starts_with('-')) {
     const std::optional<uint64_t> magnitude = Plain(text.substr(1));
     if (!magnitude || type == ir::Type::kBit || *magnitude > Largest(type) / 2 + 1) return std::nullopt;

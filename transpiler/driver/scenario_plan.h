@@ -51,8 +51,10 @@ std::variant<ScenarioPlan, std::vector<ScenarioError>> PlanScenario(const Scenar
                                                                     const dialects::Dialect& dialect,
                                                                     const ir::Program& program);
 
-/// A whole number, hexadecimal with 0x, true/on/yes and false/off/no, or the dialect's own spelling. A negative number
-/// is the two's complement of `type`. None when the text is no value or does not fit.
+/// The bits of a value: a whole number, hexadecimal with 0x, true/on/yes and false/off/no, or the dialect's own
+/// spelling. A negative number is the two's complement of `type`. A float is the nearest number of its type, nan, inf
+/// or -inf; a dialect's own spelling is a whole number there, of 32 bits with a sign. None when the text is no value or
+/// does not fit.
 std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type, const dialects::Dialect& dialect);
 
 }  // namespace plcxx::driver

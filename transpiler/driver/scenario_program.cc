@@ -19,6 +19,8 @@ std::string KeyOf(const CompilationRequest& request) {
     add(value);
   }
   key += ";";
+  if (request.encoding) add(std::string(source::Name(*request.encoding)));
+  key += ";";
   for (const std::string& code : request.warnings.enabled) add(code);
   return key;
 }
@@ -36,8 +38,17 @@ CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& o
     for (const std::string& path : overrides.sources)
       request.sources.push_back(std::filesystem::absolute(path).string());
   }
-  request.options = scenario.options;
-  request.options.insert(overrides.options.begin(), overrides.options.end());
+  request.options = overrides.options;
+  for (const auto& [name, value] : scenario.options) {
+    // The one option that is the tool's own and not the dialect's; a name that is none is refused as an option.
+    const std::optional<source::Encoding> encoding =
+        name == "encoding" ? source::EncodingByName(value) : std::optional<source::Encoding>();
+    if (encoding) {
+      request.encoding = encoding;
+    } else if (name != "encoding" || value != "auto") {
+      request.options.emplace_back(name, value);
+    }
+  }
   request.warnings = overrides.warnings;
   for (const ExpectedWarning& warning : scenario.warnings.value_or(std::vector<ExpectedWarning>())) {
     request.warnings.enabled.insert(warning.code);

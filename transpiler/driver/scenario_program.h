@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace plcxx::driver {
 
 /// What the command line says about every scenario's program.
 struct ProgramOverrides {
-  std::vector<std::string> sources;            // instead of the scenario's own
-  std::map<std::string, std::string> options;  // the scenario's own win
+  std::vector<std::string> sources;                          // instead of the scenario's own
+  std::vector<std::pair<std::string, std::string>> options;  // the scenario's own win
   diag::WarningOptions warnings;
   std::string compiler;  // for the host
 };

@@ -10,7 +10,6 @@
 #include "transpiler/driver/scenario_calls.h"
 #include "transpiler/driver/scenario_control.h"
 #include "transpiler/driver/scenario_failure.h"
-#include "transpiler/sim/active_messages.h"
 #include "transpiler/sim/clock.h"
 
 namespace plcxx::driver {
@@ -19,10 +18,14 @@ namespace {
 /// What a step answers: none, or why it failed.
 using Verdict = std::optional<std::string>;
 
-std::string NumbersText(const std::vector<uint32_t>& numbers) {
+std::string ListText(const std::vector<std::string>& words) {
   std::string text;
-  for (const uint32_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return "[" + text + "]";
+}
+
+bool Names(const std::string& expected, const ShownMessage& message) {
+  return expected == std::to_string(message.number) || expected == TextOf(message) || expected == message.shown;
 }
 
 class Runner {
@@ -30,8 +33,7 @@ class Runner {
   explicit Runner(ScenarioRun run)
       : run_(std::move(run)),
         clock_(run_.program, {&run_.engines}),
-        control_(run_.program, run_.engines, std::move(run_.stub)),
-        messages_(run_.program) {
+        control_(run_.program, run_.dialect, run_.engines, std::move(run_.stub)) {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) { AfterPeriod(now_ms); };
     clock_.interrupted = [this] { return run_.engines.difference().has_value(); };
@@ -52,8 +54,7 @@ class Runner {
 
  private:
   void AfterPeriod(uint32_t now_ms) {
-    messages_.Observe(run_.engines);
-    if (run_.trace != nullptr) run_.trace->Record(before_power_cycles_ms_ + clock_.time_ms(), run_.engines);
+    if (run_.trace != nullptr) run_.trace->Record(before_power_cycles_ms_ + clock_.time_ms(), control_.Reader());
     control_.AfterPeriod(now_ms);
   }
 
@@ -65,7 +66,8 @@ class Runner {
     std::string text = StepFailure(run_.scenario, *step_->written, step_->written->mark, difference.now_ms,
                                    DifferenceText(difference));
     if (difference.place) {
-      text += "\n" + LastWritesText(difference.what, *difference.place, run_.writes, run_.program, run_.sources);
+      text +=
+          "\n" + LastWritesText(difference.what, {.place = *difference.place}, run_.writes, run_.program, run_.sources);
     }
     return text;
   }
@@ -81,8 +83,7 @@ class Runner {
           absent_values_[planned.location.place.name] = planned.value;
         continue;
       }
-      run_.engines.Write(planned.location.place, planned.value);
-      control_.NoteSet(planned.location.place);
+      control_.Set(planned.location, planned.value);
     }
     return std::nullopt;
   }
@@ -146,27 +147,33 @@ class Runner {
   }
 
   Verdict Expect(const PlannedValue& planned) {
-    const std::string& name = planned.written.text;
-    const ir::Place& place = planned.location.place;
-    const std::string expected = "expected " + name + " = " + ValueText(place.type, planned.value) + ", found ";
-    if (planned.location.absent) {
-      const auto known = absent_values_.find(place.name);
-      const uint64_t value = known == absent_values_.end() ? 0 : known->second;
-      if (value == planned.value) return std::nullopt;
-      return Failed(planned.written.mark, expected + ValueText(place.type, value) + ": the program does not use it");
+    const dialects::Location& location = planned.location;
+    const ir::Place& place = location.place;
+    const auto text = [&](uint64_t value) { return ValueText(place.type, value, SignOf(location)); };
+    const auto right = [&](uint64_t value) { return sim::SameValue(place.type, value, planned.value); };
+    const std::string expected = "expected " + planned.written.text + " = " + text(planned.value) + ", found ";
+    if (location.absent || location.cell) {
+      const uint64_t value = location.cell ? control_.ReadCell(*location.cell) : AbsentValue(place.name);
+      if (right(value)) return std::nullopt;
+      const std::string why = location.absent ? ": the program does not use it" : "";
+      return Failed(planned.written.mark, expected + text(value) + why);
     }
     bool wrong = false;
     std::string found;
     for (const auto& engine : run_.engines.engines()) {
       const uint64_t value = engine->Read(place);
-      const std::string text = ValueText(place.type, value);
-      wrong |= value != planned.value;
-      if (text == found) continue;
-      found += (found.empty() ? "" : ", but in " + std::string(engine->name()) + " ") + text;
+      wrong |= !right(value);
+      if (text(value) == found) continue;
+      found += (found.empty() ? "" : ", but in " + std::string(engine->name()) + " ") + text(value);
     }
     if (!wrong) return std::nullopt;
     return Failed(planned.written.mark, expected + found) + "\n" +
-           LastWritesText(name, place, run_.writes, run_.program, run_.sources);
+           LastWritesText(planned.written.text, location, run_.writes, run_.program, run_.sources);
+  }
+
+  uint64_t AbsentValue(const std::string& name) const {
+    const auto known = absent_values_.find(name);
+    return known == absent_values_.end() ? 0 : known->second;
   }
 
   Verdict Do(const ExpectCallsStep&) {
@@ -177,16 +184,21 @@ class Runner {
   }
 
   Verdict Do(const ExpectMessagesStep& expect) {
-    const std::vector<uint32_t> entered = messages_.TakeEntered();
-    if (entered == expect.numbers) return std::nullopt;
+    const std::vector<ShownMessage> shown = control_.TakeMessages();
+    const bool equal = std::equal(expect.messages.begin(), expect.messages.end(), shown.begin(), shown.end(), Names);
+    if (equal) return std::nullopt;
+    std::vector<std::string> words;
+    for (const ShownMessage& message : shown) {
+      words.push_back(message.text.empty() ? std::to_string(message.number) : "'" + message.text + "'");
+    }
     return Failed(step_->written->mark,
-                  "expected messages " + NumbersText(expect.numbers) + ", found " + NumbersText(entered));
+                  "expected messages " + ListText(expect.messages) + ", found " + ListText(words));
   }
 
   Verdict Do(const PowerCycleStep&) {
     before_power_cycles_ms_ += clock_.time_ms();
+    control_.PowerOff();
     clock_.PowerCycle();
-    messages_.PowerOn();
     control_.PowerOn();
     absent_values_ = absent_forces_;
     return std::nullopt;
@@ -195,7 +207,6 @@ class Runner {
   ScenarioRun run_;
   sim::Clock clock_;
   ScenarioControl control_;
-  sim::MessageTracker messages_;
   const PlannedStep* step_ = nullptr;
   /// Timers and the like that the program does not use: what the scenario wrote into them, by name.
   std::map<std::string, uint64_t> absent_values_, absent_forces_;
@@ -214,7 +225,7 @@ std::vector<sim::Watched> WatchedLocations(const ScenarioPlan& plan, const ir::P
       const std::string& name = planned.written.text;
       const bool there =
           std::any_of(watched.begin(), watched.end(), [&](const sim::Watched& w) { return w.name == name; });
-      if (!there) watched.push_back(sim::Watch(program, name, planned.location.place));
+      if (!there) watched.push_back(WatchLocation(program, name, planned.location));
     }
   }
   return watched;

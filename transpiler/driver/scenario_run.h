@@ -22,6 +22,7 @@ namespace plcxx::driver {
 struct ScenarioRun {
   const Scenario& scenario;
   const ScenarioPlan& plan;
+  const dialects::Dialect& dialect;
   const ir::Program& program;
   const source::SourceManager& sources;
   Lockstep& engines;

@@ -140,11 +140,11 @@ ExpectCallsStep ScenarioReader::ReadCalls(const YAML::Node& node) {
 ExpectMessagesStep ScenarioReader::ReadMessages(const YAML::Node& node) {
   ExpectMessagesStep step;
   if (!node.IsSequence()) {
-    Fail(Mark(node), "'expect_messages' is a list of message numbers");
+    Fail(Mark(node), "'expect_messages' is a list of numbers or texts of messages");
     return step;
   }
   for (const YAML::Node& item : node) {
-    if (const std::optional<uint32_t> number = Number(item, "a message")) step.numbers.push_back(*number);
+    if (const std::optional<MarkedText> word = Word(item, "a message")) step.messages.push_back(word->text);
   }
   return step;
 }

@@ -18,8 +18,10 @@ namespace plcxx::driver {
 
 enum class EngineChoice : uint8_t {
   kSimulator,
-  kHost,  // the generated code, compiled for this machine
-  kAll    // both in lockstep; without a C++ compiler the simulator alone
+  /// The generated code, compiled for this machine. A program that uses a function of the regular exchange for itself,
+  /// too, has the simulator beside it, which tells the one from the other.
+  kHost,
+  kAll  // both in lockstep; without a C++ compiler the simulator alone
 };
 
 struct SuiteOptions {

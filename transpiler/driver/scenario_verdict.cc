@@ -1,5 +1,6 @@
 // One scenario from its program to its verdict.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,10 @@ class Test {
       return End(TestOutcome::kUnusable, scenario_.path + ": no 'sources': the scenario names no program");
     }
     const Compilation& compilation = program_.Compiled();
+    if (compilation.wrong_use && !scenario_.expect_error) {  // its options, its dialect
+      return End(TestOutcome::kUnusable,
+                 WithDiagnostics(scenario_.path + ": the program cannot be compiled as asked for", compilation));
+    }
     if (const Failure failure = CheckCompilation(compilation)) return End(TestOutcome::kFailed, *failure);
     if (!scenario_.steps) return std::move(result_);
     const auto plan = PlanScenario(scenario_, *compilation.dialect, compilation.program);
@@ -74,16 +79,29 @@ class Test {
       failure = scenario_.path + ": the program has errors";
     }
     if (!failure && scenario_.warnings) failure = CheckExpectedWarnings(scenario_, diagnostics, sources);
-    if (failure && !diagnostics.all().empty()) *failure += "\n" + diag::RenderText(sources, diagnostics.all(), {});
-    while (failure && failure->ends_with('\n')) failure->pop_back();
+    if (failure) failure = WithDiagnostics(*failure, compilation);
     return failure;
+  }
+
+  static std::string WithDiagnostics(std::string text, const Compilation& compilation) {
+    const diag::Engine& diagnostics = compilation.diagnostics;
+    if (!diagnostics.all().empty()) text += "\n" + diag::RenderText(*compilation.sources, diagnostics.all(), {});
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+  }
+
+  /// Whether a call is one of the regular exchange cannot be told by the generated code where only the call says so.
+  static bool NeedsSimulator(const ir::Program& program) {
+    return std::any_of(program.calls.begin(), program.calls.end(), [&](const ir::Call& call) {
+      return call.exchange && call.host.valid() && !program.host_functions[call.host].routine_exchange;
+    });
   }
 
   /// The engines that were asked for, or why there are none.
   std::variant<Engines, std::string> MakeEngines(const Compilation& compilation) {
     Engines made;
     std::vector<std::unique_ptr<sim::Engine>> engines;
-    if (options_.engines != EngineChoice::kHost) {
+    if (options_.engines != EngineChoice::kHost || NeedsSimulator(compilation.program)) {
       auto simulator = std::make_unique<sim::Simulator>(compilation.program);
       simulator->RecordLastWrites();
       made.writes = simulator->last_writes();
@@ -113,6 +131,7 @@ class Test {
     sim::Trace trace(WatchedLocations(plan, compilation.program));
     Failure failure = RunScenario({.scenario = scenario_,
                                    .plan = plan,
+                                   .dialect = *compilation.dialect,
                                    .program = compilation.program,
                                    .sources = *compilation.sources,
                                    .engines = *engines.lockstep,

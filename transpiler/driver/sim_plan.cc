@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "transpiler/driver/scenario_control.h"
 #include "transpiler/driver/scenario_plan.h"
 
 namespace plcxx::driver {
@@ -77,11 +78,9 @@ bool Planner::TakeLocation(std::string_view text, dialects::Location& location) 
 bool Planner::TakeAssignment(std::string_view text, SimValue& value) {
   const size_t equals = text.find('=');
   if (equals == std::string_view::npos) return Fail(Quoted(text) + " has no value: write LOCATION=VALUE");
-  dialects::Location location;
+  dialects::Location& location = value.location;
   if (!TakeLocation(text.substr(0, equals), location)) return false;
   const std::string_view written = text.substr(equals + 1);
-  value.place = location.place;
-  value.text_input = location.text_input;
   value.text = written;
   if (location.text_input) return true;
   if (location.absent) return Fail(Quoted(text.substr(0, equals)) + " does not exist in this program");
@@ -115,7 +114,7 @@ bool Planner::Watch() {
     if (!TakeLocation(name, location)) return false;
     if (location.text_input) return Fail(Quoted(name) + " cannot be read");
     if (location.absent) return Fail(Quoted(name) + " does not exist in this program");
-    plan_.watched.push_back(sim::Watch(compilation_.program, name, location.place));
+    plan_.watched.push_back(WatchLocation(compilation_.program, name, location));
   }
   if (plan_.watched.size() > kMostWatched) return Fail("--watch takes up to 16 locations");
   return true;
@@ -138,7 +137,7 @@ bool Planner::Forced() {
   for (const std::string& text : words_.force) {
     SimValue value;
     if (!TakeAssignment(text, value)) return false;
-    if (value.text_input) return Fail(Quoted(text) + " cannot be forced");
+    if (value.location.text_input || value.location.cell) return Fail(Quoted(text) + " cannot be forced");
     plan_.forced.push_back(std::move(value));
   }
   return true;
@@ -167,7 +166,7 @@ bool Planner::Graph() {
   if (!words_.delay.empty() && !TakeDuration("--delay", words_.delay, delay_ms)) return false;
   if (!words_.sampling.empty() && !TakeDuration("--sampling", words_.sampling, sampling_ms)) return false;
   if (sampling_ms == 0) return Fail("--sampling takes a time above 0");
-  plan_.graph = sim::Graph::Options{.trigger = location.place,
+  plan_.graph = sim::Graph::Options{.trigger = WatchLocation(compilation_.program, name, location),
                                     .edge = edge == "rising" ? sim::Edge::kRising : sim::Edge::kFalling,
                                     .sampling_ms = static_cast<uint32_t>(std::min<uint64_t>(sampling_ms, UINT32_MAX)),
                                     .delay_ms = static_cast<uint32_t>(std::min<uint64_t>(delay_ms, UINT32_MAX)),

@@ -29,11 +29,10 @@ struct SimWords {
 };
 
 struct SimValue {
-  uint64_t time_ms = 0;  // of --at
-  ir::Place place;
+  uint64_t time_ms = 0;         // of --at
+  dialects::Location location;  // not absent
   uint64_t value = 0;
-  bool text_input = false;
-  std::string text;
+  std::string text;  // for a text input
 };
 
 struct SimPlan {

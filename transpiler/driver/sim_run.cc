@@ -8,7 +8,6 @@
 
 #include "transpiler/driver/lockstep.h"
 #include "transpiler/driver/scenario_control.h"
-#include "transpiler/sim/active_messages.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
 
@@ -24,8 +23,8 @@ std::string Right(std::string text, size_t width) {
 }
 
 /// A word as the control's monitor shows it: binary digits and decimal value.
-std::string MonitorText(ir::Type type, uint64_t value) {
-  if (type != ir::Type::kI8) return std::to_string(value);
+std::string MonitorText(const sim::Watched& watched, uint64_t value) {
+  if (watched.place.type != ir::Type::kI8) return sim::ValueDigits(watched.place.type, value, watched.sign);
   std::string digits;
   for (size_t bit = kByteBits; bit-- > 0;) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
   return digits + Right(std::to_string(value), 4);
@@ -49,14 +48,14 @@ class Table {
     out_ << '\n';
   }
 
-  void Row(uint64_t time_ms, sim::Engine& engine) {
+  void Row(uint64_t time_ms, const sim::ReadWatched& read) {
     if (watched_.empty()) return;
     std::vector<uint64_t> values;
-    for (const sim::Watched& column : watched_) values.push_back(engine.Read(column.place));
+    for (const sim::Watched& column : watched_) values.push_back(read(column));
     if (rows_ == Rows::kChangesOnly && values == last_) return;
     out_ << Right(std::to_string(time_ms), kTimeWidth);
     for (size_t i = 0; i < values.size(); ++i) {
-      out_ << "  " << Right(MonitorText(watched_[i].place.type, values[i]), ColumnWidth(watched_[i]));
+      out_ << "  " << Right(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
     }
     out_ << '\n';
     last_ = std::move(values);
@@ -73,11 +72,8 @@ class Table {
   std::vector<uint64_t> last_;
 };
 
-std::string MessageText(const ir::Program& program, uint32_t number) {
-  for (const ir::MessageText& message : program.messages) {
-    if (message.number == number) return "message " + std::to_string(number) + ": " + message.text;
-  }
-  return "message " + std::to_string(number);
+std::string MessageLine(const ShownMessage& message) {
+  return "message " + std::to_string(message.number) + (message.shown.empty() ? "" : ": " + message.shown);
 }
 
 /// Writes what --at asks for at its time, before the period.
@@ -89,11 +85,10 @@ class TimedValues {
   void Apply(uint64_t now_ms) {
     for (; next_ < values_.size() && values_[next_].time_ms <= now_ms; ++next_) {
       const SimValue& value = values_[next_];
-      if (value.text_input) {
+      if (value.location.text_input) {
         engine_.SendText(value.text);
       } else {
-        engine_.Write(value.place, value.value);
-        control_.NoteSet(value.place);
+        control_.Set(value.location, value.value);
       }
     }
   }
@@ -111,9 +106,9 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
                          std::unique_ptr<dialects::ControlStub> stub, std::ostream& out) {
   const ir::Program& program = compilation.program;
   sim::Simulator simulator(program);
-  ScenarioControl control(program, simulator, std::move(stub));
+  ScenarioControl control(program, *compilation.dialect, simulator, std::move(stub));
+  const sim::ReadWatched read = control.Reader();
   TimedValues timed(plan.at, simulator, control);
-  sim::MessageTracker messages(program);
   sim::Clock clock(program, {&simulator});
   Table table(plan.graph ? std::vector<sim::Watched>() : plan.watched, options.rows, out);
   SimOutcome outcome;
@@ -126,14 +121,13 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
   };
   clock.after_period = [&](uint32_t now_ms) {
     control.AfterPeriod(now_ms);
-    table.Row(clock.time_ms(), simulator);
+    table.Row(clock.time_ms(), read);
     for (const sim::HostEvent& event : simulator.TakeEvents()) {
-      table.Event(clock.time_ms(), "host call " + ToText(program, event));
+      if (!event.exchange) table.Event(clock.time_ms(), "host call " + ToText(program, event));
     }
-    messages.Observe(simulator);
-    for (const uint32_t number : messages.TakeEntered()) table.Event(clock.time_ms(), MessageText(program, number));
-    if (options.with_trace) outcome.trace.Record(clock.time_ms(), simulator);
-    if (plan.graph) graph.Observe(clock.time_ms(), simulator);
+    for (const ShownMessage& message : control.TakeMessages()) table.Event(clock.time_ms(), MessageLine(message));
+    if (options.with_trace) outcome.trace.Record(clock.time_ms(), read);
+    if (plan.graph) graph.Observe(clock.time_ms(), read);
     ++outcome.periods;
   };
   const auto slow_cycles = [&]() -> uint64_t {
@@ -141,7 +135,7 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
     return count.valid() ? simulator.Read(program.places[count]) : outcome.periods;
   };
 
-  for (const SimValue& forced : plan.forced) simulator.Force(forced.place, forced.value);
+  for (const SimValue& forced : plan.forced) simulator.Force(forced.location.place, forced.value);
   for (const ir::StatementId statement : plan.disconnected) simulator.EnableStatement(statement, false);
   clock.PowerOn();
   control.PowerOn();

@@ -1,5 +1,12 @@
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::emit {
 namespace {
@@ -16,13 +23,22 @@ std::string Hex(uint64_t value, uint32_t digits) {
   return "0x" + out;
 }
 
+/// The shortest decimal that reads back as the same number; numbers that have none by their bits.
+template <class T>
+std::string FloatText(T value, std::string_view suffix) {
+  char text[32];
+  const std::to_chars_result end = std::to_chars(std::begin(text), std::end(text), value);
+  std::string out(text, end.ptr);
+  if (out.find_first_of(".e") == std::string::npos) out += ".0";
+  return out.append(suffix);
+}
+
 Spelling SpellConstant(const ir::Inst& inst) {
   const uint64_t value = ir::ConstantValue(inst);
-  if (inst.type == ir::Type::kBit) return {value != 0 ? "true" : "false", Precedence::kPrimary};
-  if (inst.c == 16) return {Hex(value, 2 * ir::Bytes(inst.type)), Precedence::kPrimary};
-  // A literal that no int holds needs its suffix on every target.
-  const bool wide = value > 0x7FFF;
-  return {std::to_string(value) + (wide ? "u" : ""), Precedence::kPrimary};
+  const bool integer = inst.type != ir::Type::kBit && inst.type != ir::Type::kF32 && inst.type != ir::Type::kF64;
+  if (integer && inst.c == 16) return {Hex(value, 2 * ir::Bytes(inst.type)), Precedence::kPrimary};
+  const std::string text = ConstantText(inst.type, value);
+  return {text, text.front() == '-' ? Precedence::kUnary : Precedence::kPrimary};
 }
 
 /// C++ compilers warn where `&` meets `|` without brackets, and readers hesitate; only a chain of one operator goes
@@ -35,25 +51,13 @@ bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   return !(inner == outer && left && inner >= Precedence::kAnd);
 }
 
-/// Compilers warn of a comparison with a constant that no value passes; called by name it is just false.
-bool NeverTrue(const Emittable& emittable, const ir::Inst& inst) {
-  const bool less = inst.op == ir::OpKind::kLess8, greater = inst.op == ir::OpKind::kGreater8;
-  if (!less && !greater) return false;
-  const auto is = [&emittable](uint32_t word, uint64_t value) {
-    const ir::Inst& operand = (*emittable.program)[ir::ValueId(word)];
-    return operand.op == ir::OpKind::kConst && ir::ConstantValue(operand) == value;
-  };
-  return is(inst.b, less ? 0 : 255) || is(inst.a, less ? 255 : 0);
-}
-
 Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
   // "{0}" alone: the conversion is C++'s own.
   if (info.spelling == "{0}") return Spell(emittable, local_names, ir::ValueId(inst.a));
-  if (NeverTrue(emittable, inst)) {
-    const std::string name = inst.op == ir::OpKind::kLess8 ? "Less8(" : "Greater8(";
-    return {name + Spell(emittable, local_names, ir::ValueId(inst.a)).text + ", " +
+  if (IsForegone(*emittable.program, inst)) {
+    return {std::string(info.function) + "(" + Spell(emittable, local_names, ir::ValueId(inst.a)).text + ", " +
                 Spell(emittable, local_names, ir::ValueId(inst.b)).text + ")",
             Precedence::kPrimary};
   }
@@ -83,6 +87,51 @@ Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, co
 
 }  // namespace
 
+std::string ConstantText(ir::Type type, uint64_t value) {
+  switch (type) {
+    case ir::Type::kBit:
+      return value != 0 ? "true" : "false";
+    case ir::Type::kF32: {
+      const auto number = std::bit_cast<float>(static_cast<uint32_t>(value));
+      if (!std::isfinite(number)) return "F32OfBits(" + Hex(value, 8) + ")";
+      return FloatText(number, "F");
+    }
+    case ir::Type::kF64: {
+      const auto number = std::bit_cast<double>(value);
+      PLCXX_CHECK(std::isfinite(number));  // no operation gives one yet
+      return FloatText(number, "");
+    }
+    case ir::Type::kNone:
+    case ir::Type::kI8:
+    case ir::Type::kI16:
+    case ir::Type::kI32:
+    case ir::Type::kI64:
+      break;
+  }
+  // A literal that no int holds needs its suffix on every target.
+  return std::to_string(value) + (value > 0x7FFF ? "u" : "");
+}
+
+std::string ElementName(const Emittable& emittable, Storage storage, uint32_t index) {
+  if (storage == Storage::kRetentiveByte) return std::to_string(index);
+  const auto name = emittable.element_names.find({storage, index});
+  if (name != emittable.element_names.end()) return name->second;
+  PLCXX_CHECK(storage == Storage::kByte);  // all others have the name of a place
+  const auto& stretches = emittable.layout.stretches;
+  const auto behind = std::upper_bound(stretches.begin(), stretches.end(), index,
+                                       [](uint32_t wanted, const Stretch& stretch) { return wanted < stretch.index; });
+  PLCXX_CHECK(behind != stretches.begin());
+  const uint32_t first = std::prev(behind)->index;
+  return emittable.element_names.at({storage, first}) + " + " + std::to_string(index - first);
+}
+
+Spelling SpellPlace(const Emittable& emittable, const LocalNames& local_names, ir::PlaceId place, ir::ValueId index) {
+  const std::string& name = emittable.place_names[place.index];
+  if (emittable.layout.places[place.index].storage == Storage::kLocal) return {name, Precedence::kPrimary};
+  if (!emittable.program->places[place].indexed) return {"m[" + name + "]", Precedence::kPrimary};
+  return {"m[At(" + name + ", " + Spell(emittable, local_names, index).text + ")]", Precedence::kPrimary};
+}
+
 Spelling Spell(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value) {
   if (emittable.local_value[value.index]) return {local_names.at(value.index), Precedence::kPrimary};
   return SpellDefinition(emittable, local_names, value);
@@ -97,12 +146,8 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
       return SpellConstant(inst);
     case ir::Shape::kPure:
       return SpellPure(emittable, local_names, inst);
-    case ir::Shape::kLoad: {
-      const ir::PlaceId place(inst.payload);
-      const std::string& name = emittable.place_names[place.index];
-      if (emittable.layout.places[place.index].storage == Storage::kLocal) return {name, Precedence::kPrimary};
-      return {"m[" + name + "]", Precedence::kPrimary};
-    }
+    case ir::Shape::kLoad:
+      return SpellPlace(emittable, local_names, ir::PlaceId(inst.payload), ir::ValueId(inst.a));
     case ir::Shape::kStep: {
       std::string out;
       const uint32_t words[] = {inst.a, inst.b, inst.c};
@@ -131,16 +176,23 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
         out += ", ";
         if (!parameter.enumerators.empty() && argument.op == ir::OpKind::kConst) {
           out += function.name + "_" + parameter.name + "::" + parameter.enumerators.at(ir::ConstantValue(argument));
+        } else if (!parameter.enumerators.empty()) {
+          out += "static_cast<" + function.name + "_" + parameter.name + ">(" +
+                 Spell(emittable, local_names, call.arguments[i]).text + ")";
         } else {
           out += Spell(emittable, local_names, call.arguments[i]).text;
         }
       }
+      if (call.out.valid()) out += ", " + SpellPlace(emittable, local_names, call.out, {}).text;
       return {out + ")", Precedence::kPrimary};
     }
     case ir::Shape::kCall: {
       const ir::Call& call = program.calls[ir::CallId(inst.payload)];
       std::string out = program.routines[call.routine].name + "(m";
       for (const ir::ValueId argument : call.arguments) out += ", " + Spell(emittable, local_names, argument).text;
+      for (const ir::PlaceId place : emittable.routine_locals[call.routine.index].shared) {
+        out += ", " + emittable.place_names[place.index];
+      }
       return {out + ", host)", Precedence::kPrimary};
     }
     case ir::Shape::kStore:

@@ -47,6 +47,12 @@ struct Spelling {
 /// Where a long expression may be broken; the statement printer replaces it by a blank or a line end.
 constexpr char kBreak = '\x01';
 Spelling Spell(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value);
+/// A place as it is read and written: "m[U4A8]", "s"; of an indexed one, its element `index`.
+Spelling SpellPlace(const Emittable& emittable, const LocalNames& local_names, ir::PlaceId place, ir::ValueId index);
+/// The raw bits of a value as a decimal constant: "true", "40000u", "1.5F".
+std::string ConstantText(ir::Type type, uint64_t value);
+/// An element of an array member of State by its name, or by the name of its stretch: "U4A8", "DB100 + 3".
+std::string ElementName(const Emittable& emittable, Storage storage, uint32_t index);
 /// What a local's name stands for; the same as Spell for a value without local.
 Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value);
 

@@ -33,8 +33,7 @@ class TagPrinter {
   void StateTags();
   void FieldTags(ir::StateKind kind, uint8_t field);
   void Constant(const std::string& type, uint32_t place, const std::string& value);
-  /// The byte `index` of State::byte by the name that it has or that its stretch has.
-  std::string ByteName(uint32_t index) const;
+  std::string ByteName(uint32_t index) const { return ElementName(emittable_, Storage::kByte, index); }
   std::string WideType(std::string_view prefix, const ir::Place& place) const;
   std::vector<uint32_t> PlacesIn(Storage storage) const;
   std::string DocumentationOf(const ir::Place& place) const;
@@ -42,7 +41,6 @@ class TagPrinter {
   const Emittable& emittable_;
   const ir::Program& program_;
   std::map<std::string_view, const ir::Documentation*> documentation_;
-  std::map<uint32_t, std::string> byte_names_;  // by index in State::byte
   std::string out_;
 };
 
@@ -103,51 +101,41 @@ void TagPrinter::ArrayTags(std::string_view comment, std::string_view type, Stor
   Enumeration(comment, type, entries);
 }
 
-std::string TagPrinter::ByteName(uint32_t index) const {
-  const auto named = byte_names_.find(index);
-  if (named != byte_names_.end()) return named->second;
-  const auto& stretches = emittable_.layout.stretches;
-  for (size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& stretch = stretches[i];
-    if (index < stretch.index || index >= stretch.index + (stretch.end - stretch.begin)) continue;
-    const uint32_t behind = index - stretch.index;
-    return emittable_.stretch_names[i] + (behind == 0 ? "" : " + " + std::to_string(behind));
-  }
-  PLCXX_UNREACHABLE();
-}
-
 /// Single bytes count up by themselves. A stretch has a name, by which its bytes and the next stretch are told, so
 /// that one more byte anywhere changes no other line.
 void TagPrinter::ByteTags() {
   std::vector<Entry> entries;
   for (const uint32_t i : PlacesIn(Storage::kByte)) {
     const uint32_t index = emittable_.layout.places[i].index;
-    byte_names_.emplace(index, emittable_.place_names[i]);
     entries.push_back({index, emittable_.place_names[i], "", DocumentationOf(program_.places[ir::PlaceId(i)])});
   }
+  const auto by_index = [](const Entry& a, const Entry& b) { return a.index < b.index; };
   const auto& stretches = emittable_.layout.stretches;
-  for (size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& stretch = stretches[i];
-    const std::string& name = emittable_.stretch_names[i];
-    const ir::Space& space = program_.spaces[stretch.space];
-    const std::string range = space.name + " " + std::to_string(stretch.begin) + ".." + std::to_string(stretch.end - 1);
-    const std::string value = i == 0 ? ""
-                                     : emittable_.stretch_names[i - 1] + " + " +
-                                           std::to_string(stretches[i - 1].end - stretches[i - 1].begin);
-    const bool own = byte_names_.find(stretch.index) == byte_names_.end();
-    if (own) entries.push_back({stretch.index, name, value, ""});
-    for (Entry& entry : entries) {
-      if (entry.index < stretch.index || entry.index >= stretch.index + (stretch.end - stretch.begin)) continue;
-      const uint32_t behind = entry.index - stretch.index;
-      if (behind == 0) {
-        entry.value = value;
-        entry.comment = range + " at several widths" + (entry.comment.empty() ? "" : "; " + entry.comment);
-      } else {
-        entry.value = name + " + " + std::to_string(behind);
-      }
+  for (const Stretch& stretch : stretches) {
+    if (!std::binary_search(entries.begin(), entries.end(), Entry{stretch.index, "", "", ""}, by_index)) {
+      entries.push_back({stretch.index, ByteName(stretch.index), "", ""});
+      std::inplace_merge(entries.begin(), entries.end() - 1, entries.end(), by_index);
     }
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
+  for (size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& stretch = stretches[i];
+    const auto begin = std::lower_bound(entries.begin(), entries.end(), Entry{stretch.index, "", "", ""}, by_index);
+    for (auto entry = begin; entry != entries.end(); ++entry) {
+      const uint32_t behind = entry->index - stretch.index;
+      if (behind >= stretch.end - stretch.begin) break;
+      if (behind > 0) {
+        entry->value = ByteName(stretch.index) + " + " + std::to_string(behind);
+        continue;
+      }
+      if (i > 0) {
+        const Stretch& before = stretches[i - 1];
+        entry->value = ByteName(before.index) + " + " + std::to_string(before.end - before.begin);
+      }
+      const std::string range = program_.spaces[stretch.space].name + " " + std::to_string(stretch.begin) + ".." +
+                                std::to_string(stretch.end - 1) + " at several widths";
+      entry->comment = range + (entry->comment.empty() ? "" : "; " + entry->comment);
+    }
+  }
   Enumeration("Words.", "Byte", entries);
 }
 

@@ -3,7 +3,8 @@
 //   slow: s1 ... s900   ->   slow: slow_U4A8(m, host); slow_T5(m, host); ...
 //
 // A border lies behind a statement whose own text says so (its id, a hash of the text), so that inserting a statement
-// moves no other border. Values never cross a statement, so any statement's end can be a border.
+// moves no other border. Values never cross a statement, so any statement's end can be a border. What leaves a block or
+// loop around the region stays where it is, for no jump leads out of a function; its neighbours may be chunks.
 
 #include <algorithm>
 #include <unordered_set>
@@ -23,33 +24,46 @@ constexpr uint32_t kLeastPerPart = 1000;  // statements of a file
 constexpr uint32_t kMostPerPart = 4000;
 constexpr uint32_t kPartBorderEvery = 8;  // about one chunk in so many
 constexpr uint32_t kOneFile = 3000;       // up to so many statements the program is one file
+constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
 struct Cutter {
   Emittable& emittable;
   const ir::Program& program;
   std::vector<uint32_t> statements;  // by RegionId, nested ones included
+  std::vector<uint32_t> depth;       // by RegionId: 0 for the parts of a routine
+  std::vector<uint32_t> reaches;     // by RegionId: the least depth that an Exit or Repeat in it leaves for
+  std::vector<uint32_t> home;        // by InstId of blocks and loops: the depth of their region
   std::unordered_set<std::string> names;
   std::string prefix;
 
-  uint32_t CountStatements(ir::RegionId region);
+  void Measure(ir::RegionId region, uint32_t at_depth);
   uint32_t StatementsOf(ir::RegionId region, const ir::Item& item) const;
+  bool Stays(ir::RegionId region, const ir::Item& item) const;
   void VisitNested(ir::RegionId region, const ir::Item& item);
   void Visit(ir::RegionId region);
   void Cut(ir::RegionId region);
-  void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count);
+  void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count,
+                size_t first_nested);
   void MakeParts();
 };
 
-uint32_t Cutter::CountStatements(ir::RegionId region) {
-  uint32_t count = 0;
+void Cutter::Measure(ir::RegionId region, uint32_t at_depth) {
+  uint32_t count = 0, reached = kNowhere;
+  depth[region.index] = at_depth;
   for (const ir::InstId id : program.regions[region].insts) {
     const ir::Inst& inst = program[id];
     if (inst.op == ir::OpKind::kStatement) ++count;
     if (ir::Info(inst.op).effect != ir::Effect::kControl) continue;
-    for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) count += CountStatements(owned);
+    home[id.index] = at_depth;
+    if (inst.op == ir::OpKind::kExit || inst.op == ir::OpKind::kRepeat) reached = std::min(reached, home[inst.payload]);
+    for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) {
+      Measure(owned, at_depth + 1);
+      count += statements[owned.index];
+      reached = std::min(reached, reaches[owned.index]);
+    }
   }
   statements[region.index] = count;
-  return count;
+  reaches[region.index] = reached;
 }
 
 uint32_t Cutter::StatementsOf(ir::RegionId region, const ir::Item& item) const {
@@ -60,6 +74,21 @@ uint32_t Cutter::StatementsOf(ir::RegionId region, const ir::Item& item) const {
     }
   }
   return count;
+}
+
+/// Whether it has to be in the function of its region: it leaves a block or loop around that, or it is the rest of a
+/// statement outside, whose values it may use.
+bool Cutter::Stays(ir::RegionId region, const ir::Item& item) const {
+  const uint32_t own = depth[region.index];
+  if (own > 0 && !item.statement.valid()) return true;
+  for (uint32_t i = item.begin; i < item.end; ++i) {
+    const ir::Inst& inst = program[program.regions[region].insts[i]];
+    if (inst.op == ir::OpKind::kExit || inst.op == ir::OpKind::kRepeat) return true;
+    for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) {
+      if (reaches[owned.index] < own) return true;
+    }
+  }
+  return false;
 }
 
 void Cutter::VisitNested(ir::RegionId region, const ir::Item& item) {
@@ -94,22 +123,39 @@ void Cutter::Visit(ir::RegionId region) {
 void Cutter::Cut(ir::RegionId region) {
   const std::vector<ir::Item> items = ir::Items(program, region);
   size_t first = 0;
+  size_t first_nested = emittable.chunks.size();
   uint32_t count = 0;
+  bool whole = true;  // nothing stays
+  const auto restart = [&](size_t next) {
+    first = next;
+    first_nested = emittable.chunks.size();
+    count = 0;
+  };
   for (size_t i = 0; i < items.size(); ++i) {
     const uint32_t own = StatementsOf(region, items[i]);
-    if (own > kMostStatements) VisitNested(region, items[i]);
+    const bool stays = Stays(region, items[i]);
+    if (stays) {
+      // Between two that stay, a few statements are no function of their own.
+      if (count >= kLeastStatements) AddChunk(region, items, first, i - 1, count, first_nested);
+      whole = false;
+    }
+    if (own > (stays ? kLeastStatements : kMostStatements)) VisitNested(region, items[i]);
+    if (stays) {
+      restart(i + 1);
+      continue;
+    }
     count += own;
     const bool border = items[i].statement.valid() && program.statements[items[i].statement].id % kBorderEvery == 0;
-    if (i + 1 == items.size() || count >= kMostStatements || (border && count >= kLeastStatements)) {
-      AddChunk(region, items, first, i, count);
-      first = i + 1;
-      count = 0;
+    const bool last = i + 1 == items.size() && (whole || count >= kLeastStatements);
+    if (last || count >= kMostStatements || (border && count >= kLeastStatements)) {
+      AddChunk(region, items, first, i, count, first_nested);
+      restart(i + 1);
     }
   }
 }
 
 void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last,
-                      uint32_t count) {
+                      uint32_t count, size_t first_nested) {
   std::string name = prefix;
   uint32_t id = 0;
   for (size_t i = first; i <= last; ++i) {
@@ -126,31 +172,50 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
     name += hash;
     for (uint32_t i = 2; !names.insert(name).second; ++i) name += "_" + std::to_string(i);
   }
-  emittable.region_chunks[region.index].push_back(static_cast<uint32_t>(emittable.chunks.size()));
-  emittable.chunks.push_back({name, region, items[first].begin, items[last].end, 0, count, false});
+  const auto index = static_cast<uint32_t>(emittable.chunks.size());
+  for (size_t i = first_nested; i < index; ++i) {
+    if (emittable.chunks[i].parent == Chunk::kNoParent) emittable.chunks[i].parent = index;
+  }
+  emittable.region_chunks[region.index].push_back(index);
+  Chunk chunk;
+  chunk.name = name;
+  chunk.region = region;
+  chunk.begin = items[first].begin;
+  chunk.end = items[last].end;
+  chunk.statements = count;
+  emittable.chunks.push_back(std::move(chunk));
 }
 
 void Cutter::MakeParts() {
+  std::vector<Chunk>& chunks = emittable.chunks;
   uint32_t total = 0;
-  for (const Chunk& chunk : emittable.chunks) total += chunk.top_level ? chunk.statements : 0;
+  for (const Chunk& chunk : chunks) total += chunk.parent == Chunk::kNoParent ? chunk.statements : 0;
   if (total <= kOneFile) return;
   uint32_t in_part = 0;
-  uint32_t next = 0;  // first chunk, nested ones included, that has no part yet
-  ir::RegionId region;
-  for (uint32_t index = 0; index < emittable.chunks.size(); ++index) {
-    const Chunk& chunk = emittable.chunks[index];
-    if (!chunk.top_level) continue;
-    if (in_part == 0 || chunk.region != region) {
-      emittable.parts.push_back({"_" + chunk.name, "run_" + chunk.name});
+  bool full = true;
+  const Chunk* previous = nullptr;  // that a routine calls
+  for (uint32_t index = 0; index < chunks.size(); ++index) {
+    Chunk& chunk = chunks[index];
+    if (chunk.parent != Chunk::kNoParent) continue;
+    const bool follows = previous != nullptr && previous->region == chunk.region && previous->end == chunk.begin;
+    const bool other_region = previous != nullptr && previous->region != chunk.region;
+    if (full || (other_region && in_part >= kLeastPerPart)) {
+      emittable.parts.push_back({"_" + chunk.name});
       in_part = 0;
-      region = chunk.region;
+      full = false;
     }
-    // The chunks cut out of this one stand before it and go into its file.
-    for (; next <= index; ++next) emittable.chunks[next].part = static_cast<uint32_t>(emittable.parts.size() - 1);
+    chunk.part = static_cast<uint32_t>(emittable.parts.size() - 1);
+    if (!follows || chunk.part != previous->part) emittable.runs.push_back({"run_" + chunk.name, chunk.part, {}, {}});
+    emittable.runs.back().chunks.push_back(index);
+    previous = &chunk;
     in_part += chunk.statements;
     uint32_t id = 0;
     for (const char c : chunk.name) id = id * 31 + static_cast<unsigned char>(c);
-    if (in_part >= kMostPerPart || (in_part >= kLeastPerPart && id % kPartBorderEvery == 0)) in_part = 0;
+    full = in_part >= kMostPerPart || (in_part >= kLeastPerPart && id % kPartBorderEvery == 0);
+  }
+  // A chunk stands behind those cut out of it, and goes into the same file.
+  for (uint32_t index = static_cast<uint32_t>(chunks.size()); index-- > 0;) {
+    if (chunks[index].parent != Chunk::kNoParent) chunks[index].part = chunks[chunks[index].parent].part;
   }
 }
 
@@ -160,31 +225,26 @@ void CutChunks(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.region_chunks.assign(program.regions.size(), {});
   emittable.parts.push_back({});
-  Cutter cutter{emittable, program, std::vector<uint32_t>(program.regions.size(), 0), {}, {}};
+  Cutter cutter{.emittable = emittable,
+                .program = program,
+                .statements = std::vector<uint32_t>(program.regions.size()),
+                .depth = std::vector<uint32_t>(program.regions.size()),
+                .reaches = std::vector<uint32_t>(program.regions.size()),
+                .home = std::vector<uint32_t>(program.insts.size()),
+                .names = {},
+                .prefix = {}};
   for (const std::string& name : emittable.place_names) cutter.names.insert(name);
   for (const std::string& name : emittable.state_names) cutter.names.insert(name);
   for (const ir::Routine& routine : program.routines) {
     cutter.names.insert(routine.name);
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-      if (region.valid()) cutter.CountStatements(region);
+      if (region.valid()) cutter.Measure(region, 0);
     }
   }
   for (const ir::Routine& routine : program.routines) {
     if (!routine.body.valid()) continue;
     cutter.prefix = routine.name;
-    const size_t first = emittable.chunks.size();
     cutter.Visit(routine.body);
-    // Top-level chunks are those of the body, or of the pieces of a sliced body.
-    std::vector<ir::RegionId> tops = {routine.body};
-    for (const ir::InstId id : program.regions[routine.body].insts) {
-      if (program[id].op != ir::OpKind::kSwitch) continue;
-      for (const ir::RegionId arm : ir::OwnedRegions(program, program[id])) tops.push_back(arm);
-    }
-    for (size_t i = first; i < emittable.chunks.size(); ++i) {
-      if (std::find(tops.begin(), tops.end(), emittable.chunks[i].region) != tops.end()) {
-        emittable.chunks[i].top_level = true;
-      }
-    }
   }
   cutter.MakeParts();
 }

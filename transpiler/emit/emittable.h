@@ -6,7 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "transpiler/emit/layout.h"
@@ -23,6 +26,17 @@ struct EmitOptions {
   bool line_directives = false;
 };
 
+/// The named locals of a function, each list in the order of the places.
+struct Locals {
+  struct Declared {
+    ir::PlaceId place;
+    bool read = false;  // a compiler would report a local that is only written
+  };
+  std::vector<Declared> declared;   // of its own
+  std::vector<ir::PlaceId> shared;  // of its caller, by reference
+  std::vector<ir::PlaceId> values;  // parameters, by value
+};
+
 /// A function of its own for a stretch of statements: small functions compile in linear time and stay in cache.
 struct Chunk {
   std::string name;
@@ -30,13 +44,33 @@ struct Chunk {
   uint32_t begin = 0, end = 0;  // indices into the region's instructions
   uint32_t part = 0;            // index into Emittable::parts
   uint32_t statements = 0;      // nested ones included
-  bool top_level = false;       // called by the routine itself, not by the chunk it was cut from
+  uint32_t parent = kNoParent;  // the chunk that calls it; none: its routine does
+  Locals locals;
+
+  static constexpr uint32_t kNoParent = 0xFFFFFFFF;
 };
 
 /// One generated .cpp file; part 0 holds the routines themselves.
 struct Part {
   std::string suffix;  // "" or "_slow_U4A8": the file is <name><suffix>.cpp
-  std::string entry;   // the function that runs all chunks of this part; empty for part 0
+};
+
+/// Chunks of one file that a routine of part 0 calls directly after each other, by one function.
+struct ChunkRun {
+  std::string name;
+  uint32_t part = 0;
+  std::vector<uint32_t> chunks;
+  Locals locals;
+};
+
+/// How an Exit or a Repeat gets to where it goes.
+enum class Leave : uint8_t { kFallsThrough, kReturn, kBreak, kContinue, kGoto };
+
+/// What a Block or Loop has beside its body.
+struct Landing {
+  std::string behind;   // label behind it; empty: nothing goes there by goto
+  std::string again;    // label at a loop's head, likewise
+  bool braces = false;  // of a block: around locals that a goto would jump over
 };
 
 struct Emittable {
@@ -44,16 +78,22 @@ struct Emittable {
   EmitOptions options;
   Layout layout;
   std::string namespace_name;
-  std::vector<std::string> place_names;    // by PlaceId; empty: nothing uses it
-  std::vector<std::string> state_names;    // by StateId
-  std::vector<std::string> stretch_names;  // by index in Layout::stretches: of its first byte
-  std::vector<bool> local_value;           // by InstId: computed into a named const before its use
-  std::vector<Chunk> chunks;               // nested ones before the ones that call them
-  std::vector<std::vector<uint32_t>>
-      region_chunks;  // by RegionId: what the region was cut into; empty: printed in place
+  std::vector<std::string> place_names;  // by PlaceId; empty: nothing uses it
+  std::vector<std::string> state_names;  // by StateId
+  /// By Storage (of arrays that are not retentive) and index: the name of the element. Of a stretch the first byte
+  /// always has one.
+  std::map<std::pair<Storage, uint32_t>, std::string> element_names;
+  std::vector<bool> local_value;       // by InstId: computed into a named const before its use
+  std::vector<Locals> routine_locals;  // by RoutineId
+  std::vector<Chunk> chunks;           // nested ones before the ones that call them
+  /// By RegionId: what of the region was cut out, ascending; the rest is printed in place.
+  std::vector<std::vector<uint32_t>> region_chunks;
   std::vector<Part> parts;
-  std::vector<std::string> functions;  // of runtime_support that expressions call, sorted
-  std::vector<bool> host_used;         // by HostFunctionId
+  std::vector<ChunkRun> runs;
+  std::unordered_map<uint32_t, Leave> leaves;      // by InstId, of every Exit and Repeat
+  std::unordered_map<uint32_t, Landing> landings;  // by InstId, of blocks and loops that have anything
+  std::vector<std::string> functions;              // of runtime_support that expressions call, sorted
+  std::vector<bool> host_used;                     // by HostFunctionId
 };
 
 /// `program` is structured, sliced and optimized, and outlives the result.
@@ -66,5 +106,14 @@ std::string Print(const Emittable& emittable);
 void NamePlaces(Emittable& emittable);
 void PlaceTemporaries(Emittable& emittable);
 void CutChunks(Emittable& emittable);
+void ShareLocals(Emittable& emittable);
+void ChooseLeaves(Emittable& emittable);
+
+/// A comparison whose outcome the ranges of its operands decide, so that compilers warn of its operator.
+bool IsForegone(const ir::Program& program, const ir::Inst& inst);
+/// Whether it has anything to print or to execute of its own; values are spelled where they are used.
+bool IsEffect(const Emittable& emittable, ir::InstId id);
+/// Whether another routine shares its callers' locals when it calls this one.
+constexpr bool SharesLocals(ir::RoutineKind kind) { return kind == ir::RoutineKind::kSubroutine; }
 
 }  // namespace plcxx::emit

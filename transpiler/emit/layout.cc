@@ -67,19 +67,9 @@ Storage WordOf(Type type) {
   PLCXX_UNREACHABLE();
 }
 
-/// The members of State for words, in the order of Storage from kWord16 on.
-struct WordMember {
-  std::string_view name, element;
-  uint32_t bytes;
-};
-constexpr WordMember kWordMembers[] = {{"word16", "uint16_t", 2},
-                                       {"word32", "uint32_t", 4},
-                                       {"word64", "uint64_t", 8},
-                                       {"float32", "float", 4},
-                                       {"float64", "double", 8}};
-constexpr size_t kWords = std::size(kWordMembers);
-
+constexpr size_t kWords = 5;
 size_t WordIndex(Storage storage) { return static_cast<size_t>(storage) - static_cast<size_t>(Storage::kWord16); }
+uint32_t WordBytes(Storage storage) { return ir::Bytes(WordMemberOf(storage).type); }
 
 struct Builder {
   const ir::Program& program;
@@ -227,8 +217,9 @@ void Builder::LayOut() {
     offset += count * size;
   };
   const auto add_word = [&](Storage storage) {
-    const WordMember& member = kWordMembers[WordIndex(storage)];
-    add(std::string(member.name), std::string(member.element), words[WordIndex(storage)], member.bytes, member.bytes);
+    const WordMember& member = WordMemberOf(storage);
+    const uint32_t size = ir::Bytes(member.type);
+    add(std::string(member.name), std::string(ir::CppName(member.type)), words[WordIndex(storage)], size, size);
   };
   if (layout.retentive_bytes > 0) {
     const uint32_t size = RoundUp(kRetentiveHeader + layout.retentive_bytes, 4);
@@ -273,11 +264,9 @@ void Builder::Locate(PlaceStorage& stored) const {
     case Storage::kWord32:
     case Storage::kWord64:
     case Storage::kFloat32:
-    case Storage::kFloat64: {
-      const WordMember& member = kWordMembers[WordIndex(stored.storage)];
-      stored.offset = MemberOffset(member.name) + member.bytes * stored.index;
+    case Storage::kFloat64:
+      stored.offset = MemberOffset(WordMemberOf(stored.storage).name) + WordBytes(stored.storage) * stored.index;
       break;
-    }
     case Storage::kRetentiveByte:
     case Storage::kRetentiveBit:
     case Storage::kRetentiveWide:
@@ -317,7 +306,7 @@ void Builder::ResolvePlaces(const std::vector<bool>& used) {
       Locate(stored.whole);
       for (PlaceStorage& bit : stored.bits) Locate(bit);
       if (!IsWord(stored.whole.storage)) continue;
-      const uint32_t size = kWordMembers[WordIndex(stored.whole.storage)].bytes;
+      const uint32_t size = WordBytes(stored.whole.storage);
       stored.whole.offset += big_endian ? size - 1 - in_word : in_word;
       in_word = in_word + 1 == size ? 0 : in_word + 1;
     }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -87,6 +88,11 @@ Layout MakeLayout(const ir::Program& program);
 
 /// A member word or float: a value with a place in State of its own type.
 bool IsWord(Storage storage);
+struct WordMember {
+  std::string_view name;  // of the array in State, "word16"
+  ir::Type type;
+};
+const WordMember& WordMemberOf(Storage storage);
 /// Of an indexed place: the lowest index whose value lies in [low, high), how many there are from there on, and the
 /// byte of that first one, counted from `low`.
 struct Elements {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/emit/layout.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::emit {
 namespace {
@@ -12,6 +13,16 @@ uint32_t RoundUp(uint32_t value, uint32_t alignment) { return (value + alignment
 }  // namespace
 
 bool IsWord(Storage storage) { return storage >= Storage::kWord16 && storage <= Storage::kFloat64; }
+
+const WordMember& WordMemberOf(Storage storage) {
+  static constexpr WordMember kMembers[] = {{"word16", ir::Type::kI16},
+                                            {"word32", ir::Type::kI32},
+                                            {"word64", ir::Type::kI64},
+                                            {"float32", ir::Type::kF32},
+                                            {"float64", ir::Type::kF64}};
+  PLCXX_CHECK(IsWord(storage));
+  return kMembers[static_cast<size_t>(storage) - static_cast<size_t>(Storage::kWord16)];
+}
 
 Elements ElementsOf(const ir::Place& place) {
   const int64_t stride = place.stride;

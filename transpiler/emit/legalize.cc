@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
@@ -29,9 +30,16 @@ void FindUsedFunctions(Emittable& emittable) {
     if (bracket != std::string_view::npos && bracket > 0) {
       emittable.functions.emplace_back(info.spelling.substr(0, bracket));
     }
-    // Comparisons that never hold are called by name, see SpellPure.
+    // Comparisons that may never hold are called by name, see IsForegone.
     if (op == ir::OpKind::kLess8) emittable.functions.emplace_back("Less8");
     if (op == ir::OpKind::kGreater8) emittable.functions.emplace_back("Greater8");
+  }
+  for (const ir::Inst& inst : emittable.program->insts) {
+    if (IsForegone(*emittable.program, inst)) emittable.functions.emplace_back(ir::Info(inst.op).function);
+    const bool number = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32;
+    if (number && ConstantText(inst.type, ir::ConstantValue(inst)).front() == 'F') {
+      emittable.functions.emplace_back("F32OfBits");
+    }
   }
   std::sort(emittable.functions.begin(), emittable.functions.end());
   emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
@@ -59,29 +67,40 @@ void NamePlaces(Emittable& emittable) {
     return std::tuple(a.state.index, a.field, a.space.index, a.offset, a.bit, a.address, a.name) <
            std::tuple(b.state.index, b.field, b.space.index, b.offset, b.bit, b.address, b.name);
   });
-  // Names that a user did not choose come first: an address keeps its own spelling even beside an odd symbol.
+  // Locals come before all, for they are not to hide any name. A parameter has the name that the routine says.
   emittable.place_names.resize(program.places.size());
+  const auto is_local = [&emittable](uint32_t i) { return emittable.layout.places[i].storage == Storage::kLocal; };
+  for (const ir::Routine& routine : program.routines) {
+    for (size_t i = 0; i < routine.parameters.size(); ++i) {
+      emittable.place_names[routine.parameter_places[i].index] = routine.parameters[i].name;
+      names.Reserve(routine.parameters[i].name);
+    }
+  }
+  for (const uint32_t i : order) {
+    if (is_local(i) && emittable.place_names[i].empty()) {
+      emittable.place_names[i] = names.Allocate(program.places[ir::PlaceId(i)].name, "local");
+    }
+  }
+  // Names that a user did not choose come first: an address keeps its own spelling even beside an odd symbol.
   for (const bool symbols : {false, true}) {
     for (const uint32_t i : order) {
       const ir::Place& place = program.places[ir::PlaceId(i)];
       const bool is_symbol = !place.address.empty() && place.address != place.name;
-      if (is_symbol != symbols || emittable.layout.places[i].storage == Storage::kNone) continue;
-      emittable.place_names[i] = emittable.layout.places[i].storage == Storage::kLocal
-                                     ? SafeIdentifier(place.name)
-                                     : names.Allocate(place.name, is_symbol ? place.address : "");
+      if (is_symbol != symbols || emittable.layout.places[i].storage == Storage::kNone || is_local(i)) continue;
+      emittable.place_names[i] = names.Allocate(place.name, is_symbol ? place.address : "");
     }
   }
-  // A stretch has the name of its first byte, if that is a place.
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    const PlaceStorage& stored = emittable.layout.places[i];
+    const bool element = stored.storage == Storage::kBit || stored.storage == Storage::kByte || IsWord(stored.storage);
+    if (!element || emittable.place_names[i].empty()) continue;
+    std::string& name = emittable.element_names[{stored.storage, stored.index}];
+    if (name.empty() || emittable.place_names[i] < name) name = emittable.place_names[i];
+  }
   for (const Stretch& stretch : emittable.layout.stretches) {
-    std::string name;
-    for (uint32_t i = 0; i < program.places.size(); ++i) {
-      const PlaceStorage& stored = emittable.layout.places[i];
-      const std::string& other = emittable.place_names[i];
-      if (stored.storage != Storage::kByte || stored.index != stretch.index || other.empty()) continue;
-      if (name.empty() || other < name) name = other;
-    }
+    std::string& name = emittable.element_names[{Storage::kByte, stretch.index}];
     const std::string address = program.spaces[stretch.space].name + "_" + std::to_string(stretch.begin);
-    emittable.stretch_names.push_back(name.empty() ? names.Allocate(address, "byte") : name);
+    if (name.empty()) name = names.Allocate(address, "byte");
   }
   // An instance whose own name is the name of its signal ("P6") gives way: the signal is what statements name.
   for (const ir::StateInstance& state : program.states) {
@@ -99,6 +118,8 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   NamePlaces(emittable);
   PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
   CutChunks(emittable);
+  ShareLocals(emittable);   // after CutChunks: chunks get them, too
+  ChooseLeaves(emittable);  // after CutChunks: what ends a function decides what `return` leaves
   return emittable;
 }
 

@@ -29,6 +29,12 @@ std::string Json(std::string_view text) {
 /// The name of the file alone: where it lay when it was translated is nobody's business.
 std::string_view FileName(std::string_view path) { return path.substr(path.find_last_of("/\\") + 1); }
 
+/// Of an indexed place `offset` is where its stretch begins; the first value of it lies `first` bytes behind.
+void Elements(const emit::Elements& elements, const ir::Place& place, std::string& out) {
+  out += ", \"first\": " + std::to_string(elements.first) + ", \"stride\": " + std::to_string(place.stride) +
+         ", \"lowest_index\": " + std::to_string(elements.lowest) + ", \"count\": " + std::to_string(elements.count);
+}
+
 void Symbols(const Emittable& emittable, std::string& out) {
   const ir::Program& program = *emittable.program;
   std::map<std::string_view, const ir::Documentation*> documentation;
@@ -47,6 +53,9 @@ void Symbols(const Emittable& emittable, std::string& out) {
     if (stored.storage == Storage::kPackedBit || stored.storage == Storage::kRetentiveBit) {
       out += ", \"bit\": " + std::to_string(stored.bit);
     }
+    const bool wide = stored.storage == Storage::kWide || stored.storage == Storage::kRetentiveWide || place.indexed;
+    if (wide && program.spaces[place.space].order == ir::ByteOrder::kBig) out += ", \"order\": \"big\"";
+    if (place.indexed) Elements(ElementsOf(place), place, out);
     const auto row = documentation.find(address);
     if (row != documentation.end()) {
       const ir::Documentation& known = *row->second;

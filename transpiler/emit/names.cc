@@ -22,8 +22,8 @@ constexpr std::string_view kTaken[] = {
     // names of the generated code
     "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
     "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
-    "round", "copy", "layout", "At", "messages", "menu_texts", "send_operator_text", "get_byte", "set_byte",
-    "retentive", "Clear", "ReapplyForces"};
+    "round", "copy", "layout", "At", "F32OfBits", "kValues", "messages", "menu_texts", "send_operator_text", "get_byte",
+    "set_byte", "retentive", "Clear", "ReapplyForces"};
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }

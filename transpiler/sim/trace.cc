@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "transpiler/sim/value_text.h"
-
 namespace plcxx::sim {
 
 Watched Watch(const ir::Program& program, std::string name, const ir::Place& place) {
   std::string scope = place.is_field() ? std::string(ir::Info(program.states[place.state].kind).text)
                                        : program.spaces[place.space].name;
-  return {std::move(name), std::move(scope), place, {}};
+  return {.name = std::move(name), .scope = std::move(scope), .place = place, .cell = {}};
 }
 
 ReadWatched ReadsFrom(Engine& engine) {
@@ -44,7 +42,8 @@ std::string WriteTable(const Trace& trace) {
   for (const Sample& sample : trace.samples()) {
     std::vector<std::string> row = {std::to_string(sample.time_ms)};
     for (size_t i = 0; i < sample.values.size(); ++i) {
-      row.push_back(ValueDigits(trace.watched()[i].place.type, sample.values[i]));
+      const Watched& watched = trace.watched()[i];
+      row.push_back(ValueDigits(watched.place.type, sample.values[i], watched.sign));
     }
     rows.push_back(std::move(row));
   }

@@ -14,6 +14,7 @@
 
 #include "transpiler/ir/program.h"
 #include "transpiler/sim/engine.h"
+#include "transpiler/sim/value_text.h"
 
 namespace plcxx::sim {
 
@@ -22,6 +23,7 @@ struct Watched {
   std::string scope;  // what it belongs to, for the waveform's tree: "A", "on_delay_timer"
   ir::Place place;
   std::optional<uint32_t> cell;  // no memory: a number that means something to the reader; `place` has a type only
+  Sign sign = Sign::kNone;
 };
 
 /// Gives the value of what is watched.

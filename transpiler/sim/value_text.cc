@@ -19,10 +19,12 @@ float AsF32(uint64_t value) { return std::bit_cast<float>(static_cast<uint32_t>(
 
 }  // namespace
 
-std::string ValueDigits(ir::Type type, uint64_t value) {
+std::string ValueDigits(ir::Type type, uint64_t value, Sign sign) {
   if (type == ir::Type::kF32) return Shortest(AsF32(value));
   if (type == ir::Type::kF64) return Shortest(std::bit_cast<double>(value));
-  return std::to_string(value);
+  if (sign == Sign::kNone || type == ir::Type::kBit || type == ir::Type::kNone) return std::to_string(value);
+  const uint32_t unused = 64 - 8 * ir::Bytes(type);
+  return std::to_string(static_cast<int64_t>(value << unused) >> unused);
 }
 
 bool SameValue(ir::Type type, uint64_t a, uint64_t b) {

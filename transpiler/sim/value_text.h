@@ -10,8 +10,11 @@
 
 namespace plcxx::sim {
 
-/// "18", "12.5", "-0", "nan", "inf", "-inf". Integers have no sign here: -1 of 32 bits is "4294967295".
-std::string ValueDigits(ir::Type type, uint64_t value);
+/// Whether integers are read as two's complement; a bit never is.
+enum class Sign : uint8_t { kNone, kTwosComplement };
+
+/// "18", "-7", "12.5", "-0", "nan", "inf", "-inf".
+std::string ValueDigits(ir::Type type, uint64_t value, Sign sign = Sign::kNone);
 
 constexpr bool IsFloat(ir::Type type) { return type == ir::Type::kF32 || type == ir::Type::kF64; }
 

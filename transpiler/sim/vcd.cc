@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "transpiler/sim/trace.h"
-#include "transpiler/sim/value_text.h"
 
 namespace plcxx::sim {
 namespace {

@@ -30,7 +30,9 @@ Program ParseProgram(const dialects::Request& request) {
 }
 
 std::string Syntax(dialects::Request& request) {
-  const std::string text = PrintSyntax(*request.sources, ParseProgram(request));
+  const Program tree = ParseProgram(request);
+  const std::string text = PrintSyntax(*request.sources, tree);
+  PlaceInFirstLines(tree, *request.diagnostics);
   request.diagnostics->LimitErrors(kMostErrors);
   return text;
 }
@@ -39,6 +41,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   diag::Engine& diagnostics = *request.diagnostics;
   const Program tree = ParseProgram(request);
   CheckProgram(tree, *request.sources, diagnostics);
+  PlaceInFirstLines(tree, diagnostics);
   diagnostics.LimitErrors(kMostErrors);
   dialects::Lowered lowered;
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};

@@ -88,11 +88,14 @@ class Lexer {
         return false;
       }
       Open();
+      if (continued_ == 0) continued_ = reader_.at();
     }
   }
 
   void AddStatement() {
     in_drawing_ = false;
+    continued_ = 0;
+    const size_t first_line = line_ - 1;
     const auto first = static_cast<uint32_t>(result_.tokens.size());
     Line line;
     if (Advance()) {
@@ -111,6 +114,10 @@ class Lexer {
     if (line.tokens.count > 0) {
       line.kind = LineKind::kStatement;
       line.range = {result_.tokens[first].range.begin, result_.tokens.back().range.end};
+    }
+    if (continued_ != 0) {
+      line.continuation.first = RangeOf(starts_[first_line], EndOfLine(first_line));
+      line.continuation.rest = RangeOf(continued_, EndOfLine(line_ - 1));
     }
     result_.lines.push_back(line);
   }
@@ -151,7 +158,8 @@ class Lexer {
   const std::vector<uint32_t>& starts_;
   LexedFile result_;
   TokenReader reader_;
-  size_t line_ = 0;  // the next physical line
+  size_t line_ = 0;       // the next physical line
+  size_t continued_ = 0;  // where the second physical line of the statement begins; 0: it has none
   bool in_drawing_ = false;
 };
 

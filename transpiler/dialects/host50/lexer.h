@@ -21,8 +21,9 @@ enum class LineKind : uint8_t { kBlank, kComment, kStatement, kRow };
 struct Line {
   LineKind kind = LineKind::kBlank;
   Span tokens;
-  source::Range range;    // first to last token; of a row the whole line; empty for the others
-  source::Range comment;  // from ';' on, blanks at the end removed; empty where there is none (rows: always)
+  source::Range range;        // first to last token; of a row the whole line; empty for the others
+  source::Range comment;      // from ';' on, blanks at the end removed; empty where there is none (rows: always)
+  Continuation continuation;  // empty where the statement has one physical line
   // For the parser:
   bool consumed = false;  // it has dealt with the whole line
   bool faulty = false;    // an error was reported for it: its instruction reports none

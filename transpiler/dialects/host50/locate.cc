@@ -70,11 +70,10 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
     location.place.field = field->field;
     const std::string number = NameOf(WithoutAttribute(*address));
     const std::string_view symbol = SymbolOf(program, number);
+    const std::string_view name = symbol.empty() || !IsAscii(symbol) ? std::string_view(number) : symbol;
     for (uint32_t i = 0; i < program.states.size(); ++i) {
       const ir::StateInstance& state = program.states[ir::StateId(i)];
-      if (state.kind == field->kind && state.name == (symbol.empty() ? number : symbol)) {
-        location.place.state = ir::StateId(i);
-      }
+      if (state.kind == field->kind && state.name == name) location.place.state = ir::StateId(i);
     }
     location.absent = !location.place.state.valid();
   } else {

@@ -133,7 +133,7 @@ std::string Lowering::SubjectOf(Span rung) const {
       return SubroutineName(tree_.sections[OperandOf(tree_, instruction, 0).section].number);
     }
     const int32_t operand = SubjectOperand(instruction);
-    if (operand >= 0) return SpelledName(OperandOf(tree_, instruction, static_cast<uint32_t>(operand)).address);
+    if (operand >= 0) return NameInCode(OperandOf(tree_, instruction, static_cast<uint32_t>(operand)).address);
     if (otherwise.empty() && Info(instruction.op).form == Form::kBlock) otherwise = Info(instruction.op).name;
   }
   return otherwise;
@@ -149,11 +149,16 @@ uint32_t Lowering::AddStatement(source::Range range, std::string subject) {
 }
 
 void Lowering::BeginStatement(Span rung) {
-  const InstructionId first(rung.first), last(rung.first + rung.count - 1);
-  AddComments(tree_.instructions[first].comments);
-  const bool is_drawing = tree_.networks[now_.network].is_drawing;
-  const source::Range range = LinesOf(tree_.instructions[first].range, tree_.instructions[last].range, is_drawing);
-  // Its row comment is part of the lines.
+  // A drawing is executed in another order than its rows.
+  source::Range first = tree_.instructions[InstructionId(rung.first)].range, last = first;
+  for (uint32_t i = 0; i < rung.count; ++i) {
+    const Instruction& instruction = tree_.instructions[InstructionId(rung.first + i)];
+    if (instruction.range.begin < first.begin) first = instruction.range;
+    if (instruction.range.end > last.end) last = instruction.range;
+    AddComments(instruction.comments);
+  }
+  const source::Range range = LinesOf(first, last, tree_.networks[now_.network].is_drawing);
+  // Row comments, and comments between the lines, are part of the lines.
   std::erase_if(waiting_comments_, [&range](source::Range comment) { return comment.begin >= range.begin; });
   now_.statement_id = AddStatement(range, SubjectOf(rung));
 }

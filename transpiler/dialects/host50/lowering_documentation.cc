@@ -25,11 +25,16 @@ void Lowering::Document() {
       if (entry.meaning.empty()) entry.meaning = signal.meaning;
     }
     if (entry.predefined == entry.symbols) entry.predefined.clear();
+    for (const Alarm& alarm : tree_.alarms) {
+      if (address.area == Area::kQ && address.number == kFirstAlarm + alarm.index && !alarm.text.empty()) {
+        entry.meaning = alarm.text;
+      }
+    }
     const auto comment = comments.find(KeyOf(WithoutAttribute(address)));
     if (comment != comments.end() && !comment->second.empty()) entry.meaning = comment->second;
-    for (const Alarm& alarm : tree_.alarms) {
-      const bool is_this = address.area == Area::kQ && address.number == kFirstAlarm + alarm.index;
-      if (is_this && entry.meaning.empty()) entry.meaning = alarm.text;
+    // What the code does not call by its symbol is explained by it.
+    if (!entry.symbols.empty() && !IsAscii(entry.symbols)) {
+      entry.meaning = entry.symbols + (entry.meaning.empty() ? "" : ": " + entry.meaning);
     }
     program_.documentation.push_back(std::move(entry));
   }

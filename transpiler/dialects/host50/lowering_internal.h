@@ -94,7 +94,9 @@ class Lowering {
   std::vector<InstructionId> Endangered(const WriteSet& writes);
   bool ReadsAny(InstructionId id, const WriteSet& writes);
   bool SameInput(const Input& a, const Input& b) const;
+  /// The input's results have one user less, or one more.
   void Release(const Input& input);
+  void Retain(const Input& input);
   ir::ValueId And(ir::ValueId a, ir::ValueId b);
   ir::ValueId Or(ir::ValueId a, ir::ValueId b);
   ir::ValueId Not(ir::ValueId a);
@@ -163,8 +165,10 @@ class Lowering {
   ir::PlaceId PlaceOf(const Address& address);
   ir::ValueId Load(const Address& address) { return builder_.Load(PlaceOf(address)); }
   void Store(const Address& address, ir::ValueId value);
-  /// "PUMP", "Q0", "T_RUN.Q".
+  /// "PUMP", "Q0", "T_RUN.Q": as the source calls it, by its symbol if there is one.
   std::string SpelledName(const Address& address) const;
+  /// The same, by the address where the symbol has characters that a name in C++ does not.
+  std::string NameInCode(const Address& address) const;
   ir::StateId InstanceOf(const Address& timer_or_counter);
   /// Edges and axis blocks, one for each instruction: named by what they look at, and by their statement where another
   /// one looks at the same.

@@ -19,6 +19,11 @@ std::string Lowering::SpelledName(const Address& address) const {
   return tree_.symbols[symbol->second].name + attribute;
 }
 
+std::string Lowering::NameInCode(const Address& address) const {
+  std::string name = SpelledName(address);
+  return IsAscii(name) ? name : NameOf(address);
+}
+
 ir::PlaceId Lowering::PlaceOf(const Address& address) {
   const auto [found, is_new] = places_.try_emplace(KeyOf(address));
   if (!is_new) return found->second;
@@ -31,7 +36,7 @@ ir::PlaceId Lowering::PlaceOf(const Address& address) {
   } else {
     place = MemoryPlace(address);
   }
-  place.name = SpelledName(address);
+  place.name = NameInCode(address);
   if (place.name != NameOf(address)) place.address = NameOf(address);
   const ir::PlaceId id = program_.places.Add(std::move(place));
   places_[KeyOf(address)] = id;
@@ -52,7 +57,7 @@ ir::StateId Lowering::InstanceOf(const Address& timer_or_counter) {
     used_.push_back(address);
     const auto field = FieldOf(address);
     PLCXX_CHECK(field.has_value());
-    found->second = program_.states.Add({.kind = field->kind, .name = SpelledName(address)});
+    found->second = program_.states.Add({.kind = field->kind, .name = NameInCode(address)});
   }
   return found->second;
 }
@@ -62,10 +67,10 @@ std::string Lowering::OwnName(const Instruction& instruction) const {
   const InstructionInfo& info = Info(instruction.op);
   if (instruction.operands.count == 0) return {};
   const Operand& operand = OperandOf(tree_, instruction, 0);
-  if (info.state == State::kEdge) return SpelledName(operand.address) + "_edge";
+  if (info.state == State::kEdge) return NameInCode(operand.address) + "_edge";
   if (info.state != State::kAxis) return {};
   const std::string axis = operand.kind == OperandKind::kConstant ? std::to_string(static_cast<int32_t>(operand.bits))
-                                                                  : SpelledName(operand.address);
+                                                                  : NameInCode(operand.address);
   return std::string(info.name) + "_" + axis;
 }
 

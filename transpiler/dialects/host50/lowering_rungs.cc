@@ -121,6 +121,11 @@ void Lowering::Release(const Input& input) {
   for (uint32_t i = 0; i < input.results.count; ++i) --results_[tree_.results[input.results.first + i].index].uses;
 }
 
+void Lowering::Retain(const Input& input) {
+  if (input.kind != InputKind::kResults) return;
+  for (uint32_t i = 0; i < input.results.count; ++i) ++results_[tree_.results[input.results.first + i].index].uses;
+}
+
 /// The value of a result that has been computed, or is a contact alone.
 ValueId Lowering::Take(InstructionId id) {
   Result& result = results_[id.index];
@@ -238,13 +243,16 @@ void Lowering::ActIf(InstructionId id) {
   const Instruction& instruction = tree_.instructions[id];
   const WriteSet writes = WritesOf(instruction);
   const auto act = [&] { Act(instruction); };
-  if (open_if_.then.valid() && SameInput(open_if_.input, instruction.input) && Endangered(writes).empty()) {
+  if (open_if_.then.valid() && SameInput(open_if_.input, instruction.input)) {
     Release(instruction.input);
-    const ir::RegionId behind = builder_.region();
-    builder_.SetRegion(open_if_.then);
-    act();
-    builder_.SetRegion(behind);
-    return;
+    if (Endangered(writes).empty()) {
+      const ir::RegionId behind = builder_.region();
+      builder_.SetRegion(open_if_.then);
+      act();
+      builder_.SetRegion(behind);
+      return;
+    }
+    Retain(instruction.input);
   }
   const ValueId condition = TakeInput(instruction.input);
   Keep(Endangered(writes));

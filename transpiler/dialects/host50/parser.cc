@@ -127,6 +127,9 @@ Program Parser::Run(std::span<const source::FileId> files) {
     files_.push_back(Lex(sources_, file));
     program_.line_count += sources_.LineCount(file);
     EnterFile(files_.back());
+    for (const Line& line : files_.back().lines) {
+      if (line.continuation.rest.end != 0) program_.continuations.push_back(line.continuation);
+    }
     ReportUndefinedBytes();
   }
   ReadStructure();
@@ -135,6 +138,17 @@ Program Parser::Run(std::span<const source::FileId> files) {
   ReadBodies();
   CheckCalls(program_, diagnostics_);
   return std::move(program_);
+}
+
+void PlaceInFirstLines(const Program& program, diag::Engine& diagnostics) {
+  if (program.continuations.empty()) return;
+  diagnostics.MovePlaces([&](source::Range range) {
+    const auto behind = std::ranges::upper_bound(program.continuations, range.begin, {},
+                                                 [](const Continuation& lines) { return lines.rest.begin; });
+    if (behind == program.continuations.begin()) return range;
+    const Continuation& lines = *std::prev(behind);
+    return range.begin <= lines.rest.end ? lines.first : range;
+  });
 }
 
 Program Parse(const source::SourceManager& sources, std::span<const source::FileId> files,

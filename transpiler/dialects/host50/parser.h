@@ -18,6 +18,9 @@ namespace plcxx::host50 {
 Program Parse(const source::SourceManager& sources, std::span<const source::FileId> files,
               const std::map<std::string, std::string>& options, diag::Engine& diagnostics);
 
+/// What has been reported in a continued line moves to the first line of its statement (2.2).
+void PlaceInFirstLines(const Program& program, diag::Engine& diagnostics);
+
 /// One token per line, "line:column kind text", for `plcxx print tokens`.
 std::string PrintTokens(const source::SourceManager& sources, source::FileId file);
 /// Sections, networks and instructions, one per line, for `plcxx print syntax`.

@@ -352,11 +352,11 @@ void Parser::ReadSubroutine(Operand& operand) {
     Fault(token.range, diag::Host50SubroutineNameExpected, found);
   } else if (*number > kGreatestLabel) {
     Fault(token.range, diag::Host50LabelRange, text);
-  } else if (const auto found = subroutines_.find(*number); found == subroutines_.end()) {
+  } else if (const auto section = subroutines_.find(*number); section == subroutines_.end()) {
     Fault(token.range, diag::Host50UndefinedSubroutine, text);
   } else {
     operand.kind = OperandKind::kSubroutine;
-    operand.section = found->second;
+    operand.section = section->second;
   }
 }
 
@@ -371,9 +371,9 @@ void Parser::ReadJumpTarget(Operand& operand) {
     Fault(token.range, diag::Host50JumpTargetExpected, found);
   } else if (*number > kGreatestLabel) {
     Fault(token.range, diag::Host50LabelRange, text);
-  } else if (const auto found = labels_.find({section_, *number}); found != labels_.end()) {
+  } else if (const auto network = labels_.find({section_, *number}); network != labels_.end()) {
     operand.kind = OperandKind::kNetwork;
-    operand.network = found->second;
+    operand.network = network->second;
   } else if (program_.sections[section_].kind != SectionKind::kNone) {
     Fault(token.range, diag::Host50UndefinedLabel, text);
   }

@@ -1,5 +1,6 @@
 #include "transpiler/dialects/host50/places.h"
 
+#include <algorithm>
 #include <array>
 
 #include "transpiler/dialects/host50/syntax.h"
@@ -155,6 +156,10 @@ std::optional<InstanceField> FieldOf(const Address& address) {
 }
 
 std::string NameOf(const Address& address) { return ToText(address).substr(1); }
+
+bool IsAscii(std::string_view symbol) {
+  return std::ranges::all_of(symbol, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
 
 Address WithoutAttribute(Address address) {
   address.attribute = Attribute::kNone;

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "transpiler/dialects/host50/machine.h"
 #include "transpiler/ir/program.h"
@@ -37,6 +38,8 @@ std::optional<InstanceField> FieldOf(const Address& address);
 
 /// The address as maps and scenarios write it: "Q0", "TM3.V".
 std::string NameOf(const Address& address);
+/// Can a name in C++ be made of this symbol? Else the address stands for it.
+bool IsAscii(std::string_view symbol);
 /// "TM3" of all its attributes.
 Address WithoutAttribute(Address address);
 

@@ -167,6 +167,12 @@ struct Comment {
   CommentPlace place = CommentPlace::kAbove;
 };
 
+/// A statement of several physical lines: its diagnostics stand in the first one (2.2).
+struct Continuation {
+  source::Range first;  // what the first line holds
+  source::Range rest;   // from the second line on
+};
+
 struct TitleField {
   TitleKey key{};
   std::string text;
@@ -211,6 +217,7 @@ struct Program {
   std::vector<InstructionId> results;
   support::Store<ExprId, Expr> exprs;
   std::vector<Comment> comments;
+  std::vector<Continuation> continuations;  // in source order
   uint32_t line_count = 0;
   uint32_t statement_count = 0;  // instructions and elements
 };

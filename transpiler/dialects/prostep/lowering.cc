@@ -218,6 +218,7 @@ ir::Program Lowering::Run() {
   AddModuleRoutines();
   Init();
   for (uint32_t i = 0; i < tree_.modules.size(); ++i) LowerModule(ModuleId(i));
+  Document();
   Fast();
   Slow();
   Advance();

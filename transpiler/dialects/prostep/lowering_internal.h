@@ -228,6 +228,9 @@ class Lowering {
   // --- declarations (lowering_tables.cc) ---
   void Messages();
   void MFunctions();
+  /// Of the places that statements use: before the schedule adds its own.
+  void Document();
+  std::string DeclaredComment(uint32_t address, uint32_t bytes) const;
   /// Sets or clears the bits that the M function `number`, an i8, has by its DMF.
   void SetDeclaredBits(ir::ValueId number, bool value, bool also_static);
 

@@ -65,7 +65,8 @@ void Parser::TakeStatement(const LexedFile& lexed, const Line& line) {
     return opens ? OpenModule(statement) : CloseModule(statement);
   }
   if (!module_.valid()) return ReportOutside(statement);
-  if (first == TokenKind::kClass) return TakeOperandLine(statement);
+  // Junk at the beginning is a 'K' that runs into a character which may not stand there.
+  if (first == TokenKind::kClass || first == TokenKind::kJunk) return TakeOperandLine(statement);
   FinishWaiting();
   TakeInstruction(statement);
 }

@@ -1,0 +1,255 @@
+// If, switch, loops, blocks, and the ways out of them.
+
+#include "transpiler/emit/part_printer.h"
+#include "transpiler/ir/builder.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::emit {
+namespace {
+
+std::string Bracketed(const Spelling& spelling) {
+  return spelling.precedence <= ir::Precedence::kUnary ? spelling.text : "(" + spelling.text + ")";
+}
+
+ir::IfOrigin OriginOf(const ir::Inst& inst) { return static_cast<ir::IfOrigin>(inst.payload); }
+
+}  // namespace
+
+std::string PartPrinter::Condition(const ir::Inst& inst) {
+  const Spelling condition = Spell(emittable_, local_names_, ir::ValueId(inst.a));
+  if (!debug() || !statement_.valid()) return condition.text;
+  const bool head = program_.statements[statement_].opens_block;
+  switch (head ? ir::IfOrigin::kSource : OriginOf(inst)) {
+    case ir::IfOrigin::kSource:
+      return On() + " & " + Bracketed(condition);
+    case ir::IfOrigin::kJumps:
+      return Switchable() ? On() + " && " + Bracketed(condition) : condition.text;
+    case ir::IfOrigin::kStays:
+      return Switchable() ? "!" + On() + " || " + Bracketed(condition) : condition.text;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+ir::InstId PartPrinter::ChainedIf(ir::RegionId otherwise, ir::StatementId& statement) const {
+  const auto& insts = program_.regions[otherwise].insts;
+  const ir::InstId last = insts.back();
+  if (program_[last].op != ir::OpKind::kIf || !emittable_.region_chunks[otherwise.index].empty()) return {};
+  statement = {};
+  for (size_t i = 0; i + 1 < insts.size(); ++i) {
+    const ir::Inst& other = program_[insts[i]];
+    if (other.op == ir::OpKind::kStatement && i == 0) {
+      statement = ir::StatementId(other.payload);
+    } else if (IsEffect(emittable_, insts[i]) || other.op == ir::OpKind::kStatement ||
+               emittable_.local_value[insts[i].index]) {
+      return {};
+    }
+  }
+  // Switched off, both arms of a plain If are off, which a chain cannot say; the head of a block is just false.
+  const ir::StatementId own = statement.valid() ? statement : statement_;
+  const bool head = !own.valid() || program_.statements[own].opens_block;
+  const bool plain = OriginOf(program_[last]) == ir::IfOrigin::kSource;
+  if (debug() && !head && plain && (statement.valid() || !switched_)) return {};
+  return last;
+}
+
+void PartPrinter::If(const ir::Inst& first) {
+  const ir::StatementId outer = statement_;
+  const bool outer_switched = switched_;
+  const ir::Inst* inst = &first;
+  std::string head = "if (" + Condition(*inst) + ") {";
+  for (;;) {
+    Line(std::move(head));
+    ++indent_;
+    RegionBody(ir::RegionId(inst->b));
+    --indent_;
+    Line("}");
+    const ir::RegionId otherwise(inst->c);
+    if (!otherwise.valid() || program_.regions[otherwise].insts.empty()) break;
+    ir::StatementId statement;
+    const ir::InstId chained = ChainedIf(otherwise, statement);
+    if (!chained.valid()) {
+      out_.resize(out_.size() - 1);
+      out_ += " else {\n";
+      ++indent_;
+      RegionBody(otherwise);
+      --indent_;
+      Line("}");
+      break;
+    }
+    if (statement.valid()) {
+      statement_ = statement;
+      switched_ = false;
+      StatementComments(program_.statements[statement]);
+    }
+    inst = &program_[chained];
+    const ir::Inst& condition = program_[ir::ValueId(inst->a)];
+    const bool always =
+        condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
+    head = always && !debug() ? "else {" : "else if (" + Condition(*inst) + ") {";
+    if (!statement.valid()) {
+      out_.pop_back();  // no comment between: "} else if"
+      head.insert(0, " ");
+      head.insert(0, "}");
+      out_.resize(out_.rfind('\n') + 1);
+    }
+  }
+  statement_ = outer;
+  switched_ = outer_switched;
+}
+
+void PartPrinter::Switch(const ir::Inst& inst) {
+  Line("switch (" + Value(inst.a) + ") {");
+  ++indent_;
+  for (const ir::SwitchCase& arm : program_.switches[ir::SwitchId(inst.payload)].cases) {
+    if (arm.values.empty()) {
+      Line("default: {");
+    } else {
+      for (size_t i = 0; i < arm.values.size(); ++i) {
+        Line("case " + std::to_string(arm.values[i]) + (i + 1 < arm.values.size() ? ":" : ": {"));
+      }
+    }
+    ++indent_;
+    RegionBody(arm.region);
+    if (!arm.falls_through) Line("break;");
+    --indent_;
+    Line("}");
+    if (arm.falls_through) Line("[[fallthrough]];");
+  }
+  --indent_;
+  Line("}");
+}
+
+/// A label stands one step to the left of what it labels.
+void PartPrinter::Label(const std::string& label) {
+  if (label.empty()) return;
+  --indent_;
+  Line(label + ":;");
+  ++indent_;
+}
+
+/// Whether control never gets to the end of a list.
+bool PartPrinter::EndsByLeaving(ir::RegionId region) const {
+  if (!region.valid()) return false;
+  const auto& insts = program_.regions[region].insts;
+  for (size_t i = insts.size(); i-- > 0;) {
+    if (!IsEffect(emittable_, insts[i])) continue;
+    const ir::Inst& inst = program_[insts[i]];
+    const bool always = !ir::ValueId(inst.a).valid();
+    if (inst.op == ir::OpKind::kExit) {
+      return always && emittable_.leaves.at(insts[i].index) != Leave::kFallsThrough;
+    }
+    if (inst.op == ir::OpKind::kRepeat) return always && EndsByLeaving(ir::RegionId(inst.b));
+    if (inst.op == ir::OpKind::kIf) return EndsByLeaving(ir::RegionId(inst.b)) && EndsByLeaving(ir::RegionId(inst.c));
+    return false;
+  }
+  return false;
+}
+
+void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
+  const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
+  const auto landing = emittable_.landings.find(id.index);
+  const Landing none;
+  const Landing& labels = landing == emittable_.landings.end() ? none : landing->second;
+  if (loop.kind == ir::LoopBound::kBudget) {
+    Line("for (;;) {");
+    ++indent_;
+    Label(labels.again);
+    RegionBody(loop.body);
+    if (debug() || !EndsByLeaving(loop.body)) Line("break;");
+    --indent_;
+    Line("}");
+    Label(labels.behind);
+    return;
+  }
+  const std::string round = "round" + (loop_depth_ == 0 ? "" : std::to_string(loop_depth_ + 1));
+  const ir::StatementId statement = statement_;
+  ++loop_depth_;
+  Line("for (uint32_t " + round + " = 0;; ++" + round + ") {");
+  ++indent_;
+  if (loop.condition.valid()) {
+    const auto& insts = program_.regions[loop.condition].insts;
+    Range(loop.condition, 0, static_cast<uint32_t>(insts.size()));
+    std::string text = Bracketed(Spell(emittable_, local_names_, insts.back()));
+    if (debug() && statement.valid()) text = "(m.on(" + std::to_string(statement.index) + ") & " + text + ")";
+    Line("if (!" + text + ") break;");
+  }
+  if (loop.kind == ir::LoopBound::kGuard) {
+    Line("if (" + round + " == " + std::to_string(loop.bound) + ") {");
+    ++indent_;
+    if (loop.exhausted.valid()) RegionBody(loop.exhausted);
+    Line("break;");
+    --indent_;
+    Line("}");
+  }
+  RegionBody(loop.body);
+  --indent_;
+  Line("}");
+  Label(labels.behind);
+  --loop_depth_;
+}
+
+void PartPrinter::Block(ir::InstId id, const ir::Inst& inst) {
+  const auto landing = emittable_.landings.find(id.index);
+  const bool braces = landing != emittable_.landings.end() && landing->second.braces;
+  if (braces) {
+    Line("{");
+    ++indent_;
+  }
+  RegionBody(ir::RegionId(inst.a));
+  if (braces) {
+    --indent_;
+    Line("}");
+  }
+  if (landing != emittable_.landings.end()) Label(landing->second.behind);
+}
+
+/// "return;", "goto to_U4A8;"
+std::string PartPrinter::Departure(ir::InstId id) const {
+  const Leave leave = emittable_.leaves.at(id.index);
+  switch (leave) {
+    case Leave::kFallsThrough:
+      return "";
+    case Leave::kReturn:
+      return return_;
+    case Leave::kBreak:
+      return "break;";
+    case Leave::kContinue:
+      return "continue;";
+    case Leave::kGoto: {
+      const ir::Inst& inst = program_[id];
+      const Landing& landing = emittable_.landings.at(inst.payload);
+      return "goto " + (inst.op == ir::OpKind::kRepeat ? landing.again : landing.behind) + ";";
+    }
+  }
+  PLCXX_UNREACHABLE();
+}
+
+void PartPrinter::Exit(ir::InstId id, const ir::Inst& inst) {
+  const std::string departure = Departure(id);
+  if (departure.empty()) return;
+  Line(ir::ValueId(inst.a).valid() ? "if (" + Value(inst.a) + ") " + departure : departure);
+}
+
+void PartPrinter::Repeat(ir::InstId id, const ir::Inst& inst) {
+  const ir::PlaceId budget = program_.loops[ir::LoopId(program_[ir::InstId(inst.payload)].payload)].budget;
+  const std::string left = SpellPlace(emittable_, local_names_, budget, {}).text;
+  const bool local = emittable_.layout.places[budget.index].storage == Storage::kLocal;
+  const bool conditional = ir::ValueId(inst.a).valid();
+  if (conditional) {
+    Line("if (" + Value(inst.a) + ") {");
+    ++indent_;
+  }
+  Line("if (" + left + " != 0) {");
+  ++indent_;
+  Line(local ? "--" + left + ";" : left + " = " + left + " - 1;");
+  Line(Departure(id));
+  --indent_;
+  Line("}");
+  if (ir::RegionId(inst.b).valid()) RegionBody(ir::RegionId(inst.b));
+  if (conditional) {
+    --indent_;
+    Line("}");
+  }
+}
+
+}  // namespace plcxx::emit

@@ -1,0 +1,102 @@
+// Prints one generated .cpp file; what the pieces of the printing share. Only cpp_*.cc include this.
+//
+// cpp_routines.cc the file and its functions; cpp_statements.cc comments and instructions; cpp_control_flow.cc what
+// owns regions and what leaves them; cpp_initial.cc the values at power-on.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/emit/cpp_printer.h"
+
+namespace plcxx::emit {
+
+struct InitialArray;
+
+/// The state of the printing is where it stands in the text.
+class PartPrinter {
+ public:
+  PartPrinter(const Emittable& emittable, const source::SourceManager& sources, uint32_t part)
+      : emittable_(emittable), program_(*emittable.program), sources_(sources), part_(part) {}
+
+  std::string Run();
+
+ private:
+  // cpp_routines.cc
+  void Includes();
+  void Using();
+  void Declarations();
+  void Chunks();
+  void Runs();
+  void Routines();
+  void Routine(ir::RoutineId id);
+  std::vector<bool> CalledSubroutines() const;
+  /// "State& m", "uint8_t slice", "bool& s", "Host& host"; and as a function of the same locals passes them on.
+  std::vector<std::string> Parameters(const Locals& locals) const;
+  std::string Arguments(const Locals& locals) const;
+  std::string Prototype(const std::string& head, const Locals& locals) const;
+  /// Opens a function; its head is written at the end and leaves out the names that its body does not use.
+  void OpenFunction(const std::string& head, std::vector<std::string> parameters);
+  void CloseFunction();
+
+  // cpp_initial.cc
+  void InitStorage();
+  void InitialTable(Storage storage, const InitialArray& array, uint32_t begin, uint32_t end);
+
+  // cpp_statements.cc
+  void RegionBody(ir::RegionId region);
+  void Range(ir::RegionId region, uint32_t begin, uint32_t end);
+  /// Instructions without markers among them.
+  void Stretch(ir::RegionId region, uint32_t begin, uint32_t end);
+  /// The debug flavour's: of a statement that may be switched off while others in its regions are not.
+  void OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end);
+  bool HoldsOthers(const ir::Inst& inst) const;
+  bool HasEffect(ir::ValueId value) const;
+  bool SpelledLater(ir::RegionId region, uint32_t at, uint32_t end) const;
+  void Inst(ir::InstId id);
+  void Effect(ir::InstId id);
+  void Local(ir::InstId id);
+  void StatementComments(const ir::Statement& statement);
+  void Line(std::string text);
+  void Comment(std::string_view text);
+  std::string Value(uint32_t word) { return Spell(emittable_, local_names_, ir::ValueId(word)).text; }
+  std::string On() const { return "m.on(" + std::to_string(statement_.index) + ")"; }
+
+  // cpp_control_flow.cc
+  void If(const ir::Inst& inst);
+  /// The instruction that makes a chain of an else arm: an If whose condition needs no line of its own; or none.
+  ir::InstId ChainedIf(ir::RegionId otherwise, ir::StatementId& statement) const;
+  /// A condition, switched off together with its statement in the debug flavour.
+  std::string Condition(const ir::Inst& inst);
+  void Switch(const ir::Inst& inst);
+  void Loop(ir::InstId id, const ir::Inst& inst);
+  void Block(ir::InstId id, const ir::Inst& inst);
+  void Exit(ir::InstId id, const ir::Inst& inst);
+  void Repeat(ir::InstId id, const ir::Inst& inst);
+  void Label(const std::string& label);
+  bool EndsByLeaving(ir::RegionId region) const;
+  std::string Departure(ir::InstId id) const;
+
+  bool debug() const { return emittable_.options.flavour == Flavour::kDebug; }
+  /// The debug flavour: what follows is not yet inside of `if (m.on(...))` of its statement, and has to be.
+  bool Switchable() const;
+
+  const Emittable& emittable_;
+  const ir::Program& program_;
+  const source::SourceManager& sources_;
+  uint32_t part_;
+  std::string out_;
+  std::string function_head_;            // of the function being printed
+  std::vector<std::string> parameters_;  // "State& m"
+  std::string return_;                   // "return;"
+  size_t body_begin_ = 0;
+  int indent_ = 0;
+  int loop_depth_ = 0;
+  uint32_t next_local_ = 1;    // restarts in each chunk and routine
+  LocalNames local_names_;     // by InstId
+  ir::StatementId statement_;  // the one being printed
+  bool switched_ = false;      // inside of its `if (m.on(...))`
+};
+
+}  // namespace plcxx::emit
