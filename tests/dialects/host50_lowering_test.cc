@@ -86,8 +86,9 @@ TEST(Host50Lowering, NeighboursOfOneInputShareTheirCondition) {
 }
 
 TEST(Host50Lowering, AConditionOutlivesWhatItsBlocksWrite) {
-  EXPECT_THAT(SlowBody("LD %B0;RST %B0;SET %B1"), ElementsAre("stmt B0", "%0 = load B0", "if %0 {", "%1 = const bit 0",
-                                                              "store B0 %1", "%2 = const bit 1", "store B1 %2", "}"));
+  EXPECT_THAT(SlowBody("LD %B0;RST %B0;SET %B1"),
+              ElementsAre("stmt B0", "%0 = load B0", "%1 = load B0", "if %0 {", "%2 = const bit 0", "store B0 %2",
+                          "%3 = const bit 1", "store B1 %3", "}"));
 }
 
 // covers: HOST50-088..095

@@ -91,7 +91,7 @@ TEST(Host50Errors, Types) {
   EXPECT_THAT(After("TONS %C1, 5"), ElementsAre("4:6 E107"));
   EXPECT_THAT(After("TONS %TM1.Q, 5"), ElementsAre("4:6 E107"));
   EXPECT_THAT(After("CNUD 1, 5, P=0, M=0, N=0"), ElementsAre("4:6 E107"));
-  EXPECT_THAT(After("ROT 1, 2, 3, %W0, M=!1"), ElementsAre("4:21 E107"));
+  EXPECT_THAT(After("ROT 1, 2, 3, %W0, M=!1"), ElementsAre("4:22 E107"));
   EXPECT_THAT(After("OPRT %Q0 = 1"), ElementsAre("4:6 E107"));
 }
 

@@ -124,7 +124,7 @@ TEST(ProstepSchedule, MFunctionsAreATableAndThePartOfTheNc) {
   LowerInto(lowered, "DMF 3 S9 D2\nDMF 5\nDMF 30 D1\n" + Module(1, ""));
   const ir::Table& table = lowered.program().tables.at(0);
   EXPECT_EQ(table.name, "m_functions");
-  EXPECT_THAT(table.cells, ElementsAre(3, 0, 9, 2, 5, 0, 0, 0, 30, 1, 0, 1));
+  EXPECT_THAT(table.cells, ElementsAre(3, 0, 9, 2, 5, 1, 0, 0, 30, 1, 0, 1));
   EXPECT_THAT(lowered.Routine("m_begin"),
               ElementsAre("%0 = load number", "%1 = to_bcd.i8 %0", "store FB201 %1", "%2 = const bit 1",
                           "store F200_0 %2", "switch %0 {", "case 3 {", "%3 = const bit 1", "store F209_0 %3",

@@ -60,12 +60,14 @@ TEST(Durations, NeedAUnit) {
 
 TEST(Dialects, ExtensionThenContent) {
   const auto peek = [](const std::string& path) -> std::string {
-    return path == "program" ? "U4A0=I0A0*/I0A1\n$\n" : "good morning\n";
+    return path.starts_with("program") ? "U4A0=I0A0*/I0A1\n$\n" : "good morning\n";
   };
   const dialects::Dialect* nc110 = dialects::DialectByName("nc110");
   EXPECT_EQ(ChooseDialect("nc110", {"x"}, peek), nc110);
   EXPECT_EQ(ChooseDialect("cobol", {"x.plc"}, peek), nullptr);
-  EXPECT_EQ(ChooseDialect("", {"x.PLC"}, peek), nc110);
+  EXPECT_EQ(ChooseDialect("", {"x.SYM"}, peek), nc110);
+  EXPECT_EQ(ChooseDialect("", {"program.PLC"}, peek), nc110) << "two dialects use .plc: the content decides";
+  EXPECT_EQ(ChooseDialect("", {"x.plc"}, peek), nullptr);
   EXPECT_EQ(ChooseDialect("", {"letter", "program"}, peek), nc110);
   EXPECT_EQ(ChooseDialect("", {"letter"}, peek), nullptr);
 }

@@ -145,7 +145,7 @@ TEST_F(TestCommand, OptionsOfTheCommandLineGiveWayToTheScenario) {
   Write("own.yaml", "dialect: nc110\noptions: {cycle_ms: 10}\n" + steps);
   EXPECT_EQ(Run("own.yaml --engine sim --set cycle_ms=20 --vcd own.vcd").exit_code, 0);
   EXPECT_THAT(Read("own.vcd"), HasSubstr("#10\n"));
-  EXPECT_EQ(Run("plain.yaml --engine sim --set nonsense=1").exit_code, 1);
+  EXPECT_EQ(Run("plain.yaml --engine sim --set nonsense=1").exit_code, 2);
 }
 
 }  // namespace

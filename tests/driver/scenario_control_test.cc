@@ -53,7 +53,7 @@ constexpr std::string_view kControlled = R"(
     store PORT %sum
     host write_port (%three, %sum)
     stmt s3
-    %axis = const i32 -2
+    %axis = const i32 4294967294
     %position = load FLOAT
     host axis (%axis, %position)
     host look ()
@@ -97,7 +97,7 @@ class Machine : public dialects::ControlStub {
 };
 
 /// In lockstep with a second engine.
-std::string Run(const std::string& steps) {
+std::string RunScenario(const std::string& steps) {
   ScenarioBench bench(kControlled);
   bench.stub = std::make_unique<Machine>();
   bench.other = ir::ReadOrDie(kControlled);
@@ -105,67 +105,72 @@ std::string Run(const std::string& steps) {
 }
 
 TEST(ScenarioControl, InputsAreDeliveredAgainAndAgain) {
-  EXPECT_EQ(Run("- set: {IN: 5}\n- expect: {IN: 5}\n- run: {slow: 1}\n- expect: {IN: 99, SEEN: 5}\n"
-                "- run: {slow: 1}\n- expect: {SEEN: 5}\n- set: {IN: 6}\n- run: {slow: 1}\n- expect: {SEEN: 6}\n"),
-            "passed");
+  EXPECT_EQ(
+      RunScenario("- set: {IN: 5}\n- expect: {IN: 5}\n- run: {slow: 1}\n- expect: {IN: 99, SEEN: 5}\n"
+                  "- run: {slow: 1}\n- expect: {SEEN: 5}\n- set: {IN: 6}\n- run: {slow: 1}\n- expect: {SEEN: 6}\n"),
+      "passed");
 }
 
 TEST(ScenarioControl, InputsOutliveAPowerCycleAndInitSeesThem) {
-  EXPECT_EQ(Run("- set: {IN: 5}\n- expect: {SEEN: 0}\n- power_cycle: {}\n- expect: {SEEN: 5, IN: 5}\n"), "passed");
+  EXPECT_EQ(RunScenario("- set: {IN: 5}\n- expect: {SEEN: 0}\n- power_cycle: {}\n- expect: {SEEN: 5, IN: 5}\n"),
+            "passed");
 }
 
 TEST(ScenarioControl, PortsAreSetAsInputsAndExpectedAsOutputs) {
-  EXPECT_EQ(Run("- set: {P3: 20}\n- expect: {P3: 0}\n- run: {slow: 1}\n- expect: {P3: 40, PORT: 40}\n"
-                "- power_cycle: {}\n- expect: {P3: 0, PORT: 0}\n- run: {slow: 1}\n- expect: {P3: 40}\n"),
+  EXPECT_EQ(RunScenario("- set: {P3: 20}\n- expect: {P3: 0}\n- run: {slow: 1}\n- expect: {P3: 40, PORT: 40}\n"
+                        "- power_cycle: {}\n- expect: {P3: 0, PORT: 0}\n- run: {slow: 1}\n- expect: {P3: 40}\n"),
             "passed");
-  EXPECT_EQ(Run("- expect: {P3: 7}\n"),
+  EXPECT_EQ(RunScenario("- expect: {P3: 7}\n"),
             "s.yaml:2:12: step 1 (expect), at 0 ms: expected P3 = 7 (0x07), found 0 (0x00)");
-  EXPECT_EQ(Run("- force: {P3: 7}\n- release: P3\n"),
+  EXPECT_EQ(RunScenario("- force: {P3: 7}\n- release: P3\n"),
             "s.yaml:2:11: 'P3' can only be set and expected: it is no memory of the program\n"
             "s.yaml:3:12: 'P3' can only be set and expected: it is no memory of the program");
 }
 
 TEST(ScenarioControl, CallsOfTheExchangeAreNotListed) {
   EXPECT_EQ(
-      Run("- set: {P3: 1, FLOAT: -3.25}\n- run: {slow: 1}\n"
+      RunScenario(
+          "- set: {P3: 1, FLOAT: -3.25}\n- run: {slow: 1}\n"
           "- expect_calls: [{read_port: {port: 3}}, {write_port: {value: 2}}, {axis: {axis: -2, position: -3.25}}]\n"),
       "passed");
   EXPECT_EQ(
-      Run("- set: {FLOAT: nan}\n- run: {slow: 1}\n- expect_calls: [read_port, write_port, {axis: {position: nan}}]\n"),
+      RunScenario(
+          "- set: {FLOAT: nan}\n- run: {slow: 1}\n- expect_calls: [read_port, write_port, {axis: {position: nan}}]\n"),
       "passed");
-  EXPECT_THAT(Run("- set: {FLOAT: 0.5}\n- run: {slow: 1}\n- expect_calls: []\n"),
+  EXPECT_THAT(RunScenario("- set: {FLOAT: 0.5}\n- run: {slow: 1}\n- expect_calls: []\n"),
               HasSubstr("found read_port(port: 3), write_port(port: 3, value: 0), axis(axis: -2, position: 0.5)"));
 }
 
 TEST(ScenarioControl, MessagesAreSeenInThePeriodAndAtItsEnd) {
   // Message 1 is gone at the period's end, but was there when the control looked.
-  EXPECT_EQ(Run("- set: {MESSAGES: 1, MORE: 6}\n- run: {slow: 1}\n- expect_messages: [message 1, oil level, 3]\n"
-                "- run: {slow: 1}\n- expect_messages: []\n"),
-            "passed");
-  EXPECT_EQ(Run("- set: {MORE: 6}\n- run: {slow: 1}\n- expect_messages: [2]\n"),
+  EXPECT_EQ(
+      RunScenario("- set: {MESSAGES: 1, MORE: 6}\n- run: {slow: 1}\n- expect_messages: [message 1, oil level, 3]\n"
+                  "- run: {slow: 1}\n- expect_messages: []\n"),
+      "passed");
+  EXPECT_EQ(RunScenario("- set: {MORE: 6}\n- run: {slow: 1}\n- expect_messages: [2]\n"),
             "s.yaml:4:3: step 3 (expect_messages), at 10 ms: expected messages [2], found ['oil level', 3]");
 }
 
 TEST(ScenarioControl, RetentiveMemorySetBeforeTheFirstRunIsKept) {
-  EXPECT_EQ(Run("- set: {KEPT: 70000, WORD: 5}\n- power_cycle: {}\n- expect: {KEPT: 70000, WORD: 0}\n"
-                "- run: {slow: 1}\n- power_cycle: {}\n- expect: {KEPT: 70000}\n"),
+  EXPECT_EQ(RunScenario("- set: {KEPT: 70000, WORD: 5}\n- power_cycle: {}\n- expect: {KEPT: 70000, WORD: 0}\n"
+                        "- run: {slow: 1}\n- power_cycle: {}\n- expect: {KEPT: 70000}\n"),
             "passed");
 }
 
 TEST(ScenarioControl, NumbersOfEveryKind) {
-  EXPECT_EQ(Run("- set: {FLOAT: 12.5, WORD: -7}\n- expect: {FLOAT: 12.5, WORD: 4294967289}\n"
-                "- set: {FLOAT: 0.1, WORD: 0x80000000}\n- expect: {FLOAT: 0.1, WORD: -2147483648}\n"
-                "- set: {FLOAT: 1e-50}\n- expect: {FLOAT: 0}\n- set: {FLOAT: -inf}\n- expect: {FLOAT: -inf}\n"
-                "- set: {FLOAT: .5}\n- expect: {FLOAT: +5.0e-1}\n- set: {FLOAT: nan}\n- expect: {FLOAT: nan}\n"
-                "- set: {FLOAT: 10H}\n- expect: {FLOAT: 16}\n"),
+  EXPECT_EQ(RunScenario("- set: {FLOAT: 12.5, WORD: -7}\n- expect: {FLOAT: 12.5, WORD: 4294967289}\n"
+                        "- set: {FLOAT: 0.1, WORD: 0x80000000}\n- expect: {FLOAT: 0.1, WORD: -2147483648}\n"
+                        "- set: {FLOAT: 1e-50}\n- expect: {FLOAT: 0}\n- set: {FLOAT: -inf}\n- expect: {FLOAT: -inf}\n"
+                        "- set: {FLOAT: .5}\n- expect: {FLOAT: +5.0e-1}\n- set: {FLOAT: nan}\n- expect: {FLOAT: nan}\n"
+                        "- set: {FLOAT: 10H}\n- expect: {FLOAT: 16}\n"),
             "passed");
-  EXPECT_EQ(Run("- set: {FLOAT: 12.5}\n- expect: {FLOAT: 12.25}\n"),
+  EXPECT_EQ(RunScenario("- set: {FLOAT: 12.5}\n- expect: {FLOAT: 12.25}\n"),
             "s.yaml:3:12: step 2 (expect), at 0 ms: expected FLOAT = 12.25 (0x41440000), found 12.5 (0x41480000)\n"
             "  last writes to FLOAT, newest first:\n    value 12.5 at 0 ms: the scenario or the control");
-  EXPECT_EQ(Run("- set: {FLOAT: -0.0}\n- expect: {FLOAT: 0}\n"),
+  EXPECT_EQ(RunScenario("- set: {FLOAT: -0.0}\n- expect: {FLOAT: 0}\n"),
             "s.yaml:3:12: step 2 (expect), at 0 ms: expected FLOAT = 0 (0x00), found -0 (0x80000000)\n"
             "  last writes to FLOAT, newest first:\n    value -0 at 0 ms: the scenario or the control");
-  EXPECT_EQ(Run("- set: {FLOAT: 1e39, WORD: -2147483649, IN: 1.5}\n- set: {FLOAT: 1.5x}\n"),
+  EXPECT_EQ(RunScenario("- set: {FLOAT: 1e39, WORD: -2147483649, IN: 1.5}\n- set: {FLOAT: 1.5x}\n"),
             "s.yaml:2:16: '1e39' is no value: 'FLOAT' takes a number\n"
             "s.yaml:2:28: value -2147483649 does not fit: 'WORD' takes 0 to 4294967295\n"
             "s.yaml:2:45: '1.5' is no value: 'IN' takes 0 to 255\n"

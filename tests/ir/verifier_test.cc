@@ -115,7 +115,8 @@ TEST(Verifier, ForwardJumpsBeforeStructuringOnly) {
   EXPECT_THAT(Findings(program, Stage::kLowered), IsEmpty());
   EXPECT_THAT(Findings(program), ElementsAre("fast, jump: left over from before structuring",
                                              "fast, label: left over from before structuring"));
-  EXPECT_THAT(Findings(Read(Fast("label L1\njump L1\n")), Stage::kLowered), ElementsAre("fast, jump: goes back to L1 without a budget"));
+  EXPECT_THAT(Findings(Read(Fast("label L1\njump L1\n")), Stage::kLowered),
+              ElementsAre("fast, jump: goes back to L1 without a budget"));
   EXPECT_THAT(Findings(Read(Fast("label L1\njump L1 budget budget refused {\n}\n")), Stage::kLowered), IsEmpty());
   EXPECT_THAT(Findings(Read(Fast("jump L1 budget budget\nlabel L1\n")), Stage::kLowered),
               ElementsAre("fast, jump: goes forward with a budget"));

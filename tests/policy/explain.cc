@@ -48,7 +48,8 @@ driver::Compilation CompileFence(const Fence& program, const std::vector<Fence>&
     const auto setting = ValueOf(word, "set");
     if (!setting) continue;
     const size_t equals = setting->find('=');
-    request.options[setting->substr(0, equals)] = equals == std::string::npos ? "" : setting->substr(equals + 1);
+    request.options.emplace_back(setting->substr(0, equals),
+                                 equals == std::string::npos ? "" : setting->substr(equals + 1));
   }
   return driver::Compile(request);
 }

@@ -343,7 +343,7 @@ TEST(Memory, LastWritesOfAWordHaveItsValue) {
     place WIDE i32 M[0]
     place LOW i8 M[0]
     routine period schedule {
-      %0 = const i32 -7
+      %0 = const i32 4294967289
       store WIDE %0
     }
     schedule period period

@@ -3,7 +3,7 @@
 // No register exists in the result: what an instruction leaves in one is a value of the IR that the next one uses.
 // Values end with their statement, so that what lives longer goes through a place of lifetime kRoutine: Spill() in
 // front of every border (the next statement, a label, a jump, a call), a load at the first use behind it. Stores that
-// nothing reads vanish later (passes/dead_locals.h), so a lowering spills at every border without asking.
+// nothing reads vanish later (passes/remove_dead_locals.h), so a lowering spills at every border without asking.
 #pragma once
 
 #include <cstdint>
