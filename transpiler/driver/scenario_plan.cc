@@ -52,9 +52,8 @@ template <class Float>
 std::optional<Float> Real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   Float value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value);
-  if (end != last || text.empty()) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size() || text.empty()) return std::nullopt;
   if (error == std::errc()) return value;
   if constexpr (std::is_same_v<Float, float>) {  // too large, or too small: then it is a 0 or nearly
     const std::optional<double> wide = Real<double>(text);

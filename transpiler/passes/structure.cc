@@ -35,7 +35,7 @@ struct Structurer {
 
   /// Gives the jumps that lead out of the region.
   std::vector<InstId> Visit(RegionId region);
-  std::vector<Span> FindSpans(const std::vector<InstId>& insts, std::vector<JumpIn> jumps) const;
+  std::vector<Span> FindSpans(const std::vector<InstId>& insts, const std::vector<JumpIn>& jumps) const;
   void Rebuild(RegionId region, std::vector<Span> spans, const std::vector<JumpIn>& jumps);
   RegionId Open(Span& span, const std::vector<InstId>& insts, RegionId outer);
   InstId Append(RegionId region, Inst inst);
@@ -84,7 +84,7 @@ std::vector<JumpsTo> ByLabel(const std::vector<JumpIn>& jumps) {
 }
 
 /// Spans that nest properly, by the order of their labels.
-std::vector<Span> Structurer::FindSpans(const std::vector<InstId>& insts, std::vector<JumpIn> jumps) const {
+std::vector<Span> Structurer::FindSpans(const std::vector<InstId>& insts, const std::vector<JumpIn>& jumps) const {
   const std::vector<JumpsTo> groups = ByLabel(jumps);
   std::vector<Span> spans;
   std::vector<size_t> outermost;  // of `spans`, those that no other one holds so far

@@ -88,9 +88,9 @@ std::optional<uint64_t> ParseValue(std::string_view text) {
   if (!text.starts_with('$')) return std::nullopt;
   text.remove_prefix(1);
   uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, value, 16);
-  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || last != end) return std::nullopt;
+  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  const bool whole = last == text.data() + text.size();
+  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || !whole) return std::nullopt;
   return value;
 }
 

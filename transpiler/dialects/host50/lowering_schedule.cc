@@ -57,7 +57,7 @@ std::vector<ir::Parameter> ParametersOf(HostCall call) {
   PLCXX_UNREACHABLE();
 }
 
-std::string WithName(std::string comment, const std::string& name) {
+std::string WithName(const std::string& comment, const std::string& name) {
   return name.empty() ? comment : comment + ": " + name;
 }
 

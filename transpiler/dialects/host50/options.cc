@@ -17,9 +17,9 @@ struct Row {
 
 bool Number(std::string_view text, uint32_t most, uint32_t& value) {
   uint32_t number = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  if (result.ec != std::errc{} || result.ptr != end || number < 1 || number > most) return false;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = result.ptr == text.data() + text.size();
+  if (result.ec != std::errc{} || !whole || number < 1 || number > most) return false;
   value = number;
   return true;
 }
