@@ -1107,18 +1107,12 @@ void init(State& m, Host& host) noexcept {
   Clear(m.text_inbox);
   Clear(m.byte);
   Clear(m.bit);
-  m.retentive.bytes[0] = 0x60;
-  m.retentive.bytes[1] = 0xEA;
-  m.retentive.bytes[2] = 0xF4;
-  m.retentive.bytes[3] = 0x01;
-  m.retentive.bytes[4] = 0xF4;
-  m.retentive.bytes[5] = 0x01;
-  m.retentive.bytes[6] = 0x58;
-  m.retentive.bytes[7] = 0x02;
-  m.retentive.bytes[8] = 0xFA;
-  m.retentive.bytes[10] = 0xC8;
-  m.retentive.bytes[12] = 0x08;
-  m.retentive.bytes[13] = 0x05;
+  {
+    static constexpr uint8_t kValues[] = {
+      0x60, 0xEA, 0xF4, 0x01, 0xF4, 0x01, 0x58, 0x02, 0xFA, 0x00, 0xC8, 0x00, 0x08, 0x05,
+    };
+    plcxx::Place(m.retentive.bytes, 0, kValues);
+  }
 
   Retentive copy{};
   retentive_load(host, copy);
