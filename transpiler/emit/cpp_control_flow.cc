@@ -164,7 +164,9 @@ void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   const std::string round = "round" + (loop_depth_ == 0 ? "" : std::to_string(loop_depth_ + 1));
   const ir::StatementId statement = statement_;
   ++loop_depth_;
-  Line("for (uint32_t " + round + " = 0;; ++" + round + ") {");
+  // A proven loop ends by itself: nobody counts its rounds.
+  const bool counts = loop.kind == ir::LoopBound::kGuard;
+  Line(counts ? "for (uint32_t " + round + " = 0;; ++" + round + ") {" : "for (;;) {");
   ++indent_;
   if (loop.condition.valid()) {
     const auto& insts = program_.regions[loop.condition].insts;

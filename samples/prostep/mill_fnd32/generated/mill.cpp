@@ -404,7 +404,7 @@ void slow_step(State& m, Host& host) noexcept {
   bool active = false;
 
   tries = 0;
-  for (uint32_t round = 0;; ++round) {
+  for (;;) {
     if (!(tries < 8)) break;
     tries = Add8(tries, 1);
     const uint8_t t1 = m[next_slice];
