@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <vector>
 
 #include "transpiler/support/check.h"
 
@@ -172,6 +173,56 @@ Type TypeOf(const Address& address) {
   PLCXX_UNREACHABLE();
 }
 
+std::string_view Name(OperandRole role) {
+  switch (role) {
+    case OperandRole::kBit:
+      return "a bit";
+    case OperandRole::kBitOrConstant:
+      return "a bit, 0 or 1";
+    case OperandRole::kCoil:
+      return "the bit to write";
+    case OperandRole::kIntSource:
+    case OperandRole::kIntDivisor:
+      return "an integer";
+    case OperandRole::kFloatSource:
+    case OperandRole::kFloatDivisor:
+      return "a float";
+    case OperandRole::kIntResult:
+    case OperandRole::kFloatResult:
+    case OperandRole::kNumberResult:
+    case OperandRole::kNumberInPlace:
+      return "a destination";
+    case OperandRole::kNumberSource:
+    case OperandRole::kPosition:
+      return "a number";
+    case OperandRole::kFieldSource:
+    case OperandRole::kFieldResult:
+      return "the first bit of a field";
+    case OperandRole::kBitCount:
+      return "a number of bits";
+    case OperandRole::kTimer:
+      return "a timer";
+    case OperandRole::kCounter:
+      return "a counter";
+    case OperandRole::kUnit:
+      return "a unit of time";
+    case OperandRole::kSubroutine:
+      return "the name of a subroutine";
+    case OperandRole::kJumpTarget:
+      return "a jump target";
+    case OperandRole::kAxisNumber:
+      return "the number of an axis";
+    case OperandRole::kHomingMethod:
+      return "a homing method";
+    case OperandRole::kComparison:
+    case OperandRole::kAssignment:
+      return "an expression";
+    case OperandRole::kText:
+      return "a text";
+  }
+  PLCXX_UNREACHABLE();
+}
+
 bool Writes(OperandRole role) {
   switch (role) {
     case OperandRole::kCoil:
@@ -262,10 +313,17 @@ std::optional<TimerUnit> UnitByName(std::string_view word) {
 }
 
 std::optional<Mnemonic> MnemonicByName(std::string_view word) {
-  for (const SpellingRow& row : kSpellings) {
-    if (EqualIgnoringCase(row.name, word)) return row.mnemonic;
-  }
-  return std::nullopt;
+  static const std::vector<SpellingRow> rows = [] {
+    std::vector<SpellingRow> sorted(std::begin(kSpellings), std::end(kSpellings));
+    std::ranges::sort(sorted, {}, &SpellingRow::name);
+    return sorted;
+  }();
+  const auto less = [](std::string_view a, std::string_view b) {
+    return std::ranges::lexicographical_compare(a, b, {}, Upper, Upper);
+  };
+  const auto row = std::ranges::lower_bound(rows, word, less, &SpellingRow::name);
+  if (row == rows.end() || !EqualIgnoringCase(row->name, word)) return std::nullopt;
+  return row->mnemonic;
 }
 
 std::string_view TimerName(Op op, TimerUnit unit) {

@@ -141,6 +141,8 @@ enum class OperandRole : uint8_t {
   kAssignment,  // gives two operands: kNumberResult, then kAssignment with the expression
   kText,
 };
+/// What an instruction needs there: "a bit", "a destination".
+std::string_view Name(OperandRole role);
 bool Reads(OperandRole role);
 bool Writes(OperandRole role);
 

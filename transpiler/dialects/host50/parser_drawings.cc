@@ -31,7 +31,7 @@ uint32_t Parser::ReadDrawing(const Body& body, uint32_t first, std::vector<sourc
 }
 
 /// To the first action of each row, or to its first element.
-void Parser::AddRowComments(const Drawing& drawing, std::vector<std::vector<source::Range>>& above,
+void Parser::AddRowComments(const Drawing& drawing, const std::vector<std::vector<source::Range>>& above,
                             std::vector<Instruction>& instructions) {
   std::vector<size_t> bearers(drawing.rows.size(), instructions.size());
   std::vector<bool> is_action(drawing.rows.size());
@@ -41,9 +41,15 @@ void Parser::AddRowComments(const Drawing& drawing, std::vector<std::vector<sour
     if (bearers[row] == instructions.size() || (action && !is_action[row])) bearers[row] = i;
     if (action) is_action[row] = true;
   }
+  std::vector<source::Range> waiting;  // of rows that are nothing but wires
   for (size_t row = 0; row < bearers.size(); ++row) {
-    if (bearers[row] == instructions.size()) continue;
-    instructions[bearers[row]].comments = AddComments(above[row], drawing.rows[row].comment);
+    waiting.insert(waiting.end(), above[row].begin(), above[row].end());
+    const source::Range comment = drawing.rows[row].comment;
+    if (bearers[row] != instructions.size()) {
+      instructions[bearers[row]].comments = AddComments(waiting, comment);
+    } else if (!drawing.rows[row].cells.empty() && comment.end > comment.begin) {
+      waiting.push_back(comment);
+    }
   }
 }
 

@@ -49,6 +49,7 @@ void Parser::ReadBody(const Body& body) {
         ExpectEnd();
       }
       network.is_drawing = true;
+      if (line.comment.end > line.comment.begin) comments.push_back(line.comment);
       i = ReadDrawing(body, i, comments);
       continue;
     }
@@ -118,7 +119,7 @@ void Parser::ReadOperands(Instruction& instruction, Setting setting) {
     if (role == OperandRole::kUnit && has_unit) continue;
     if (i > 0 && !TakeIf(TokenKind::kComma)) {
       if (At(TokenKind::kEnd) || IsBad(Peek().kind)) {
-        FaultOfMissing(WhatOf(role));
+        FaultOfMissing(Name(role));
       } else {
         Fault(Peek().range, diag::Host50CommaExpected, Found());
       }
@@ -127,7 +128,7 @@ void Parser::ReadOperands(Instruction& instruction, Setting setting) {
     } else if (role == OperandRole::kAssignment) {
       ReadAssignment(operands);
     } else if (Peek().kind == TokenKind::kWord && Peek(1).kind == TokenKind::kEquals) {
-      Fault(Peek().range, diag::Host50OperandExpected, WhatOf(role), "pin " + Found());
+      Fault(Peek().range, diag::Host50OperandExpected, Name(role), "pin " + Found());
     } else if (role == OperandRole::kUnit) {
       ReadUnit(instruction);
     } else {

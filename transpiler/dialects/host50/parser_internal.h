@@ -24,9 +24,6 @@ namespace plcxx::host50 {
 /// Where an instruction is written.
 enum class Setting : uint8_t { kList, kDrawing };
 
-/// What a role needs, in the words of E102.
-std::string_view WhatOf(OperandRole role);
-
 class Parser {
  public:
   Parser(const source::SourceManager& sources, const std::map<std::string, std::string>& options,
@@ -201,7 +198,7 @@ class Parser {
   void ReadElement(const DrawnElement& element, Instruction& instruction);
   void ReadContactOrCoil(const DrawnElement& element, Instruction& instruction);
   void ReadDrawnBlock(Instruction& instruction);
-  void AddRowComments(const Drawing& drawing, std::vector<std::vector<source::Range>>& above,
+  void AddRowComments(const Drawing& drawing, const std::vector<std::vector<source::Range>>& above,
                       std::vector<Instruction>& instructions);
   void AddElements(const std::optional<Wiring>& wiring, const std::vector<Instruction>& instructions);
 

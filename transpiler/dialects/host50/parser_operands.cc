@@ -20,60 +20,6 @@ bool IsProtected(const Address& address) {
   return address.area == Area::kTm || address.attribute != Attribute::kV;
 }
 
-}  // namespace
-
-std::string_view WhatOf(OperandRole role) {
-  switch (role) {
-    case OperandRole::kBit:
-      return "a bit";
-    case OperandRole::kBitOrConstant:
-      return "a bit, 0 or 1";
-    case OperandRole::kCoil:
-      return "the bit to write";
-    case OperandRole::kIntSource:
-    case OperandRole::kIntDivisor:
-      return "an integer";
-    case OperandRole::kFloatSource:
-    case OperandRole::kFloatDivisor:
-      return "a float";
-    case OperandRole::kIntResult:
-    case OperandRole::kFloatResult:
-    case OperandRole::kNumberResult:
-    case OperandRole::kNumberInPlace:
-      return "a destination";
-    case OperandRole::kNumberSource:
-    case OperandRole::kPosition:
-      return "a number";
-    case OperandRole::kFieldSource:
-    case OperandRole::kFieldResult:
-      return "the first bit of a field";
-    case OperandRole::kBitCount:
-      return "a number of bits";
-    case OperandRole::kTimer:
-      return "a timer";
-    case OperandRole::kCounter:
-      return "a counter";
-    case OperandRole::kUnit:
-      return "a unit of time";
-    case OperandRole::kSubroutine:
-      return "the name of a subroutine";
-    case OperandRole::kJumpTarget:
-      return "a jump target";
-    case OperandRole::kAxisNumber:
-      return "the number of an axis";
-    case OperandRole::kHomingMethod:
-      return "a homing method";
-    case OperandRole::kComparison:
-    case OperandRole::kAssignment:
-      return "an expression";
-    case OperandRole::kText:
-      return "a text";
-  }
-  PLCXX_UNREACHABLE();
-}
-
-namespace {
-
 Type WantedBy(OperandRole role) {
   switch (role) {
     case OperandRole::kFloatSource:
@@ -205,7 +151,7 @@ void Parser::ReadBit(Operand& operand) {
     }
     return FaultOfType(Type::kBit, token.range, Described("the constant", text));
   }
-  if (!ReadPlace(operand, WhatOf(operand.role))) return;
+  if (!ReadPlace(operand, Name(operand.role))) return;
   if (operand.type == Type::kTimer || operand.type == Type::kCounter) {
     operand.address.attribute = Attribute::kQ;
     operand.type = Type::kBit;
@@ -221,7 +167,7 @@ void Parser::ReadCoil(Operand& operand) {
     Fault(token.range, diag::Host50DestinationConstant, text);
     return;
   }
-  if (!ReadPlace(operand, WhatOf(operand.role))) return;
+  if (!ReadPlace(operand, Name(operand.role))) return;
   if (IsInstance(operand.address) || operand.address.area == Area::kI) {
     Fault(token.range, diag::Host50CannotWriteCoil, text);
   } else if (operand.type != Type::kBit) {
@@ -234,7 +180,7 @@ void Parser::ReadNumber(Operand& operand) {
   const Token token = Peek();
   const Type wanted = WantedBy(operand.role);
   if (!AtNumber()) {
-    if (!ReadPlace(operand, WhatOf(operand.role))) return;
+    if (!ReadPlace(operand, Name(operand.role))) return;
     if (!Suits(wanted, operand.type)) FaultOfType(wanted, token.range, Described(Name(operand.type), TextOf(token)));
     return;
   }
@@ -285,7 +231,7 @@ void Parser::ReadResult(Operand& operand) {
     Fault(token.range, diag::Host50DestinationConstant, text);
     return;
   }
-  if (!ReadPlace(operand, WhatOf(operand.role))) return;
+  if (!ReadPlace(operand, Name(operand.role))) return;
   if (IsProtected(operand.address)) {
     Fault(token.range, diag::Host50CannotWriteResult, text);
   } else if (!Suits(wanted, operand.type)) {
@@ -303,7 +249,7 @@ void Parser::ReadField(Operand& operand) {
     Fault(token.range, diag::Host50DestinationConstant, text);
     return;
   }
-  if (!ReadPlace(operand, WhatOf(operand.role))) return;
+  if (!ReadPlace(operand, Name(operand.role))) return;
   const Address& address = operand.address;
   const bool bare_instance = IsInstance(address) && address.attribute == Attribute::kNone;
   if (writes && (address.area == Area::kI || bare_instance || IsProtected(address))) {
@@ -315,7 +261,7 @@ void Parser::ReadField(Operand& operand) {
 
 void Parser::ReadBitCount(Operand& operand) {
   const Token token = Peek();
-  if (At(TokenKind::kEnd) || At(TokenKind::kComma) || IsBad(token.kind)) return FaultOfMissing(WhatOf(operand.role));
+  if (At(TokenKind::kEnd) || At(TokenKind::kComma) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   Take();
   const std::string_view text = TextOf(token);
   const bool plain = token.kind == TokenKind::kInteger && IsDigit(text.front());
@@ -337,13 +283,13 @@ void Parser::ReadInstance(Operand& operand) {
     Take();
     return FaultOfType(wanted, token.range, Described("the constant", text));
   }
-  if (!ReadPlace(operand, WhatOf(operand.role))) return;
+  if (!ReadPlace(operand, Name(operand.role))) return;
   if (operand.type != wanted) FaultOfType(wanted, token.range, Described(Name(operand.type), text));
 }
 
 void Parser::ReadSubroutine(Operand& operand) {
   const Token token = Peek();
-  if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(WhatOf(operand.role));
+  if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   const std::string found = Found();
   Take();
   const std::string_view text = TextOf(token);
@@ -362,7 +308,7 @@ void Parser::ReadSubroutine(Operand& operand) {
 
 void Parser::ReadJumpTarget(Operand& operand) {
   const Token token = Peek();
-  if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(WhatOf(operand.role));
+  if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   const std::string found = Found();
   Take();
   const std::string_view text = TextOf(token);
@@ -383,7 +329,7 @@ void Parser::ReadJumpTarget(Operand& operand) {
 void Parser::ReadUnit(Instruction& instruction) {
   const Token token = Peek();
   if (At(TokenKind::kEnd) || At(TokenKind::kComma) || IsBad(token.kind)) {
-    return FaultOfMissing(WhatOf(OperandRole::kUnit));
+    return FaultOfMissing(Name(OperandRole::kUnit));
   }
   const std::string found = Found();
   Take();
@@ -398,7 +344,7 @@ void Parser::ReadText(Operand& operand) {
   if (At(TokenKind::kText) || At(TokenKind::kString)) {
     Take();
   } else if (!At(TokenKind::kEnd)) {
-    FaultOfMissing(WhatOf(operand.role));
+    FaultOfMissing(Name(operand.role));
   }
 }
 

@@ -206,7 +206,7 @@ struct Program {
   Settings settings;  // directives of the source, overruled by the command line
   bool faulty = false;
   std::vector<TitleField> title;
-  support::Store<SymbolId, Symbol> symbols;  // those of the program in source order, then the predefined ones used
+  support::Store<SymbolId, Symbol> symbols;  // in source order; with PREDEFINED=ON then all signals of the control
   std::vector<Alarm> alarms;
   std::vector<MCode> mcodes;
   support::Store<SectionId, Section> sections;  // in source order
