@@ -18,7 +18,8 @@ constexpr std::string_view kTaken[] = {
     "wchar_t", "while", "xor", "xor_eq", "final", "override", "import", "module",
     // macros and types that <stdint.h>, <stddef.h> and usual platform headers bring
     "NULL", "offsetof", "size_t", "ptrdiff_t", "max_align_t", "nullptr_t", "errno", "assert", "EOF", "stdin", "stdout",
-    "stderr", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min", "max", "main", "std", "plcxx",
+    "stderr", "WCHAR_MAX", "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX",
+    "SIG_ATOMIC_MIN", "SIZE_MAX", "CHAR_BIT", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min", "max", "main", "std", "plcxx",
     // names of the generated code
     "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
     "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
@@ -27,6 +28,14 @@ constexpr std::string_view kTaken[] = {
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// "INT32_MAX", "UINT8_C", "uint_fast16_t", "INTPTR_MIN": the macros and types of <stdint.h>, and those that a later
+/// standard may add, which reserves the whole pattern (C11 7.31.10).
+bool IsStdintName(std::string_view name) {
+  if (name.starts_with("uint") || name.starts_with("int")) return name.ends_with("_t");
+  if (!name.starts_with("UINT") && !name.starts_with("INT")) return false;
+  return name.ends_with("_MAX") || name.ends_with("_MIN") || name.ends_with("_C") || name.ends_with("_WIDTH");
+}
 
 /// "t1", "round2": what the generated functions call their locals.
 bool IsLocalName(std::string_view name) {
@@ -87,7 +96,7 @@ NameTable::NameTable() {
 
 std::string NameTable::Allocate(std::string_view name, std::string_view address) {
   std::string candidate = SafeIdentifier(name);
-  if (!IsLocalName(candidate) && taken_.insert(candidate).second) return candidate;
+  if (!IsLocalName(candidate) && !IsStdintName(candidate) && taken_.insert(candidate).second) return candidate;
   // Through the rule once more: no name may get two underscores in a row.
   candidate = SafeIdentifier(candidate + "_" + (address.empty() ? "n" : std::string(address)));
   std::string unique = candidate;
