@@ -1,7 +1,8 @@
 // Arithmetic on unsigned words that wraps modulo 2^width: no overflow is undefined, no flag is kept.
 //
 // Implements NC110 6.4 (arithmetic inside [ ], every intermediate result modulo 256) and 6.6 (ABS), and the conversion
-// of a timer's parameter to milliseconds (7.1); PROSTEP 6.9 (FM 0-3, 11-14, 60-63) and HOST50 6.3. Read as two's
+// of a timer's parameter to milliseconds (7.1); PROSTEP 6.9 (FM 0-3, 11-14, 60-63), HOST50 6.3 and
+// TECHNOL 6.5, 6.9. Read as two's
 // complement, the results of Add, Sub and Mul are the same. Division has a result for every divisor; what a dialect
 // says of division by zero beside it (a fault, an unchanged destination) is a comparison of its lowering.
 // Not here: comparison (compare.h), floating point (floats.h).
@@ -54,6 +55,12 @@ namespace plcxx {
 [[gnu::const]] constexpr uint16_t Widen8To16(uint8_t value) noexcept { return value; }
 [[gnu::const]] constexpr uint64_t Widen32To64(uint32_t value) noexcept { return value; }
 /// The same number in a wider word, read as two's complement.
+[[gnu::const]] constexpr uint16_t SignExtend8To16(uint8_t value) noexcept {
+  return value > 0x7F ? static_cast<uint16_t>(0xFF00U | value) : uint16_t{value};
+}
+[[gnu::const]] constexpr uint32_t SignExtend8To32(uint8_t value) noexcept {
+  return value > 0x7F ? 0xFFFFFF00U | value : uint32_t{value};
+}
 [[gnu::const]] constexpr uint32_t SignExtend16To32(uint16_t value) noexcept {
   return value > 0x7FFF ? 0xFFFF0000U | value : uint32_t{value};
 }
@@ -78,6 +85,18 @@ namespace plcxx {
 /// As SignedDiv32, but by zero: the dividend (HOST50 6.3).
 [[gnu::const]] constexpr uint32_t QuotientOrDividend32(uint32_t a, uint32_t b) noexcept {
   return b == 0 ? a : SignedDiv32(a, b);
+}
+
+/// The same of 64-bit numbers.
+[[gnu::const]] constexpr uint64_t UnsignedDiv64(uint64_t a, uint64_t b) noexcept { return b == 0 ? 0 : a / b; }
+[[gnu::const]] constexpr uint64_t UnsignedRem64(uint64_t a, uint64_t b) noexcept { return b == 0 ? a : a % b; }
+[[gnu::const]] constexpr uint64_t SignedDiv64(uint64_t a, uint64_t b) noexcept {
+  const uint64_t quotient = UnsignedDiv64(Abs64(a), Abs64(b));
+  return ((a ^ b) & 0x8000000000000000U) != 0 ? uint64_t{0} - quotient : quotient;
+}
+[[gnu::const]] constexpr uint64_t SignedRem64(uint64_t a, uint64_t b) noexcept {
+  const uint64_t rest = UnsignedRem64(Abs64(a), Abs64(b));
+  return a > 0x7FFFFFFFFFFFFFFFU ? uint64_t{0} - rest : rest;
 }
 
 [[gnu::const]] constexpr uint32_t Widen32(uint8_t value) noexcept { return value; }

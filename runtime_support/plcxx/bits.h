@@ -119,5 +119,8 @@ namespace plcxx {
 [[gnu::const]] constexpr uint16_t HighHalf32(uint32_t value) noexcept { return static_cast<uint16_t>(value >> 16); }
 [[gnu::const]] constexpr uint32_t LowHalf64(uint64_t value) noexcept { return static_cast<uint32_t>(value); }
 [[gnu::const]] constexpr uint32_t HighHalf64(uint64_t value) noexcept { return static_cast<uint32_t>(value >> 32); }
+/// A word from its halves.
+[[gnu::const]] constexpr uint32_t Pair32(uint16_t low, uint16_t high) noexcept { return uint32_t{high} << 16 | low; }
+[[gnu::const]] constexpr uint64_t Pair64(uint32_t low, uint32_t high) noexcept { return uint64_t{high} << 32 | low; }
 
 }  // namespace plcxx

@@ -10,7 +10,7 @@
 
 namespace plcxx::ir {
 
-enum class OpKind : uint8_t {
+enum class OpKind : uint16_t {
 #define PLCXX_PURE(Kind, ...) k##Kind,
 #define PLCXX_STEP(Kind, ...) k##Kind,
 #define PLCXX_CORE(Kind, ...) k##Kind,

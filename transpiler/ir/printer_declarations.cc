@@ -92,6 +92,7 @@ void PrintHostFunctions(Printer& printer) {
       out += text::kAccesses[static_cast<size_t>(host.access)];
     }
     if (host.routine_exchange) out += " routine_exchange";
+    if (host.polled) out += " polled";
     if (handle != Word(host.name)) out += " named " + Word(host.name);
     if (!host.comment.empty()) out += ' ' + Quoted(host.comment);
     out += '\n';

@@ -130,6 +130,8 @@ struct HostFunction {
   HostAccess access = HostAccess::kNone;
   /// Part of the regular exchange (time, inputs, outputs, loading): not an event that scenarios list.
   bool routine_exchange = false;
+  /// Called in every period while something stands (a request): an event, but scenarios need not list each call.
+  bool polled = false;
   std::string comment;  // for the declaration in the generated header
 };
 

@@ -129,6 +129,7 @@ void ReadHostFunction(Reader& reader) {
     if (reader.Accept(text::kAccesses[i])) host.access = static_cast<HostAccess>(i);
   }
   host.routine_exchange = reader.Accept("routine_exchange");
+  host.polled = reader.Accept("polled");
   ReadNamed(reader, host.name);
   ReadText(reader, host.comment);
   reader.Declare(reader.host_functions, handle, reader.program.host_functions.Add(std::move(host)), "host function");

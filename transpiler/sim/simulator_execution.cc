@@ -4,6 +4,7 @@
 #include "plcxx/bcd.h"
 #include "plcxx/floats.h"
 #include "plcxx/logic.h"
+#include "plcxx/registers.h"
 #include "plcxx/rings.h"
 #include "transpiler/ir/uses.h"
 #include "transpiler/sim/evaluate.h"
