@@ -153,7 +153,8 @@ std::string LibrariesOf(const LayerTable& table, const LayerRow& row) {
       const bool is_file = folder.ends_with(".cc");
       if (RowOf(table, is_file ? folder : folder + "/any.cc") != &row) continue;
       libraries += (libraries.empty() ? " " : ", ") + library.name;
-      if (is_file) libraries += " (" + Short(folder) + " only)";
+      const bool is_part = std::ranges::count(folder, '/') > std::ranges::count(row.folder, '/');
+      if (is_part) libraries += " (" + Short(folder) + " only)";
     }
   }
   return libraries;

@@ -95,6 +95,10 @@ class Engine {
     (texts.push_back(ToText(args)), ...);
     return Add(range, message.row, texts);
   }
+  /// The same for a row with its parameters as texts: what was found where there is no engine, and is reported later.
+  Diagnostic& ReportRow(source::Range range, const Row& row, const std::vector<std::string>& texts) {
+    return Add(range, row, texts);
+  }
 
   bool HasErrors() const { return error_count_ > 0; }
   uint32_t error_count() const { return error_count_; }

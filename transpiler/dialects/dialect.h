@@ -32,12 +32,21 @@ struct OptionInfo {
 /// Reads a file that an option or an include names; the place where it is named is the caller's to report.
 using FileLoader = std::function<std::variant<source::FileId, source::LoadError>(const std::string& path)>;
 
+/// -D NAME[=TEXT] or -U NAME.
+struct MacroOption {
+  std::string name;
+  std::optional<std::string> text;  // none: -U
+};
+
 struct Request {
   source::SourceManager* sources = nullptr;
   std::vector<source::FileId> files;           // the program, in the user's order
   std::map<std::string, std::string> options;  // validated keys; values as written
   FileLoader load;                             // paths of options, already relative to where the option stands
   diag::Engine* diagnostics = nullptr;
+  std::optional<source::Encoding> encoding;      // that the user chose, also for the files that sources include
+  std::vector<std::string> include_directories;  // -I
+  std::vector<MacroOption> macros;               // -D and -U in their order
 };
 
 /// What the compile report tells of the source.
@@ -97,6 +106,9 @@ class ControlStub {
                         std::optional<uint64_t>& /*out*/) {
     return 0;
   }
+  /// A scenario is about to set a place. True: the control takes the value, and memory keeps its own until the control
+  /// delivers it.
+  virtual bool Takes(const ir::Place&, uint64_t /*value*/) { return false; }
   /// A scenario has set a place, and the image holds the value. True: the control goes on writing this place (an input
   /// whose new level it delivers from now on). False: it leaves the place to the scenario until the next power-on.
   virtual bool Written(const ir::Place&, uint64_t /*value*/, ImagePort&) { return false; }
@@ -137,6 +149,8 @@ struct Dialect {
   diag::Lints lints;  // the dialect's codes for the checks of checks/
   /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
   bool options_ignore_case = false;
+  /// Do -D and -U mean something to it?
+  bool takes_macros = false;
   /// The text of a message that has just become active, where memory is a part of it (numbers); empty: "message N".
   /// None: the text is that of Program::messages.
   std::string (*message_text)(const ir::Program& program, uint32_t number, const ImagePort& image) = nullptr;

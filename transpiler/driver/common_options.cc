@@ -104,10 +104,12 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
     }
   }
   if (!TakeSettings(options.settings, request.options)) return std::nullopt;
-  if (!options.defines.empty() || !options.undefines.empty()) {
-    PrintUsageError("-D and -U belong to dialect hnc, which this version does not have");
-    return std::nullopt;
+  for (const std::string& definition : options.defines) {
+    const size_t equals = definition.find('=');
+    request.macros.push_back(
+        {definition.substr(0, equals), equals == std::string::npos ? "1" : definition.substr(equals + 1)});
   }
+  for (const std::string& name : options.undefines) request.macros.push_back({name, std::nullopt});
   std::vector<std::string> unknown;
   request.warnings = ReadWarningOptions(options.warnings, unknown);
   if (!unknown.empty()) {

@@ -102,6 +102,10 @@ void Pipeline::Load() {
     compilation_.options[OptionName(*compilation_.dialect, name)] = value;
   const uint32_t before = compilation_.diagnostics.error_count();
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
+  if (!request_.macros.empty() && !compilation_.dialect->takes_macros) {
+    compilation_.diagnostics.Report({}, diag::UnknownOption, request_.macros.front().text ? "-D" : "-U",
+                                    compilation_.dialect->name, "those of --set, and -I");
+  }
   if (compilation_.diagnostics.error_count() > before) compilation_.wrong_use = true;
 }
 
@@ -146,6 +150,9 @@ dialects::Request Compilation::MakeRequest() {
   request.options = options;
   request.load = load;
   request.diagnostics = &diagnostics;
+  request.encoding = encoding;
+  request.include_directories = include_directories;
+  request.macros = macros;
   return request;
 }
 
@@ -153,6 +160,9 @@ Compilation Compile(const CompilationRequest& request, Stage until) {
   Compilation compilation;
   compilation.sources = std::make_unique<source::SourceManager>();
   compilation.diagnostics = diag::Engine(request.warnings);
+  compilation.encoding = request.encoding;
+  compilation.include_directories = request.include_directories;
+  compilation.macros = request.macros;
   Pipeline(request, until, compilation).Run();
   ReportUndecodable(compilation);  // at the end: the dialect loads files, too
   compilation.diagnostics.SortBySource();
