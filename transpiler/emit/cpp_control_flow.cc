@@ -122,6 +122,7 @@ void PartPrinter::Switch(const ir::Inst& inst) {
 /// A label stands one step to the left of what it labels.
 void PartPrinter::Label(const std::string& label) {
   if (label.empty()) return;
+  if (indent_ == 1) out_ += '\n';  // it belongs to what follows
   --indent_;
   Line(label + ":;");
   ++indent_;

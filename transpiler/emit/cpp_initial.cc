@@ -7,9 +7,10 @@
 namespace plcxx::emit {
 namespace {
 
-constexpr size_t kLeastTable = 8;      // values that are a table
-constexpr uint32_t kMostZeros = 4;     // between two values of one table
-constexpr uint32_t kBytesPerRow = 16;  // of a table; a row begins at a multiple, so that a new value changes one row
+constexpr size_t kLeastTable = 8;       // values that are a table
+constexpr uint32_t kMostZeros = 4;      // between two values of one table
+constexpr uint32_t kMostDistance = 16;  // of their addresses
+constexpr uint32_t kBytesPerRow = 16;   // of a table; a row begins at a multiple, so that a new value changes one row
 constexpr uint32_t kBitBytesPerRow = 1;
 
 std::string HexByte(uint64_t value) {
@@ -21,10 +22,17 @@ std::string HexByte(uint64_t value) {
 
 /// A value of an array member: bit[5] = true.
 struct Initial {
-  uint32_t index = 0;   // in the array
-  uint32_t offset = 0;  // of its space
+  uint32_t index = 0;  // in the array
+  ir::SpaceId space;
+  uint32_t offset = 0;  // of the space
   uint64_t value = 0;
 };
+
+/// Whether a table can go on with `next` behind `last`, or with its first value.
+bool Follows(const Initial& last, const Initial& next) {
+  return next.space == last.space && next.index <= last.index + 1 + kMostZeros &&
+         next.offset <= last.offset + kMostDistance;
+}
 
 /// Values of one array, by index.
 struct InitialArray {
@@ -58,11 +66,11 @@ class InitialValues {
     const ir::Space& space = emittable_.program->spaces[id];
     if (emittable_.layout.bytes[id.index].empty()) return;
     for (const ir::InitialByte& initial : space.initial) {
-      if (initial.value != 0) Byte(emittable_.layout.bytes[id.index][initial.offset], initial);
+      if (initial.value != 0) Byte(emittable_.layout.bytes[id.index][initial.offset], id, initial);
     }
   }
 
-  void Byte(const ByteStorage& stored, const ir::InitialByte& initial) {
+  void Byte(const ByteStorage& stored, ir::SpaceId id, const ir::InitialByte& initial) {
     const uint32_t index = stored.whole.index;
     if (IsWord(stored.whole.storage)) {
       const WordMember& word = WordMemberOf(stored.whole.storage);
@@ -70,16 +78,16 @@ class InitialValues {
         if (member.name != word.name) continue;
         const uint32_t significance = (stored.whole.offset - member.offset) % member.element_bytes;
         Add(stored.whole.storage, word.name, word.type,
-            {index, initial.offset, uint64_t{initial.value} << (8 * significance)});
+            {index, id, initial.offset, uint64_t{initial.value} << (8 * significance)});
       }
     } else if (stored.whole.storage == Storage::kRetentiveByte) {
-      Add(Storage::kRetentiveByte, "retentive.bytes", ir::Type::kI8, {index, initial.offset, initial.value});
+      Add(Storage::kRetentiveByte, "retentive.bytes", ir::Type::kI8, {index, id, initial.offset, initial.value});
     } else if (stored.whole.storage == Storage::kByte) {
-      Add(Storage::kByte, "byte", ir::Type::kI8, {index, initial.offset, initial.value});
+      Add(Storage::kByte, "byte", ir::Type::kI8, {index, id, initial.offset, initial.value});
     } else {
       for (int bit = 0; bit < 8; ++bit) {
         if (stored.bits[bit].storage != Storage::kBit || (initial.value >> bit & 1) == 0) continue;
-        Add(Storage::kBit, "bit", ir::Type::kBit, {stored.bits[bit].index, initial.offset, 1});
+        Add(Storage::kBit, "bit", ir::Type::kBit, {stored.bits[bit].index, id, initial.offset, 1});
       }
     }
   }
@@ -130,11 +138,11 @@ void PartPrinter::InitStorage() {
   for (const auto& [storage, array] : initial.arrays()) {
     for (auto first = array.values.begin(); first != array.values.end();) {
       auto end = first;
+      const Initial* last = &first->second;
       size_t count = 0;
-      uint32_t last = first->first;
-      for (; end != array.values.end() && end->first <= last + 1 + kMostZeros; ++end, ++count) last = end->first;
+      for (; end != array.values.end() && Follows(*last, end->second); ++end, ++count) last = &end->second;
       if (count >= kLeastTable) {
-        InitialTable(storage, array, first->first, last + 1);
+        InitialTable(storage, array, first->first, last->index + 1);
         first = end;
       }
       for (; first != end; ++first) {

@@ -126,7 +126,11 @@ void PartPrinter::Effect(ir::InstId id) {
     }
     case ir::Shape::kStore: {
       const Spelling target = SpellPlace(emittable_, local_names_, ir::PlaceId(inst.payload), ir::ValueId(inst.b));
-      Line(target.text + " = " + Value(inst.a) + ";");
+      const std::string value = Value(inst.a);
+      // Of a variable of its own, `i = i;` is a warning of some compilers; a signal's is a call of an operator.
+      Line(value == target.text && emittable_.layout.places[inst.payload].storage == Storage::kLocal
+               ? "static_cast<void>(" + value + ");"
+               : target.text + " = " + value + ";");
       return;
     }
     case ir::Shape::kText: {
@@ -252,7 +256,7 @@ void PartPrinter::Range(ir::RegionId region, uint32_t begin, uint32_t end) {
   const auto& insts = program_.regions[region].insts;
   for (uint32_t i = begin; i < end;) {
     if (program_[insts[i]].op == ir::OpKind::kStatement) {
-      if (i > begin && indent_ == 1) out_ += '\n';
+      if (i > begin && indent_ == 1 && !out_.ends_with(":;\n")) out_ += '\n';
       statement_ = ir::StatementId(program_[insts[i]].payload);
       switched_ = false;
       StatementComments(program_.statements[statement_]);

@@ -19,7 +19,8 @@ constexpr std::string_view kTaken[] = {
     // macros and types that <stdint.h>, <stddef.h> and usual platform headers bring
     "NULL", "offsetof", "size_t", "ptrdiff_t", "max_align_t", "nullptr_t", "errno", "assert", "EOF", "stdin", "stdout",
     "stderr", "WCHAR_MAX", "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX",
-    "SIG_ATOMIC_MIN", "SIZE_MAX", "CHAR_BIT", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min", "max", "main", "std", "plcxx",
+    "SIG_ATOMIC_MIN", "SIZE_MAX", "CHAR_BIT", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min",
+    "max", "main", "std", "plcxx",
     // names of the generated code
     "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
     "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",

@@ -580,14 +580,14 @@ void PM2(State& m, Host&) noexcept {
     // :JU ODN
     goto to_F5_6;
   }
-to_DB502:;
 
+to_DB502:;
   // PIERW :L
   // : K 1
   // :T DB 502
   m[DB502] = 1;
-to_F5_6:;
 
+to_F5_6:;
   // ODN :A F 5.1         czujnik odniesienia: gniazdo 1
   // :A I 2.5
   // := F 5.6
@@ -970,8 +970,8 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
     // :EM
     return;
   }
-to_F4_0_3:;
 
+to_F4_0_3:;
   // M30 :A I 20.1
   // :R F 4.0
   // :R F 4.1
