@@ -64,23 +64,24 @@ void Clock::Elapse(uint64_t end) {
   for (Engine* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
 }
 
-uint32_t Clock::SlowCycles() {
-  return static_cast<uint32_t>(engines_.front()->Read(program_.places[program_.schedule.slow_done]));
-}
+Step Clock::RunSlow(uint32_t count) { return RunUntil(program_.schedule.slow_done, count); }
 
-Step Clock::RunSlow(uint32_t count) {
+Step Clock::RunUntil(ir::PlaceId counter, uint32_t count) {
+  const auto completed_so_far = [this, counter] {
+    return static_cast<uint32_t>(engines_.front()->Read(program_.places[counter]));
+  };
   for (uint32_t done = 0; done < count;) {
-    if (!program_.schedule.slow_done.valid()) {  // a program that does not count them completes one in each period
+    if (!counter.valid()) {  // a program that does not count them completes one in each period
       if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
       ++done;
       continue;
     }
-    const uint32_t before = SlowCycles();
+    const uint32_t before = completed_so_far();
     uint32_t completed = 0;
     for (uint32_t periods = 0; completed == 0; ++periods) {
-      if (periods == kLongestSlowCycle) return Step::kStuck;
+      if (periods == program_.schedule.most_periods) return Step::kStuck;
       if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
-      completed = SlowCycles() - before;  // by difference: the count wraps
+      completed = completed_so_far() - before;  // by difference: the count wraps
     }
     done += std::min(completed, count - done);
   }
@@ -100,6 +101,7 @@ Step Clock::RunMs(uint64_t ms) {
 }
 
 Step Clock::RunFast(uint32_t count) {
+  if (program_.schedule.fast_done.valid()) return RunUntil(program_.schedule.fast_done, count);
   for (uint32_t i = 0; i < count; ++i) {
     if (RunPeriod(Part::kFastOnly) == Step::kInterrupted) return Step::kInterrupted;
   }

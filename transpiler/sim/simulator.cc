@@ -9,7 +9,11 @@ namespace plcxx::sim {
 Simulator::Simulator(const ir::Program& program)
     : program_(program), instances_(program), values_(program.insts.size()), switched_off_(program.statements.size()) {
   for (const ir::Place& place : program.places) places_.push_back(AccessTo(program, place));
-  for (const ir::Space& space : program.spaces) spaces_.emplace_back(space.bytes);
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    const ir::Space& space = program.spaces[ir::SpaceId(i)];
+    spaces_.emplace_back(space.bytes);
+    if (space.lifetime == ir::Lifetime::kRoutine) locals_.push_back(i);
+  }
   for (uint32_t i = 0; i < program.insts.size(); ++i) {
     const ir::Inst& inst = program[ir::InstId(i)];
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);
@@ -31,16 +35,19 @@ void Simulator::PowerOn() {
 
 void Simulator::RunPeriod(uint32_t now_ms) {
   now_ms_ = now_ms;
+  BeginLocals();
   Run(program_.schedule.period);
 }
 
 void Simulator::RunFastOnly(uint32_t now_ms) {
   now_ms_ = now_ms;
+  BeginLocals();
   Run(program_.schedule.fast_only);
 }
 
 void Simulator::RunElapse(uint32_t now_ms) {
   now_ms_ = now_ms;
+  BeginLocals();
   Run(program_.schedule.elapse);
 }
 

@@ -59,6 +59,9 @@ class Simulator : public Engine {
   };
 
   void Run(ir::RoutineId routine);
+  /// Begins a partition, whose named locals are all 0; gives those of its caller.
+  std::vector<ForcedBytes> BeginLocals();
+  void EndLocals(std::vector<ForcedBytes> callers);
   Flow Execute(ir::RegionId region);
 
   /// Of a statement that is switched off: the other statements in the regions that its jumps made.
@@ -88,6 +91,7 @@ class Simulator : public Engine {
   const ir::Program& program_;
   std::vector<PlaceAccess> places_;  // by PlaceId
   std::vector<ForcedBytes> spaces_;  // by SpaceId
+  std::vector<uint32_t> locals_;     // the spaces of lifetime kRoutine
   Instances instances_;
   std::vector<uint64_t> values_;    // by ValueId, raw bits; constants are there from the start
   std::vector<bool> switched_off_;  // by StatementId

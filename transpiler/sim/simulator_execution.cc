@@ -1,7 +1,11 @@
 // The simulator's inner part: regions and instructions.
 
+#include <utility>
+
 #include "plcxx/arith.h"
 #include "plcxx/bcd.h"
+#include "plcxx/c_integers.h"
+#include "plcxx/doubles.h"
 #include "plcxx/floats.h"
 #include "plcxx/logic.h"
 #include "plcxx/registers.h"
@@ -26,6 +30,18 @@ void Simulator::Run(ir::RoutineId id) {
     PLCXX_CHECK(Execute(region) == Flow::kOn);
   }
   current_ = caller;
+}
+
+std::vector<ForcedBytes> Simulator::BeginLocals() {
+  std::vector<ForcedBytes> callers;
+  for (const uint32_t space : locals_) {
+    callers.push_back(std::exchange(spaces_[space], ForcedBytes(spaces_[space].size())));
+  }
+  return callers;
+}
+
+void Simulator::EndLocals(std::vector<ForcedBytes> callers) {
+  for (size_t i = 0; i < locals_.size(); ++i) spaces_[locals_[i]] = std::move(callers[i]);
 }
 
 Simulator::Flow Simulator::Execute(RegionId region) {
@@ -177,6 +193,7 @@ Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
       continue;
     }
     if (exhausted || loop.kind == ir::LoopBound::kBudget) return Flow::kOn;
+    Execute(loop.step);  // which leaves nothing
   }
 }
 
@@ -208,11 +225,14 @@ Simulator::Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
 Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
+  std::optional<std::vector<ForcedBytes>> callers;
+  if (routine.kind != ir::RoutineKind::kSubroutine) callers = BeginLocals();
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
     Set(places_[routine.parameter_places[i].index], 0, values_[call.arguments[i].index], Writer::kProgram);
   }
   Run(call.routine);
   if (routine.result_place.valid()) values_[id.index] = Get(places_[routine.result_place.index], 0);
+  if (callers) EndLocals(*std::move(callers));
   return Flow::kOn;
 }
 
