@@ -169,6 +169,7 @@ void Printer::PrintSchedule() {
   if (schedule.period_ends_its_time) entry("period_ends_its_time", "1");
   if (schedule.period_ms != usual.period_ms) entry("period_ms", Decimal(schedule.period_ms));
   if (schedule.slot_ms != usual.slot_ms) entry("slot_ms", Decimal(schedule.slot_ms));
+  if (schedule.fast_ms != usual.fast_ms) entry("fast_ms", Decimal(schedule.fast_ms));
   if (schedule.slices_by_cost) entry("slices_by_cost", "1");
   if (schedule.slow_done.valid()) entry("slow_done", PlaceName(schedule.slow_done));
   if (schedule.fast_done.valid()) entry("fast_done", PlaceName(schedule.fast_done));

@@ -269,6 +269,8 @@ void Reader::ReadScheduleEntry() {
     schedule.period_ms = Number32();
   } else if (key == "slot_ms") {
     schedule.slot_ms = Number32();
+  } else if (key == "fast_ms") {
+    schedule.fast_ms = Number32();
   } else if (key == "slices_by_cost") {
     schedule.slices_by_cost = Number() != 0;
   } else if (key == "slow_done") {

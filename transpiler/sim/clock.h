@@ -2,8 +2,9 @@
 //
 // Several engines of one program run in lockstep: each period is executed by all of them, with the same time. Periods
 // are executed at multiples of the schedule's period P only: as a rule at the beginning of their time (0, P, 2P ...),
-// with Schedule::period_ends_its_time at its end (P, 2P ...). Not its job: what a period does (the program's own
-// routine), what the machine around it does (the callbacks).
+// with Schedule::period_ends_its_time at its end (P, 2P ...). With Schedule::fast_ms slow and fast part have periods of
+// their own. Not its job: what a period does (the program's own routine), what the machine around it does (the
+// callbacks).
 #pragma once
 
 #include <cstdint>
@@ -47,6 +48,11 @@ class Clock {
 
  private:
   enum class Part : uint8_t { kWholePeriod, kFastOnly };
+
+  /// The part at the time t as it is, t stays.
+  Step RunPart(Part part);
+  Step RunParts(Part part, uint32_t count);
+  Step RunMsByParts(uint64_t ms);
 
   /// One period at its next time; then t is the end of its time. Never kStuck.
   Step RunPeriod(Part part);
