@@ -143,7 +143,7 @@ TEST_F(Stepping, ASlowPartThatNeverCompletesIsNoHang) {
   machine.Force("SLICES", 0);
   machine.Force("SLICE", 0);
   EXPECT_EQ(clock.RunSlow(1), Step::kStuck);
-  EXPECT_EQ(periods.size(), Clock::kLongestSlowCycle);
+  EXPECT_EQ(periods.size(), machine.program.schedule.most_periods);
 }
 
 TEST_F(Stepping, CallbacksStandAroundThePeriod) {
@@ -286,6 +286,26 @@ TEST(Clock, EnginesRunInLockstep) {
   clock.RunFast(1);
   EXPECT_EQ(first.Get("NOW"), 60u);
   EXPECT_EQ(first.simulator.Snapshot(), second.simulator.Snapshot());
+}
+
+TEST(Clock, PartsWithPeriodsOfTheirOwn) {
+  Machine machine(kSliced);
+  machine.program.schedule.fast_ms = 2;  // `period` of this program counts as slow part of 10 ms, FAST counts both
+  Clock clock(machine.program, {&machine.simulator});
+  std::vector<uint32_t> times;
+  clock.before_period = [&](uint32_t now_ms) { times.push_back(now_ms); };
+  clock.RunFast(2);
+  clock.RunSlow(1);
+  EXPECT_THAT(times, ElementsAre(0, 0, 0));
+  times.clear();
+  clock.RunMs(7);
+  EXPECT_THAT(times, ElementsAre(2, 4, 6));
+  times.clear();
+  clock.RunMs(4);
+  EXPECT_THAT(times, ElementsAre(8, 10, 10));
+  EXPECT_EQ(clock.time_ms(), 11u);
+  clock.RunMs(100);
+  EXPECT_EQ(machine.Get("FAST"), 3u + 55 + 11);
 }
 
 TEST(Clock, WithoutACountEveryPeriodIsASlowCycle) {

@@ -101,7 +101,9 @@ Cost Estimator::OwnedBySwitch(const ir::Switch& cases) {
 }
 
 Cost Estimator::OwnedByLoop(const ir::Loop& loop) {
-  const Cost condition = Region(loop.condition), body = Region(loop.body), exhausted = Region(loop.exhausted);
+  const Cost condition = Region(loop.condition), exhausted = Region(loop.exhausted);
+  Cost body = Region(loop.body);
+  Add(body, Region(loop.step));
   const Cost back = Price(CostClass::kBranch);
   // A budget is for faults, and shared: what is typical is that such a loop is not taken back at all.
   const uint64_t rounds = loop.kind == ir::LoopBound::kBudget ? 1 : loop.bound;

@@ -44,9 +44,10 @@ struct Request {
   std::map<std::string, std::string> options;  // validated keys; values as written
   FileLoader load;                             // paths of options, already relative to where the option stands
   diag::Engine* diagnostics = nullptr;
-  std::optional<source::Encoding> encoding;      // that the user chose, also for the files that sources include
-  std::vector<std::string> include_directories;  // -I
-  std::vector<MacroOption> macros;               // -D and -U in their order
+  std::optional<source::Encoding> encoding;             // that the user chose, also for the files that sources include
+  std::vector<std::string> include_directories;         // -I
+  std::vector<std::string> system_include_directories;  // --system-include
+  std::vector<MacroOption> macros;                      // -D and -U in their order
 };
 
 /// What the compile report tells of the source.
@@ -150,6 +151,7 @@ struct Dialect {
   /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
   bool options_ignore_case = false;
   /// Do -D and -U mean something to it?
+  bool takes_system_includes = false;  // --system-include means something to it
   bool takes_macros = false;
   /// The text of a message that has just become active, where memory is a part of it (numbers); empty: "message N".
   /// None: the text is that of Program::messages.

@@ -64,6 +64,8 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->group(kSourcesGroup);
   AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",
               kSourcesGroup);
+  AddRepeated(command, "--system-include", options.system_include_directories, "DIR",
+              "Where quoted includes are looked for (dialect technol)", kSourcesGroup);
   AddRepeated(command, "-D", options.defines, "NAME[=V]", "Define a macro (dialect hnc)", kSourcesGroup);
   AddRepeated(command, "-U", options.undefines, "NAME", "Undefine a macro (dialect hnc)", kSourcesGroup);
   AddSettings(command, options);
@@ -95,6 +97,7 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
   request.sources = options.sources;
   request.dialect = options.dialect;
   request.include_directories = options.include_directories;
+  request.system_include_directories = options.system_include_directories;
   if (!options.encoding.empty() && options.encoding != "auto") {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {

@@ -20,12 +20,12 @@ struct CommonOptions {
   std::string dialect;
   std::string encoding;
   std::vector<std::string> settings;  // --set
-  std::vector<std::string> include_directories, defines, undefines;
+  std::vector<std::string> include_directories, system_include_directories, defines, undefines;
   std::vector<std::string> warnings;
   std::string format = "text";
 };
 
-/// SOURCE..., --dialect, --encoding, --set, -I, -D, -U, -W, --diagnostics.
+/// SOURCE..., --dialect, --encoding, --set, -I, --system-include, -D, -U, -W, --diagnostics.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);

@@ -106,6 +106,10 @@ void Pipeline::Load() {
     compilation_.diagnostics.Report({}, diag::UnknownOption, request_.macros.front().text ? "-D" : "-U",
                                     compilation_.dialect->name, "those of --set, and -I");
   }
+  if (!request_.system_include_directories.empty() && !compilation_.dialect->takes_system_includes) {
+    compilation_.diagnostics.Report({}, diag::UnknownOption, "--system-include", compilation_.dialect->name,
+                                    "those of --set, and -I");
+  }
   if (compilation_.diagnostics.error_count() > before) compilation_.wrong_use = true;
 }
 
@@ -152,6 +156,7 @@ dialects::Request Compilation::MakeRequest() {
   request.diagnostics = &diagnostics;
   request.encoding = encoding;
   request.include_directories = include_directories;
+  request.system_include_directories = system_include_directories;
   request.macros = macros;
   return request;
 }
@@ -162,6 +167,7 @@ Compilation Compile(const CompilationRequest& request, Stage until) {
   compilation.diagnostics = diag::Engine(request.warnings);
   compilation.encoding = request.encoding;
   compilation.include_directories = request.include_directories;
+  compilation.system_include_directories = request.system_include_directories;
   compilation.macros = request.macros;
   Pipeline(request, until, compilation).Run();
   ReportUndecodable(compilation);  // at the end: the dialect loads files, too

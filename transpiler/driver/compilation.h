@@ -31,8 +31,9 @@ struct CompilationRequest {
   /// Where relative paths of `sources` and of options stand; empty: the current directory.
   std::string base_directory;
   std::vector<std::string> include_directories;  // -I, searched for the files that options name, after base_directory
-  std::vector<dialects::MacroOption> macros;     // -D and -U
-  std::string name;                              // of the program; empty: from the first logic source
+  std::vector<std::string> system_include_directories;  // --system-include
+  std::vector<dialects::MacroOption> macros;            // -D and -U
+  std::string name;                                     // of the program; empty: from the first logic source
   /// Called before each phase with its name, for a progress line; may be empty.
   std::function<void(std::string_view phase)> progress;
 };
@@ -80,7 +81,7 @@ struct Compilation {
 
   dialects::FileLoader load;  // paths of options; refers to `sources`
   std::optional<source::Encoding> encoding;
-  std::vector<std::string> include_directories;
+  std::vector<std::string> include_directories, system_include_directories;
   std::vector<dialects::MacroOption> macros;
 };
 

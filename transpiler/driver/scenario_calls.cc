@@ -7,10 +7,21 @@
 namespace plcxx::driver {
 namespace {
 
+/// The line of the statement with this id; 0: there is none.
+uint32_t LineOf(const ir::Program& program, uint64_t id) {
+  const auto& statements = program.statements;
+  const auto found =
+      std::find_if(statements.begin(), statements.end(), [id](const ir::Statement& s) { return s.id == id; });
+  return found == statements.end() ? 0 : found->line;
+}
+
 bool Matches(const ir::Program& program, const PlannedCall& call, const sim::HostEvent& event) {
   if (call.function != event.function) return false;
   const std::vector<ir::Parameter>& parameters = program.host_functions[call.function].parameters;
   return std::all_of(call.arguments.begin(), call.arguments.end(), [&](const PlannedArgument& argument) {
+    if (argument.is_line && argument.index < event.arguments.size()) {
+      return LineOf(program, event.arguments[argument.index]) == argument.value;
+    }
     return argument.index < event.arguments.size() &&
            sim::SameValue(parameters[argument.index].type, event.arguments[argument.index], argument.value);
   });

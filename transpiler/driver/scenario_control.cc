@@ -79,6 +79,7 @@ void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
     if (stub_) stub_->WriteCell(*location.cell, value);
     return;
   }
+  if (stub_ && stub_->Takes(location.place, value)) return;
   engine_.Write(location.place, value);
   if (stub_ && stub_->Written(location.place, value, *this)) return;
   NoteSet(location.place);

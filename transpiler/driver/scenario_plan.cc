@@ -181,14 +181,16 @@ class Planner {
   void PlanArgument(const Assignment& written, PlannedCall& call) {
     const ir::HostFunction& function = program_.host_functions[call.function];
     const auto& parameters = function.parameters;
-    const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                    [&](const ir::Parameter& p) { return p.name == written.location.text; });
+    const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const ir::Parameter& p) {
+      return p.name == written.location.text || (p.is_statement && written.location.text == "line");
+    });
     if (found == parameters.end()) {
       Fail(written.location.mark,
            "'" + written.location.text + "' is no parameter of '" + function.name + "'" + Names(parameters));
       return;
     }
-    PlannedArgument argument{static_cast<uint32_t>(found - parameters.begin()), 0};
+    PlannedArgument argument{static_cast<uint32_t>(found - parameters.begin()), 0, {}};
+    argument.is_line = found->is_statement && written.location.text == "line";
     const auto& names = found->enumerators;
     const auto name = std::find(names.begin(), names.end(), written.value.text);
     if (name != names.end()) {

@@ -28,6 +28,7 @@ struct PlannedValue {
 struct PlannedArgument {
   uint32_t index = 0;  // of the function's parameters
   uint64_t value = 0;
+  bool is_line = false;  // of the source; the call has the statement that stands there
 };
 
 struct PlannedCall {

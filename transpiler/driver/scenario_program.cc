@@ -21,6 +21,8 @@ std::string KeyOf(const CompilationRequest& request) {
   key += ";";
   if (request.encoding) add(std::string(source::Name(*request.encoding)));
   key += ";";
+  for (const std::string& directory : request.system_include_directories) add(directory);
+  key += ";";
   for (const std::string& code : request.warnings.enabled) add(code);
   return key;
 }
@@ -40,11 +42,13 @@ CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& o
   }
   request.options = overrides.options;
   for (const auto& [name, value] : scenario.options) {
-    // The one option that is the tool's own and not the dialect's; a name that is none is refused as an option.
+    // Options that are the tool's own and not the dialect's; a name that is none is refused as an option.
     const std::optional<source::Encoding> encoding =
         name == "encoding" ? source::EncodingByName(value) : std::optional<source::Encoding>();
     if (encoding) {
       request.encoding = encoding;
+    } else if (name == "system-include") {
+      request.system_include_directories.push_back((std::filesystem::path(scenario.directory) / value).string());
     } else if (name != "encoding" || value != "auto") {
       request.options.emplace_back(name, value);
     }

@@ -118,8 +118,8 @@ class Runner {
         case sim::Step::kInterrupted:
           return std::nullopt;
         case sim::Step::kStuck:
-          return Failed(step_->written->mark, "the slow part was not completed within " +
-                                                  std::to_string(sim::Clock::kLongestSlowCycle) + " periods");
+          return Failed(step_->written->mark, "the part was not completed within " +
+                                                  std::to_string(run_.program.schedule.most_periods) + " periods");
       }
     }
     return std::nullopt;

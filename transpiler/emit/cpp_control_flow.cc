@@ -1,5 +1,7 @@
 // If, switch, loops, blocks, and the ways out of them.
 
+#include <algorithm>
+
 #include "transpiler/emit/part_printer.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/support/check.h"
@@ -146,6 +148,24 @@ bool PartPrinter::EndsByLeaving(ir::RegionId region) const {
   return false;
 }
 
+/// Whether all of the list is in the spelling of its last value.
+bool PartPrinter::IsSpelledAsOne(ir::RegionId region) const {
+  const auto& insts = program_.regions[region].insts;
+  return std::all_of(insts.begin(), insts.end(), [this](ir::InstId id) {
+    const ir::Shape shape = ir::Info(program_[id].op).shape;
+    const bool value = shape == ir::Shape::kConst || shape == ir::Shape::kPure || shape == ir::Shape::kLoad;
+    return value && !emittable_.local_value[id.index];
+  });
+}
+
+/// "i = Add16(i, 1)"; empty: the loop has no step.
+std::string PartPrinter::Step(ir::RegionId region) {
+  if (!region.valid() || program_.regions[region].insts.empty()) return "";
+  const ir::Inst& store = program_[program_.regions[region].insts.back()];
+  const Spelling target = SpellPlace(emittable_, local_names_, ir::PlaceId(store.payload), ir::ValueId(store.b));
+  return target.text + " = " + Value(store.a);
+}
+
 void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
   const auto landing = emittable_.landings.find(id.index);
@@ -167,14 +187,26 @@ void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   ++loop_depth_;
   // A proven loop ends by itself: nobody counts its rounds.
   const bool counts = loop.kind == ir::LoopBound::kGuard;
-  Line(counts ? "for (uint32_t " + round + " = 0;; ++" + round + ") {" : "for (;;) {");
+  const std::string step = Step(loop.step);
+  const bool in_head = loop.condition.valid() && IsSpelledAsOne(loop.condition);
+  const auto condition = [&] {
+    const Spelling spelled = Spell(emittable_, local_names_, program_.regions[loop.condition].insts.back());
+    if (!debug() || !statement.valid()) return spelled;
+    return Spelling{"(m.on(" + std::to_string(statement.index) + ") & " + Bracketed(spelled) + ")",
+                    ir::Precedence::kPrimary};
+  };
+  const std::string head = in_head ? " " + condition().text : "";
+  if (counts) {
+    Line("for (uint32_t " + round + " = 0;" + head + "; ++" + round + (step.empty() ? "" : ", ") + step + ") {");
+  } else if (step.empty()) {
+    Line(in_head ? "while (" + condition().text + ") {" : "for (;;) {");
+  } else {
+    Line("for (;" + head + "; " + step + ") {");
+  }
   ++indent_;
-  if (loop.condition.valid()) {
-    const auto& insts = program_.regions[loop.condition].insts;
-    Range(loop.condition, 0, static_cast<uint32_t>(insts.size()));
-    std::string text = Bracketed(Spell(emittable_, local_names_, insts.back()));
-    if (debug() && statement.valid()) text = "(m.on(" + std::to_string(statement.index) + ") & " + text + ")";
-    Line("if (!" + text + ") break;");
+  if (loop.condition.valid() && !in_head) {
+    Range(loop.condition, 0, static_cast<uint32_t>(program_.regions[loop.condition].insts.size()));
+    Line("if (!" + Bracketed(condition()) + ") break;");
   }
   if (loop.kind == ir::LoopBound::kGuard) {
     Line("if (" + round + " == " + std::to_string(loop.bound) + ") {");

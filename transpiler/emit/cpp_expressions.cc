@@ -98,7 +98,7 @@ std::string ConstantText(ir::Type type, uint64_t value) {
     }
     case ir::Type::kF64: {
       const auto number = std::bit_cast<double>(value);
-      PLCXX_CHECK(std::isfinite(number));  // no operation gives one yet
+      if (!std::isfinite(number)) return "F64OfBits(" + Hex(value, 16) + ")";
       return FloatText(number, "");
     }
     case ir::Type::kNone:
@@ -188,7 +188,7 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
     }
     case ir::Shape::kCall: {
       const ir::Call& call = program.calls[ir::CallId(inst.payload)];
-      std::string out = program.routines[call.routine].name + "(m";
+      std::string out = emittable.routine_names[call.routine.index] + "(m";
       for (const ir::ValueId argument : call.arguments) out += ", " + Spell(emittable, local_names, argument).text;
       for (const ir::PlaceId place : emittable.routine_locals[call.routine.index].shared) {
         out += ", " + emittable.place_names[place.index];

@@ -46,6 +46,7 @@ void HeaderPrinter::Top() {
     const std::string_view header = ir::Info(inst.op).header;
     if (!header.empty()) headers.insert(std::string(header));
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
+    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
   }
   for (const PlaceStorage& stored : emittable_.layout.places) {
     const bool wide = stored.storage == Storage::kWide || stored.storage == Storage::kIndexed ||

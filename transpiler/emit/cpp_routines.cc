@@ -82,7 +82,7 @@ void PartPrinter::Routine(ir::RoutineId id) {
   const ir::Routine& routine = program_.routines[id];
   const Locals& locals = emittable_.routine_locals[id.index];
   if (!routine.comment.empty()) Comment(routine.comment);
-  OpenFunction(std::string(ir::CppName(routine.result)) + " " + routine.name, Parameters(locals));
+  OpenFunction(std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index], Parameters(locals));
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";
   for (const Locals::Declared& local : locals.declared) {
     const ir::Type type = program_.places[local.place].type;
@@ -183,7 +183,8 @@ void PartPrinter::Declarations() {
   for (uint32_t i = 0; i < called.size(); ++i) {
     const ir::Routine& routine = program_.routines[ir::RoutineId(i)];
     if (!called[i]) continue;
-    out_ += Prototype(std::string(ir::CppName(routine.result)) + " " + routine.name, emittable_.routine_locals[i]);
+    out_ += Prototype(std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[i],
+                      emittable_.routine_locals[i]);
   }
   if (part_ == 0) {
     for (const ChunkRun& run : emittable_.runs) out_ += Prototype("void " + run.name, run.locals);

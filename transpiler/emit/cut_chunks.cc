@@ -235,16 +235,17 @@ void CutChunks(Emittable& emittable) {
                 .prefix = {}};
   for (const std::string& name : emittable.place_names) cutter.names.insert(name);
   for (const std::string& name : emittable.state_names) cutter.names.insert(name);
+  for (const std::string& name : emittable.routine_names) cutter.names.insert(name);
   for (const ir::Routine& routine : program.routines) {
-    cutter.names.insert(routine.name);
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
       if (region.valid()) cutter.Measure(region, 0);
     }
   }
-  for (const ir::Routine& routine : program.routines) {
-    if (!routine.body.valid()) continue;
-    cutter.prefix = routine.name;
-    cutter.Visit(routine.body);
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RegionId body = program.routines[ir::RoutineId(i)].body;
+    if (!body.valid()) continue;
+    cutter.prefix = emittable.routine_names[i];
+    cutter.Visit(body);
   }
   cutter.MakeParts();
 }

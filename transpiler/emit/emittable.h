@@ -78,8 +78,9 @@ struct Emittable {
   EmitOptions options;
   Layout layout;
   std::string namespace_name;
-  std::vector<std::string> place_names;  // by PlaceId; empty: nothing uses it
-  std::vector<std::string> state_names;  // by StateId
+  std::vector<std::string> place_names;    // by PlaceId; empty: nothing uses it
+  std::vector<std::string> state_names;    // by StateId
+  std::vector<std::string> routine_names;  // by RoutineId
   /// By Storage (of arrays that are not retentive) and index: the name of the element. Of a stretch the first byte
   /// always has one.
   std::map<std::pair<Storage, uint32_t>, std::string> element_names;

@@ -18,6 +18,7 @@ Interval IntervalOf(const ir::Program& program, ir::ValueId value) {
   switch (inst.op) {
     case ir::OpKind::kConst:
       return {ir::ConstantValue(inst), ir::ConstantValue(inst)};
+    case ir::OpKind::kWiden1To16:
     case ir::OpKind::kWiden1To32:
     case ir::OpKind::kWiden8To16:
     case ir::OpKind::kWiden8To32:
@@ -50,10 +51,13 @@ bool IsForegone(const ir::Program& program, const ir::Inst& inst) {
     case ir::OpKind::kNotEqual32:
       return Apart(a(), b());
     case ir::OpKind::kLess8:
+    case ir::OpKind::kLess16:
+    case ir::OpKind::kGreaterEqual16:
     case ir::OpKind::kLess32:
     case ir::OpKind::kGreaterEqual32:
       return OrderIsKnown(a(), b());
     case ir::OpKind::kGreater8:
+    case ir::OpKind::kLessEqual16:
     case ir::OpKind::kGreater32:
     case ir::OpKind::kLessEqual32:
       return OrderIsKnown(b(), a());

@@ -40,6 +40,7 @@ std::vector<bool> UsedPlaces(const ir::Program& program) {
     if (place.valid()) used[place.index] = true;
   };
   mark(program.schedule.slow_done);
+  mark(program.schedule.fast_done);
   mark(program.schedule.retain_at_power_off);
   for (const ir::MessageWord& word : program.message_words) mark(word.place);
   for (const ir::Loop& loop : program.loops) mark(loop.budget);

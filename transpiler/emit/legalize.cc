@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <unordered_set>
 
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
@@ -40,6 +42,10 @@ void FindUsedFunctions(Emittable& emittable) {
     if (number && ConstantText(inst.type, ir::ConstantValue(inst)).front() == 'F') {
       emittable.functions.emplace_back("F32OfBits");
     }
+    const bool wide = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64;
+    if (wide && ConstantText(inst.type, ir::ConstantValue(inst)).front() == 'F') {
+      emittable.functions.emplace_back("F64OfBits");
+    }
   }
   std::sort(emittable.functions.begin(), emittable.functions.end());
   emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
@@ -55,7 +61,14 @@ void NamePlaces(Emittable& emittable) {
     names.Reserve(function.name);
     for (const ir::Parameter& parameter : function.parameters) names.Reserve(function.name + "_" + parameter.name);
   }
-  for (const ir::Routine& routine : program.routines) names.Reserve(routine.name);
+  // A subroutine's name is the source's; the others are the generated code's own.
+  for (const ir::Routine& routine : program.routines) {
+    if (routine.kind != ir::RoutineKind::kSubroutine) names.Reserve(routine.name);
+  }
+  for (const ir::Routine& routine : program.routines) {
+    const bool own = routine.kind == ir::RoutineKind::kSubroutine;
+    emittable.routine_names.push_back(own ? names.Allocate(routine.name, "routine") : routine.name);
+  }
   emittable.namespace_name = SafeIdentifier(emittable.options.name);
   names.Reserve(emittable.namespace_name);
   // In the order of the addresses, not of first use: a statement inserted above must not rename what follows.
@@ -70,14 +83,19 @@ void NamePlaces(Emittable& emittable) {
   // Locals come before all, for they are not to hide any name. A parameter has the name that the routine says.
   emittable.place_names.resize(program.places.size());
   const auto is_local = [&emittable](uint32_t i) { return emittable.layout.places[i].storage == Storage::kLocal; };
+  const auto is_own = [&program](uint32_t i) {
+    const ir::Place& place = program.places[ir::PlaceId(i)];
+    return !place.is_field() && program.spaces[place.space].own;
+  };
   for (const ir::Routine& routine : program.routines) {
     for (size_t i = 0; i < routine.parameters.size(); ++i) {
+      if (is_own(routine.parameter_places[i].index)) continue;
       emittable.place_names[routine.parameter_places[i].index] = routine.parameters[i].name;
       names.Reserve(routine.parameters[i].name);
     }
   }
   for (const uint32_t i : order) {
-    if (is_local(i) && emittable.place_names[i].empty()) {
+    if (is_local(i) && !is_own(i) && emittable.place_names[i].empty()) {
       emittable.place_names[i] = names.Allocate(program.places[ir::PlaceId(i)].name, "local");
     }
   }
@@ -105,6 +123,13 @@ void NamePlaces(Emittable& emittable) {
   // An instance whose own name is the name of its signal ("P6") gives way: the signal is what statements name.
   for (const ir::StateInstance& state : program.states) {
     emittable.state_names.push_back(names.Allocate(state.name, "state"));
+  }
+  // Behind all names of the file, none of which such a local may hide. A space is one function's.
+  std::map<uint32_t, std::unordered_set<std::string>> functions;
+  for (const uint32_t i : order) {
+    if (!is_local(i) || !is_own(i)) continue;
+    const ir::Place& place = program.places[ir::PlaceId(i)];
+    emittable.place_names[i] = names.AllocateIn(functions[place.space.index], place.name);
   }
 }
 

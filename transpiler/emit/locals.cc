@@ -5,7 +5,8 @@
 //                                                                      void PM17(State& m, bool& s, Host& host)
 //
 // A subroutine gets by reference what it or a callee of it touches, and nothing else; so does a chunk. Parameters stay
-// values unless a chunk writes them. A routine's result is a local of its own.
+// values unless a chunk writes them. A routine's result is a local of its own, and so are the places of a space of its
+// own.
 
 #include <algorithm>
 
@@ -102,7 +103,8 @@ void Sharing::Routine(ir::RoutineId id) {
     const auto& parameters = routine.parameter_places;
     const bool parameter = std::find(parameters.begin(), parameters.end(), locals[i]) != parameters.end();
     if (parameter || (!touches[i].read && !touches[i].written)) continue;
-    if (SharesLocals(routine.kind) && locals[i] != routine.result_place) {
+    const bool own = program.spaces[program.places[locals[i]].space].own;
+    if (SharesLocals(routine.kind) && !own && locals[i] != routine.result_place) {
       found.shared.push_back(locals[i]);
     } else {
       found.declared.push_back({locals[i], touches[i].read});

@@ -24,8 +24,8 @@ constexpr std::string_view kTaken[] = {
     // names of the generated code
     "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
     "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
-    "round", "copy", "layout", "At", "F32OfBits", "kValues", "messages", "menu_texts", "send_operator_text", "get_byte",
-    "set_byte", "retentive", "Clear", "ReapplyForces"};
+    "round", "copy", "layout", "At", "F32OfBits", "F64OfBits", "kValues", "messages", "menu_texts",
+    "send_operator_text", "get_byte", "set_byte", "retentive", "Clear", "ReapplyForces"};
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -102,6 +102,18 @@ std::string NameTable::Allocate(std::string_view name, std::string_view address)
   candidate = SafeIdentifier(candidate + "_" + (address.empty() ? "n" : std::string(address)));
   std::string unique = candidate;
   for (uint32_t i = 2; !taken_.insert(unique).second; ++i) unique = SafeIdentifier(candidate + "_" + std::to_string(i));
+  return unique;
+}
+
+std::string NameTable::AllocateIn(std::unordered_set<std::string>& function, std::string_view name) const {
+  const auto take = [&](const std::string& candidate) {
+    if (IsLocalName(candidate) || IsStdintName(candidate) || taken_.contains(candidate)) return false;
+    return function.insert(candidate).second;
+  };
+  const std::string candidate = SafeIdentifier(name);
+  if (take(candidate)) return candidate;
+  std::string unique = SafeIdentifier(candidate + "_local");
+  for (uint32_t i = 2; !take(unique); ++i) unique = SafeIdentifier(candidate + "_local_" + std::to_string(i));
   return unique;
 }
 

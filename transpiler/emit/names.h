@@ -22,6 +22,8 @@ class NameTable {
   void Reserve(std::string_view name) { taken_.emplace(name); }
   /// A free identifier for `name`; `address` tells two of the same name apart.
   std::string Allocate(std::string_view name, std::string_view address);
+  /// The same for a name that only one function knows: it is free there, and in the file, but others may have it.
+  std::string AllocateIn(std::unordered_set<std::string>& function, std::string_view name) const;
 
  private:
   std::unordered_set<std::string> taken_;

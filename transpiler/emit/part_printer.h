@@ -71,6 +71,8 @@ class PartPrinter {
   std::string Condition(const ir::Inst& inst);
   void Switch(const ir::Inst& inst);
   void Loop(ir::InstId id, const ir::Inst& inst);
+  std::string Step(ir::RegionId region);
+  bool IsSpelledAsOne(ir::RegionId region) const;
   void Block(ir::InstId id, const ir::Inst& inst);
   void Exit(ir::InstId id, const ir::Inst& inst);
   void Repeat(ir::InstId id, const ir::Inst& inst);

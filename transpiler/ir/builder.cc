@@ -138,6 +138,7 @@ std::vector<RegionId> OwnedRegions(const Program& program, const Inst& inst) {
       const Loop& loop = program.loops[LoopId(inst.payload)];
       add(loop.condition);
       add(loop.body);
+      add(loop.step);
       add(loop.exhausted);
       break;
     }

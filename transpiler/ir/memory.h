@@ -42,6 +42,8 @@ struct Space {
   ByteOrder order = ByteOrder::kLittle;
   /// The host reads and writes any byte between two executions: no store may be dropped, no load may be folded.
   bool host_visible = false;
+  /// Of kRoutine: each of its places is used by one routine only, which stores it before it reads it.
+  bool own = false;
   std::vector<Zone> zones;
   std::vector<InitialByte> initial;  // ascending; the rest is 0
 };

@@ -18,7 +18,7 @@ struct TypeList {
 namespace names {
 // NOLINTNEXTLINE(readability-identifier-naming)
 constexpr Type None = Type::kNone, Bit = kTypeBit, I8 = kTypeI8, I16 = kTypeI16, I32 = kTypeI32, I64 = Type::kI64,
-               F32 = Type::kF32;
+               F32 = Type::kF32, F64 = Type::kF64;
 template <class... T>
 constexpr TypeList Types(T... types) {
   return TypeList{sizeof...(T), {types...}};

@@ -152,6 +152,7 @@ void RoutinePrinter::PrintLoop(InstId id, const Inst& inst) {
   ++indent;
   PrintSection("condition", loop.condition);
   PrintSection("body", loop.body);
+  PrintSection("step", loop.step);
   PrintSection("exhausted", loop.exhausted);
   --indent;
   enclosing.pop_back();

@@ -28,6 +28,7 @@ void PrintSpaces(Printer& printer) {
     out += ' ';
     out += text::kOrders[static_cast<size_t>(space.order)];
     if (space.host_visible) out += " host_visible";
+    if (space.own) out += " own";
     if (handle != Word(space.name)) out += " named " + Word(space.name);
     if (!space.title.empty()) out += ' ' + Quoted(space.title);
     out += '\n';
@@ -69,7 +70,8 @@ void PrintPlaces(Printer& printer) {
 }
 
 std::string ParameterText(const Parameter& parameter) {
-  return Word(parameter.name) + " : " + std::string(Name(parameter.type));
+  return Word(parameter.name) + " : " + std::string(Name(parameter.type)) +
+         (parameter.is_statement ? " statement" : "");
 }
 
 void PrintHostFunctions(Printer& printer) {
@@ -167,8 +169,11 @@ void Printer::PrintSchedule() {
   if (schedule.period_ends_its_time) entry("period_ends_its_time", "1");
   if (schedule.period_ms != usual.period_ms) entry("period_ms", Decimal(schedule.period_ms));
   if (schedule.slot_ms != usual.slot_ms) entry("slot_ms", Decimal(schedule.slot_ms));
+  if (schedule.fast_ms != usual.fast_ms) entry("fast_ms", Decimal(schedule.fast_ms));
   if (schedule.slices_by_cost) entry("slices_by_cost", "1");
   if (schedule.slow_done.valid()) entry("slow_done", PlaceName(schedule.slow_done));
+  if (schedule.fast_done.valid()) entry("fast_done", PlaceName(schedule.fast_done));
+  if (schedule.most_periods != usual.most_periods) entry("most_periods", Decimal(schedule.most_periods));
   if (schedule.now.valid()) entry("now", host_functions[schedule.now.index]);
   if (schedule.retentive_load.valid()) entry("retentive_load", host_functions[schedule.retentive_load.index]);
   if (schedule.retentive_store.valid()) entry("retentive_store", host_functions[schedule.retentive_store.index]);

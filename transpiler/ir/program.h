@@ -99,6 +99,7 @@ struct Loop {
   PlaceId budget;      // kBudget only, an i32; such a loop has neither a condition nor a region `exhausted`
   RegionId condition;  // computed before each round; its last instruction is a bit. None: only Exit leaves
   RegionId body;
+  RegionId step;       // behind the body of each round: one store whose value needs no local; may be none
   RegionId exhausted;  // executed when the guard ends the loop; may be none
 };
 
@@ -114,6 +115,8 @@ struct Parameter {
   std::string name;
   Type type = Type::kNone;
   std::vector<std::string> enumerators;  // not empty: the value is spelled as one of these, by index
+  /// The value is the id of a statement; scenarios write it as "line", the number of the statement's line.
+  bool is_statement = false;
 };
 
 /// What a host function gets beside its value parameters.
@@ -159,6 +162,7 @@ struct Statement {
   std::vector<source::Range> comments;  // above it and behind it, each one line
   std::string subject;                  // what it assigns or heads: "U4A8", "T5"; for names of chunks
   uint32_t id = 0;                      // from the statement's text and a count among equal texts: never a line number
+  uint32_t line = 0;                    // where it stands, when run-time faults tell it; for scenarios only
   bool opens_block = false;             // head of a block: switched off it counts as a false condition
   bool closes_block = false;            // end of a block: its comments stand at the closing brace
 };
@@ -207,9 +211,15 @@ struct Schedule {
   bool period_ends_its_time = false;  // the first period is at t = period_ms, each one at the end of its time
   uint32_t period_ms = 10;
   uint32_t slot_ms = 2;         // of each period, for the slow part; what automatic slicing divides by
+  /// Not 0: `period` is the slow part alone, run every period_ms, and `fast_only` the fast part, run every fast_ms and
+  /// before a slow part of the same time. `run: {slow: n}` and `run: {fast: n}` then are n of them, and no time passes.
+  uint32_t fast_ms = 0;
   bool slices_by_cost = false;  // the number of slices is to be found from the cost model
   PlaceId slow_done;            // i32, counts completed slow cycles
-  HostFunctionId now;           // the host function that gives the time in ms
+  /// i32, counts the fast parts that were due; `run: {fast: n}` then is whole periods until n were. None: fast_only.
+  PlaceId fast_done;
+  uint32_t most_periods = 1000;                    // that one part may wait for its turn
+  HostFunctionId now;                              // the host function that gives the time in ms
   HostFunctionId retentive_load, retentive_store;  // none when the dialect has no retentive memory
   PlaceId retain_at_power_off;  // a bit: 1 = the host stores the retentive memory when power fails; none = always
   bool retention = false;

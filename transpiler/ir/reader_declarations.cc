@@ -21,6 +21,7 @@ void ReadSpace(Reader& reader) {
   space.lifetime = static_cast<Lifetime>(reader.OneOf(text::kLifetimes, "lifetime"));
   space.order = static_cast<ByteOrder>(reader.OneOf(text::kOrders, "byte order"));
   space.host_visible = reader.Accept("host_visible");
+  space.own = reader.Accept("own");
   ReadNamed(reader, space.name);
   ReadText(reader, space.title);
   reader.Declare(reader.spaces, handle, reader.program.spaces.Add(std::move(space)), "space");
@@ -100,6 +101,7 @@ void ReadParameters(Reader& reader, std::vector<Parameter>& parameters, std::vec
     Parameter parameter{.name = reader.Name()};
     reader.Expect(":");
     parameter.type = reader.TypeName();
+    parameter.is_statement = reader.Accept("statement");
     if (reader.Accept("=")) {
       if (places != nullptr) {
         places->push_back(reader.Known(reader.places, "place"));
@@ -267,10 +269,16 @@ void Reader::ReadScheduleEntry() {
     schedule.period_ms = Number32();
   } else if (key == "slot_ms") {
     schedule.slot_ms = Number32();
+  } else if (key == "fast_ms") {
+    schedule.fast_ms = Number32();
   } else if (key == "slices_by_cost") {
     schedule.slices_by_cost = Number() != 0;
   } else if (key == "slow_done") {
     schedule.slow_done = Known(places, "place");
+  } else if (key == "fast_done") {
+    schedule.fast_done = Known(places, "place");
+  } else if (key == "most_periods") {
+    schedule.most_periods = Number32();
   } else if (key == "now") {
     schedule.now = Known(host_functions, "host function");
   } else if (key == "retentive_load") {

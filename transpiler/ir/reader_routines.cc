@@ -167,6 +167,8 @@ void BodyReader::ReadLoop(InstId id) {
       ReadSection(loop.condition);
     } else if (reader.Accept("body")) {
       ReadSection(loop.body);
+    } else if (reader.Accept("step")) {
+      ReadSection(loop.step);
     } else {
       reader.Expect("exhausted");
       ReadSection(loop.exhausted);

@@ -127,7 +127,22 @@ void Verifier::VerifyLoop(InstId id, const Inst& inst, uint32_t floor) {
   }
   VerifyOwned(loop.body, floor, inst);
   body_open[id.index] = false;
+  if (loop.step.valid()) VerifyStep(inst, loop, floor);
   if (loop.exhausted.valid()) VerifyOwned(loop.exhausted, floor, inst);
+}
+
+/// One store at its end, and in front of that nothing but the values it needs.
+void Verifier::VerifyStep(const Inst& inst, const Loop& loop, uint32_t floor) {
+  VerifyOwned(loop.step, floor, inst);
+  if (loop.kind == LoopBound::kBudget) Report(inst, "a budget and a step");
+  if (loop.step.index >= program.regions.size()) return;
+  const std::vector<InstId>& insts = program.regions[loop.step].insts;
+  for (size_t i = 0; i < insts.size(); ++i) {
+    if (insts[i].index >= program.insts.size()) return;
+    const Shape shape = Info(program[insts[i]].op).shape;
+    const bool value = shape == Shape::kConst || shape == Shape::kPure || shape == Shape::kLoad;
+    if (i + 1 == insts.size() ? shape != Shape::kStore : !value) return Report(inst, "its step is no single store");
+  }
 }
 
 void Verifier::VerifyBlock(InstId id, const Inst& inst, uint32_t floor) {

@@ -55,6 +55,7 @@ struct Verifier {
   void VerifyIf(const Inst& inst, uint32_t floor);
   void VerifySwitch(const Inst& inst, uint32_t floor);
   void VerifyLoop(InstId id, const Inst& inst, uint32_t floor);
+  void VerifyStep(const Inst& inst, const Loop& loop, uint32_t floor);
   void VerifyBlock(InstId id, const Inst& inst, uint32_t floor);
   void VerifyExit(const Inst& inst, uint32_t floor);
   void VerifyRepeat(const Inst& inst, uint32_t floor);

@@ -184,6 +184,7 @@ void Analysis::Loop(InstId id, Live& live) {
   // One round, from what is live at the head of the next one.
   const auto round = [&] {
     Live before = loop.kind == ir::LoopBound::kBudget ? after : head.at(id.index);
+    Region(loop.step, before);
     Region(loop.body, before);
     before.Join(exhausted);
     if (loop.condition.valid()) {

@@ -32,11 +32,8 @@ uint64_t Clock::NextPeriod() const {
   return (time_ms_ + period_ms_ - 1) / period_ms_ * period_ms_;
 }
 
-Step Clock::RunPeriod(Part part) {
-  const uint64_t at = NextPeriod();
-  ElapseEachMsBefore(at);
-  const auto now = static_cast<uint32_t>(at);  // a control's clock wraps, too
-  time_ms_ = at;                               // what the callbacks see is the time of their period
+Step Clock::RunPart(Part part) {
+  const auto now = static_cast<uint32_t>(time_ms_);  // a control's clock wraps, too
   if (before_period) before_period(now);
   for (Engine* engine : engines_) {
     switch (part) {
@@ -49,8 +46,35 @@ Step Clock::RunPeriod(Part part) {
     }
   }
   if (after_period) after_period(now);
-  if (!program_.schedule.period_ends_its_time) time_ms_ = at + period_ms_;
   return interrupted && interrupted() ? Step::kInterrupted : Step::kDone;
+}
+
+Step Clock::RunPeriod(Part part) {
+  const uint64_t at = NextPeriod();
+  ElapseEachMsBefore(at);
+  time_ms_ = at;  // what the callbacks see is the time of their period
+  const Step step = RunPart(part);
+  if (!program_.schedule.period_ends_its_time) time_ms_ = at + period_ms_;
+  return step;
+}
+
+Step Clock::RunParts(Part part, uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (RunPart(part) == Step::kInterrupted) return Step::kInterrupted;
+  }
+  return Step::kDone;
+}
+
+/// Time passes in these runs only, so that it counts their periods.
+Step Clock::RunMsByParts(uint64_t ms) {
+  const uint32_t fast_ms = program_.schedule.fast_ms;
+  for (const uint64_t end = time_ms_ + ms; time_ms_ < end;) {
+    const uint64_t fast = (time_ms_ / fast_ms + 1) * fast_ms, slow = (time_ms_ / period_ms_ + 1) * period_ms_;
+    time_ms_ = std::min({end, fast, slow});
+    if (time_ms_ == fast && RunPart(Part::kFastOnly) == Step::kInterrupted) return Step::kInterrupted;
+    if (time_ms_ == slow && RunPart(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
+  }
+  return Step::kDone;
 }
 
 void Clock::ElapseEachMsBefore(uint64_t end) {
@@ -64,23 +88,27 @@ void Clock::Elapse(uint64_t end) {
   for (Engine* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
 }
 
-uint32_t Clock::SlowCycles() {
-  return static_cast<uint32_t>(engines_.front()->Read(program_.places[program_.schedule.slow_done]));
+Step Clock::RunSlow(uint32_t count) {
+  if (program_.schedule.fast_ms != 0) return RunParts(Part::kWholePeriod, count);
+  return RunUntil(program_.schedule.slow_done, count);
 }
 
-Step Clock::RunSlow(uint32_t count) {
+Step Clock::RunUntil(ir::PlaceId counter, uint32_t count) {
+  const auto completed_so_far = [this, counter] {
+    return static_cast<uint32_t>(engines_.front()->Read(program_.places[counter]));
+  };
   for (uint32_t done = 0; done < count;) {
-    if (!program_.schedule.slow_done.valid()) {  // a program that does not count them completes one in each period
+    if (!counter.valid()) {  // a program that does not count them completes one in each period
       if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
       ++done;
       continue;
     }
-    const uint32_t before = SlowCycles();
+    const uint32_t before = completed_so_far();
     uint32_t completed = 0;
     for (uint32_t periods = 0; completed == 0; ++periods) {
-      if (periods == kLongestSlowCycle) return Step::kStuck;
+      if (periods == program_.schedule.most_periods) return Step::kStuck;
       if (RunPeriod(Part::kWholePeriod) == Step::kInterrupted) return Step::kInterrupted;
-      completed = SlowCycles() - before;  // by difference: the count wraps
+      completed = completed_so_far() - before;  // by difference: the count wraps
     }
     done += std::min(completed, count - done);
   }
@@ -89,6 +117,7 @@ Step Clock::RunSlow(uint32_t count) {
 
 Step Clock::RunMs(uint64_t ms) {
   const ir::Schedule& schedule = program_.schedule;
+  if (schedule.fast_ms != 0) return RunMsByParts(ms);
   const uint64_t end = time_ms_ + ms;
   const uint64_t behind = schedule.period_ends_its_time ? end + 1 : end;  // periods before it are executed
   while (NextPeriod() < behind) {
@@ -100,6 +129,8 @@ Step Clock::RunMs(uint64_t ms) {
 }
 
 Step Clock::RunFast(uint32_t count) {
+  if (program_.schedule.fast_ms != 0) return RunParts(Part::kFastOnly, count);
+  if (program_.schedule.fast_done.valid()) return RunUntil(program_.schedule.fast_done, count);
   for (uint32_t i = 0; i < count; ++i) {
     if (RunPeriod(Part::kFastOnly) == Step::kInterrupted) return Step::kInterrupted;
   }

@@ -2,8 +2,9 @@
 //
 // Several engines of one program run in lockstep: each period is executed by all of them, with the same time. Periods
 // are executed at multiples of the schedule's period P only: as a rule at the beginning of their time (0, P, 2P ...),
-// with Schedule::period_ends_its_time at its end (P, 2P ...). Not its job: what a period does (the program's own
-// routine), what the machine around it does (the callbacks).
+// with Schedule::period_ends_its_time at its end (P, 2P ...). With Schedule::fast_ms slow and fast part have periods of
+// their own. Not its job: what a period does (the program's own routine), what the machine around it does (the
+// callbacks).
 #pragma once
 
 #include <cstdint>
@@ -15,14 +16,12 @@
 
 namespace plcxx::sim {
 
-/// Whether a step ended by itself, or was interrupted; kStuck: the slow part was not completed within
-/// Clock::kLongestSlowCycle periods.
+/// Whether a step ended by itself, or was interrupted; kStuck: a part was not completed within
+/// Schedule::most_periods periods.
 enum class Step : uint8_t { kDone, kInterrupted, kStuck };
 
 class Clock {
  public:
-  static constexpr uint32_t kLongestSlowCycle = 1000;  // in periods; the longest schedule of a dialect has 64 slices
-
   /// `engines`: at least one, all of `program`, which must outlive the clock as they must.
   Clock(const ir::Program& program, std::vector<Engine*> engines);
 
@@ -44,11 +43,16 @@ class Clock {
   /// is not a period's, the schedule's `elapse` runs at t + ms, and with `elapses_every_ms` at every other millisecond,
   /// too.
   Step RunMs(uint64_t ms);
-  /// `count` times the fast part alone.
+  /// `count` times the fast part alone; with Schedule::fast_done whole periods until it has run so often.
   Step RunFast(uint32_t count);
 
  private:
   enum class Part : uint8_t { kWholePeriod, kFastOnly };
+
+  /// The part at the time t as it is, t stays.
+  Step RunPart(Part part);
+  Step RunParts(Part part, uint32_t count);
+  Step RunMsByParts(uint64_t ms);
 
   /// One period at its next time; then t is the end of its time. Never kStuck.
   Step RunPeriod(Part part);
@@ -56,7 +60,8 @@ class Clock {
   /// `elapse` at those of the milliseconds (t, end] for which it is meant, none of which is a period's; then t = end.
   void Elapse(uint64_t end);
   void ElapseEachMsBefore(uint64_t end);
-  uint32_t SlowCycles();
+  /// Whole periods until the place `counter` has counted `count` more.
+  Step RunUntil(ir::PlaceId counter, uint32_t count);
 
   const ir::Program& program_;
   std::vector<Engine*> engines_;

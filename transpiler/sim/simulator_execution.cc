@@ -4,6 +4,8 @@
 
 #include "plcxx/arith.h"
 #include "plcxx/bcd.h"
+#include "plcxx/c_integers.h"
+#include "plcxx/doubles.h"
 #include "plcxx/floats.h"
 #include "plcxx/logic.h"
 #include "plcxx/registers.h"
@@ -191,6 +193,7 @@ Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
       continue;
     }
     if (exhausted || loop.kind == ir::LoopBound::kBudget) return Flow::kOn;
+    Execute(loop.step);  // which leaves nothing
   }
 }
 

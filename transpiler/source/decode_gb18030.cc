@@ -96,15 +96,15 @@ Decoded DecodeGb18030(std::string_view bytes) {
   return decoded;
 }
 
-size_t Gb18030Length(std::string_view utf8) {
+std::string EncodeGb18030(std::string_view utf8) {
   const Converter converter = OpenConverter();
-  size_t length = 0;
+  std::string bytes;
   for (size_t at = 0; at < utf8.size();) {
-    const size_t bytes = std::max<size_t>(Utf8Length(utf8, at), 1);
-    const std::string_view character = utf8.substr(at, bytes);
-    at += bytes;
-    if (bytes == 1 || character == kReplacementUtf8 || converter == nullptr) {
-      ++length;
+    const size_t length = std::max<size_t>(Utf8Length(utf8, at), 1);
+    const std::string_view character = utf8.substr(at, length);
+    at += length;
+    if (length == 1) {
+      bytes += character;
       continue;
     }
     std::array<char16_t, 2> units{};
@@ -113,11 +113,19 @@ size_t Gb18030Length(std::string_view utf8) {
     int32_t count = 0;
     u_strFromUTF8(units.data(), static_cast<int32_t>(units.size()), &count, character.data(),
                   static_cast<int32_t>(character.size()), &error);
-    const int32_t written = ucnv_fromUChars(converter.get(), encoded.data(), static_cast<int32_t>(encoded.size()),
-                                            units.data(), count, &error);
-    length += U_SUCCESS(error) ? static_cast<size_t>(written) : 1;
+    const bool known = character != kReplacementUtf8 && converter != nullptr;
+    const int32_t written = known ? ucnv_fromUChars(converter.get(), encoded.data(),
+                                                    static_cast<int32_t>(encoded.size()), units.data(), count, &error)
+                                  : 0;
+    if (known && U_SUCCESS(error)) {
+      bytes.append(encoded.data(), static_cast<size_t>(written));
+    } else {
+      bytes += '?';
+    }
   }
-  return length;
+  return bytes;
 }
+
+size_t Gb18030Length(std::string_view utf8) { return EncodeGb18030(utf8).size(); }
 
 }  // namespace plcxx::source

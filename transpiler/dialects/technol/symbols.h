@@ -46,8 +46,9 @@ struct Symbol {
   SymbolKind kind = SymbolKind::kCell;
   SymbolOrigin origin = SymbolOrigin::kSource;
   Direction direction = Direction::kInternal;
-  uint8_t width = 0;  // kCell, kField: 8, 16, 32; 0: an access needs a prefix (TE041)
-  uint8_t bit = 0;    // kBit
+  uint8_t width = 0;    // kCell, kField: 8, 16, 32; 0: an access needs a prefix (TE041)
+  uint8_t bit = 0;      // kBit
+  bool faulty = false;  // its definition was reported: nothing more is said about it
   Area area = Area::kNone;
   uint32_t offset = 0;  // kCell, kBit: of its byte in the area
   uint32_t bytes = 0;   // extent of cells, fields and structures

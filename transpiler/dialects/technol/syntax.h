@@ -80,6 +80,7 @@ struct Comment {
 /// One line of a macro's body in one call. What it makes has the call as its range; messages add a note at `body`.
 struct Expansion {
   source::Range call;  // the outermost call, in a source
+  ExpansionId outer;   // of the call itself, where it stands in a macro
   source::Range body;  // the line of the macro
   std::string text;    // the line as it reads with its arguments
   std::string macro;
@@ -131,7 +132,6 @@ struct SourceFile {
   Span rest;    // comments behind everything
 };
 
-/// A structure instance or a cell's values, for listings: not needed for lowering.
 struct Program {
   std::vector<SourceFile> files;  // of the command line, then included ones, without tables
   bool tables_only = false;       // nothing but a .TCH was given: nothing to lower

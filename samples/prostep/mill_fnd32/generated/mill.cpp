@@ -404,8 +404,7 @@ void slow_step(State& m, Host& host) noexcept {
   bool active = false;
 
   tries = 0;
-  for (;;) {
-    if (!(tries < 8)) break;
+  while (tries < 8) {
     tries = Add8(tries, 1);
     const uint8_t t1 = m[next_slice];
     active = false;

@@ -1,0 +1,55 @@
+// What the control of dialect hnc has: register areas with their views, and the functions that it supplies.
+//
+// Data only; machine.def and functions.def hold the rows. headers.h makes the text of the headers from the same rows.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "transpiler/dialects/hnc/syntax.h"
+
+namespace plcxx::hnc {
+
+struct AreaRow {
+  Area area;
+  std::string_view name;   // "X"
+  uint32_t bytes;          // 5.1
+  std::string_view basic;  // C type of the basic view
+  bool table;              // F, G
+};
+
+/// In the order of `Area`.
+std::span<const AreaRow> Areas();
+const AreaRow& RowOf(Area area);
+
+struct ViewRow {
+  std::string_view suffix;  // "_ui"; empty: the basic view
+  std::string_view type;    // C type of an element; empty: the area's basic one
+};
+
+/// The six views with a suffix.
+std::span<const ViewRow> Views();
+
+/// A variable of the system header, "R_ui": its area and the C type of its elements (of a table: what they point to).
+struct SystemName {
+  Area area;
+  std::string_view type;
+};
+/// None when it is no view of an area.
+std::optional<SystemName> FindSystemName(std::string_view name);
+
+struct FunctionRow {
+  SystemFunction function;
+  std::string_view name;       // "set_axis_home"
+  std::string_view headers;    // behind which it is known, with blanks in between
+  std::string_view prototype;  // "void set_axis_home(int, int);"
+};
+
+std::span<const FunctionRow> SystemFunctions();
+const FunctionRow* FindSystemFunction(std::string_view name);
+/// Is the function known behind this header?
+bool IsDeclaredBy(const FunctionRow& row, std::string_view header);
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,48 @@
+// The text of one file as the C parser reads it, with a map back to the file (specification 1, 2.1, 2.2, 3.7).
+//
+// Lines stay lines. Literals hold the bytes of the file's own encoding, two-character constants stand in the order in
+// which the parser must see them, line ends are LF, and characters that the language does not have are blanks or, for
+// full-width forms, what they stand for. Also: the comments of the file, and what is wrong with its characters.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "transpiler/dialects/hnc/findings.h"
+#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::hnc {
+
+/// In a literal: stands for the second byte 5C of a GBK character, which the parser must not take for a backslash.
+inline constexpr char kBackslashOfCharacter = '\x1A';
+
+struct SourceText {
+  struct Stretch {
+    uint32_t at = 0;        // in `text`
+    uint32_t original = 0;  // the byte of the file's text that stands there; bytes behind it follow one by one
+  };
+
+  source::FileId file;      // none: a header of the product
+  source::Offset base = 0;  // of the file's text
+  source::Offset size = 0;  // of the file's text
+  std::string name;         // as __FILE__ shows it
+  std::string text;
+  std::vector<Stretch> map;  // by place; the first is {0, 0}
+  std::vector<Comment> comments;
+  Findings findings;           // they count only outside groups that are left out
+  bool unsigned_char = false;  // #pragma option -K
+
+  /// The place in the file for a byte of `text`; 0 in a header of the product.
+  source::Offset Original(uint32_t at) const;
+};
+
+SourceText Rewrite(const source::SourceManager& sources, source::FileId file);
+/// A header of the product: nothing to rewrite, no places.
+SourceText ProductText(std::string name, std::string text);
+
+/// The bytes of a literal as the parser has read it: kBackslashOfCharacter becomes what it stands for.
+std::string LiteralBytes(std::string_view bytes);
+
+}  // namespace plcxx::hnc

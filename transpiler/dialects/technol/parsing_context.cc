@@ -1,0 +1,73 @@
+#include "transpiler/dialects/technol/parsing_context.h"
+
+#include <algorithm>
+
+namespace plcxx::technol {
+namespace {
+
+/// FFFFh: digits of a hexadecimal number that begins with a letter.
+bool IsHexadecimal(std::string_view name) {
+  if (name.size() < 2 || (name.back() != 'H' && name.back() != 'h')) return false;
+  name.remove_suffix(1);
+  return std::ranges::all_of(name,
+                             [](char c) { return IsDigit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f'); });
+}
+
+}  // namespace
+
+void ParsingContext::ReportUndefined(std::string_view name, source::Range range) {
+  if (faulty) return;
+  if (!undefined_.insert(names.Fold(name)).second) return Forgive();
+  const SymbolId symbol = names.Find(name);
+  if (symbol.valid()) {
+    Report(range, diag::TechnolUndefinedYet, name).notes.push_back({names[symbol].range, "it is defined here"});
+  } else if (IsHexadecimal(name)) {
+    Report(range, diag::TechnolUndefinedHexadecimal, name);
+  } else {
+    Report(range, diag::TechnolUndefined, name);
+  }
+}
+
+bool ParsingContext::IsName(const Token& token) {
+  if (token.text.size() > kNameLength) {
+    Report(token.range, diag::TechnolNameTooLong, token.text, static_cast<int64_t>(token.text.size()));
+    return false;
+  }
+  if (token.text == "?") {
+    Report(token.range, diag::TechnolSyntax, "'?'", "a name");
+    return false;
+  }
+  if (IsReserved(Upper(token.text))) {
+    Report(token.range, diag::TechnolReserved, token.text);
+    return false;
+  }
+  return true;
+}
+
+bool ParsingContext::IsTaken(const Token& name) {
+  const SymbolId taken = names.Find(name.text);
+  if (!taken.valid()) return false;
+  const Symbol& symbol = names[taken];
+  if (symbol.origin != SymbolOrigin::kSource) {
+    Report(name.range, diag::TechnolPredefined, name.text);
+  } else {
+    Report(name.range, diag::TechnolAlreadyDefined, name.text)
+        .notes.push_back({symbol.range, "it is defined here as " + std::string(KindText(symbol))});
+  }
+  return true;
+}
+
+SymbolId ParsingContext::Define(const Token& name, Symbol symbol) {
+  if (!IsName(name) || IsTaken(name)) return {};
+  symbol.name = name.text;
+  symbol.range = name.range;
+  return names.Add(std::move(symbol), statement);
+}
+
+std::string Shown(const Token* token) {
+  if (token == nullptr || token->kind == TokenKind::kComment) return "the end of the line";
+  if (token->kind == TokenKind::kString || token->kind == TokenKind::kQuoted) return std::string(token->text);
+  return "'" + std::string(token->text) + "'";
+}
+
+}  // namespace plcxx::technol
