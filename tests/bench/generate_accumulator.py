@@ -29,6 +29,7 @@ class ProStep:
     inputs = [f"I {n}.{d}" for n in range(20) for d in range(8)]
     words = [f"DW {n}" for n in range(0, 160, 2)]
     timers, counters, period_ms = 64, 64, 12
+    scan = "tick(m, 12, host); slow_pass(m, host);"
     compares = {"<": "<", "=": "!=", ">": ">"}
 
     def timer_contact(self, n):
@@ -116,6 +117,7 @@ class Host50:
     inputs = [f"%I{n}" for n in range(200)]
     words = [f"%W{n}" for n in range(101, 201)]
     timers, counters, period_ms = 101, 101, 1
+    scan = "period(m, host);"
     compares = {"<": "LT", "=": "EQ", ">": "GT"}
 
     def __init__(self, slow_div=1, sliced=False):
@@ -305,7 +307,7 @@ class Program:
                 body = "{}"
             out.append(re.sub(r"(\w+[&]?) (\w+)(?=[,)])", lambda m: m[0] if m[2] == "host" and "now" in line else m[1], line[:-1]) + " " + body)
         out += ["static State m; static Host host;", 'extern "C" void generated_init() { init(m, host); }',
-                'extern "C" void generated_scan(uint32_t t) { host.now = t; period(m, host); }']
+                'extern "C" void generated_scan(uint32_t t) { host.now = t; %s }' % self.machine.scan]
         out += self.exchange("generated", lambda n: f"m[{names[re.sub(r'[ %]', '', n)]}]")
         return "\n".join(out) + "\n}\n"
 

@@ -112,6 +112,8 @@ void ChooseLeaves(Emittable& emittable);
 
 /// A comparison whose outcome the ranges of its operands decide, so that compilers warn of its operator.
 bool IsForegone(const ir::Program& program, const ir::Inst& inst);
+/// The instructions of the routines that this flavour of the generated code has, in their order.
+std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour);
 /// Whether it has anything to print or to execute of its own; values are spelled where they are used.
 bool IsEffect(const Emittable& emittable, ir::InstId id);
 /// Whether another routine shares its callers' locals when it calls this one.

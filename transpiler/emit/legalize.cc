@@ -14,7 +14,8 @@ namespace {
 void FindUsedHostFunctions(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.host_used.assign(program.host_functions.size(), false);
-  for (const ir::Inst& inst : program.insts) {
+  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+    const ir::Inst& inst = program[id];
     if (inst.op == ir::OpKind::kHostCall) {
       emittable.host_used[program.calls[ir::CallId(inst.payload)].host.index] = true;
     }
@@ -22,8 +23,10 @@ void FindUsedHostFunctions(Emittable& emittable) {
 }
 
 void FindUsedFunctions(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  const std::vector<ir::InstId> insts = PrintedInsts(program, emittable.options.flavour);
   std::vector<bool> used(ir::OpCount(), false);
-  for (const ir::Inst& inst : emittable.program->insts) used[static_cast<size_t>(inst.op)] = true;
+  for (const ir::InstId id : insts) used[static_cast<size_t>(program[id].op)] = true;
   for (uint32_t i = 0; i < used.size(); ++i) {
     const auto op = static_cast<ir::OpKind>(i);
     const ir::OpInfo& info = ir::Info(op);
@@ -36,8 +39,9 @@ void FindUsedFunctions(Emittable& emittable) {
     if (op == ir::OpKind::kLess8) emittable.functions.emplace_back("Less8");
     if (op == ir::OpKind::kGreater8) emittable.functions.emplace_back("Greater8");
   }
-  for (const ir::Inst& inst : emittable.program->insts) {
-    if (IsForegone(*emittable.program, inst)) emittable.functions.emplace_back(ir::Info(inst.op).function);
+  for (const ir::InstId id : insts) {
+    const ir::Inst& inst = program[id];
+    if (IsForegone(program, inst)) emittable.functions.emplace_back(ir::Info(inst.op).function);
     const bool number = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32;
     if (number && ConstantText(inst.type, ir::ConstantValue(inst)).front() == 'F') {
       emittable.functions.emplace_back("F32OfBits");
@@ -131,6 +135,17 @@ void NamePlaces(Emittable& emittable) {
     const ir::Place& place = program.places[ir::PlaceId(i)];
     emittable.place_names[i] = names.AllocateIn(functions[place.space.index], place.name);
   }
+}
+
+std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour) {
+  std::vector<ir::InstId> insts;
+  for (const ir::Routine& routine : program.routines) {
+    if (routine.simulation_only && flavour != Flavour::kDebug) continue;
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+      if (region.valid()) ir::ForEachInst(program, region, [&insts](ir::InstId id) { insts.push_back(id); });
+    }
+  }
+  return insts;
 }
 
 Emittable Legalize(const ir::Program& program, const EmitOptions& options) {

@@ -18,7 +18,6 @@ using plcxx::S32;
 using plcxx::S8;
 using plcxx::ShiftRight16;
 using plcxx::Sub16;
-using plcxx::Sub32;
 using plcxx::ToBcd16;
 using plcxx::ToBcd8;
 using plcxx::UnsignedRem32;
