@@ -191,6 +191,20 @@ struct Table {
   std::vector<uint64_t> cells;  // row by row
 };
 
+/// A name of the source for data that need not be a place of the program: scenarios and reports reach every element.
+struct Symbol {
+  struct Index {
+    uint32_t count = 0, stride = 0;  // elements, bytes from one to the next
+  };
+  std::string name;  // "axes[].speed"
+  Type type = Type::kNone;
+  SpaceId space;
+  uint32_t offset = 0;         // where all indices are 0
+  uint8_t bit = kNoBit;        // when type is kBit
+  std::vector<Index> indices;  // one for each "[]"
+  bool has_sign = false;       // people read the integer as two's complement
+};
+
 /// What is known of a place or instance beside its use: for maps and reports.
 struct Documentation {
   std::string address;     // "U10K20"
@@ -249,6 +263,7 @@ struct Program {
   std::vector<MessageBits> message_bits;
   std::vector<MessageWord> message_words;
   std::vector<Table> tables;
+  std::vector<Symbol> symbols;
   std::vector<Documentation> documentation;  // ascending by address as the dialect orders them
 
   const Inst& operator[](InstId id) const { return insts[id]; }

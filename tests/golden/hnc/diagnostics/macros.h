@@ -1,0 +1,2 @@
+#define LIGHT(n) \
+    Y[0] = nothing + n;

@@ -1,0 +1,2 @@
+#define LOCAL 77
+extern unsigned char Y[];

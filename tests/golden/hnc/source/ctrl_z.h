@@ -1,0 +1,2 @@
+#define NINE 9
+#error not read
