@@ -46,6 +46,70 @@ TEST(Report, CostsOfTheStatements) {
   EXPECT_THAT(result.out, HasSubstr("main.plc:2  !DELAY(30)=I0A0*/!ZERO\n"));
 }
 
+/// Two programs (FAST is one, SLOW is one), networks, distinct addresses, expressions, blocks that are counted.
+constexpr std::string_view kLathe = R"(SYMBOLS
+%B1 start "cycle start"
+%W5 parts
+END_SYMBOLS
+FAST
+NETWORK
+LD %I3
+OUT %Q4
+END_FAST
+SLOW
+NETWORK
+LD start
+AND %I3
+OUT %B2
+NETWORK
+LD %B2
+TONS %TM1, 5
+RUNG
+LD %TM1.Q
+OPRT parts = parts + %W6
+END_SLOW
+)";
+
+// covers: HOST50-236
+TEST(Report, ResourcesOfTheControlThatTheProgramUses) {
+  Workplace work;
+  work.Write("lathe.il", std::string(kLathe));
+  const auto result = work.Run("report lathe.il --resources");
+  EXPECT_EQ(result.code, 0) << result.errors;
+  EXPECT_EQ(result.out,
+            "resource          used    available\n"
+            "programs          2       100\n"
+            "networks          3       500\n"
+            "bits              2       2000\n"
+            "input bits        1       3000\n"
+            "output bits       1       3000\n"
+            "words             2       1200\n"
+            "input words       0       300\n"
+            "output words      0       300\n"
+            "floats            0       200\n"
+            "input floats      0       200\n"
+            "output floats     0       200\n"
+            "counters          0       50\n"
+            "timers            1       100\n"
+            "expressions       1       200\n"
+            "symbols           2       3000\n"
+            "function blocks   0       100\n");
+  work.Write("turret.plc", "$\nU4A0=I0A1\n");
+  EXPECT_EQ(work.Run("report turret.plc --resources").out,
+            "Balt-System NC-110 ... NC-400 limits no resources of this kind\n");
+}
+
+// covers: HOST50-237
+TEST(Report, AddressTableOfHost50) {
+  Workplace work;
+  work.Write("lathe.il", std::string(kLathe));
+  const auto result = work.Run("report lathe.il --cross-reference");
+  EXPECT_EQ(result.code, 0) << result.errors;
+  EXPECT_THAT(result.out, HasSubstr("I3\n  written: -\n  read:    lathe.il:7 lathe.il:13\n"));
+  EXPECT_THAT(result.out, HasSubstr("B2\n  written: lathe.il:14\n  read:    lathe.il:16\n"));
+  EXPECT_THAT(result.out, HasSubstr("W5  parts\n  written: lathe.il:20\n  read:    lathe.il:20\n"));
+}
+
 TEST(Report, NeedsATable) {
   const Table table;
   EXPECT_EQ(table.work.Run("report names.sym main.plc").code, 2);

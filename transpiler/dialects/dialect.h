@@ -50,10 +50,18 @@ struct Request {
   std::vector<MacroOption> macros;                      // -D and -U in their order
 };
 
+/// What the program uses of what the control has.
+struct ResourceUse {
+  std::string_view name;
+  uint32_t used = 0;
+  uint32_t available = 0;
+};
+
 /// What the compile report tells of the source.
 struct SourceSummary {
   uint32_t lines = 0;
   uint32_t statements = 0;
+  std::vector<ResourceUse> resources;  // in the order of the control's own page; empty: it has none
 };
 
 struct Lowered {

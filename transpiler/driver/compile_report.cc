@@ -47,6 +47,13 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
                                     {"time_ns", partition.time_ns},
                                     {"code_bytes", partition.code_bytes}});
   }
+  if (!compilation.summary.resources.empty()) {
+    report["resources"] = nlohmann::ordered_json::array();
+    for (const dialects::ResourceUse& resource : compilation.summary.resources) {
+      report["resources"].push_back(
+          {{"name", resource.name}, {"used", resource.used}, {"available", resource.available}});
+    }
+  }
   report["slices"] = compilation.estimates.slices;
   report["period_ms"] = compilation.program.schedule.period_ms;
   report["slow_period_ms"] = compilation.estimates.slow_period_ms;

@@ -17,6 +17,7 @@ constexpr const char* kFooter = R"(Examples:
   plcxx report turret.sym turret.plc --print-symbols      names, addresses, number of reads and writes
   plcxx report turret.sym turret.plc --cross-reference    who reads and who writes, with file and line
   plcxx report turret.sym turret.plc --cost-listing       the estimated time of each statement
+  plcxx report lathe.il --resources                       what the program uses of what the control has
 
 Tables go to standard output. A page with ladder pictures comes with a later version.
 Exit codes: 0 done, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
@@ -137,18 +138,32 @@ void PrintCosts(const Compilation& compilation) {
   }
 }
 
+/// The original's resource page; a control that has none says so.
+void PrintResources(const Compilation& compilation) {
+  if (compilation.summary.resources.empty()) {
+    std::cout << compilation.dialect->title << " limits no resources of this kind\n";
+    return;
+  }
+  std::cout << "resource          used    available\n";
+  for (const dialects::ResourceUse& resource : compilation.summary.resources) {
+    std::cout << Padded(std::string(resource.name), 17) << ' ' << Padded(std::to_string(resource.used), 7) << ' '
+              << resource.available << '\n';
+  }
+}
+
 struct ReportOptions {
   CommonOptions common;
   bool symbols = false;
   bool cross_reference = false;
   bool costs = false;
+  bool resources = false;
 };
 
 int RunReport(const ReportOptions& options) {
   std::optional<CompilationRequest> request = MakeRequest(options.common);
   if (!request) return kWrongUse;
-  if (!options.symbols && !options.cross_reference && !options.costs) {
-    PrintUsageError("report needs a table: --print-symbols, --cross-reference or --cost-listing");
+  if (!options.symbols && !options.cross_reference && !options.costs && !options.resources) {
+    PrintUsageError("report needs a table: --print-symbols, --cross-reference, --cost-listing or --resources");
     return kWrongUse;
   }
   const Compilation compilation = Compile(*request, Stage::kChecked);
@@ -159,6 +174,7 @@ int RunReport(const ReportOptions& options) {
   if (options.symbols) PrintSymbols(compilation);
   if (options.cross_reference) PrintCrossReference(compilation);
   if (options.costs) PrintCosts(compilation);
+  if (options.resources) PrintResources(compilation);
   return kDone;
 }
 
@@ -171,6 +187,7 @@ void AddReport(CLI::App& app, Run& run) {
   command->add_flag("--print-symbols", options->symbols, "The symbols by name, with the number of reads and writes");
   command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");
   command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");
+  command->add_flag("--resources", options->resources, "What the program uses of what the control has");
   command->footer(kFooter);
   command->callback([options, &run] { run = [options] { return RunReport(*options); }; });
 }

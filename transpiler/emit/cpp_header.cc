@@ -148,13 +148,17 @@ void HeaderPrinter::Tables() {
     if (!table.comment.empty()) out_ += "// " + CommentText(table.comment) + "\n";
     out_ += "struct " + table.name + "_row {\n";
     for (const ir::Parameter& column : table.columns) {
-      out_ += "  " + std::string(ir::CppName(column.type)) + " " + column.name + ";\n";
+      const bool text = column.type == ir::Type::kNone;
+      out_ += text ? "  const char* " : "  " + std::string(ir::CppName(column.type)) + " ";
+      out_ += column.name + ";\n";
     }
     out_ += "};\ninline constexpr " + table.name + "_row " + table.name + "[] = {\n";
     for (size_t i = 0; i < table.cells.size(); ++i) {
       const size_t column = i % table.columns.size();
-      const bool bit = table.columns[column].type == ir::Type::kBit;
-      const std::string cell = bit ? (table.cells[i] != 0 ? "true" : "false") : std::to_string(table.cells[i]);
+      const ir::Type type = table.columns[column].type;
+      const std::string cell = type == ir::Type::kBit    ? (table.cells[i] != 0 ? "true" : "false")
+                               : type == ir::Type::kNone ? CppString(table.texts[table.cells[i]])
+                                                         : std::to_string(table.cells[i]);
       out_ += (column == 0 ? "    {" : ", ") + cell + (column + 1 == table.columns.size() ? "},\n" : "");
     }
     out_ += "};\n\n";

@@ -61,6 +61,10 @@ void FindUsedFunctions(Emittable& emittable) {
 void NamePlaces(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   NameTable names;
+  for (const ir::Table& table : program.tables) {
+    names.Allocate(table.name, "");
+    names.Allocate(table.name + "_row", "");
+  }
   for (const ir::HostFunction& function : program.host_functions) {
     names.Reserve(function.name);
     for (const ir::Parameter& parameter : function.parameters) names.Reserve(function.name + "_" + parameter.name);

@@ -22,6 +22,7 @@ class Builder {
   RegionId NewRegion() { return program_.regions.Add({}); }
   /// The range of all that follows, until the next call.
   void SetRange(source::Range range) { range_ = range; }
+  source::Range range() const { return range_; }
 
   /// `base` is how the source spells it (10 or 16), so that generated code can spell it likewise.
   ValueId Constant(Type type, uint64_t value, uint32_t base = 10);

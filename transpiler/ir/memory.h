@@ -17,7 +17,7 @@ using PlaceId = support::Id<struct PlaceTag>;
 using StateId = support::Id<struct StateTag>;
 
 /// How long bytes live: one execution of a partition, until power-off, or beyond it. Bytes of kRoutine are parameters
-/// and named locals: who begins to use one stores it first; a subroutine that touches one shares it with its caller.
+/// and named locals: 0 when a partition begins; a subroutine that touches one shares it with its caller.
 enum class Lifetime : uint8_t { kRoutine, kVolatile, kRetentive };
 enum class ByteOrder : uint8_t { kLittle, kBig };
 /// Who writes a stretch of a space, as the control's documentation draws it.

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/ir/memory.h"
@@ -187,8 +188,14 @@ struct MessageText {
 struct Table {
   std::string name;
   std::string comment;
-  std::vector<Parameter> columns;
-  std::vector<uint64_t> cells;  // row by row
+  std::vector<Parameter> columns;  // a column of type kNone holds texts
+  std::vector<uint64_t> cells;     // row by row; of a text its index in `texts`
+  std::vector<std::string> texts;  // UTF-8
+
+  uint64_t AddText(std::string text) {
+    texts.push_back(std::move(text));
+    return texts.size() - 1;
+  }
 };
 
 /// A name of the source for data that need not be a place of the program: scenarios and reports reach every element.

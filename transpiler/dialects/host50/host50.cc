@@ -5,6 +5,7 @@
 #include "transpiler/dialects/host50/options.h"
 #include "transpiler/dialects/host50/parser.h"
 #include "transpiler/dialects/host50/recognize.h"
+#include "transpiler/dialects/host50/resources.h"
 #include "transpiler/dialects/host50/stub.h"
 #include "transpiler/dialects/host50/warnings.h"
 
@@ -44,7 +45,11 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   PlaceInFirstLines(tree, diagnostics);
   diagnostics.LimitErrors(kMostErrors);
   dialects::Lowered lowered;
-  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .resources = {}};
+  for (const ResourceUse& use : ResourcesOf(tree)) {
+    lowered.summary.resources.push_back(
+        {.name = Name(use.resource), .used = use.used, .available = Available(use.resource)});
+  }
   if (!tree.faulty) lowered.program = Lower(tree, tree.settings, *request.sources);
   return lowered;
 }

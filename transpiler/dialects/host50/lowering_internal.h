@@ -200,6 +200,9 @@ class Lowering {
 
   // --- tables (lowering_tables.cc), documentation (lowering_documentation.cc) ---
   void Tables();
+  void Title();
+  void MCodes();
+  void RecordSettings();
   void Document();
 
   const Program& tree_;

@@ -96,7 +96,10 @@ ValueId Lowering::ContactOf(InstructionId id) {
   const Instruction& instruction = tree_.instructions[id];
   if (results_[id.index].contact.valid()) return results_[id.index].contact;
   const Operand& operand = OperandOf(tree_, instruction, 0);
+  const source::Range user = builder_.range();
+  builder_.SetRange(instruction.range);  // reports name the line that reads
   const ValueId value = operand.kind == OperandKind::kConstant ? builder_.Bit(operand.bits) : Load(operand.address);
+  builder_.SetRange(user);
   return Info(instruction.op).contact == Contact::kInverted ? Not(value) : value;
 }
 

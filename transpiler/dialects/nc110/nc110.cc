@@ -70,7 +70,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   lowered.program.messages = std::move(messages.texts);
   lowered.program.menu_texts = std::move(menu.texts);
   lowered.program.documentation = Document(tree, settings, sources, help);
-  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .resources = {}};
   return lowered;
 }
 

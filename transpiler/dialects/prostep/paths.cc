@@ -1,5 +1,7 @@
 #include "transpiler/dialects/prostep/paths.h"
 
+#include <algorithm>
+
 namespace plcxx::prostep {
 
 ModulePaths::ModulePaths(const Program& program, ModuleId id) : program_(program), first_(0) {
@@ -13,6 +15,13 @@ ModulePaths::ModulePaths(const Program& program, ModuleId id) : program_(program
   }
   ReadText();
   reached_ = From({0});
+  stop_.assign(size() + 1, size());
+  for (uint32_t i = size(); i-- > 0;) {
+    stop_[i] = GoesOn(i) ? stop_[i + 1] : i;
+    jumps_back_ = jumps_back_ || (Jumps(i) && target_[i] <= i);
+    if (At(i).module.valid() && reached_[i]) calls_.push_back(i);
+  }
+  std::ranges::reverse(calls_);
 }
 
 bool ModulePaths::Jumps(uint32_t number) const {
@@ -41,6 +50,9 @@ std::vector<bool> ModulePaths::From(std::vector<uint32_t> open) const {
 }
 
 bool ModulePaths::Leads(uint32_t from, uint32_t to) const {
+  // Nearly all programs are decided by these two; the walk would make a check of pairs cost the square of a module.
+  if (to <= from && !jumps_back_) return false;
+  if (to > from && stop_[from] >= to) return true;
   std::vector<uint32_t> next;
   if (Jumps(from)) next.push_back(target_[from]);
   if (GoesOn(from)) next.push_back(from + 1);

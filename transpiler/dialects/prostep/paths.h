@@ -36,6 +36,8 @@ class ModulePaths {
   bool IsReached(uint32_t number) const { return reached_[number]; }
   /// Is there a path of at least one step?
   bool Leads(uint32_t from, uint32_t to) const;
+  /// The instructions that are reached and execute another module, ascending.
+  const std::vector<uint32_t>& calls() const { return calls_; }
 
  private:
   std::vector<bool> From(std::vector<uint32_t> open) const;
@@ -46,6 +48,9 @@ class ModulePaths {
   std::vector<TextState> text_;
   std::vector<uint32_t> target_;
   std::vector<bool> reached_;
+  std::vector<uint32_t> stop_;  // by number: the first one from there on behind which the program does not go on
+  bool jumps_back_ = false;     // some jump does
+  std::vector<uint32_t> calls_;
 };
 
 }  // namespace plcxx::prostep

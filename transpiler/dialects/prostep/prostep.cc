@@ -48,7 +48,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   const Settings settings = ReadSettings(request.options);
   const Program tree = ParseProgram(request, settings);
   dialects::Lowered lowered;
-  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .resources = {}};
   if (diagnostics.HasErrors()) return lowered;
   CheckUncalled(tree, diagnostics);
   CheckActivity(tree, *request.sources, diagnostics);

@@ -43,10 +43,8 @@ struct CoilChecker {
     for (uint32_t i = 0; i < coils.size(); ++i) {
       if (coils[i].module == id && module.IsReached(coils[i].number)) places.push_back({coils[i].number, {i}});
     }
-    for (uint32_t i = 0; i < module.size(); ++i) {
-      const ModuleId called = module.At(i).module;
-      if (!called.valid() || !module.IsReached(i)) continue;
-      if (const CoilSet& inside = Visit(called); !inside.empty()) places.push_back({i, inside});
+    for (const uint32_t i : module.calls()) {
+      if (const CoilSet& inside = Visit(module.At(i).module); !inside.empty()) places.push_back({i, inside});
     }
     CoilSet all;
     for (size_t a = 0; a < places.size(); ++a) {
