@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/dialects/technol/macros.h"
+
 namespace plcxx::technol {
 namespace {
 
@@ -29,7 +31,7 @@ void ParsingContext::ReportUndefined(std::string_view name, source::Range range)
 }
 
 bool ParsingContext::IsName(const Token& token) {
-  if (token.text.size() > kNameLength) {
+  if (WrittenName(token.text).size() > kNameLength) {
     Report(token.range, diag::TechnolNameTooLong, token.text, static_cast<int64_t>(token.text.size()));
     return false;
   }
