@@ -3,6 +3,7 @@
 namespace plcxx::technol {
 
 void OperandParser::Run() {
+  if (instruction_.op == Op::kUnknown) return;
   Form form = Info(instruction_.op).form;
   if (AssemblerForm(instruction_.op) != instruction_.op) {
     // One operand or two tells TECHNOL's AND from the assembler's.

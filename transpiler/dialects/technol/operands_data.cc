@@ -72,8 +72,7 @@ void OperandParser::TakeStore() {
   const SymbolId symbol = token.kind == TokenKind::kWord ? context_.names.Find(token.text) : SymbolId();
   const SymbolKind kind = symbol.valid() ? context_.names[symbol].kind : SymbolKind::kCell;
   const bool faulty = symbol.valid() && context_.names[symbol].faulty;
-  if (!faulty && (BeginsNumber(token) || reader_.IsWord("CNST") || kind == SymbolKind::kConstant)) {
-    if (symbol.valid()) ++context_.names[symbol].uses;
+  if (BeginsNumber(token) || reader_.IsWord("CNST")) {
     reader_.TakeRest();
     context_.Report(instruction_.range, diag::TechnolStoreConstant, reader_.TextFrom(0));
     return;

@@ -132,8 +132,9 @@ void CheckOptions(const std::map<std::string, std::string>& options, diag::Engin
     }
   }
   if (right && scratch.slow_ms % scratch.fast_ms != 0) {
-    diagnostics.Report({}, diag::BadOptionValue, "slow-ms", std::to_string(scratch.slow_ms),
-                       "a multiple of fast-ms, which is " + std::to_string(scratch.fast_ms));
+    const std::string value =
+        std::to_string(scratch.slow_ms) + " is no multiple of fast-ms " + std::to_string(scratch.fast_ms);
+    diagnostics.Report({}, diag::BadOptionValue, "slow-ms", value, "a multiple of fast-ms");
   }
 }
 

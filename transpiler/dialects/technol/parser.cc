@@ -30,6 +30,13 @@ std::optional<ModuleKind> ModuleByKeyword(std::string_view upper) {
   return std::nullopt;
 }
 
+/// Does the second word define the first one, whatever that is? DB and the like may be operands: MOV DS,CX.
+bool NamesDefinition(std::span<const Token> words) {
+  const std::string second = UpperWord(words, 1);
+  return second == "EQU" || second == "STRUC" || second == "STRUCT" || second == "MACRO" ||
+         (words.size() > 1 && words[1].text == "=");
+}
+
 }  // namespace
 
 Program Parser::Run() {
@@ -140,6 +147,7 @@ void Parser::TakeLine(std::string_view text, const LinePlace& place) {
 /// Characters and continuations; a statement that has them is not looked at.
 bool Parser::CheckTokens(std::span<const Token> tokens) {
   for (const Token& token : tokens) {
+    if (token.kind == TokenKind::kWord) context_.IsShort(token);
     if (token.kind == TokenKind::kInvalid || token.kind == TokenKind::kString || token.kind == TokenKind::kQuoted ||
         token.kind == TokenKind::kPath) {
       const auto bad = std::ranges::find_if(token.text, [](char c) {
@@ -181,7 +189,7 @@ void Parser::TakeStatement(Statement& statement) {
   }
   if (TakeDirective(statement)) return;
   const Op op = OpByMnemonic(statement.upper);
-  if (op != Op::kUnknown) return TakeInstruction(statement, op);
+  if (op != Op::kUnknown && !NamesDefinition(statement.words)) return TakeInstruction(statement, op);
   if (TakeDefinition(statement)) return;
   UnknownLine(statement);
 }
@@ -280,15 +288,23 @@ void Parser::UnknownLine(const Statement& statement) {
     context_.Report(first.range, diag::TechnolStrayLine, first.text, "needs a name in front of it");
   } else if (statement.upper == "LEA") {
     context_.Report(first.range, diag::TechnolSegments, first.text);
+    KeepUnknown(statement);
   } else if (IsForeignInstruction(statement.upper)) {
     context_.Report(first.range, diag::TechnolForeignInstruction, first.text);
+    KeepUnknown(statement);
   } else if (symbol.valid() && context_.names[symbol].faulty) {
     context_.Forgive();
   } else if (IsReserved(statement.upper)) {
     context_.Report(first.range, diag::TechnolSyntax, Shown(&first), "an instruction");
   } else {
     context_.Report(first.range, diag::TechnolUnknownInstruction, first.text);
+    KeepUnknown(statement);
   }
+}
+
+/// Something stands here: what it would load is not missed behind it.
+void Parser::KeepUnknown(const Statement& statement) {
+  if (!in_data_ && including_.size() == 1) TakeInstruction(statement, Op::kUnknown);
 }
 
 source::Range Parser::LastLine(source::FileId file) const {

@@ -65,6 +65,7 @@ class Parser {
   bool TakeDirective(const Statement& statement);
   bool TakeDefinition(const Statement& statement);
   void UnknownLine(const Statement& statement);
+  void KeepUnknown(const Statement& statement);
   void EndOfSource(source::FileId file);
   void CheckWhole();
   /// The last line of a file that is not blank.

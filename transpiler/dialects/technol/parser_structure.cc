@@ -72,8 +72,15 @@ Pending& Parser::AddPending(const Statement& statement, Op op) {
 void Parser::TakeInstruction(const Statement& statement, Op op) {
   if (!IsCodePlace(statement)) return;
   TakeLabel(statement);
+  if (!CurrentUnit().valid()) {
+    const bool forgiven = !abandoned_modules_.empty() || !abandoned_mechanisms_.empty();
+    if (!stretch_open_ && !forgiven) {
+      context_.Report(statement.range, diag::TechnolStrayLine, statement.first().text,
+                      "stands outside modules and has no label");
+    }
+    stretch_open_ = true;
+  }
   Pending& pending = AddPending(statement, op);
-  if (!CurrentUnit().valid()) stretch_open_ = true;
   pending.mnemonic = {.first = static_cast<uint32_t>(code_tokens_.size()), .count = 1};
   pending.tokens = {.first = pending.mnemonic.first + 1, .count = static_cast<uint32_t>(statement.words.size() - 1)};
   pending.instruction.faulty = context_.faulty;
