@@ -199,7 +199,8 @@ void OperandParser::CheckRange(const Operand& operand) {
                     user ? "the program's data" : std::string(Name(address.area)), bytes);
     return;
   }
-  if (!address.base.valid()) return;
+  if (!address.base.valid() || address.area != Area::kUser)
+    return;  // bytes of the image are used in words as they come
   const Symbol& base = context_.names[address.base];
   if (address.offset >= base.offset && end <= int64_t{base.offset} + base.bytes) return;
   context_.Report(operand.range, diag::TechnolPastSymbol, context_.sources.Text(operand.range), name);
