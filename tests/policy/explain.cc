@@ -28,7 +28,9 @@ std::string FileName(const Fence& fence) {
   return {};
 }
 
-bool IsSource(const std::string& name) { return name.ends_with(".plc") || name.ends_with(".sym"); }
+bool IsSource(const std::string& name) {
+  return name.ends_with(".plc") || name.ends_with(".sym") || name.ends_with(".TCH");
+}
 
 driver::Compilation CompileFence(const Fence& program, const std::vector<Fence>& fences) {
   const testing_support::TemporaryDirectory directory;

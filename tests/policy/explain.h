@@ -2,7 +2,7 @@
 //
 // A page holds fences: "```nc110 wrong [set=key=value]... [program=first]" is a program that raises the page's code,
 // "```nc110 right ..." one that does not, "```nc110 file=NAME" a file beside both: a source of the program when its
-// name ends in .plc or .sym (before the program; program=first: behind it), else a file that a set= option names.
+// name ends in .plc, .sym or .TCH (before the program; program=first: behind it), else a file that a set= option names.
 #pragma once
 
 #include <string>

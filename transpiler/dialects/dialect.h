@@ -159,6 +159,7 @@ struct Dialect {
   /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
   bool options_ignore_case = false;
   /// Do -D and -U mean something to it?
+  bool reads_empty_files = false;      // an empty source is a text without lines, not a fault of the world
   bool takes_system_includes = false;  // --system-include means something to it
   bool takes_macros = false;
   /// The text of a message that has just become active, where memory is a part of it (numbers); empty: "message N".

@@ -2,11 +2,12 @@
 #include "transpiler/dialects/host50/host50.h"
 #include "transpiler/dialects/nc110/nc110.h"
 #include "transpiler/dialects/prostep/prostep.h"
+#include "transpiler/dialects/technol/technol.h"
 
 namespace plcxx::dialects {
 namespace {
 
-const Dialect* const kAll[] = {&host50::kHost50, &nc110::kNc110, &prostep::kProstep};
+const Dialect* const kAll[] = {&host50::kHost50, &nc110::kNc110, &prostep::kProstep, &technol::kTechnol};
 
 }  // namespace
 

@@ -195,8 +195,11 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   }
   for (const std::string& path : paths) {
     const auto loaded = LoadOne(*compilation.sources, reader, path, options);
+    const auto* error = std::get_if<source::LoadError>(&loaded);
     if (const auto* file = std::get_if<source::FileId>(&loaded)) {
       compilation.files.push_back(*file);
+    } else if (error->problem == source::LoadProblem::kEmpty && compilation.dialect->reads_empty_files) {
+      compilation.files.push_back(compilation.sources->AddText(path, ""));
     } else {
       compilation.dialect->report_load_error(path, std::get<source::LoadError>(loaded), compilation.diagnostics);
     }

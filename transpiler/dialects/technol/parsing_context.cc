@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/dialects/technol/macros.h"
+
 namespace plcxx::technol {
 namespace {
 
@@ -28,11 +30,18 @@ void ParsingContext::ReportUndefined(std::string_view name, source::Range range)
   }
 }
 
-bool ParsingContext::IsName(const Token& token) {
-  if (token.text.size() > kNameLength) {
-    Report(token.range, diag::TechnolNameTooLong, token.text, static_cast<int64_t>(token.text.size()));
-    return false;
+bool ParsingContext::IsShort(const Token& token) {
+  const std::string_view name = WrittenName(token.text);
+  if (name.size() <= kNameLength) return true;
+  if (too_long_.insert(names.Fold(name)).second) {
+    Report(token.range, diag::TechnolNameTooLong, name, static_cast<int64_t>(name.size()));
   }
+  Forgive();
+  return false;
+}
+
+bool ParsingContext::IsName(const Token& token) {
+  if (!IsShort(token)) return false;
   if (token.text == "?") {
     Report(token.range, diag::TechnolSyntax, "'?'", "a name");
     return false;
@@ -47,13 +56,14 @@ bool ParsingContext::IsName(const Token& token) {
 bool ParsingContext::IsTaken(const Token& name) {
   const SymbolId taken = names.Find(name.text);
   if (!taken.valid()) return false;
-  const Symbol& symbol = names[taken];
+  Symbol& symbol = names[taken];
   if (symbol.origin != SymbolOrigin::kSource) {
     Report(name.range, diag::TechnolPredefined, name.text);
   } else {
     Report(name.range, diag::TechnolAlreadyDefined, name.text)
         .notes.push_back({symbol.range, "it is defined here as " + std::string(KindText(symbol))});
   }
+  symbol.faulty |= symbol.origin == SymbolOrigin::kSource;  // nobody knows which of the two its uses mean
   return true;
 }
 

@@ -46,6 +46,8 @@ class ParsingContext {
 
   /// An undefined name, once for each name.
   void ReportUndefined(std::string_view name, source::Range range);
+  /// At most 31 characters (TE003), reported once for each name.
+  bool IsShort(const Token& token);
   /// A name may be defined by the statement: length and reserved words (2.3). Reports.
   bool IsName(const Token& token);
   /// Reports a name that is taken; false when it is free.
@@ -63,7 +65,7 @@ class ParsingContext {
   bool faulty = false;
 
  private:
-  std::set<std::string, std::less<>> undefined_;
+  std::set<std::string, std::less<>> undefined_, too_long_;
   diag::Diagnostic discarded_;
 };
 

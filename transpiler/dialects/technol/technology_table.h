@@ -5,10 +5,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/technol/options.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::technol {
@@ -26,11 +29,16 @@ struct TechnologyTable {
   source::FileId file;
 };
 
+/// None when the table has a fault (reported).
+std::optional<TechnologyTable> ReadTable(const source::SourceManager& sources, source::FileId file,
+                                         const Settings& settings, diag::Engine& diagnostics);
+
 /// TAB_TECHNOL as the loader leaves it (9.8.3).
 TableImage ImageOf(const TechnologyTable& table);
 /// TAB_TECHNOL without any table: zeros, TCH_VOLBA 0FFFFh (D11).
 TableImage EmptyImage();
-/// The table written back (9.8.4) from what TAB_TECHNOL holds now; `preamble` as it was read.
+/// The table written back (9.8.4) from what TAB_TECHNOL holds now; `preamble` as it was read. A header that is no
+/// table's (the program may write it) gives the rows and columns that fit into the area.
 std::string WriteTable(const TableImage& image, std::string_view preamble);
 /// "-5.100": the value of an item.
 std::string ItemText(uint32_t item);

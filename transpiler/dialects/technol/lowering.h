@@ -1,0 +1,19 @@
+// Lowers the syntax tree of a technol program to the typed IR (specification sections 4 to 8): RLO and registers are
+// evaluated at compile time, so that a sequence becomes one expression; a mechanism becomes a routine that begins with
+// a choice of its waiting point.
+//
+// In: a tree without errors, its paths. Out: a complete program.
+#pragma once
+
+#include "transpiler/dialects/technol/flow.h"
+#include "transpiler/dialects/technol/options.h"
+#include "transpiler/dialects/technol/syntax.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::technol {
+
+ir::Program Lower(const Program& tree, const Flow& flow, const Settings& settings,
+                  const source::SourceManager& sources);
+
+}  // namespace plcxx::technol

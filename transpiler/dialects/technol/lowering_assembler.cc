@@ -1,0 +1,273 @@
+// Inline assembler: moves, sums, logic, jumps (specification 6.9). Values are what the registers hold; a flag is
+// computed where somebody reads it.
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::OpKind;
+using ir::Type;
+using ir::ValueId;
+
+namespace {
+
+struct ByWidth {
+  OpKind narrow, word, wide;
+  OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
+};
+constexpr ByWidth kAdd = {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32};
+constexpr ByWidth kSub = {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32};
+constexpr ByWidth kAnd = {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32};
+constexpr ByWidth kOr = {OpKind::kOr8, OpKind::kOr16, OpKind::kOr32};
+constexpr ByWidth kXor = {OpKind::kXor8, OpKind::kXor16, OpKind::kXor32};
+constexpr ByWidth kNot = {OpKind::kNot8, OpKind::kNot16, OpKind::kNot32};
+constexpr ByWidth kCarry = {OpKind::kCarryOfAdd8, OpKind::kCarryOfAdd16, OpKind::kCarryOfAdd32};
+constexpr ByWidth kBorrow = {OpKind::kBorrowOfSub8, OpKind::kBorrowOfSub16, OpKind::kBorrowOfSub32};
+constexpr ByWidth kAddOverflow = {OpKind::kOverflowOfAdd8, OpKind::kOverflowOfAdd16, OpKind::kOverflowOfAdd32};
+constexpr ByWidth kSubOverflow = {OpKind::kOverflowOfSub8, OpKind::kOverflowOfSub16, OpKind::kOverflowOfSub32};
+
+uint32_t StackBase(uint32_t level) { return level * kStackWords; }
+
+}  // namespace
+
+void Lowering::Assemble(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kMov: {
+      const Operand& target = tree_.OperandOf(instruction, 0);
+      return Write(target, ReadAs(tree_.OperandOf(instruction, 1), target.width));
+    }
+    case Op::kAdd:
+    case Op::kAdc:
+    case Op::kSub:
+    case Op::kSbb:
+    case Op::kCmp:
+      return AddOrSubtract(instruction);
+    case Op::kAsmAnd:
+    case Op::kAsmOr:
+    case Op::kAsmXor:
+    case Op::kTest:
+      return Logic(instruction);
+    case Op::kInc:
+    case Op::kDec:
+      return Increment(instruction);
+    case Op::kNeg:
+      return Negate(instruction);
+    case Op::kNot: {
+      const Operand& target = tree_.OperandOf(instruction, 0);
+      return Write(target, Pure(kNot.At(target.width), {Read(target)}));
+    }
+    case Op::kShl:
+    case Op::kShr:
+    case Op::kSar:
+      return Shift(instruction);
+    case Op::kRol:
+    case Op::kRor:
+      return Rotate(instruction);
+    case Op::kRcl:
+    case Op::kRcr:
+      return RotateWithCarry(instruction);
+    case Op::kMul:
+    case Op::kImul:
+      return MultiplyRegister(instruction);
+    case Op::kDiv:
+    case Op::kIdiv:
+      return DivideRegister(instruction);
+    case Op::kPush:
+      return Push(instruction);
+    case Op::kPop:
+      return Pop(instruction);
+    case Op::kMovzx:
+    case Op::kMovsx:
+      return Extend(instruction);
+    case Op::kXchg:
+      return Exchange(instruction);
+    case Op::kCbw:
+    case Op::kCwd:
+    case Op::kCwde:
+    case Op::kCdq:
+      return Convert(instruction);
+    case Op::kDaa:
+    case Op::kDas:
+      return Decimal(instruction);
+    case Op::kAam:
+    case Op::kAad:
+      return Unpack(instruction);
+    case Op::kClc:
+      return Flag(kCf, [&] { return builder_.Bit(0); });
+    case Op::kStc:
+      return Flag(kCf, [&] { return builder_.Bit(1); });
+    case Op::kCmc: {
+      const ValueId carry = FlagValue(kCf);
+      return Flag(kCf, [&] { return Not(carry); });
+    }
+    case Op::kNop:
+      return;
+    case Op::kJmp:
+      SpillAll();
+      return Jump(TargetOf(instruction), {});
+    case Op::kLoop:
+    case Op::kJcxz:
+      return LoopJump(instruction);
+    default: {
+      const ValueId condition = Condition(instruction.op);
+      SpillAll();
+      return Jump(TargetOf(instruction), condition);
+    }
+  }
+}
+
+void Lowering::AddOrSubtract(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  const bool adds = instruction.op == Op::kAdd || instruction.op == Op::kAdc;
+  const bool carries = instruction.op == Op::kAdc || instruction.op == Op::kSbb;
+  if (IsClearing(tree_, instruction)) {
+    WriteRegister(target.reg, Constant(0, width));
+    UndefineFlags(kFlags & ~kZf);  // 0 is what SUB r,r leaves in them
+    return Flag(kZf, [&] { return builder_.Bit(1); });
+  }
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
+  const ByWidth& row = adds ? kAdd : kSub;
+  ValueId result = Pure(row.At(width), {left, right});
+  if (carries) {
+    const ValueId carry = Pure(OpKind::kWiden1To32, {FlagValue(kCf)});
+    result = Pure(row.At(width), {result, ToWidth(carry, width)});
+  }
+  if (instruction.op != Op::kCmp) {
+    if (reach.place.valid()) {
+      builder_.Store(reach.place, result, reach.index);
+    } else {
+      WriteRegister(target.reg, result);
+    }
+  }
+  Flag(kCf, [&] {
+    if (carries) return Pure((adds ? kCarry : kBorrow).At(width), {left, right, result});
+    if (adds) return Pure(OpKind::kLess32, {ToWidth(result, 32), ToWidth(left, 32)});
+    return Pure(OpKind::kLess32, {ToWidth(left, 32), ToWidth(right, 32)});
+  });
+  Flag(kOf, [&] { return Pure((adds ? kAddOverflow : kSubOverflow).At(width), {left, right, result}); });
+  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {ToWidth(left, 8), ToWidth(right, 8), ToWidth(result, 8)}); });
+  ResultFlags(result, width);
+  if (!adds && !carries) compared_ = {.left = left, .right = right, .width = width};
+}
+
+void Lowering::Logic(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  ValueId result;
+  if (IsClearing(tree_, instruction)) {
+    result = Constant(0, width);
+    WriteRegister(target.reg, result);
+  } else {
+    const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+    const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+    const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
+    const ByWidth& row = instruction.op == Op::kAsmOr ? kOr : instruction.op == Op::kAsmXor ? kXor : kAnd;
+    // TEST AX,AX and OR AX,AX ask for the value as it is.
+    const bool same = left == right && instruction.op != Op::kAsmXor;
+    result = same ? left : Pure(row.At(width), {left, right});
+    if (instruction.op != Op::kTest && !same) {
+      if (reach.place.valid()) {
+        builder_.Store(reach.place, result, reach.index);
+      } else {
+        WriteRegister(target.reg, result);
+      }
+    }
+  }
+  UndefineFlags(kCf | kOf);  // both are 0
+  ResultFlags(result, width);
+  compared_ = {.left = result, .right = Constant(0, width), .width = width};
+}
+
+void Lowering::Increment(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  const bool up = instruction.op == Op::kInc;
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const ValueId one = Constant(1, width);
+  const ValueId result = Pure((up ? kAdd : kSub).At(width), {left, one});
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  Flag(kOf, [&] { return Pure((up ? kAddOverflow : kSubOverflow).At(width), {left, one, result}); });
+  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {ToWidth(left, 8), Byte(1), ToWidth(result, 8)}); });
+  ResultFlags(result, width);
+}
+
+void Lowering::Negate(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const ValueId zero = Constant(0, width);
+  const ValueId result = Pure(kSub.At(width), {zero, value});
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  Flag(kCf, [&] { return Not(IsZero(value, width)); });
+  Flag(kOf, [&] { return Pure(kSubOverflow.At(width), {zero, value, result}); });
+  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {Byte(0), ToWidth(value, 8), ToWidth(result, 8)}); });
+  ResultFlags(result, width);
+}
+
+void Lowering::Exchange(const Instruction& instruction) {
+  const Operand &first = tree_.OperandOf(instruction, 0), &second = tree_.OperandOf(instruction, 1);
+  const bool first_is_memory = first.kind == OperandKind::kMemory;
+  const Operand &memory = first_is_memory ? first : second, &reg = first_is_memory ? second : first;
+  if (memory.kind == OperandKind::kMemory) {
+    const Reach reach = ReachOf(memory);
+    const ValueId value = builder_.Load(reach.place, reach.index);
+    builder_.Store(reach.place, Read(reg), reach.index);
+    return Write(reg, value);
+  }
+  const ValueId left = Read(first), right = Read(second);
+  Write(first, right);
+  Write(second, left);
+}
+
+void Lowering::Extend(const Instruction& instruction) {
+  const Operand &target = tree_.OperandOf(instruction, 0), &source = tree_.OperandOf(instruction, 1);
+  const ValueId value = Read(source);
+  if (instruction.op == Op::kMovzx) return Write(target, ToWidth(value, target.width));
+  if (source.width == 8 && target.width == 16) return Write(target, Pure(OpKind::kSignExtend8To16, {value}));
+  Write(target, SignedTo32(value));
+}
+
+/// Each depth of the stack is a local of its own; subprograms use those behind their callers'.
+void Lowering::Push(const Instruction& instruction) {
+  const Operand& reg = tree_.OperandOf(instruction, 0);
+  const uint32_t slot = StackBase(body_->level) + flow_.PushesBefore(now_);
+  const bool wide = reg.width == 32;
+  builder_.Store(Local("pushed" + std::to_string(slot) + (wide ? "_wide" : ""), wide ? Type::kI32 : Type::kI16),
+                 Read(reg));
+}
+
+void Lowering::Pop(const Instruction& instruction) {
+  const Operand& reg = tree_.OperandOf(instruction, 0);
+  const uint32_t slot = StackBase(body_->level) + flow_.PushesBefore(now_) - 1;
+  const bool wide = reg.width == 32;
+  Write(reg,
+        builder_.Load(Local("pushed" + std::to_string(slot) + (wide ? "_wide" : ""), wide ? Type::kI32 : Type::kI16)));
+}
+
+void Lowering::LoopJump(const Instruction& instruction) {
+  ValueId count = ReadRegister(Register::kCx);
+  OpKind test = OpKind::kEqual16;
+  if (instruction.op == Op::kLoop) {
+    count = Pure(OpKind::kSub16, {count, Constant(1, 16)});
+    WriteRegister(Register::kCx, count);
+    test = OpKind::kNotEqual16;
+  }
+  const ValueId condition = Pure(test, {count, Constant(0, 16)});
+  SpillAll();
+  Jump(TargetOf(instruction), condition);
+}
+
+}  // namespace plcxx::technol

@@ -1,0 +1,114 @@
+// Bits, flags, jumps, calls, errors (specification 6.2 to 6.4, 6.8).
+
+#include <utility>
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::OpKind;
+using ir::Type;
+using ir::ValueId;
+
+ValueId Lowering::ReadBit(const Operand& operand) {
+  const ValueId value = builder_.Load(PlaceAt(operand));
+  return operand.negated ? Not(value) : value;
+}
+
+/// With mech-clear=abort a cleared mechanism is as after MECH_INIT, and one that clears itself is left.
+void Lowering::WriteBit(const Operand& operand, ValueId value) {
+  builder_.Store(PlaceAt(operand), value);
+  if (!operand.is_activation_bit() || settings_.mech_clear != MechClear::kAbort) return;
+  const auto rewind = [&] {
+    Rewind(operand.mechanism);
+    if (operand.mechanism != body_->unit) return;
+    end_is_used_ = true;
+    builder_.Jump(kEndLabel);
+  };
+  const std::optional<uint64_t> known = KnownValue(value);
+  if (known) {
+    if (*known == 0) When(builder_.Bit(1), rewind);
+    return;
+  }
+  When(Not(value), rewind);
+}
+
+void Lowering::SetFlag(const Instruction& instruction) {
+  const Operand& bit = tree_.OperandOf(instruction, 1);
+  const auto set = [&] { WriteBit(bit, builder_.Bit(static_cast<uint64_t>(tree_.OperandOf(instruction, 0).value))); };
+  if (instruction.op == Op::kFl) return set();
+  const ValueId rlo = rlo_->Get();
+  When(instruction.op == Op::kFl1 ? rlo : Not(rlo), set);
+}
+
+InstructionId Lowering::TargetOf(const Instruction& instruction) const {
+  const Operand& label = tree_.OperandOf(instruction, instruction.operands.count - 1);
+  return tree_.labels[label.label].at;
+}
+
+/// A jump back takes one of the rounds; when none is left, everything is left (6.4).
+void Lowering::Jump(InstructionId target, ValueId condition) {
+  if (target.index > now_.index) return builder_.Jump(target.index + 1, condition);
+  const ir::RegionId behind = builder_.region();
+  const ir::RegionId refused = builder_.NewRegion();
+  builder_.SetRegion(refused);
+  CallFault(Fault::kLoop);
+  LeaveAll();
+  builder_.SetRegion(behind);
+  builder_.JumpBack(target.index + 1, condition, Local("rounds_left", Type::kI32), refused);
+}
+
+void Lowering::LeaveAll() {
+  if (!body_->unit.valid()) builder_.Store(Local("left", Type::kBit), builder_.Bit(1));
+  end_is_used_ = true;
+  builder_.Jump(kEndLabel);
+}
+
+void Lowering::JumpIfRlo(const Instruction& instruction, bool wanted) {
+  const ValueId rlo = rlo_->Get();
+  SpillAll();
+  Jump(TargetOf(instruction), wanted ? rlo : Not(rlo));
+  rlo_->Know(wanted ? 0 : 1);  // a jump that is not taken tells its condition
+}
+
+void Lowering::Call(const Instruction& instruction) {
+  const uint32_t callee = *flow_.CalleeOf(instruction);
+  const Body& body = bodies_[body_of_subprogram_[callee]];
+  SpillAll();
+  std::vector<ValueId> arguments;
+  if (body.entry.valid()) {
+    uint64_t entry = 0;
+    while (body.subprograms[entry] != callee) ++entry;
+    arguments.push_back(Byte(entry));
+  }
+  const ValueId left = builder_.CallRoutine(body.routine, std::move(arguments));
+  ForgetAll();
+  if (!body.leaves) return;
+  end_is_used_ = true;
+  if (body_->unit.valid()) return builder_.Jump(kEndLabel, left);
+  // The caller's own caller asks, too.
+  When(left, [&] { LeaveAll(); });
+}
+
+void Lowering::Return() {
+  SpillAll();
+  if (index_in_body_.at(now_.index) + 1 == body_->instructions.size()) return;
+  end_is_used_ = true;
+  builder_.Jump(kEndLabel);
+}
+
+void Lowering::RaiseError(const Instruction& instruction) {
+  const auto number = [&](uint32_t index) {
+    if (index >= instruction.operands.count) return uint64_t{0};
+    return static_cast<uint64_t>(tree_.OperandOf(instruction, index).value);
+  };
+  const auto stored = [&](uint64_t value) {
+    if (settings_.eset == EsetForm::kBinary) return Byte(value);
+    return builder_.Constant(Type::kI8, value / 10 * 16 + value % 10, 16);
+  };
+  builder_.Store(SystemPlace("BZH11"), stored(number(0)));
+  builder_.Store(SystemPlace("BZH22"), stored(number(1)));
+  CallHost(HostCall::kErrorRaised, {Byte(number(0)), Byte(number(1))});
+}
+
+}  // namespace plcxx::technol

@@ -1,0 +1,268 @@
+// Modules, mechanisms and subprograms as routines.
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::Type;
+
+std::string Lowering::CommentOf(const Body& body) const {
+  if (!body.unit.valid()) return "Subprogram.";
+  const Unit& unit = tree_.units[body.unit];
+  if (unit.kind == UnitKind::kMechanism) return "Mechanism " + unit.name + ": goes on where it waits.";
+  switch (unit.module) {
+    case ModuleKind::kInit:
+      return "Once at power-on.";
+    case ModuleKind::kMain:
+      return "The continuous branch: in every slow pass.";
+    case ModuleKind::kFast:
+      return "In every fast period.";
+    case ModuleKind::kClear:
+      return "Once for every annulment.";
+    case ModuleKind::kHalt:
+      return "While REQ_PIS_HALT is 1.";
+    case ModuleKind::kPripravne:
+      return "Preparatory functions: from the start of a block to their end.";
+    case ModuleKind::kZaverecne:
+      return "Closing functions: from the end of a block's motion to their end.";
+    case ModuleKind::kOther:
+      break;
+  }
+  return "Unknown to the control's scheduler: for the host to call.";
+}
+
+void Lowering::AddBodyRoutines() {
+  using Kind = ir::RoutineKind;
+  for (Body& body : bodies_) {
+    if (!body.unit.valid()) {
+      body.routine = AddRoutine(tree_.labels[flow_.subprograms()[body.subprograms.front()].label].name,
+                                Kind::kSubroutine, CommentOf(body));
+      ir::Routine& routine = program_.routines[body.routine];
+      if (body.subprograms.size() > 1) {
+        body.entry = AddLocal("entry", Type::kI8);
+        routine.parameters.push_back({.name = "entry", .type = Type::kI8, .enumerators = {}});
+        routine.parameter_places.push_back(body.entry);
+      }
+      if (body.leaves) {
+        routine.result = Type::kBit;
+        routine.result_place = Local("left", Type::kBit);
+      }
+      continue;
+    }
+    const Unit& unit = tree_.units[body.unit];
+    if (unit.kind == UnitKind::kMechanism) {
+      body.routine = AddRoutine("mech_" + unit.name, Kind::kSubroutine, CommentOf(body));
+    } else if (unit.module == ModuleKind::kInit) {
+      body.routine = init_;
+    } else if (unit.module == ModuleKind::kFast) {
+      body.routine = fast_;
+    } else if (unit.module == ModuleKind::kOther) {
+      std::string name = unit.name;
+      for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      body.routine = AddRoutine(std::move(name), Kind::kInterrupt, CommentOf(body));
+    } else {
+      body.routine = AddRoutine(unit.name, Kind::kSubroutine, CommentOf(body));
+    }
+  }
+}
+
+/// What the routine begins with: zeros, the jumps back that it may take, the choice of its waiting point.
+void Lowering::BeginBody(Body& body) {
+  builder_.SetRegion(program_.routines[body.routine].body);
+  builder_.SetRange({});
+  BeginRegisters();
+  if (body.unit.valid()) {
+    ZeroRegisters();
+    if (body.loops) builder_.Store(Local("rounds_left", Type::kI32), Number(settings_.loop_limit));
+  } else if (body.leaves) {
+    builder_.Store(Local("left", Type::kBit), builder_.Bit(0));
+  }
+  ir::Switch choice;
+  const ir::RegionId behind = builder_.region();
+  const auto choose = [&](uint64_t value, InstructionId at) {
+    const ir::RegionId arm = builder_.NewRegion();
+    builder_.SetRegion(arm);
+    builder_.Jump(at.index + 1);
+    choice.cases.push_back({.values = {value}, .region = arm});
+  };
+  if (!body.resumes.empty()) SpillAll();
+  for (size_t i = 0; i < body.resumes.size(); ++i) choose(i + 1, body.resumes[i]);
+  for (size_t i = 0; body.entry.valid() && i < body.subprograms.size(); ++i) {
+    if (flow_.EntryOf(body.subprograms[i]) != body.instructions.front()) choose(i, flow_.EntryOf(body.subprograms[i]));
+  }
+  builder_.SetRegion(behind);
+  if (choice.cases.empty()) return;
+  choice.cases.push_back({.values = {}, .region = builder_.NewRegion()});
+  const ir::ValueId selector = builder_.Load(body.entry.valid() ? body.entry : StepPlace(body.unit));
+  builder_.SwitchOn(selector, std::move(choice));
+}
+
+void Lowering::LowerBody(Body& body) {
+  body_ = &body;
+  end_is_used_ = false;
+  index_in_body_.clear();
+  for (size_t i = 0; i < body.instructions.size(); ++i) index_in_body_[body.instructions[i].index] = i;
+  BeginBody(body);
+
+  label_at_.assign(body.instructions.size(), false);
+  const auto mark = [&](InstructionId id) { label_at_[index_in_body_.at(id.index)] = true; };
+  for (const InstructionId id : body.instructions) {
+    flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
+      if (edge == Edge::kJump) mark(to);
+    });
+  }
+  for (const InstructionId resume : body.resumes) mark(resume);
+  for (const uint32_t k : body.subprograms) {
+    if (body.subprograms.size() > 1) mark(flow_.EntryOf(k));
+  }
+  CutStatements(body);
+  if (body.unit.valid() && tree_.units[body.unit].kind == UnitKind::kModule) {
+    const Unit& unit = tree_.units[body.unit];
+    AddComments(unit.comments, CommentPlace::kLeading, waiting_comments_);
+    waiting_comments_.push_back(LinesOf(unit.open.begin, unit.open.end));
+  }
+  for (const InstructionId id : body.instructions) Execute(id);
+  EndComments(body);
+  builder_.SetRange({});
+  if (end_is_used_) builder_.Label(kEndLabel);
+}
+
+void Lowering::Execute(InstructionId id) {
+  const Instruction& instruction = tree_.instructions[id];
+  const size_t index = index_in_body_.at(id.index);
+  now_ = id;
+  width_ = flow_.WidthBefore(id) == 0 ? 16 : flow_.WidthBefore(id);
+  const Effects effects = EffectsOf(tree_, instruction, width_);
+  wanted_flags_ = flow_.LiveBehind(id) & kFlags;
+  if (label_at_[index]) {
+    SpillAll();
+    builder_.Label(id.index + 1);
+    ForgetAll();
+    compared_ = {};
+  }
+  if (begins_statement_[index]) {
+    EndStatementOfAll();
+    compared_ = {};
+    size_t end = index + 1;
+    while (end < begins_statement_.size() && !begins_statement_[end]) ++end;
+    BeginStatement(index, end);
+  }
+  builder_.SetRange(instruction.range);
+  if (((effects.writes | effects.undefines) & kFlags) != 0) compared_ = {};
+  // What jumps takes undefined flags along; assembler instructions read some that they leave undefined.
+  const bool assembler = Info(instruction.op).assembler;
+  if (!assembler) UndefineFlags(effects.undefines);
+  Dispatch(instruction);
+  if (assembler) UndefineFlags(effects.undefines);
+}
+
+void Lowering::CallMechanism(const Body& body) {
+  const bool shares_rounds = body_ != nullptr && body_->loops && body.loops;
+  const auto run = [&] {
+    if (!shares_rounds) {
+      builder_.CallRoutine(body.routine, {});
+      return;
+    }
+    const ir::PlaceId rounds = Local("rounds_left", Type::kI32), own = Local("rounds_of_module", Type::kI32);
+    builder_.Store(own, builder_.Load(rounds));
+    builder_.CallRoutine(body.routine, {});
+    builder_.Store(rounds, builder_.Load(own));
+  };
+  const ir::ValueId active = builder_.Load(ActivationPlace(body.unit));
+  if (settings_.mech_clear == MechClear::kAbort) {
+    Choose(active, run, [&] { Rewind(body.unit); });
+  } else {
+    When(active, run);
+  }
+}
+
+void Lowering::Dispatch(const Instruction& instruction) {
+  using dialects::Join;
+  const auto combine = [&](Join join) {
+    const ir::ValueId operand = ReadBit(tree_.OperandOf(instruction, 0));
+    rlo_->Set(dialects::Joined(builder_, join, rlo_->Get(), operand));
+  };
+  if (Info(instruction.op).assembler) return Assemble(instruction);
+  switch (instruction.op) {
+    case Op::kLdr:
+      return rlo_->Set(ReadBit(tree_.OperandOf(instruction, 0)));
+    case Op::kLa:
+      return combine(Join::kAnd);
+    case Op::kLo:
+      return combine(Join::kOr);
+    case Op::kLx:
+      return combine(Join::kXor);
+    case Op::kWr:
+      return WriteBit(tree_.OperandOf(instruction, 0), rlo_->Get());
+    case Op::kFl:
+    case Op::kFl1:
+    case Op::kFl0:
+      return SetFlag(instruction);
+    case Op::kJum:
+      return Jump(TargetOf(instruction), {});
+    case Op::kJl1:
+      return JumpIfRlo(instruction, true);
+    case Op::kJl0:
+      return JumpIfRlo(instruction, false);
+    case Op::kCall:
+      return Call(instruction);
+    case Op::kRet:
+      return Return();
+    case Op::kEx:
+    case Op::kEx0:
+    case Op::kEx1:
+    case Op::kTex0:
+    case Op::kTex1:
+    case Op::kTim:
+      return Wait(instruction);
+    case Op::kMechInit:
+      return InitMechanism(instruction);
+    case Op::kLod:
+      return Load(instruction);
+    case Op::kSto:
+      return StoreData(instruction);
+    case Op::kAd:
+    case Op::kSu:
+    case Op::kAnd:
+    case Op::kOr:
+    case Op::kXor:
+      return Combine(instruction);
+    case Op::kMulb:
+    case Op::kMulw:
+      return MultiplyData(instruction);
+    case Op::kDivb:
+    case Op::kDivw:
+      return DivideData(instruction);
+    case Op::kRl:
+    case Op::kRr:
+      return RotateData(instruction);
+    case Op::kBcd:
+      return ToBcd();
+    case Op::kBin:
+      return FromBcd();
+    case Op::kEq:
+    case Op::kNe:
+    case Op::kLt:
+    case Op::kLe:
+    case Op::kGt:
+    case Op::kGe:
+      return Compare(instruction);
+    case Op::kEset:
+      return RaiseError(instruction);
+    case Op::kMechanismBegin:
+      CallMechanism(*BodyOfMechanism(instruction.mechanism));
+      return ZeroRegisters();
+    case Op::kMechanismEnd:
+      return EndMechanism(body_->unit);
+    case Op::kModuleEnd:
+      if (Info(tree_.units[body_->unit].module).waits) EndMechanism(body_->unit);
+      return;
+    default:
+      PLCXX_UNREACHABLE();  // marks of an area's end are behind a RET; assembler instructions are dispatched above
+  }
+}
+
+}  // namespace plcxx::technol

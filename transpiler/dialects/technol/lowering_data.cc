@@ -1,0 +1,162 @@
+// Data instructions: DR and what it meets (specification 6.5, 6.6).
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::OpKind;
+using ir::ValueId;
+
+namespace {
+
+constexpr uint32_t kDrNumber = 2;  // of ECX
+constexpr uint64_t kMostBcd16 = 9'999, kMostBcd32 = 79'999'999;
+
+/// The rows of ops.def by width.
+struct ByWidth {
+  OpKind narrow, word, wide;
+  OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
+};
+
+ByWidth OperationOf(Op op) {
+  switch (op) {
+    case Op::kAd:
+      return {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32};
+    case Op::kSu:
+      return {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32};
+    case Op::kAnd:
+      return {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32};
+    case Op::kOr:
+      return {OpKind::kOr8, OpKind::kOr16, OpKind::kOr32};
+    case Op::kXor:
+      return {OpKind::kXor8, OpKind::kXor16, OpKind::kXor32};
+    default:
+      PLCXX_UNREACHABLE();
+  }
+}
+
+/// Of 32 bits; equality has a row of its own for 16.
+OpKind ComparisonOf(Op op) {
+  switch (op) {
+    case Op::kEq:
+      return OpKind::kEqual32;
+    case Op::kNe:
+      return OpKind::kNotEqual32;
+    case Op::kLt:
+      return OpKind::kLess32;
+    case Op::kLe:
+      return OpKind::kLessEqual32;
+    case Op::kGt:
+      return OpKind::kGreater32;
+    case Op::kGe:
+      return OpKind::kGreaterEqual32;
+    default:
+      PLCXX_UNREACHABLE();
+  }
+}
+
+}  // namespace
+
+/// dr of 6.1 as `width` bits: what lies above the static width does not count.
+ValueId Lowering::Dr(uint32_t width) {
+  const ValueId whole = registers_[kDrNumber]->Get();
+  return width_ == 32 ? ToWidth(whole, width) : ToWidth(ToWidth(whole, 16), width);
+}
+
+void Lowering::SetDr(ValueId value, uint32_t width) {
+  const ValueId cut = ToWidth(value, width);
+  registers_[kDrNumber]->Set(ToWidth(cut, wide_[kDrNumber] ? 32 : 16));
+}
+
+void Lowering::Load(const Instruction& instruction) {
+  const Operand& operand = tree_.OperandOf(instruction, 0);
+  const uint32_t width = OperationWidth(16, operand.width);
+  SetDr(ReadAs(operand, width), width);
+}
+
+void Lowering::StoreData(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const ValueId value = Dr(target.width);
+  Write(target, value);
+}
+
+void Lowering::Combine(const Instruction& instruction) {
+  const Operand& operand = tree_.OperandOf(instruction, 0);
+  const uint32_t width = OperationWidth(width_, operand.width);
+  const ValueId dr = Dr(width), value = ReadAs(operand, width);
+  SetDr(Pure(OperationOf(instruction.op).At(width), {dr, value}), width);
+}
+
+void Lowering::MultiplyData(const Instruction& instruction) {
+  const bool bytes = instruction.op == Op::kMulb;
+  const ValueId factor = ToWidth(Dr(bytes ? 8 : 16), 32);
+  const ValueId value = ReadAs(tree_.OperandOf(instruction, 0), 32);
+  SetDr(Pure(OpKind::kMul32, {factor, value}), bytes ? 16 : 32);
+}
+
+/// By zero: all ones, the remainder is 0, and a fault.
+void Lowering::DivideData(const Instruction& instruction) {
+  const uint32_t width = instruction.op == Op::kDivb ? 16 : 32;
+  const ValueId dividend = ToWidth(Dr(width), 32);
+  const ValueId divisor = ReadAs(tree_.OperandOf(instruction, 0), 32);
+  const auto divide = [&] {
+    SetDr(Pure(OpKind::kUnsignedDiv32, {dividend, divisor}), width);
+    WriteRegister(Register::kDx, Low16(Pure(OpKind::kUnsignedRem32, {dividend, divisor})));
+  };
+  const auto fail = [&] {
+    SetDr(Constant(0xFFFFFFFFU, width, 16), width);
+    WriteRegister(Register::kDx, Constant(0, 16));
+    CallFault(Fault::kDivide);
+  };
+  if (const auto known = KnownValue(divisor)) return *known != 0 ? divide() : fail();
+  SplitRegisters(Pure(OpKind::kNotEqual32, {divisor, Number(0)}), divide, fail);
+}
+
+void Lowering::RotateData(const Instruction& instruction) {
+  const bool left = instruction.op == Op::kRl;
+  const Operand& operand = tree_.OperandOf(instruction, 0);
+  const ValueId dr = Dr(width_);
+  if (settings_.rotation == Rotation::kRotate) {
+    ValueId count = ReadAs(operand, 32);
+    if (const auto known = KnownValue(count)) count = Number(*known % width_);
+    const ByWidth rotate = left ? ByWidth{OpKind::kRotateLeft8, OpKind::kRotateLeft16, OpKind::kRotateLeft32}
+                                : ByWidth{OpKind::kRotateRight8, OpKind::kRotateRight16, OpKind::kRotateRight32};
+    if (KnownValue(count) != 0) return SetDr(Pure(rotate.At(width_), {dr, count}), width_);
+    return SetDr(dr, width_);
+  }
+  const ValueId count = operand.kind == OperandKind::kConstant && (operand.value < 0 || operand.value > 0xFF)
+                            ? Constant(0xFF, width_)
+                            : ReadAs(operand, width_);
+  const ByWidth shift = left ? ByWidth{OpKind::kShiftLeft16, OpKind::kShiftLeft16, OpKind::kShiftLeft32}
+                             : ByWidth{OpKind::kShiftRight16, OpKind::kShiftRight16, OpKind::kShiftRight32};
+  SetDr(Pure(shift.At(width_), {dr, count}), width_);
+}
+
+void Lowering::Compare(const Instruction& instruction) {
+  const Operand& operand = tree_.OperandOf(instruction, 0);
+  const uint32_t width = OperationWidth(width_, operand.width);
+  const ValueId dr = Dr(width), value = ReadAs(operand, width);
+  rlo_->Set(Pure(ComparisonOf(instruction.op), {ToWidth(dr, 32), ToWidth(value, 32)}));
+}
+
+void Lowering::ToBcd() {
+  const ValueId dr = Dr(width_);
+  if (width_ == 16) {
+    When(Pure(OpKind::kGreater32, {ToWidth(dr, 32), Number(kMostBcd16)}), [&] { CallFault(Fault::kBcdRange); });
+    return SetDr(Pure(OpKind::kToBcd16, {dr}), 16);
+  }
+  const ValueId magnitude = Pure(OpKind::kAbs32, {dr});
+  When(Pure(OpKind::kGreater32, {magnitude, Number(kMostBcd32)}), [&] { CallFault(Fault::kBcdRange); });
+  SetDr(Pure(OpKind::kToSignedBcd32, {dr}), 32);
+}
+
+void Lowering::FromBcd() {
+  const ValueId dr = Dr(width_);
+  const bool word = width_ == 16;
+  const ValueId digits =
+      word ? ToWidth(dr, 32) : Pure(OpKind::kAnd32, {dr, builder_.Constant(ir::Type::kI32, 0x7FFFFFFF, 16)});
+  When(Pure(OpKind::kHasNoDigit32, {digits}), [&] { CallFault(Fault::kBcdDigit); });
+  SetDr(Pure(word ? OpKind::kFromBcd16 : OpKind::kFromSignedBcd32, {dr}), width_);
+}
+
+}  // namespace plcxx::technol

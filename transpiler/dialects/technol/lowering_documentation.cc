@@ -1,0 +1,39 @@
+// What is known of the names of a program: for maps, reports, and for those who name a location (specification 5.7).
+
+#include <string>
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/names.h"
+
+namespace plcxx::technol {
+
+/// A comment without its ';' and the strokes of a frame.
+std::string Lowering::CommentText(const Symbol& symbol) const {
+  for (uint32_t i = 0; i < symbol.comments.count; ++i) {
+    const Comment& comment = tree_.comments[symbol.comments.first + i];
+    if (comment.place != CommentPlace::kTrailing) continue;
+    std::string_view text = sources_.Text(comment.range);
+    const size_t begin = text.find_first_not_of(" \t;*-=");
+    return begin == std::string_view::npos ? "" : std::string(text.substr(begin));
+  }
+  return {};
+}
+
+void Lowering::Document() {
+  for (const Symbol& symbol : tree_.symbols) {
+    const bool named = symbol.origin == SymbolOrigin::kSource || symbol.uses > 0;
+    std::string address = AddressOfSymbol(symbol);
+    if (!named || address.empty()) continue;
+    ir::Documentation row{
+        .address = std::move(address), .symbols = symbol.name, .predefined = {}, .meaning = {}, .help = {}};
+    if (symbol.origin == SymbolOrigin::kSource) {
+      row.meaning = CommentText(symbol);
+    } else {
+      row.predefined = symbol.name;
+      row.meaning = symbol.meaning;
+    }
+    program_.documentation.push_back(std::move(row));
+  }
+}
+
+}  // namespace plcxx::technol

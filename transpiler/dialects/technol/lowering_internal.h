@@ -1,0 +1,369 @@
+// The lowering's state and its functions, split over lowering_*.cc by family. Only those files include it.
+//
+// Modules, mechanisms and groups of subprograms that share instructions are routines. RLO, registers and flags are
+// registers in the sense of dialects/common: modules and mechanisms begin with zeros in them, subprograms share those
+// of their callers.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "transpiler/dialects/common/logic_stack.h"
+#include "transpiler/dialects/common/register.h"
+#include "transpiler/dialects/common/statement_ids.h"
+#include "transpiler/dialects/technol/lowering.h"
+#include "transpiler/dialects/technol/memory.h"
+#include "transpiler/ir/builder.h"
+
+namespace plcxx::technol {
+
+enum class HostCall : uint8_t {
+  kReadInputs,
+  kWriteOutputs,
+  kMachineConstants,
+  kRestore,
+  kRequest,
+  kSendPlcmem,
+  kSendTabtech,
+  kSetNcTable,
+  kBackupPos,
+  kBackupMem,
+  kCloseAll,
+  kHaltPass,
+  kErrorRaised,
+  kFault,
+  kCount
+};
+/// In the order of the enumerators of fault(): 8.1.
+enum class Fault : uint8_t { kBounds, kLoop, kDivide, kBcdRange, kBcdDigit };
+
+/// Label of a routine's end; the others are the number of their instruction and 1.
+constexpr uint32_t kEndLabel = 0;
+
+/// What one routine holds of the program.
+struct Body {
+  UnitId unit;                              // a module or mechanism; none: subprograms
+  std::vector<uint32_t> subprograms;        // by Flow's numbers
+  std::vector<InstructionId> instructions;  // in source order
+  ir::RoutineId routine;
+  std::vector<InstructionId> resumes;  // waiting points, their steps count from 1
+  ir::PlaceId entry;                   // which subprogram is called, where there are several
+  bool leaves = false;                 // may leave all routines at once, by a refused jump or a trap
+  bool loops = false;                  // it, or what it calls, jumps backward
+  uint32_t level = 0;                  // of subprograms: as Subprogram::level
+};
+
+class Lowering {
+ public:
+  Lowering(const Program& tree, const Flow& flow, const Settings& settings, const source::SourceManager& sources);
+  ir::Program Run();
+
+ private:
+  // --- routines (lowering.cc, lowering_bodies.cc) ---
+  void InitialData();
+  void FindWideRegisters();
+  void FindBodies();
+  void FindResumes(Body& body);
+  void FindLeaving();
+  void AddBodyRoutines();
+  void LowerBody(Body& body);
+  void BeginBody(Body& body);
+  void Execute(InstructionId id);
+  void Dispatch(const Instruction& instruction);
+  bool CanLeave(const Instruction& instruction) const;
+  std::string CommentOf(const Body& body) const;
+  const Body* BodyOfMechanism(UnitId mechanism) const;
+  const Body* BodyOfModule(ModuleKind kind) const;
+  /// `if (mechanism) mechanism()`.
+  void CallMechanism(const Body& body);
+
+  // --- statements (lowering_statements.cc) ---
+  void CutStatements(const Body& body);
+  void BeginStatement(size_t first, size_t end);
+  void EndComments(const Body& body);
+  uint32_t StatementNumber(size_t first, size_t end);
+  std::string SubjectOf(size_t first, size_t end) const;
+  source::Range LinesOf(source::Offset begin, source::Offset end) const;
+  void AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const;
+  bool CanFault(InstructionId id) const;
+
+  // --- bits, flags, jumps, calls (lowering_bits.cc) ---
+  ir::ValueId ReadBit(const Operand& operand);
+  void WriteBit(const Operand& operand, ir::ValueId value);
+  void SetFlag(const Instruction& instruction);
+  void Jump(InstructionId target, ir::ValueId condition);
+  void JumpIfRlo(const Instruction& instruction, bool wanted);
+  void Call(const Instruction& instruction);
+  void Return();
+  void RaiseError(const Instruction& instruction);
+  InstructionId TargetOf(const Instruction& instruction) const;
+
+  // --- mechanisms (lowering_waits.cc) ---
+  void Wait(const Instruction& instruction);
+  void WaitFor(const Instruction& instruction, uint64_t rlo);
+  void WaitAtMost(const Instruction& instruction, uint64_t rlo);
+  void Delay(const Instruction& instruction);
+  /// Stores the step and leaves the routine.
+  void Leave(InstructionId resume);
+  ir::ValueId TimerLimit(const Operand& operand);
+  ir::ValueId ReadTimer(const Operand& operand);
+  void WriteTimer(const Operand& operand, ir::ValueId value);
+  void InitMechanism(const Instruction& instruction);
+  /// Step and automatic timers are 0; the bit is not touched.
+  void Rewind(UnitId unit);
+  void EndMechanism(UnitId unit);
+  ir::PlaceId StepPlace(UnitId unit);
+  ir::PlaceId TimerPlace(UnitId unit, uint32_t number);
+  /// Of a mechanism, or the NC's of a function module.
+  ir::PlaceId ActivationPlace(UnitId unit);
+
+  // --- DR (lowering_data.cc) ---
+  void Load(const Instruction& instruction);
+  void StoreData(const Instruction& instruction);
+  void Combine(const Instruction& instruction);
+  void MultiplyData(const Instruction& instruction);
+  void DivideData(const Instruction& instruction);
+  void RotateData(const Instruction& instruction);
+  void Compare(const Instruction& instruction);
+  void ToBcd();
+  void FromBcd();
+  ir::ValueId Dr(uint32_t width);
+  void SetDr(ir::ValueId value, uint32_t width);
+
+  // --- inline assembler (lowering_assembler.cc, _shifts.cc, _multiply.cc) ---
+  void Assemble(const Instruction& instruction);
+  void AddOrSubtract(const Instruction& instruction);
+  void Logic(const Instruction& instruction);
+  void Increment(const Instruction& instruction);
+  void Negate(const Instruction& instruction);
+  void Exchange(const Instruction& instruction);
+  void Extend(const Instruction& instruction);
+  void Push(const Instruction& instruction);
+  void Pop(const Instruction& instruction);
+  void Convert(const Instruction& instruction);
+  void Decimal(const Instruction& instruction);
+  void Unpack(const Instruction& instruction);
+  void LoopJump(const Instruction& instruction);
+  void Shift(const Instruction& instruction);
+  void ShiftByConstant(const Instruction& instruction, uint32_t count);
+  void ShiftByCl(const Instruction& instruction);
+  ir::ValueId Shifted(Op op, ir::ValueId value, ir::ValueId count, uint32_t width);
+  ir::ValueId ShiftedOut(Op op, ir::ValueId value, ir::ValueId count, uint32_t width);
+  void Rotate(const Instruction& instruction);
+  void RotateWithCarry(const Instruction& instruction);
+  void MultiplyRegister(const Instruction& instruction);
+  void DivideRegister(const Instruction& instruction);
+
+  // --- flags (lowering_flags.cc) ---
+  /// Is the flag read on some path behind the instruction?
+  bool Wants(Resources flag) const { return (wanted_flags_ & flag) != 0; }
+  template <class Compute>
+  void Flag(Resources flag, Compute&& compute);
+  /// The flag as it was where `count` is 0.
+  template <class Compute>
+  void KeepUnless(Resources flag, ir::ValueId count, Compute&& compute);
+  void ResultFlags(ir::ValueId result, uint32_t width);
+  void UndefineFlags(Resources flags);
+  ir::ValueId Sign(ir::ValueId value, uint32_t width);
+  ir::ValueId IsZero(ir::ValueId value, uint32_t width);
+  /// The condition of an assembler jump.
+  ir::ValueId Condition(Op op);
+  ir::ValueId FlagValue(Resources flag);
+
+  // --- registers (lowering_registers.cc) ---
+  void BeginRegisters();
+  void ZeroRegisters();
+  ir::ValueId ReadRegister(Register reg);
+  void WriteRegister(Register reg, ir::ValueId value);
+  void SpillAll();
+  void ForgetAll();
+  void EndStatementOfAll();
+  template <class Visit>
+  void ForEachRegister(Visit&& visit);
+  /// Choose, where the arms set registers.
+  template <class Then, class Otherwise>
+  void SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& otherwise);
+  /// Parts of a value that are known where it was put together.
+  ir::ValueId Low16(ir::ValueId value);
+  ir::ValueId High16(ir::ValueId value);
+  ir::ValueId Low8(ir::ValueId value);
+  ir::ValueId High8(ir::ValueId value);
+  /// Zero-extended, sign-extended or cut to 8, 16 or 32 bits.
+  ir::ValueId ToWidth(ir::ValueId value, uint32_t width);
+  ir::ValueId SignedTo32(ir::ValueId value);
+  uint32_t WidthOf(ir::ValueId value) const;
+  std::optional<uint64_t> KnownValue(ir::ValueId value) const;
+
+  // --- memory (lowering_places.cc) ---
+  /// A value of the operand's width: memory, constant or register.
+  ir::ValueId Read(const Operand& operand);
+  /// The same as the operand `width` bits wide of an operation on DR: zero-extended, constants modulo 2^width.
+  ir::ValueId ReadAs(const Operand& operand, uint32_t width);
+  void Write(const Operand& operand, ir::ValueId value);
+  ir::PlaceId PlaceAt(const Operand& operand);
+  ir::PlaceId BitPlace(Area area, uint32_t offset, uint8_t bit, std::string name);
+  ir::PlaceId CellPlace(Area area, uint32_t offset, ir::Type type, std::string name);
+  ir::PlaceId IndexedPlace(const Operand& operand, uint32_t offset);
+  ir::PlaceId SystemPlace(std::string_view symbol);
+  const Symbol* FindSymbol(std::string_view name) const;
+  std::string NameOf(const Operand& operand) const;
+  /// The index of an indexed access, behind the report of one that is outside.
+  struct Reach {
+    ir::PlaceId place;
+    ir::ValueId index;
+  };
+  Reach ReachOf(const Operand& operand);
+  /// The values that an i32, read as signed, can have.
+  struct Bounds32 {
+    int64_t low = -0x80000000LL, high = 0x7FFFFFFFLL;
+  };
+  Bounds32 BoundsOf(ir::ValueId value) const;
+  ir::PlaceId AddLocal(std::string name, ir::Type type);
+  ir::PlaceId Local(std::string_view name, ir::Type type);
+
+  ir::ValueId Constant(uint64_t value, uint32_t width, uint32_t base = 10);
+  ir::ValueId Byte(uint64_t value) { return Constant(value, 8); }
+  ir::ValueId Number(uint64_t value) { return Constant(value, 32); }
+  ir::ValueId Pure(ir::OpKind op, std::initializer_list<ir::ValueId> operands) { return builder_.Pure(op, operands); }
+  ir::ValueId Not(ir::ValueId bit) { return dialects::Inverted(builder_, bit); }
+  /// Runs `body` in a new region that is executed when `condition` is 1.
+  template <class Then>
+  void When(ir::ValueId condition, Then&& run);
+  template <class Then, class Otherwise>
+  void Choose(ir::ValueId condition, Then&& run, Otherwise&& otherwise);
+
+  // --- the host (lowering_host.cc), the schedule (lowering_schedule.cc) ---
+  void AddHostFunctions();
+  ir::ValueId CallHost(HostCall call, std::vector<ir::ValueId> arguments = {});
+  void CallFault(Fault fault);
+  /// With --set bounds=trap a fault leaves everything.
+  void LeaveAll();
+  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
+  void AddScheduleRoutines();
+  void Init();
+  void Slow();
+  void Period();
+  void Requests();
+  bool CanRequest(std::string_view bit) const;
+  ir::ValueId ValidNcTable();
+  ir::PlaceId NeverPlace();
+  void RunFunctions(ModuleKind kind, std::string_view bit);
+  void FillSchedule();
+  bool IsUsed(Area area) const;
+
+  // --- documentation (lowering_documentation.cc) ---
+  void Document();
+  std::string CommentText(const Symbol& symbol) const;
+
+  const Program& tree_;
+  const Flow& flow_;
+  const Settings& settings_;
+  const source::SourceManager& sources_;
+  ir::Program program_;
+  ir::Builder builder_{program_};
+  Memory memory_;
+
+  std::vector<Body> bodies_;
+  std::vector<uint32_t> body_of_subprogram_;       // by Flow's numbers
+  Body* body_ = nullptr;                           // the one being lowered
+  InstructionId now_;                              // the instruction being lowered
+  uint32_t width_ = 16;                            // of DR before it
+  Resources wanted_flags_ = 0;                     // behind it
+  std::vector<bool> begins_statement_, label_at_;  // of the body's instructions
+  bool end_is_used_ = false;
+  ir::StatementId statement_;
+  std::unordered_map<uint32_t, size_t> index_in_body_;
+
+  std::array<bool, kWholeRegisters> wide_{};  // somebody reads the upper half
+  std::optional<dialects::Register> rlo_;
+  std::array<std::optional<dialects::Register>, kFlagCount> flags_;
+  std::array<std::optional<dialects::Register>, kWholeRegisters> registers_;
+  /// What the last difference or logic operation of this statement compared.
+  struct {
+    ir::ValueId left, right;  // none: nothing
+    uint32_t width = 0;
+  } compared_;
+
+  std::map<std::tuple<Area, uint32_t, ir::Type, uint8_t>, ir::PlaceId> places_;
+  std::map<std::tuple<Area, uint32_t, ir::Type>, ir::PlaceId> indexed_;
+  std::map<uint32_t, ir::PlaceId> steps_, activations_;          // by UnitId
+  std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;  // by UnitId and number
+  std::map<std::string, ir::PlaceId, std::less<>> locals_;       // by name
+  uint32_t step_bytes_ = 0, local_count_ = 0;
+  std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
+  std::vector<ir::ValueId> nc_table_arguments_;  // of set_nc_table
+  ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;
+
+  std::vector<source::Range> waiting_comments_;
+  dialects::StatementIds statement_ids_;
+  source::Range last_lines_;  // of the statement before
+};
+
+template <class Then>
+void Lowering::When(ir::ValueId condition, Then&& run) {
+  const ir::RegionId behind = builder_.region();
+  const ir::RegionId then = builder_.NewRegion();
+  builder_.If(condition, then);
+  builder_.SetRegion(then);
+  run();
+  builder_.SetRegion(behind);
+}
+
+template <class Then, class Otherwise>
+void Lowering::Choose(ir::ValueId condition, Then&& run, Otherwise&& otherwise) {
+  const ir::RegionId behind = builder_.region();
+  const ir::RegionId then = builder_.NewRegion(), other = builder_.NewRegion();
+  builder_.If(condition, then, other);
+  builder_.SetRegion(then);
+  run();
+  builder_.SetRegion(other);
+  otherwise();
+  builder_.SetRegion(behind);
+}
+
+template <class Then, class Otherwise>
+void Lowering::SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& otherwise) {
+  SpillAll();
+  ForgetAll();
+  const auto arm = [this](auto&& body) {
+    body();
+    SpillAll();
+    ForgetAll();
+  };
+  Choose(condition, [&] { arm(run); }, [&] { arm(otherwise); });
+}
+
+template <class Visit>
+void Lowering::ForEachRegister(Visit&& visit) {
+  visit(*rlo_);
+  for (auto& flag : flags_) visit(*flag);
+  for (auto& reg : registers_) visit(*reg);
+}
+
+template <class Compute>
+void Lowering::KeepUnless(Resources flag, ir::ValueId count, Compute&& compute) {
+  if (!Wants(flag)) return Flag(flag, compute);
+  const ir::ValueId old = FlagValue(flag);
+  const ir::ValueId moves = Pure(ir::OpKind::kNotEqual32, {count, Number(0)});
+  const ir::ValueId changed = Pure(ir::OpKind::kBitAnd, {moves, compute()});
+  const ir::ValueId kept = Pure(ir::OpKind::kBitAnd, {Not(moves), old});
+  Flag(flag, [&] { return Pure(ir::OpKind::kBitOr, {changed, kept}); });
+}
+
+template <class Compute>
+void Lowering::Flag(Resources flag, Compute&& compute) {
+  uint32_t number = 0;
+  while (kCf << number != flag) ++number;
+  if (Wants(flag)) {
+    flags_[number]->Set(compute());
+  } else {
+    flags_[number]->Forget();  // nobody asks
+  }
+}
+
+}  // namespace plcxx::technol

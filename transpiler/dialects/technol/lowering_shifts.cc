@@ -1,0 +1,166 @@
+// Inline assembler: shifts and rotations with their flags (specification 6.9).
+//
+// With the count in CL a count of 0 changes nothing, flags included (D41): what a flag was before is asked for then.
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::OpKind;
+using ir::ValueId;
+
+namespace {
+
+constexpr uint64_t kCountMask = 31;
+
+bool IsLeft(Op op) { return op == Op::kShl || op == Op::kRol || op == Op::kRcl; }
+
+}  // namespace
+
+/// In 32 bits, so that counts above the width work as well.
+ValueId Lowering::Shifted(Op op, ValueId value, ValueId count, uint32_t width) {
+  if (op == Op::kSar) return ToWidth(Pure(OpKind::kArithmeticShiftRight32, {SignedTo32(value), count}), width);
+  if (width == 32) return Pure(IsLeft(op) ? OpKind::kShiftLeft32 : OpKind::kShiftRight32, {value, count});
+  const OpKind shift = IsLeft(op) ? OpKind::kShiftLeft16 : OpKind::kShiftRight16;
+  return ToWidth(Pure(shift, {ToWidth(value, 16), ToWidth(count, 16)}), width);
+}
+
+/// The last bit that goes out; `count` is 1 to 31.
+ValueId Lowering::ShiftedOut(Op op, ValueId value, ValueId count, uint32_t width) {
+  if (IsLeft(op)) {  // bit width - count; beyond the width the number wraps, and there is no such bit
+    const ValueId bit = Pure(OpKind::kSub32, {Number(width), count});
+    return Pure(OpKind::kTestBit32, {ToWidth(value, 32), bit});
+  }
+  const ValueId wide = op == Op::kSar ? SignedTo32(value) : ToWidth(value, 32);
+  return Pure(OpKind::kTestBit32, {wide, Pure(OpKind::kSub32, {count, Number(1)})});
+}
+
+void Lowering::Shift(const Instruction& instruction) {
+  const Operand& count = tree_.OperandOf(instruction, 1);
+  if (count.kind != OperandKind::kConstant) return ShiftByCl(instruction);
+  const auto bits = static_cast<uint32_t>(static_cast<uint64_t>(count.value) & kCountMask);
+  if (bits != 0) ShiftByConstant(instruction, bits);
+}
+
+void Lowering::ShiftByConstant(const Instruction& instruction, uint32_t count) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  const Op op = instruction.op;
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const ValueId result = Shifted(op, value, Number(count), width);
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  const auto out = [&] {
+    if (IsLeft(op)) {
+      if (count > width) return builder_.Bit(0);
+      return Pure(OpKind::kTestBit32, {ToWidth(value, 32), Number(width - count)});
+    }
+    const ValueId wide = op == Op::kSar ? SignedTo32(value) : ToWidth(value, 32);
+    return Pure(OpKind::kTestBit32, {wide, Number(count - 1)});
+  };
+  Flag(kCf, out);
+  if (count == 1) {
+    Flag(kOf, [&] {
+      if (op == Op::kSar) return builder_.Bit(0);
+      if (op == Op::kShr) return Sign(value, width);
+      return Pure(OpKind::kBitXor, {Sign(result, width), out()});
+    });
+  }
+  ResultFlags(result, width);
+}
+
+/// By CL: what the flags are behind a count of 0 is what they were.
+void Lowering::ShiftByCl(const Instruction& instruction) {
+  const Operand& target = tree_.OperandOf(instruction, 0);
+  const uint32_t width = target.width;
+  const ValueId count = Pure(OpKind::kAnd32, {ToWidth(ReadRegister(Register::kCl), 32), Number(kCountMask)});
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const ValueId result = Shifted(instruction.op, value, count, width);
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  KeepUnless(kCf, count, [&] { return ShiftedOut(instruction.op, value, count, width); });
+  KeepUnless(kZf, count, [&] { return IsZero(result, width); });
+  KeepUnless(kSf, count, [&] { return Sign(result, width); });
+}
+
+void Lowering::Rotate(const Instruction& instruction) {
+  const Operand &target = tree_.OperandOf(instruction, 0), &by = tree_.OperandOf(instruction, 1);
+  const uint32_t width = target.width;
+  const bool left = instruction.op == Op::kRol;
+  const bool fixed = by.kind == OperandKind::kConstant;
+  const uint64_t bits = fixed ? static_cast<uint64_t>(by.value) & kCountMask : 0;
+  if (fixed && bits == 0) return;
+  const ValueId count =
+      fixed ? Number(bits) : Pure(OpKind::kAnd32, {ToWidth(ReadRegister(Register::kCl), 32), Number(kCountMask)});
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const OpKind row = width == 8    ? (left ? OpKind::kRotateLeft8 : OpKind::kRotateRight8)
+                     : width == 16 ? (left ? OpKind::kRotateLeft16 : OpKind::kRotateRight16)
+                                   : (left ? OpKind::kRotateLeft32 : OpKind::kRotateRight32);
+  const ValueId result = Pure(row, {value, count});
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  const auto out = [&] {
+    return left ? Pure(OpKind::kTestBit32, {ToWidth(result, 32), Number(0)}) : Sign(result, width);
+  };
+  if (!fixed) return KeepUnless(kCf, count, out);
+  Flag(kCf, out);
+  if (bits != 1) return;
+  Flag(kOf, [&] {
+    const ValueId other = left ? out() : Pure(OpKind::kTestBit32, {ToWidth(result, 32), Number(width - 2)});
+    return Pure(OpKind::kBitXor, {Sign(result, width), other});
+  });
+}
+
+/// To the right by n is to the left by what n lacks to the width with the carry.
+void Lowering::RotateWithCarry(const Instruction& instruction) {
+  const Operand &target = tree_.OperandOf(instruction, 0), &by = tree_.OperandOf(instruction, 1);
+  const uint32_t width = target.width;
+  const bool left = instruction.op == Op::kRcl;
+  const bool fixed = by.kind == OperandKind::kConstant;
+  const uint64_t bits = fixed ? static_cast<uint64_t>(by.value) & kCountMask : 0;
+  if (fixed && bits == 0) return;
+  const uint32_t turn = width + 1, turns = 4 * turn;  // more than any count
+  ValueId count;
+  if (fixed) {
+    count = Number((left ? bits : turns - bits) % turn);
+  } else {
+    count = Pure(OpKind::kAnd32, {ToWidth(ReadRegister(Register::kCl), 32), Number(kCountMask)});
+    if (!left) count = Pure(OpKind::kSub32, {Number(turns), count});
+  }
+  const ValueId carry = FlagValue(kCf);
+  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
+  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const OpKind rotate = width == 8    ? OpKind::kRotateCarryLeft8
+                        : width == 16 ? OpKind::kRotateCarryLeft16
+                                      : OpKind::kRotateCarryLeft32;
+  const OpKind out = width == 8    ? OpKind::kCarryAfterRotate8
+                     : width == 16 ? OpKind::kCarryAfterRotate16
+                                   : OpKind::kCarryAfterRotate32;
+  const ValueId result = Pure(rotate, {value, carry, count});
+  if (reach.place.valid()) {
+    builder_.Store(reach.place, result, reach.index);
+  } else {
+    WriteRegister(target.reg, result);
+  }
+  const auto carry_behind = [&] { return Pure(out, {value, carry, count}); };
+  Flag(kCf, carry_behind);  // a count of 0 leaves it as it was
+  if (!fixed || bits != 1) return;
+  Flag(kOf, [&] {
+    const ValueId other = left ? carry_behind() : Pure(OpKind::kTestBit32, {ToWidth(result, 32), Number(width - 2)});
+    return Pure(OpKind::kBitXor, {Sign(result, width), other});
+  });
+}
+
+}  // namespace plcxx::technol

@@ -1,0 +1,151 @@
+// Mechanisms: waits, steps, automatic timers (specification 6.7, 7.1 to 7.4).
+
+#include <algorithm>
+
+#include "transpiler/dialects/technol/lowering_internal.h"
+
+namespace plcxx::technol {
+
+using ir::OpKind;
+using ir::Type;
+using ir::ValueId;
+
+ir::PlaceId Lowering::StepPlace(UnitId unit) {
+  const auto [found, is_new] = steps_.try_emplace(unit.index);
+  if (is_new) {
+    found->second = program_.places.Add({.name = tree_.units[unit].name + "_step",
+                                         .type = Type::kI16,
+                                         .space = memory_[SpaceKey::kSteps],
+                                         .offset = std::exchange(step_bytes_, step_bytes_ + 2)});
+  }
+  return found->second;
+}
+
+ir::PlaceId Lowering::TimerPlace(UnitId unit, uint32_t number) {
+  const auto [found, is_new] = timers_.try_emplace(std::pair(unit.index, number));
+  if (is_new) {
+    const std::string& name = tree_.units[unit].name;
+    found->second = program_.places.Add({.name = name + "_timer" + (number == 0 ? "" : std::to_string(number + 1)),
+                                         .type = Type::kI16,
+                                         .space = memory_[SpaceKey::kSteps],
+                                         .offset = std::exchange(step_bytes_, step_bytes_ + 2)});
+  }
+  return found->second;
+}
+
+ir::PlaceId Lowering::ActivationPlace(UnitId unit) {
+  const Unit& mechanism = tree_.units[unit];
+  if (mechanism.kind == UnitKind::kModule) {
+    return SystemPlace(mechanism.module == ModuleKind::kPripravne ? "NC_PRIPRAVNE" : "NC_ZAVERECNE");
+  }
+  const auto [found, is_new] = activations_.try_emplace(unit.index);
+  if (is_new) {
+    uint32_t number = 0;
+    for (uint32_t i = 0; i < unit.index; ++i) {
+      if (tree_.units[UnitId(i)].kind == UnitKind::kMechanism) ++number;
+    }
+    found->second = program_.places.Add({.name = mechanism.name,
+                                         .type = Type::kBit,
+                                         .space = memory_[SpaceKey::kMechanisms],
+                                         .offset = number,
+                                         .bit = 0});
+  }
+  return found->second;
+}
+
+void Lowering::Leave(InstructionId resume) {
+  const auto at = std::lower_bound(body_->resumes.begin(), body_->resumes.end(), resume);
+  const bool begins = at == body_->resumes.end() || *at != resume;  // as if nothing had run
+  if (!body_->resumes.empty()) {
+    const auto step = begins ? 0 : static_cast<uint64_t>(at - body_->resumes.begin()) + 1;
+    builder_.Store(StepPlace(body_->unit), Constant(step, 16));
+  }
+  end_is_used_ = true;
+  builder_.Jump(kEndLabel);
+}
+
+void Lowering::Wait(const Instruction& instruction) {
+  switch (instruction.op) {
+    case Op::kEx0:
+      return WaitFor(instruction, 1);
+    case Op::kEx1:
+      return WaitFor(instruction, 0);
+    case Op::kTex0:
+      return WaitAtMost(instruction, 1);
+    case Op::kTex1:
+      return WaitAtMost(instruction, 0);
+    case Op::kTim:
+      return Delay(instruction);
+    default:
+      Leave(flow_.ResumeOf(now_));
+      return ForgetAll();  // nothing survives
+  }
+}
+
+void Lowering::WaitFor(const Instruction& /*instruction*/, uint64_t rlo) {
+  const ValueId value = rlo_->Get();
+  SpillAll();
+  When(rlo == 0 ? value : Not(value), [&] { Leave(flow_.ResumeOf(now_)); });
+  rlo_->Know(rlo);
+}
+
+/// 16 bits: a constant, or a word that is looked at in each pass.
+ValueId Lowering::TimerLimit(const Operand& operand) { return ReadAs(operand, 16); }
+
+void Lowering::WaitAtMost(const Instruction& instruction, uint64_t rlo) {
+  const Operand& cell = tree_.OperandOf(instruction, 0);
+  const ValueId value = rlo_->Get();
+  const Reach timer = ReachOf(cell);
+  const ValueId limit = TimerLimit(tree_.OperandOf(instruction, 1));
+  const ValueId zero = Constant(0, 16), one = Constant(1, 16);
+  SpillAll();
+  When(rlo == 0 ? value : Not(value), [&] {
+    const auto expire = [&] {
+      builder_.Store(timer.place, zero, timer.index);
+      Jump(TargetOf(instruction), {});
+    };
+    if (KnownValue(limit) == 0) return expire();
+    const ValueId count = builder_.Load(timer.place, timer.index);
+    When(Pure(OpKind::kGreaterEqual32, {ToWidth(count, 32), ToWidth(limit, 32)}), expire);
+    builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, one}), timer.index);
+    Leave(flow_.ResumeOf(now_));
+  });
+  builder_.Store(timer.place, zero, timer.index);
+  rlo_->Know(rlo);
+}
+
+void Lowering::Delay(const Instruction& instruction) {
+  const Reach timer = ReachOf(tree_.OperandOf(instruction, 0));
+  const ValueId limit = TimerLimit(tree_.OperandOf(instruction, 1));
+  SpillAll();
+  if (KnownValue(limit) != 0) {
+    const ValueId count = builder_.Load(timer.place, timer.index);
+    When(Pure(OpKind::kLess32, {ToWidth(count, 32), ToWidth(limit, 32)}), [&] {
+      builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, Constant(1, 16)}), timer.index);
+      Leave(flow_.ResumeOf(now_));
+    });
+  }
+  builder_.Store(timer.place, Constant(0, 16), timer.index);
+}
+
+void Lowering::Rewind(UnitId unit) {
+  const Body* body = BodyOfMechanism(unit);
+  if (body != nullptr && !body->resumes.empty()) builder_.Store(StepPlace(unit), Constant(0, 16));
+  for (uint32_t i = 0; i < tree_.units[unit].timers; ++i) builder_.Store(TimerPlace(unit, i), Constant(0, 16));
+}
+
+void Lowering::EndMechanism(UnitId unit) {
+  builder_.Store(ActivationPlace(unit), builder_.Bit(0));
+  Rewind(unit);
+}
+
+void Lowering::InitMechanism(const Instruction& instruction) {
+  const UnitId mechanism = tree_.OperandOf(instruction, 0).mechanism;
+  EndMechanism(mechanism);
+  if (mechanism != body_->unit) return;
+  end_is_used_ = true;
+  builder_.Jump(kEndLabel);
+  ForgetAll();
+}
+
+}  // namespace plcxx::technol

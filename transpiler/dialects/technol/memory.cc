@@ -1,0 +1,84 @@
+#include "transpiler/dialects/technol/memory.h"
+
+#include <string_view>
+
+#include "transpiler/support/check.h"
+
+namespace plcxx::technol {
+namespace {
+
+struct SpaceRow {
+  SpaceKey key;
+  std::string_view name;
+  std::string_view title;
+  ir::Lifetime lifetime;
+  bool host_visible;
+  ir::Direction direction;
+};
+using ir::Direction;
+using ir::Lifetime;
+constexpr SpaceRow kRows[] = {
+    {SpaceKey::kIn, "IN", "inputs of the machine", Lifetime::kVolatile, true, Direction::kInput},
+    {SpaceKey::kOut, "OUT", "outputs to the machine", Lifetime::kVolatile, true, Direction::kOutput},
+    {SpaceKey::kSys, "SYS", "system cells and request bits", Lifetime::kVolatile, true, Direction::kInternal},
+    {SpaceKey::kBukon, "BUKON", "machine constants", Lifetime::kVolatile, true, Direction::kInput},
+    {SpaceKey::kLabelMem, "LABEL_MEM", "backed-up area", Lifetime::kRetentive, true, Direction::kInternal},
+    {SpaceKey::kTabTechnol, "TAB_TECHNOL", "technology table", Lifetime::kRetentive, true, Direction::kInternal},
+    {SpaceKey::kSetNctab, "SET_NCTAB", "item for a table of the NC", Lifetime::kVolatile, true, Direction::kOutput},
+    {SpaceKey::kUser, "DATA", "cells of the program", Lifetime::kVolatile, true, Direction::kInternal},
+    {SpaceKey::kMechanisms, "mechanisms", "activation bits of mechanisms", Lifetime::kVolatile, true,
+     Direction::kInternal},
+    {SpaceKey::kSteps, "steps", "where mechanisms wait, and how long", Lifetime::kVolatile, false,
+     Direction::kInternal},
+    {SpaceKey::kRegisters, "registers", "RLO, registers, flags, arguments", Lifetime::kRoutine, false,
+     Direction::kInternal},
+};
+constexpr uint32_t kRegisterBytes = 4096;
+
+uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
+  switch (key) {
+    case SpaceKey::kUser:
+      return sizes.user;
+    case SpaceKey::kMechanisms:
+      return sizes.mechanisms;
+    case SpaceKey::kSteps:
+      return sizes.steps;
+    case SpaceKey::kRegisters:
+      return kRegisterBytes;
+    default:
+      return technol::BytesOf(static_cast<Area>(key));
+  }
+}
+
+}  // namespace
+
+Memory::Memory(ir::Program& program, const Sizes& sizes) {
+  for (const SpaceRow& row : kRows) {
+    ir::Space space{.name = std::string(row.name),
+                    .title = std::string(row.title),
+                    .bytes = BytesOf(row.key, sizes),
+                    .lifetime = row.lifetime,
+                    .host_visible = row.host_visible};
+    if (space.bytes == 0) continue;
+    if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
+    spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
+  }
+}
+
+Memory::Memory(const ir::Program& program) {
+  for (const SpaceRow& row : kRows) {
+    for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+      if (program.spaces[ir::SpaceId(i)].name == row.name) spaces_[static_cast<size_t>(row.key)] = ir::SpaceId(i);
+    }
+  }
+}
+
+std::string BitAddress(Area area, uint32_t offset, uint8_t bit) {
+  return std::string(Name(area)) + "+" + std::to_string(offset) + "." + std::to_string(bit);
+}
+
+std::string CellAddress(Area area, uint32_t offset, uint32_t width) {
+  return std::string(Name(area)) + "+" + std::to_string(offset) + ":" + std::to_string(width);
+}
+
+}  // namespace plcxx::technol

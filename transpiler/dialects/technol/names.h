@@ -1,0 +1,31 @@
+// The names of a program as its documentation keeps them, so that they can be found without a syntax tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "transpiler/dialects/technol/symbols.h"
+#include "transpiler/ir/program.h"
+
+namespace plcxx::technol {
+
+/// What a documented address says of its symbol: "IN+3.5", "DATA+12:16", "=5" of a constant, "=4:16" of a field, else
+/// the name of a mechanism.
+struct NamedThing {
+  SymbolKind kind = SymbolKind::kMechanism;
+  Area area = Area::kNone;
+  int64_t offset = 0;  // kCell, kBit: in the area; kConstant, kField: the value
+  uint8_t bit = 0;
+  uint8_t width = 0;  // 0: it has none of its own
+};
+
+/// The documented address of a symbol; empty: labels, structures, macros.
+std::string AddressOfSymbol(const Symbol& symbol);
+NamedThing ReadAddress(std::string_view address);
+/// By the documentation of the program, then by the control's own names. Spelled without regard to case, unless the
+/// program has another name that differs by case only.
+std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name);
+
+}  // namespace plcxx::technol

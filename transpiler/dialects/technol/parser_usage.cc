@@ -1,0 +1,44 @@
+#include <algorithm>
+
+#include "transpiler/dialects/technol/parser_internal.h"
+
+namespace plcxx::technol {
+
+/// TW004. A definition file's constants serve many programs, so those that one of them leaves out are no fault.
+void Parser::WarnOfUnused() {
+  Program& program = context_.program;
+  std::set<SymbolId> carriers;  // bytes one of whose bits is used
+  for (const Symbol& symbol : program.symbols) {
+    if (symbol.kind == SymbolKind::kBit && symbol.byte.valid()) carriers.insert(symbol.byte);
+  }
+  for (uint32_t i = 0; i < program.symbols.size(); ++i) {
+    const Symbol& symbol = program.symbols[SymbolId(i)];
+    if (symbol.origin != SymbolOrigin::kSource || symbol.uses > 0 || symbol.faulty) continue;
+    std::string_view kind;
+    switch (symbol.kind) {
+      case SymbolKind::kCell:
+        if (!carriers.contains(SymbolId(i))) kind = "cell";
+        break;
+      case SymbolKind::kBit:
+        if (symbol.area != Area::kUser || program.symbols[symbol.byte].uses == 0) kind = "bit";
+        break;
+      case SymbolKind::kConstant:
+        if (std::ranges::find(sources_, context_.sources.FileAt(symbol.range.begin)) != sources_.end())
+          kind = "constant";
+        break;
+      case SymbolKind::kLabel:
+        kind = "label";
+        break;
+      case SymbolKind::kField:
+      case SymbolKind::kStructure:
+      case SymbolKind::kMacro:
+      case SymbolKind::kMechanism:
+        break;
+    }
+    if (kind.empty()) continue;
+    context_.BeginStatement(0, {});
+    context_.Report(symbol.range, diag::TechnolUnused, kind, WrittenName(symbol.name));
+  }
+}
+
+}  // namespace plcxx::technol

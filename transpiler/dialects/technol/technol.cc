@@ -1,0 +1,69 @@
+#include "transpiler/dialects/technol/technol.h"
+
+#include "transpiler/dialects/technol/flow_checks.h"
+#include "transpiler/dialects/technol/locate.h"
+#include "transpiler/dialects/technol/lowering.h"
+#include "transpiler/dialects/technol/options.h"
+#include "transpiler/dialects/technol/parser.h"
+#include "transpiler/dialects/technol/sources.h"
+#include "transpiler/dialects/technol/stub.h"
+#include "transpiler/dialects/technol/warnings.h"
+
+namespace plcxx::technol {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".plc", ".tch"};
+
+std::string Tokens(dialects::Request& request) {
+  std::string text;
+  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
+  return text;
+}
+
+std::string Syntax(dialects::Request& request) {
+  return PrintSyntax(*request.sources, Parse(request, ReadSettings(request.options)));
+}
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  diag::Engine& diagnostics = *request.diagnostics;
+  const Settings settings = ReadSettings(request.options);
+  const Program tree = Parse(request, settings);
+  dialects::Lowered lowered;
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  if (tree.tables_only) return lowered;
+  const Flow flow(tree);
+  CheckPaths(flow, diagnostics);
+  CheckStack(flow, diagnostics);
+  CheckLoads(flow, diagnostics);
+  if (diagnostics.HasErrors()) return lowered;
+  WarnOfPaths(flow, diagnostics);
+  Warn(flow, diagnostics);
+  lowered.program = Lower(tree, flow, settings, *request.sources);
+  return lowered;
+}
+
+}  // namespace
+
+const dialects::Dialect kTechnol = {
+    .name = "technol",
+    .title = "MEFI CNC836, CNC8x6, CNC8x9, CNC872",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = SourceOptions(),
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = Tokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = Locate,
+    .parse_value = ParseValue,
+    .make_stub = MakeStub,
+    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
+                             diag::Engine&) {},  // it has no options for budgets
+    .lints = {},                                 // its own warnings are those of warnings.h
+    .reads_empty_files = true,
+    .takes_system_includes = true,
+};
+
+}  // namespace plcxx::technol

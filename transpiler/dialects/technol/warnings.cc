@@ -1,0 +1,242 @@
+#include "transpiler/dialects/technol/warnings.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "transpiler/dialects/technol/accesses.h"
+#include "transpiler/dialects/technol/parser.h"
+
+namespace plcxx::technol {
+namespace {
+
+constexpr uint8_t kAnyBit = 8;
+
+class Warner {
+ public:
+  Warner(const Flow& flow, diag::Engine& diagnostics)
+      : flow_(flow), program_(flow.program()), diagnostics_(diagnostics), accesses_(AccessesOf(program_)) {}
+
+  void Run() {
+    DoubleCoils();
+    ReadsAndWrites();
+    Mechanisms();
+    ControlOwned();
+    Requests();
+    PastSymbols();
+    SharedByParts();
+  }
+
+ private:
+  template <class... Args, class... Values>
+  void At(InstructionId id, const diag::Message<Args...>& message, Values&&... values) {
+    Report(diagnostics_, program_, program_.instructions[id], message, std::forward<Values>(values)...);
+  }
+  const std::string& NameOf(const Operand& operand) const { return program_.symbols[operand.symbol].name; }
+  /// The module that an instruction belongs to: of a mechanism the one around it.
+  UnitId ModuleOf(InstructionId id) const {
+    UnitId unit = program_.instructions[id].unit;
+    while (unit.valid() && program_.units[unit].parent.valid()) unit = program_.units[unit].parent;
+    return unit;
+  }
+  std::string UnitName(UnitId unit) const {
+    if (!unit.valid() || program_.units[unit].kind == UnitKind::kSubprograms) return "the subprograms";
+    return program_.units[unit].name;
+  }
+  static bool SameBit(const Operand& a, const Operand& b) {
+    if (a.is_activation_bit() || b.is_activation_bit()) return a.mechanism.valid() && a.mechanism == b.mechanism;
+    return a.address.area == b.address.area && a.address.offset == b.address.offset && a.bit == b.bit;
+  }
+
+  void DoubleCoils();
+  void ReadsAndWrites();
+  void Mechanisms();
+  void ControlOwned();
+  void Requests();
+  void PastSymbols();
+  void SharedByParts();
+  bool IsTouched(const Symbol& symbol, bool writes) const;
+
+  const Flow& flow_;
+  const Program& program_;
+  diag::Engine& diagnostics_;
+  std::vector<MemoryAccess> accesses_;
+};
+
+/// TW006: by WR at two places of a module, or by WR and FL there.
+void Warner::DoubleCoils() {
+  for (size_t i = 0; i < accesses_.size(); ++i) {
+    const MemoryAccess& access = accesses_[i];
+    if (!Writes(access.kind) || access.kind == AccessKind::kStore || access.operand->kind != OperandKind::kBit)
+      continue;
+    for (size_t k = 0; k < i; ++k) {
+      const MemoryAccess& before = accesses_[k];
+      const bool bit = before.operand->kind == OperandKind::kBit && before.kind != AccessKind::kRead;
+      if (!bit || ModuleOf(before.at) != ModuleOf(access.at) || !SameBit(*before.operand, *access.operand)) continue;
+      const bool first = before.kind == AccessKind::kCoil, second = access.kind == AccessKind::kCoil;
+      if (!first && !second) continue;
+      const std::string unit = UnitName(ModuleOf(access.at));
+      if (first && second) {
+        At(access.at, diag::TechnolDoubleCoil, NameOf(*access.operand), unit);
+      } else {
+        At(access.at, diag::TechnolCoilAndFlag, NameOf(*access.operand), unit);
+      }
+      break;
+    }
+  }
+}
+
+bool Warner::IsTouched(const Symbol& symbol, bool writes) const {
+  const bool bit = symbol.kind == SymbolKind::kBit;
+  return std::any_of(accesses_.begin(), accesses_.end(), [&](const MemoryAccess& access) {
+    return Writes(access.kind) == writes &&
+           Touches(*access.operand, symbol.area, symbol.offset, bit ? 1 : symbol.bytes, bit ? symbol.bit : kAnyBit);
+  });
+}
+
+/// TW007, TW008: cells and bits of the program's own data. A value that is declared counts as written.
+void Warner::ReadsAndWrites() {
+  for (const Symbol& symbol : program_.symbols) {
+    const bool bit = symbol.kind == SymbolKind::kBit;
+    if (symbol.origin != SymbolOrigin::kSource || (!bit && symbol.kind != SymbolKind::kCell)) continue;
+    if (symbol.area != Area::kUser && symbol.area != Area::kOut && symbol.area != Area::kIn) continue;
+    const bool read = IsTouched(symbol, false), written = IsTouched(symbol, true);
+    const std::string kind = bit ? "bit" : "cell";
+    if (read && !written && symbol.area != Area::kIn) {
+      const auto end = std::min<size_t>(symbol.offset + (bit ? 1 : symbol.bytes), program_.user_data.size());
+      const bool declared =
+          symbol.area == Area::kUser &&
+          std::any_of(program_.user_data.begin() + symbol.offset,
+                      program_.user_data.begin() + static_cast<ptrdiff_t>(end), [](uint8_t byte) { return byte != 0; });
+      if (!declared) diagnostics_.Report(symbol.range, diag::TechnolNeverWritten, kind, symbol.name);
+    }
+    if (written && !read && symbol.area == Area::kUser) {
+      diagnostics_.Report(symbol.range, diag::TechnolNeverRead, kind, symbol.name);
+    }
+  }
+}
+
+/// TW009.
+void Warner::Mechanisms() {
+  for (uint32_t i = 0; i < program_.units.size(); ++i) {
+    const Unit& unit = program_.units[UnitId(i)];
+    if (unit.kind != UnitKind::kMechanism) continue;
+    const bool started = std::any_of(accesses_.begin(), accesses_.end(), [&](const MemoryAccess& access) {
+      return access.operand->is_activation_bit() && access.operand->mechanism == UnitId(i) &&
+             (access.kind == AccessKind::kSet || access.kind == AccessKind::kCoil);
+    });
+    if (!started) diagnostics_.Report(unit.open, diag::TechnolNeverActivated, unit.name);
+  }
+}
+
+/// TW012: what the control or the machine writes.
+void Warner::ControlOwned() {
+  std::set<InstructionId> reported;
+  for (const MemoryAccess& access : accesses_) {
+    if (!Writes(access.kind) || access.operand->is_activation_bit()) continue;
+    const Address& address = access.operand->address;
+    const uint32_t bytes = access.operand->kind == OperandKind::kBit ? 1 : access.operand->width / 8U;
+    for (const Symbol& symbol : program_.symbols) {
+      if (symbol.origin == SymbolOrigin::kSource || symbol.area != address.area) continue;
+      const bool cell = symbol.kind == SymbolKind::kCell && symbol.bytes <= 4;
+      if (!cell || (symbol.direction != Direction::kMachineIn && symbol.direction != Direction::kNcToPlc)) continue;
+      if (address.area == Area::kSys && symbol.name == "SYSNC") continue;  // its bits are the scheduler's
+      const bool touches = address.index == Register::kNone
+                               ? Touches(*access.operand, symbol.area, symbol.offset, symbol.bytes, kAnyBit)
+                               : address.offset >= symbol.offset && address.offset < symbol.offset + symbol.bytes;
+      if (!touches || bytes == 0 || !reported.insert(access.at).second) continue;
+      At(access.at, diag::TechnolAgainstDirection,
+         access.operand->symbol.valid() ? NameOf(*access.operand) : symbol.name,
+         symbol.direction == Direction::kMachineIn ? "the machine writes it" : "the control writes it");
+    }
+  }
+}
+
+/// TW013, TW014, TW024: the request bits.
+void Warner::Requests() {
+  struct Request {
+    InstructionId first_set;
+    std::vector<UnitId> mechanisms;
+    bool waited = false;
+  };
+  std::map<std::pair<int64_t, uint8_t>, Request> requests;
+  const auto is_request = [&](const Operand& operand) {
+    return operand.kind == OperandKind::kBit && !operand.is_activation_bit() && operand.address.area == Area::kSys &&
+           operand.symbol.valid() && program_.symbols[operand.symbol].name.starts_with("REQ_");
+  };
+  for (const MemoryAccess& access : accesses_) {
+    if (!is_request(*access.operand)) continue;
+    Request& request = requests[{access.operand->address.offset, access.operand->bit}];
+    const UnitId unit = program_.instructions[access.at].unit;
+    const std::string& name = NameOf(*access.operand);
+    if (access.kind == AccessKind::kRead) request.waited = true;
+    if (access.kind == AccessKind::kClear) At(access.at, diag::TechnolRequestCleared, name);
+    if (access.kind != AccessKind::kSet && access.kind != AccessKind::kCoil) continue;
+    if (!request.first_set.valid()) request.first_set = access.at;
+    if (!unit.valid() || program_.units[unit].kind != UnitKind::kMechanism) continue;
+    if (std::ranges::find(request.mechanisms, unit) != request.mechanisms.end()) continue;
+    if (request.mechanisms.size() == 1) {
+      At(access.at, diag::TechnolRequestShared, name, UnitName(request.mechanisms.front()), UnitName(unit));
+    }
+    request.mechanisms.push_back(unit);
+  }
+  for (const auto& [where, request] : requests) {
+    if (!request.first_set.valid() || request.waited) continue;
+    for (const MemoryAccess& access : accesses_) {
+      if (access.at != request.first_set || !is_request(*access.operand)) continue;
+      // The control never clears REQ_PIS_HALT: nothing can wait for its end.
+      if (NameOf(*access.operand) != "REQ_PIS_HALT")
+        At(access.at, diag::TechnolRequestNotWaited, NameOf(*access.operand));
+    }
+  }
+}
+
+/// TW021: an access of a cell that goes on in the next one.
+void Warner::PastSymbols() {
+  std::set<InstructionId> reported;
+  for (const MemoryAccess& access : accesses_) {
+    const Operand& operand = *access.operand;
+    const Address& address = operand.address;
+    if (operand.kind != OperandKind::kMemory || !address.base.valid()) continue;
+    const Symbol& base = program_.symbols[address.base];
+    if (base.kind != SymbolKind::kCell || base.bytes == 0 || base.bytes >= BytesOf(program_, address.area)) continue;
+    const int64_t end = int64_t{base.offset} + base.bytes;
+    const bool past = address.offset + operand.width / 8 > end;
+    if (past && reported.insert(access.at).second) {
+      At(access.at, diag::TechnolPastSymbol, ToText(program_, operand), base.name);
+    }
+  }
+}
+
+/// TW025: wider than a byte, written in both parts.
+void Warner::SharedByParts() {
+  std::set<std::tuple<Area, int64_t>> reported;
+  const auto is_fast = [&](InstructionId id) {
+    const UnitId unit = ModuleOf(id);
+    return unit.valid() && program_.units[unit].kind == UnitKind::kModule &&
+           program_.units[unit].module == ModuleKind::kFast;
+  };
+  for (const MemoryAccess& fast : accesses_) {
+    const Operand& operand = *fast.operand;
+    if (!Writes(fast.kind) || !is_fast(fast.at) || operand.kind != OperandKind::kMemory || operand.width <= 8) continue;
+    for (const MemoryAccess& slow : accesses_) {
+      const UnitId unit = ModuleOf(slow.at);
+      const bool counts = unit.valid() && program_.units[unit].kind != UnitKind::kSubprograms &&
+                          program_.units[unit].module != ModuleKind::kInit;
+      if (!Writes(slow.kind) || !counts || is_fast(slow.at) || operand.address.index != Register::kNone) continue;
+      if (!Touches(*slow.operand, operand.address.area, static_cast<uint32_t>(operand.address.offset),
+                   operand.width / 8U, kAnyBit)) {
+        continue;
+      }
+      if (!reported.insert({operand.address.area, operand.address.offset}).second) break;
+      At(fast.at, diag::TechnolSharedByParts, operand.symbol.valid() ? NameOf(operand) : ToText(program_, operand));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void Warn(const Flow& flow, diag::Engine& diagnostics) { Warner(flow, diagnostics).Run(); }
+
+}  // namespace plcxx::technol
