@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 
@@ -260,6 +261,11 @@ inline Value Store(const Place& place, const Value& value) {
   }
   for (int i = 0; i < Size(place.type); ++i) place.bytes[i] = static_cast<uint8_t>(bits >> (8 * i));
   return stored;
+}
+
+/// `a = b` of structures.
+inline void Copy(const Object& to, int64_t to_offset, const Object& from, int64_t from_offset, int64_t size) {
+  __builtin_memmove(to.bytes + to_offset, from.bytes + from_offset, static_cast<size_t>(size));
 }
 
 /// A bit-field: `width` bits from `shift` on in a unit of one or two bytes.

@@ -8,8 +8,8 @@ that leave their object, divisors that happen to be 0.
 import dataclasses
 import random
 
-from spelling import (ARITHMETIC, BITS, DIVISION, RANGE, RELATIONS, SIZE, SPELLING, WHOLE, Expr, Place, common, indented,
-                      literal, literal_int, promoted)
+from spelling import (ARITHMETIC, BITS, DIVISION, RANGE, RELATIONS, SIZE, SPELLING, WHOLE, Expr, Place, common, converted,
+                      indented, literal, literal_int, promoted)
 
 CYCLES = 6
 R_BYTES, INPUTS = 64, 8
@@ -21,7 +21,8 @@ class Function:
     name: str
     result: str
     parameters: list
-    pointer: bool  # the first parameter is an int *
+    pointer: bool    # the first parameter is an int *
+    old_style: bool  # K&R: arguments must have the promoted types of the parameters
 
 
 class Generator:
@@ -253,9 +254,7 @@ class Generator:
                     f"({condition.cpp}.Truth() ? Convert(Type::{kind}, {a.cpp}) : Convert(Type::{kind}, {b.cpp}))", kind)
 
     def cast(self, depth):
-        value = self.expression(depth - 1)
-        kind = self.rng.choice(WHOLE)
-        return Expr(f"(({SPELLING[kind]}) ({value.c}))", f"Convert(Type::{kind}, {value.cpp})", kind)
+        return converted(self.expression(depth - 1), self.rng.choice(WHOLE))
 
     def effect(self, depth):
         """An assignment or a step inside an expression, to a place that is certainly there."""
@@ -276,6 +275,9 @@ class Generator:
             return self.variable(depth)
         function = self.rng.choice(self.functions)
         arguments = [self.expression(depth - 2) for _ in function.parameters]
+        if function.old_style:
+            kinds = [promoted(kind) for _, kind in function.parameters]
+            arguments = [converted(a, kind) for a, kind in zip(arguments, kinds)]
         c, names = [a.c for a in arguments], [f"v{i}" for i in range(len(arguments))]
         # Arguments are evaluated from right to left.
         steps = "".join(f"const Value {n} = {a.cpp}; " for n, a in reversed(list(zip(names, arguments))))
@@ -290,7 +292,7 @@ class Generator:
     # ---- statements: (lines of C, lines of C++)
 
     def statement(self, depth, in_loop):
-        makers = [self.assignment] * 6 + [self.compound_assignment] * 3 + [self.step]
+        makers = [self.assignment] * 6 + [self.compound_assignment] * 3 + [self.step] + [self.structure_copy] * self.chance(0.3)
         if depth > 0:
             makers += [self.if_statement] * 3 + [self.switch_statement] * 2 + [self.loop] * 2
         return self.rng.choice(makers)(depth, in_loop)
@@ -316,6 +318,12 @@ class Generator:
             op = "/"
         return ([f"{place.c} {op}= {value.c};"],
                 [f"AssignOp({value.cpp}, Op::{names[op]}, [&] {{ return {place.cpp}; }});"])
+
+    def structure_copy(self, _depth, _in_loop):
+        i = self.rng.randrange(3)
+        if self.chance(0.5):
+            return [f"s = t[{i}];"], [f"Copy(s, 0, t, {10 * i}, 10);"]
+        return [f"t[{i}] = s;"], [f"Copy(t, {10 * i}, s, 0, 10);"]
 
     def step(self, _depth, _in_loop):
         value = self.effect(1)
@@ -427,11 +435,14 @@ class Generator:
                             "[&] { const Place p = At(q, Type::kInt, q_at); q_at += 2; return p; });")
         value = self.expression(2)
         heads = (["int *q"] if pointer else []) + [f"{SPELLING[k]} {p}" for p, k in parameters]
-        head = f"{SPELLING[result]} {name}({', '.join(heads) or 'void'})"
-        self.c += [head, "{"] + local_c + body_c + [f"return {value.c};", "}"]
+        old_style = self.chance(0.25)
+        names = (["q"] if pointer else []) + [p for p, _ in parameters]
+        head = ", ".join(names) if old_style else ", ".join(heads) or "void"
+        self.c += [f"{SPELLING[result]} {name}({head})"] + [f"{h};" for h in heads if old_style]
+        self.c += ["{"] + local_c + body_c + [f"return {value.c};", "}"]
         self.cpp += [f"Value {name}({', '.join(cpp_head)})", "{"] + cpp + local_cpp + body_cpp + \
                     [f"return Convert(Type::{result}, {value.cpp});", "}"]
-        self.functions.append(Function(name, result, parameters, pointer))
+        self.functions.append(Function(name, result, parameters, pointer, old_style))
 
     def part(self, name, count):
         self.locals = []

@@ -1,7 +1,6 @@
 """Values and places of a program in both spellings: C of dialect hnc, and calls of borland.h; types and constants."""
 import dataclasses
 
-
 SPELLING = {"kChar": "char", "kUchar": "unsigned char", "kInt": "int", "kUnsigned": "unsigned", "kLong": "long",
             "kUlong": "unsigned long", "kDouble": "double"}
 WHOLE = [name for name in SPELLING if name != "kDouble"]
@@ -42,6 +41,10 @@ def common(a, b):
         if kind in (a, b):
             return kind
     return "kInt"
+
+
+def converted(value, kind):
+    return Expr(f"(({SPELLING[kind]}) ({value.c}))", f"Convert(Type::{kind}, {value.cpp})", kind)
 
 
 def literal(number, rng):

@@ -1,4 +1,5 @@
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/dialects/hnc/hnc.h"
 #include "transpiler/dialects/host50/host50.h"
 #include "transpiler/dialects/nc110/nc110.h"
 #include "transpiler/dialects/prostep/prostep.h"
@@ -7,7 +8,7 @@
 namespace plcxx::dialects {
 namespace {
 
-const Dialect* const kAll[] = {&host50::kHost50, &nc110::kNc110, &prostep::kProstep, &technol::kTechnol};
+const Dialect* const kAll[] = {&hnc::kHnc, &host50::kHost50, &nc110::kNc110, &prostep::kProstep, &technol::kTechnol};
 
 }  // namespace
 

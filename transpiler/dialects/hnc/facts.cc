@@ -76,6 +76,20 @@ void Facts::FindCallees() {
       if (std::ranges::find(callees, expr.function) == callees.end()) callees.push_back(expr.function);
     });
   }
+  // Of a system function: those that the program has in the place of others (D13).
+  const auto calls = [this](uint32_t function, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+      for (const FunctionId id : unit_.definitions) {
+        if (unit_.functions[id].name == name) callees_[function].push_back(id);
+      }
+    }
+  };
+  for (uint32_t i = 0; i < unit_.functions.size(); ++i) {
+    const std::optional<SystemFunction>& system = unit_.functions[FunctionId(i)].system;
+    if (system == SystemFunction::kSetAxisMoveto) calls(i, {"set_axis_move", "get_axis_pos"});
+    if (system == SystemFunction::kSetAxisStop) calls(i, {"set_axis_jog", "set_axis_home"});
+    if (system == SystemFunction::kHandwheel) calls(i, {"set_axis_step"});
+  }
 }
 
 void Facts::Reach(FunctionId from, uint8_t part) {
@@ -285,7 +299,12 @@ ObjectSet Facts::WritesOf(const Expr& expr) const {
       return ObjectsOf(expr.a);
     case ExprKind::kCall:
       if (!expr.function.valid()) return {};
-      return unit_.functions[expr.function].system ? SystemWrites(expr) : writes_[expr.function.index];
+      if (unit_.functions[expr.function].system) {
+        ObjectSet set = SystemWrites(expr);
+        set.Add(writes_[expr.function.index]);
+        return set;
+      }
+      return writes_[expr.function.index];
     default:
       return {};
   }

@@ -13,7 +13,11 @@
 
 namespace plcxx::hnc {
 
+/// Which phase found it: what is wrong with the text or the syntax hides what follows from it on the same line.
+enum class Phase : uint8_t { kText, kSyntax, kMeaning };
+
 struct Finding {
+  Phase phase = Phase::kText;
   diag::Row row;
   source::Range range;
   std::vector<std::string> arguments;
@@ -25,11 +29,13 @@ class Findings {
  public:
   template <class... Args>
   Finding& Report(source::Range range, const diag::Message<Args...>& message, std::type_identity_t<Args>... args) {
-    Finding finding{.row = message.row, .range = range, .arguments = {}, .notes = {}, .fixits = {}};
+    Finding finding{.phase = phase_, .row = message.row, .range = range, .arguments = {}, .notes = {}, .fixits = {}};
     (finding.arguments.push_back(ToText(args)), ...);
     all_.push_back(std::move(finding));
     return all_.back();
   }
+  /// Of what is reported from now on.
+  void SetPhase(Phase phase) { phase_ = phase; }
   std::vector<Finding>& all() { return all_; }
   const std::vector<Finding>& all() const { return all_; }
 
@@ -37,6 +43,7 @@ class Findings {
   static std::string ToText(diag::Text text) { return std::string(text); }
   static std::string ToText(diag::Number number) { return std::to_string(number); }
 
+  Phase phase_ = Phase::kText;
   std::vector<Finding> all_;
 };
 

@@ -88,6 +88,20 @@ std::string Prototypes(std::string_view header, AbsMeaning abs) {
   return text;
 }
 
+std::string AreaDeclarations(std::string_view prefix) {
+  std::string text;
+  for (const AreaRow& area : Areas()) {
+    const auto declare = [&](std::string_view type, std::string_view suffix) {
+      text += "extern " + std::string(type) + (area.table ? " *" : " ") + std::string(prefix) + std::string(area.name) +
+              std::string(suffix) + "[];\n";
+    };
+    declare(area.basic, "");
+    for (const ViewRow& view : Views()) declare(view.type, view.suffix);
+  }
+  const std::string time = "extern unsigned " + std::string(prefix);
+  return text + time + "plc1_time;\n" + time + "plc2_time;\n";
+}
+
 struct RefusedRow {
   RefusedKind kind;
   std::string_view names;  // with blanks in between; a '*' at the end stands for any rest
@@ -144,15 +158,7 @@ bool IsSystemHeaderName(std::string_view name) {
 
 std::string SystemHeader(AbsMeaning abs) {
   std::string text = "#ifndef __plcxx_plc_h\n#define __plcxx_plc_h\n";
-  for (const AreaRow& area : Areas()) {
-    const std::string name(area.name);
-    const auto declare = [&](std::string_view type, std::string_view suffix) {
-      text += "extern " + std::string(type) + (area.table ? " *" : " ") + name + std::string(suffix) + "[];\n";
-    };
-    declare(area.basic, "");
-    for (const ViewRow& view : Views()) declare(view.type, view.suffix);
-  }
-  text += "extern unsigned plc1_time;\nextern unsigned plc2_time;\n";
+  text += AreaDeclarations("");
   text += Prototypes("plc.h", abs);
 #define HNC_POINTER(Name, Parameters, Table, Index) text += "#define " Name "(" Parameters ") (" Table "[" Index "])\n";
 #define HNC_ADDRESS(Name, Parameters, Text) text += "#define " Name "(" Parameters ") " Text "\n";
@@ -160,6 +166,16 @@ std::string SystemHeader(AbsMeaning abs) {
 #define HNC_CONSTANT(Name, Text) text += "#define " Name " " Text "\n";
 #include "transpiler/dialects/hnc/machine.def"
   return text + "#endif\n";
+}
+
+std::string ExpectedDeclarations(std::string_view prefix) {
+  std::string text = AreaDeclarations(prefix);
+  for (const FunctionRow& row : SystemFunctions()) {
+    std::string prototype(row.prototype);
+    const size_t name = prototype.find(std::string(row.name) + "(");
+    text += prototype.insert(name, prefix) + "\n";
+  }
+  return text;
 }
 
 std::optional<std::string> StandardHeader(std::string_view name, AbsMeaning abs) {

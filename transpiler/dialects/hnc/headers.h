@@ -17,6 +17,9 @@ enum class AbsMeaning : uint8_t { kInt, kLong };
 bool IsSystemHeaderName(std::string_view name);
 
 std::string SystemHeader(AbsMeaning abs);
+/// Declarations of all variables and functions of the headers with a prefix in front of their names: what they are,
+/// whether or not a header is included.
+std::string ExpectedDeclarations(std::string_view prefix);
 /// None when there is no such standard header. Any case.
 std::optional<std::string> StandardHeader(std::string_view name, AbsMeaning abs);
 

@@ -428,16 +428,6 @@ void Rewriter::CharacterConstant() {
 
 }  // namespace
 
-source::Offset SourceText::Original(uint32_t at) const {
-  if (!file.valid()) return 0;
-  const auto next = std::ranges::upper_bound(map, at, {}, &Stretch::at);
-  const Stretch& stretch = *std::prev(next);
-  uint32_t original = stretch.original + (at - stretch.at);
-  // Within something that was rewritten: no further than what stands behind it.
-  if (next != map.end()) original = std::min(original, next->original);
-  return base + std::min(original, size);
-}
-
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file) {
   return Rewriter(sources.Get(file), file).Run();
 }
@@ -448,14 +438,6 @@ SourceText ProductText(std::string name, std::string text) {
   product.text = std::move(text);
   product.map.push_back({0, 0});
   return product;
-}
-
-std::string LiteralBytes(std::string_view bytes) {
-  std::string literal(bytes);
-  for (size_t i = 1; i < literal.size(); ++i) {
-    if (literal[i] == kBackslashOfCharacter && !IsAsciiByte(literal[i - 1])) literal[i] = '\\';
-  }
-  return literal;
 }
 
 }  // namespace plcxx::hnc

@@ -63,8 +63,4 @@ const Comment* CommentBehind(const Unit& unit, const source::SourceManager& sour
   return here.file == there.file && here.line == there.line ? &*it : nullptr;
 }
 
-bool IsInteger(const Type& type) { return type.kind == TypeKind::kInteger; }
-bool IsArithmetic(const Type& type) { return type.kind == TypeKind::kInteger || type.kind == TypeKind::kReal; }
-bool IsScalar(const Type& type) { return IsArithmetic(type) || type.kind == TypeKind::kPointer; }
-
 }  // namespace plcxx::hnc

@@ -7,9 +7,9 @@
 // has been reported. Children of an expression have smaller ids than their parent; nesting is at most 127 deep in
 // blocks and in parentheses, but a chain `a + b + c + ...` nests on its left side without limit: do not recurse there.
 //
-// Reported by the front end: everything of 10.2 up to E024, E030, E035 to E045, E048, E054, E055, E058, E059, E050 for
-// declarations (pointers in aggregates, pointers to pointers), W18 and W22. Left to lowering: what needs the
-// flow of the program (E020 excepted, all of E031 to E034, E046, E047, E049 to E053, E056, E057) and the other
+// Reported by the front end: everything of 10.2 up to E024, E030, E035 to E045, E048, E053, E054, E055, E058, E059,
+// E050 for declarations (pointers in aggregates, pointers to pointers), W18 and W22. Left to lowering: what needs the
+// flow of the program (E020 excepted, all of E031 to E034, E046, E047, E049 to E052, E056, E057) and the other
 // warnings.
 #pragma once
 
@@ -343,8 +343,8 @@ std::vector<const Comment*> CommentsBefore(const Unit& unit, const source::Sourc
 /// The comment behind `place` on the same line; none when there is none.
 const Comment* CommentBehind(const Unit& unit, const source::SourceManager& sources, source::Offset place);
 
-bool IsInteger(const Type& type);
-bool IsArithmetic(const Type& type);
-bool IsScalar(const Type& type);
+inline bool IsInteger(const Type& type) { return type.kind == TypeKind::kInteger; }
+inline bool IsArithmetic(const Type& type) { return IsInteger(type) || type.kind == TypeKind::kReal; }
+inline bool IsScalar(const Type& type) { return IsArithmetic(type) || type.kind == TypeKind::kPointer; }
 
 }  // namespace plcxx::hnc

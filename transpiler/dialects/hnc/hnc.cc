@@ -1,0 +1,76 @@
+#include "transpiler/dialects/hnc/hnc.h"
+
+#include <charconv>
+
+#include "transpiler/dialects/hnc/files.h"
+#include "transpiler/dialects/hnc/locate.h"
+#include "transpiler/dialects/hnc/lowering.h"
+#include "transpiler/dialects/hnc/options.h"
+#include "transpiler/dialects/hnc/parser.h"
+#include "transpiler/dialects/hnc/recognize.h"
+#include "transpiler/dialects/hnc/stub.h"
+
+namespace plcxx::hnc {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".cld"};
+constexpr uint32_t kMostErrors = 50;
+
+void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+}
+
+std::string Syntax(dialects::Request& request) { return PrintSyntax(*request.sources, Parse(request)); }
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  const Settings settings = ReadSettings(request.options);
+  const Unit unit = Parse(request);
+  dialects::Lowered lowered;
+  lowered.summary = {.lines = unit.line_count, .statements = unit.statement_count};
+  lowered.program = Lower(unit, settings, *request.sources, *request.diagnostics);
+  request.diagnostics->LimitErrors(kMostErrors);
+  return lowered;
+}
+
+/// A number as C writes it: 16, 0x10, 020, with the suffixes u and l; a character constant of one byte.
+std::optional<uint64_t> ParseValue(std::string_view text) {
+  if (text.size() == 3 && text.front() == '\'' && text.back() == '\'') return static_cast<uint8_t>(text[1]);
+  while (!text.empty() && (text.back() == 'u' || text.back() == 'U' || text.back() == 'l' || text.back() == 'L')) {
+    text.remove_suffix(1);
+  }
+  int base = 10;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    base = 16;
+    text.remove_prefix(2);
+  } else if (text.size() > 1 && text.front() == '0') {
+    base = 8;
+  }
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+const dialects::Dialect kHnc = {
+    .name = "hnc",
+    .title = "Huazhong HNC Century Star",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = LoadOptionsOf({}),
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = PrintTokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = Locate,
+    .parse_value = ParseValue,
+    .make_stub = MakeStub,
+    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
+                             diag::Engine&) {},
+    .lints = {},
+};
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,17 @@
+// From the tree to IR: functions, the cycle around them, and the checks that need the flow of the program.
+//
+// Implements sections 4 to 7 of the specification. In: the tree, whole but perhaps with poison in it. Out: the program;
+// it is only meaningful when no error was reported.
+#pragma once
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/hnc/options.h"
+#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/ir/program.h"
+
+namespace plcxx::hnc {
+
+ir::Program Lower(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
+                  diag::Engine& diagnostics);
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,378 @@
+// Expressions: operands in the order of 6.2, effects where they stand, short circuits as branches only where the right
+// side does more than compute.
+
+#include <bit>
+
+#include "transpiler/dialects/hnc/lowering_internal.h"
+
+namespace plcxx::hnc {
+
+using ir::OpKind;
+using ir::ValueId;
+
+namespace {
+
+bool IsRecordType(const Type& type) { return type.kind == TypeKind::kRecord; }
+
+}  // namespace
+
+bool Lowering::IsSimple(ExprId id) const {
+  bool simple = true;
+  ForEachExpr(unit_, id, [&](ExprId part) {
+    const Expr& expr = ExprAt(part);
+    switch (expr.kind) {
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kCall:
+      case ExprKind::kComma:
+        simple = false;
+        break;
+      case ExprKind::kIndex:
+      case ExprKind::kDereference:
+        if (!facts_.AddressOf(part)) simple = false;
+        break;
+      case ExprKind::kBinary:
+        if (expr.binary == BinaryOp::kDivide || expr.binary == BinaryOp::kRemainder) {
+          const Expr& divisor = ExprAt(expr.b);
+          if (!divisor.constant || divisor.constant->integer == 0 || divisor.constant->integer == -1) simple = false;
+        }
+        break;
+      default:
+        break;
+    }
+  });
+  return simple;
+}
+
+Value Lowering::Evaluate(ExprId id) {
+  // A chain a + b + c nests on its left side without limit: down to its first operand, then up again.
+  std::vector<ExprId> spine;
+  for (;;) {
+    if (!id.valid()) return Zero(int_);
+    const Expr& expr = ExprAt(id);
+    if (expr.constant || !expr.type.valid()) break;
+    const bool number = IsArithmetic(TypeAt(expr.type)) && expr.a.valid() && ExprAt(expr.a).type.valid() &&
+                        IsArithmetic(TypeAt(ExprAt(expr.a).type));
+    const bool chain = expr.kind == ExprKind::kBinary || expr.kind == ExprKind::kConvert ||
+                       (expr.kind == ExprKind::kUnary && expr.unary != UnaryOp::kNot);
+    if (!number || !chain) break;
+    spine.push_back(id);
+    id = expr.a;
+  }
+  Value value = EvaluateLeaf(id);
+  for (size_t i = spine.size(); i-- > 0;) {
+    const Expr& expr = ExprAt(spine[i]);
+    if (expr.kind == ExprKind::kConvert) {
+      const bool keeps_bit = value.is_bit && expr.type == int_;
+      if (!keeps_bit) value = Convert(value, expr.type);
+    } else if (expr.kind == ExprKind::kUnary) {
+      value = Unary(expr.unary, value);
+    } else {
+      value = Binary(expr.binary, value, Evaluate(expr.b), expr);
+    }
+  }
+  return value;
+}
+
+Value Lowering::EvaluateLeaf(ExprId id) {
+  const Expr& expr = ExprAt(id);
+  if (!expr.type.valid()) return Zero(int_);
+  if (expr.constant && IsArithmetic(TypeAt(expr.type))) {
+    if (IsInteger(TypeAt(expr.type))) {
+      const std::string_view text = sources_.Text(expr.range);
+      const bool hex = text.starts_with("0x") || text.starts_with("0X");
+      return Number(expr.constant->integer, expr.type, hex ? 16 : 10);
+    }
+    const bool narrow = TypeAt(expr.type).bits == 32;
+    const uint64_t bits = narrow ? std::bit_cast<uint32_t>(static_cast<float>(expr.constant->real))
+                                 : std::bit_cast<uint64_t>(expr.constant->real);
+    return Make(builder_.Constant(IrType(expr.type), bits), expr.type);
+  }
+  switch (expr.kind) {
+    case ExprKind::kLoad:
+      return Load(EvaluateLvalue(expr.a));
+    case ExprKind::kConvert:
+      return Convert(Evaluate(expr.a), expr.type);
+    case ExprKind::kUnary:
+      if (expr.unary == UnaryOp::kNot) return FromBit(Pure(OpKind::kBitNot, {Condition(expr.a)}));
+      return Unary(expr.unary, Evaluate(expr.a));
+    case ExprKind::kBinary:
+      if (expr.binary == BinaryOp::kPointerDifference) return PointerDifference(expr);
+      if (TypeAt(ExprAt(expr.a).type).kind == TypeKind::kPointer) return ComparePointers(expr);
+      return Zero(expr.type);
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+      return FromBit(Logical(id));
+    case ExprKind::kConditional:
+      return Conditional(expr);
+    case ExprKind::kComma:
+      Execute(expr.a);
+      return Evaluate(expr.b);
+    case ExprKind::kAssign:
+      return Assign(id);
+    case ExprKind::kCompoundAssign:
+      return CompoundAssign(id);
+    case ExprKind::kIncrement:
+      return Increment(id);
+    case ExprKind::kCall: {
+      const CallResult result = Call(id);
+      return result.value ? *result.value : Zero(IsArithmetic(TypeAt(expr.type)) ? expr.type : int_);
+    }
+    case ExprKind::kMember:  // of a record value
+      if (!expr.is_lvalue) return Load(EvaluateLvalue(id));
+      break;
+    default:
+      break;
+  }
+  return Zero(IsArithmetic(TypeAt(expr.type)) ? expr.type : int_);
+}
+
+void Lowering::Execute(ExprId id) {
+  if (!id.valid()) return;
+  const Expr& expr = ExprAt(id);
+  if (!expr.type.valid()) return;
+  switch (expr.kind) {
+    case ExprKind::kComma:
+      Execute(expr.a);
+      Execute(expr.b);
+      return;
+    case ExprKind::kConvert:
+    case ExprKind::kCast:
+      Execute(expr.a);
+      return;
+    case ExprKind::kCall:
+      Call(id);
+      return;
+    case ExprKind::kConditional:
+      if (IsSimple(expr.b) && IsSimple(expr.c)) {
+        Execute(expr.a);
+        return;
+      }
+      {
+        const ValueId condition = Condition(expr.a);
+        const Flow before = flow_;
+        Flow then;
+        Choose(
+            condition,
+            [&] {
+              Refine(expr.a, true);
+              Execute(expr.b);
+              then = flow_;
+            },
+            [&] {
+              flow_ = before;
+              Refine(expr.a, false);
+              Execute(expr.c);
+            });
+        flow_.JoinWith(then);
+      }
+      return;
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+      if (IsSimple(expr.b)) {
+        Execute(expr.a);
+        return;
+      }
+      {
+        const bool both = expr.kind == ExprKind::kAnd;
+        const ValueId first = Condition(expr.a);
+        const Flow before = flow_;
+        When(both ? first : Pure(OpKind::kBitNot, {first}), [&] {
+          Refine(expr.a, both);
+          Execute(expr.b);
+        });
+        flow_.JoinWith(before);
+      }
+      return;
+    case ExprKind::kIncrement:
+      if (TypeAt(expr.type).kind == TypeKind::kPointer) {
+        EvaluatePointer(id);
+      } else {
+        Increment(id);
+      }
+      return;
+    default:
+      break;
+  }
+  const Type& type = TypeAt(expr.type);
+  if (type.kind == TypeKind::kPointer) {
+    EvaluatePointer(id);
+  } else if (IsRecordType(type)) {
+    RecordAddress(id);
+  } else if (type.kind != TypeKind::kVoid) {
+    Evaluate(id);
+  }
+}
+
+ValueId Lowering::Condition(ExprId id) {
+  if (!id.valid() || !ExprAt(id).type.valid()) return builder_.Bit(0);
+  const Expr& expr = ExprAt(id);
+  if (expr.constant && IsArithmetic(TypeAt(expr.type))) {
+    return builder_.Bit(IsInteger(TypeAt(expr.type)) ? expr.constant->integer != 0 : expr.constant->real != 0);
+  }
+  if (TypeAt(expr.type).kind == TypeKind::kPointer) return IsNotNull(EvaluatePointer(id), id);
+  if (expr.kind == ExprKind::kAnd || expr.kind == ExprKind::kOr) return Logical(id);
+  return AsBit(Evaluate(id));
+}
+
+/// a && b && c: what only computes is computed at once, so that the worst scan costs what the mean scan costs.
+ValueId Lowering::Logical(ExprId id) {
+  const bool both = ExprAt(id).kind == ExprKind::kAnd;
+  std::vector<ExprId> operands;
+  ExprId left = id;
+  while (ExprAt(left).kind == (both ? ExprKind::kAnd : ExprKind::kOr) && !ExprAt(left).constant) {
+    operands.push_back(ExprAt(left).b);
+    left = ExprAt(left).a;
+  }
+  ValueId value = Condition(left);
+  const Flow before = flow_;
+  ExprId so_far = left;
+  for (size_t i = operands.size(); i-- > 0;) {
+    const ExprId next = operands[i];
+    if (IsSimple(next)) {
+      value = Pure(both ? OpKind::kBitAnd : OpKind::kBitOr, {value, Condition(next)});
+      continue;
+    }
+    const ir::PlaceId kept = AddLocal(both ? "both" : "either", ir::Type::kBit);
+    builder_.Store(kept, value);
+    const Flow outside = flow_;
+    When(both ? value : Pure(OpKind::kBitNot, {value}), [&] {
+      Refine(so_far, both);
+      builder_.Store(kept, Condition(next));
+    });
+    flow_.JoinWith(outside);
+    value = builder_.Load(kept);
+    so_far = next;
+  }
+  return value;
+}
+
+Value Lowering::Conditional(const Expr& expr) {
+  const ValueId condition = Condition(expr.a);
+  const Flow before = flow_;
+  if (IsSimple(expr.b) && IsSimple(expr.c)) {
+    Refine(expr.a, true);
+    const Value then = Evaluate(expr.b);
+    flow_ = before;
+    Refine(expr.a, false);
+    const Value otherwise = Evaluate(expr.c);
+    flow_ = before;
+    return SelectValue(condition, then, otherwise, expr.type);
+  }
+  const ir::PlaceId kept = AddLocal("chosen", IrType(expr.type));
+  Bounds bounds;
+  Flow then;
+  Choose(
+      condition,
+      [&] {
+        Refine(expr.a, true);
+        const Value value = Convert(Evaluate(expr.b), expr.type);
+        bounds = value.bounds;
+        builder_.Store(kept, value.id);
+        then = flow_;
+      },
+      [&] {
+        flow_ = before;
+        Refine(expr.a, false);
+        const Value value = Convert(Evaluate(expr.c), expr.type);
+        bounds = Join(bounds, value.bounds);
+        builder_.Store(kept, value.id);
+      });
+  flow_.JoinWith(then);
+  Value result = Make(builder_.Load(kept), expr.type);
+  if (IsInteger(TypeAt(expr.type))) result.bounds = bounds;
+  return result;
+}
+
+Value Lowering::Assign(ExprId id) {
+  const Expr& expr = ExprAt(id);
+  if (ExprAt(expr.a).kind == ExprKind::kPoison) {
+    Execute(expr.b);
+    return Zero(int_);
+  }
+  Value value = Evaluate(expr.b);  // the right side first (D55)
+  const Lvalue target = EvaluateLvalue(expr.a);
+  value = Convert(value, target.type);
+  Store(target, value);
+  return target.bit_field != nullptr ? LoadBitField(target) : value;
+}
+
+Value Lowering::CompoundAssign(ExprId id) {
+  const Expr& expr = ExprAt(id);
+  if (TypeAt(expr.type).kind == TypeKind::kPointer) {
+    EvaluatePointer(id);
+    return Zero(int_);
+  }
+  const Value right = Evaluate(expr.b);
+  const Lvalue target = EvaluateLvalue(expr.a);
+  Value left = Load(target);
+  if (expr.computation.valid()) left = Convert(left, expr.computation);
+  const Value result = Convert(Binary(expr.binary, left, right, expr), target.type);
+  Store(target, result);
+  return target.bit_field != nullptr ? LoadBitField(target) : result;
+}
+
+Value Lowering::Increment(ExprId id) {
+  const Expr& expr = ExprAt(id);
+  const Lvalue target = EvaluateLvalue(expr.a);
+  const Value before = Load(target);
+  const bool up = expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPostIncrement;
+  const bool returns_new = expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPreDecrement;
+  const Type& type = TypeAt(target.type);
+  Value after = before;
+  if (type.kind == TypeKind::kReal) {
+    const Value one = Make(builder_.Constant(ir::Type::kF64, std::bit_cast<uint64_t>(1.0)), double_);
+    after = Convert(BinaryReal(up ? BinaryOp::kAdd : BinaryOp::kSubtract, Convert(before, double_), one), target.type);
+  } else {
+    // In the operand's own width (6.2); a byte is computed as int and narrowed, which is the same.
+    const TypeId wide = type.bits == 8 ? int_ : target.type;
+    after = Convert(Binary(up ? BinaryOp::kAdd : BinaryOp::kSubtract, Convert(before, wide), Number(1, wide), expr),
+                    target.type);
+  }
+  Store(target, after);
+  return returns_new ? (target.bit_field != nullptr ? LoadBitField(target) : after) : before;
+}
+
+/// Bytes of a record, as far as possible in double words; large ones in a loop.
+void Lowering::AssignRecord(const Address& to, const Address& from, TypeId type) {
+  const uint32_t size = TypeAt(type).size;
+  for (uint32_t at = 0; at < size;) {
+    const ir::Type width = size - at >= 4 ? ir::Type::kI32 : size - at >= 2 ? ir::Type::kI16 : ir::Type::kI8;
+    Address source = from, target = to;
+    source.base += at;
+    target.base += at;
+    StoreAt(target, width, LoadAt(source, width, {}), {});
+    at += ir::Bytes(width);
+  }
+}
+
+Address Lowering::RecordAddress(ExprId id) {
+  const Expr& expr = ExprAt(id);
+  switch (expr.kind) {
+    case ExprKind::kLoad:
+      return RecordAddress(expr.a);
+    case ExprKind::kAssign: {
+      const Address from = RecordAddress(expr.b);
+      const Address to = EvaluateLvalue(expr.a).address;
+      AssignRecord(to, from, expr.type);
+      for (const ObjectId object : to.targets.objects) flow_.Forget(object);
+      return to;
+    }
+    case ExprKind::kComma:
+      Execute(expr.a);
+      return RecordAddress(expr.b);
+    case ExprKind::kCall: {
+      const CallResult result = Call(id);
+      return result.address ? *result.address : Address{};
+    }
+    case ExprKind::kConditional: {
+      const ValueId condition = Condition(expr.a);
+      return SelectAddress(condition, RecordAddress(expr.b), RecordAddress(expr.c));
+    }
+    default:
+      return EvaluateLvalue(id).address;
+  }
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,470 @@
+#include "transpiler/dialects/hnc/parser/diagnoser.h"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/Decl.h>
+#include <clang/AST/Type.h>
+#include <clang/Basic/DiagnosticIDs.h>
+#include <clang/Basic/DiagnosticLex.h>
+#include <clang/Basic/DiagnosticParse.h>
+#include <clang/Basic/DiagnosticSema.h>
+#include <clang/Basic/IdentifierTable.h>
+#include <clang/Lex/Preprocessor.h>
+#include <clang/Parse/Parser.h>
+
+#include <algorithm>
+
+#include "transpiler/dialects/hnc/machine.h"
+
+namespace plcxx::hnc {
+namespace {
+
+namespace cd = clang::diag;
+
+/// Where the text of a message's parameter comes from, apart from the arguments 0, 1, ...
+constexpr int kToken = -1;  // the token at the place, in quotes
+constexpr int kWords = -2;  // Rule::words
+
+struct Rule {
+  unsigned id;
+  const diag::Message<diag::Text>* message;
+  int argument;
+  const char* words = "";
+};
+
+// What is not here goes by its category: lexical E007, syntax E001, meaning E018.
+const Rule kRules[] = {
+    // literals
+    {cd::ext_empty_character, &diag::HncCharacterConstant, kWords, "''"},
+    {cd::err_invalid_digit, &diag::HncConstantDigits, kToken},
+    {cd::err_integer_literal_too_large, &diag::HncConstantTooLarge, kToken},
+    {cd::ext_integer_literal_too_large_for_signed, &diag::HncConstantTooLarge, kToken},
+    {cd::err_character_too_large, &diag::HncCharacterConstant, kToken},
+    {cd::err_escape_too_large, &diag::HncEscape, kWords, "above 255"},
+    {cd::err_hex_escape_no_digits, &diag::HncEscape, kWords, "\\x without digits"},
+    {cd::ext_unknown_escape, &diag::HncEscape, 0},
+    {cd::ext_nonstandard_escape, &diag::HncEscape, 0},
+    {cd::ext_enum_value_not_int, &diag::HncConstantTooLarge, kToken},
+    {cd::ext_enumerator_increment_too_large, &diag::HncConstantTooLarge, kToken},
+    {cd::err_enumerator_wrapped, &diag::HncConstantTooLarge, kToken},
+    // preprocessor
+    {cd::err_pp_hash_error, &diag::HncErrorDirective, 0},
+    {cd::err_pp_unterminated_conditional, &diag::HncUnterminatedConditional, kWords, "this #if"},
+    {cd::err_pp_empty_filename, &diag::HncCannotOpenInclude, kWords, ""},
+    {cd::ext_pp_macro_redef, &diag::HncMacroRedefined, 0},
+    {cd::ext_pp_redef_builtin_macro, &diag::HncMacroRedefined, kToken},
+    {cd::ext_pp_undef_builtin_macro, &diag::HncMacroRedefined, kToken},
+    {cd::err_pp_invalid_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
+    {cd::ext_pp_warning_directive, &diag::HncPreprocessor, kWords, "unknown directive #warning"},
+    {cd::ext_pp_include_next_directive, &diag::HncPreprocessor, kWords, "unknown directive #include_next"},
+    {cd::ext_pp_ident_directive, &diag::HncPreprocessor, kWords, "unknown directive #ident"},
+    {cd::ext_pp_import_directive, &diag::HncPreprocessor, kWords, "unknown directive #import"},
+    {cd::ext_c23_pp_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
+    {cd::err_pp_endif_without_if, &diag::HncPreprocessor, kWords, "#endif without #if"},
+    {cd::pp_err_else_without_if, &diag::HncPreprocessor, kWords, "#else without #if"},
+    {cd::pp_err_elif_without_if, &diag::HncPreprocessor, kWords, "#elif without #if"},
+    {cd::pp_err_else_after_else, &diag::HncPreprocessor, kWords, "a second #else"},
+    {cd::pp_err_elif_after_else, &diag::HncPreprocessor, kWords, "#elif behind #else"},
+    {cd::err_pp_division_by_zero, &diag::HncPreprocessor, kWords, "division by zero in #if"},
+    {cd::err_pp_remainder_by_zero, &diag::HncPreprocessor, kWords, "division by zero in #if"},
+    {cd::err_pp_expected_value_in_expr, &diag::HncPreprocessor, kWords, "a value is missing in #if"},
+    {cd::err_pp_expr_bad_token_start_expr, &diag::HncPreprocessor, kWords, "#if takes integer constants only"},
+    {cd::err_pp_expr_bad_token_binop, &diag::HncPreprocessor, kWords, "an operator is missing in #if"},
+    {cd::err_pp_expr_bad_token_lparen, &diag::HncPreprocessor, kWords, "no function-like macro of this name in #if"},
+    {cd::err_pp_illegal_floating_literal, &diag::HncPreprocessor, kWords, "floating constant in #if"},
+    {cd::err_pp_macro_not_identifier, &diag::HncPreprocessor, kWords, "a macro has a name"},
+    {cd::err_pp_missing_macro_name, &diag::HncPreprocessor, kWords, "the name of a macro is missing"},
+    {cd::err_pp_stringize_not_parameter, &diag::HncPreprocessor, kWords, "behind '#' stands a parameter of the macro"},
+    {cd::err_pp_bad_paste, &diag::HncPreprocessor, kWords, "'##' does not join these to one token"},
+    {cd::err_pp_operator_used_as_macro_name, &diag::HncPreprocessor, kWords, "'defined' is no name of a macro"},
+    {cd::err_paste_at_start, &diag::HncPreprocessor, kWords, "'##' at the beginning of a macro"},
+    {cd::err_paste_at_end, &diag::HncPreprocessor, kWords, "'##' at the end of a macro"},
+    {cd::err_unterm_macro_invoc, &diag::HncPreprocessor, kWords, "the macro's arguments have no closing ')'"},
+    {cd::ext_variadic_macro, &diag::HncExtension, kWords, "macro with any number of arguments"},
+    {cd::ext_named_variadic_macro, &diag::HncExtension, kWords, "macro with any number of arguments"},
+    // names
+    {cd::err_undeclared_var_use, &diag::HncUndeclared, 0},
+    {cd::err_undeclared_use, &diag::HncUndeclared, 0},
+    {cd::err_no_member, &diag::HncNoMember, 0},
+    {cd::err_undeclared_label_use, &diag::HncUndefinedLabel, 0},
+    {cd::err_redefinition, &diag::HncRedefinition, 0},
+    {cd::err_redefinition_of_label, &diag::HncRedefinition, 0},
+    {cd::err_redefinition_of_enumerator, &diag::HncRedefinition, 0},
+    {cd::err_redefinition_different_kind, &diag::HncRedefinition, 0},
+    {cd::err_redefinition_different_type, &diag::HncConflictingTypes, 0},
+    {cd::err_redefinition_different_typedef, &diag::HncRedefinition, 2},
+    {cd::ext_redefinition_of_typedef, &diag::HncRedefinition, 0},
+    {cd::err_nested_redefinition, &diag::HncRedefinition, 0},
+    {cd::err_use_with_wrong_tag, &diag::HncRedefinition, 0},
+    {cd::err_param_redefinition, &diag::HncRedefinition, 0},
+    {cd::err_duplicate_member, &diag::HncRedefinition, 0},
+    {cd::err_static_non_static, &diag::HncRedefinition, 0},
+    {cd::err_non_static_static, &diag::HncRedefinition, 0},
+    {cd::err_extern_non_extern, &diag::HncRedefinition, 0},
+    {cd::err_non_extern_extern, &diag::HncRedefinition, 0},
+    {cd::err_conflicting_types, &diag::HncConflictingTypes, 0},
+    // places
+    {cd::err_duplicate_case, &diag::HncDuplicateCase, 0},
+    {cd::err_duplicate_case_differing_expr, &diag::HncDuplicateCase, 0},
+    {cd::err_break_not_in_loop_or_switch, &diag::HncMisplaced, kWords, "break"},
+    {cd::err_continue_not_in_loop, &diag::HncMisplaced, kWords, "continue"},
+    {cd::err_case_not_in_switch, &diag::HncMisplaced, kWords, "case"},
+    {cd::err_default_not_in_switch, &diag::HncMisplaced, kWords, "default"},
+    // what can be assigned
+    {cd::err_typecheck_assign_const, &diag::HncNotAssignable, kWords, "it is const"},
+    {cd::err_typecheck_expression_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "it is a value"},
+    {cd::err_typecheck_lvalue_casts_not_supported, &diag::HncNotAssignable, kWords, "a cast is a value"},
+    {cd::err_typecheck_array_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "an array is no variable"},
+    {cd::err_typecheck_non_object_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "a function is no variable"},
+    {cd::err_typecheck_incomplete_type_not_modifiable_lvalue, &diag::HncNotAssignable, kWords,
+     "an array is no variable"},
+    {cd::err_typecheck_invalid_lvalue_addrof, &diag::HncNotAssignable, kWords, "a value has no address"},
+    {cd::err_typecheck_address_of, &diag::HncNotAssignable, kWords, "it has no address"},
+    // constants
+    {cd::err_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
+    {cd::ext_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
+    {cd::err_init_element_not_constant, &diag::HncConstantRequired, kWords, "to initialise static data"},
+    {cd::err_typecheck_negative_array_size, &diag::HncConstantRequired, kWords, "that is not negative"},
+    {cd::err_array_size_non_int, &diag::HncConstantRequired, kWords, "as the size of an array"},
+    {cd::err_array_too_large, &diag::HncConstantRequired, kWords, "that is smaller"},
+    {cd::err_vla_decl_in_file_scope, &diag::HncConstantRequired, kWords, "as the size of an array"},
+    {cd::err_vla_decl_has_static_storage, &diag::HncConstantRequired, kWords, "as the size of an array"},
+    {cd::err_vm_decl_in_file_scope, &diag::HncConstantRequired, kWords, "as the size of an array"},
+    {cd::err_bitfield_width_exceeds_type_width, &diag::HncConstantRequired, kWords,
+     "as the width of a bit-field: too wide"},
+    {cd::err_anon_bitfield_has_negative_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field"},
+    {cd::err_bitfield_has_negative_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field"},
+    {cd::err_bitfield_has_zero_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field with a name"},
+    {cd::err_ice_not_integral, &diag::HncConstantRequired, kWords, "of integer type"},
+    // sizes
+    {cd::err_typecheck_decl_incomplete_type, &diag::HncIncomplete, 0},
+    {cd::ext_typecheck_decl_incomplete_type, &diag::HncIncomplete, 0},
+    {cd::err_tentative_def_incomplete_type, &diag::HncIncomplete, 0},
+    {cd::err_sizeof_alignof_incomplete_or_sizeless_type, &diag::HncIncomplete, kWords,
+     "sizeof of something without a size"},
+    {cd::ext_sizeof_alignof_void_type, &diag::HncIncomplete, kWords, "sizeof of void"},
+    {cd::ext_sizeof_alignof_function_type, &diag::HncIncomplete, kWords, "sizeof of a function"},
+    {cd::err_sizeof_alignof_function_type, &diag::HncIncomplete, kWords, "sizeof of a function"},
+    {cd::err_field_incomplete_or_sizeless, &diag::HncIncomplete, 0},
+    {cd::err_array_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
+    {cd::err_typecheck_incomplete_array_needs_initializer, &diag::HncIncomplete, kWords, "an array without a size"},
+    {cd::err_typecheck_incomplete_tag, &diag::HncIncomplete, 0},
+    {cd::err_incomplete_type, &diag::HncIncomplete, 0},
+    {cd::err_dereference_incomplete_type, &diag::HncIncomplete, 0},
+    {cd::err_subscript_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
+    {cd::err_typecheck_arithmetic_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
+    {cd::err_typecheck_cast_to_incomplete, &diag::HncIncomplete, 0},
+    {cd::err_call_incomplete_argument, &diag::HncIncomplete, 0},
+    {cd::err_call_incomplete_return, &diag::HncIncomplete, 0},
+    {cd::err_call_function_incomplete_return, &diag::HncIncomplete, 0},
+    {cd::err_func_def_incomplete_result, &diag::HncIncomplete, 0},
+    {cd::err_param_with_void_type, &diag::HncIncomplete, kWords, "a parameter of type void"},
+    {cd::ext_gnu_void_ptr, &diag::HncIncomplete, kWords, "arithmetic with a pointer to void"},
+    {cd::ext_gnu_ptr_func_arith, &diag::HncIncomplete, kWords, "arithmetic with a pointer to a function"},
+    {cd::ext_gnu_subscript_void_type, &diag::HncIncomplete, kWords, "an element of void"},
+    {cd::ext_typecheck_indirection_through_void_pointer, &diag::HncIncomplete, kWords, "'*' of a pointer to void"},
+    {cd::ext_forward_ref_enum, &diag::HncIncomplete, kWords, "the enumeration is not defined yet"},
+    {cd::ext_flexible_array_in_struct, &diag::HncIncomplete, 0},
+    {cd::ext_c99_flexible_array_member, &diag::HncIncomplete, 0},
+    // types
+    {cd::ext_excess_initializers, &diag::HncIncompatible, kWords, "more initialisers than there is room for"},
+    {cd::ext_excess_initializers_in_char_array_initializer, &diag::HncIncompatible, kWords,
+     "more initialisers than there is room for"},
+    {cd::err_excess_initializers, &diag::HncIncompatible, kWords, "more initialisers than there is room for"},
+    {cd::ext_initializer_string_for_char_array_too_long, &diag::HncIncompatible, kWords,
+     "the string is longer than the array"},
+    {cd::err_initializer_string_for_char_array_too_long, &diag::HncIncompatible, kWords,
+     "the string is longer than the array"},
+    {cd::err_array_init_not_init_list, &diag::HncIncompatible, kWords, "an array is initialised with { } or a string"},
+    {cd::ext_typecheck_convert_discards_qualifiers, &diag::HncIncompatible, kWords, "const is lost"},
+    {cd::ext_typecheck_comparison_of_distinct_pointers, &diag::HncIncompatible, kWords,
+     "pointers to different types are compared"},
+    {cd::ext_typecheck_cond_incompatible_pointers, &diag::HncIncompatible, kWords,
+     "pointers to different types behind '?'"},
+    {cd::ext_return_has_expr, &diag::HncIncompatible, kWords, "a value is returned from a void function"},
+    {cd::ext_return_has_void_expr, &diag::HncIncompatible, kWords, "a void function returns nothing"},
+    {cd::err_typecheck_member_reference_struct_union, &diag::HncIncompatible, kWords, "'.' needs a struct or union"},
+    {cd::err_typecheck_member_reference_arrow, &diag::HncIncompatible, kWords,
+     "'->' needs a pointer to a struct or union"},
+    {cd::err_typecheck_member_reference_suggestion, &diag::HncIncompatible, kWords,
+     "'.' needs a struct, '->' a pointer to one"},
+    {cd::err_typecheck_call_not_function, &diag::HncIncompatible, kWords, "what is called is no function"},
+    {cd::err_not_integral_type_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
+    {cd::err_not_integral_type_anon_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
+    // what the language does not have, 3.5
+    {cd::ext_vla, &diag::HncExtension, kWords, "array of variable length"},
+    {cd::ext_vla_folded_to_constant, &diag::HncConstantRequired, kWords, "as the size of an array"},
+    {cd::ext_typecheck_zero_array_size, &diag::HncExtension, kWords, "array without elements"},
+    {cd::ext_designated_init, &diag::HncExtension, kWords, "designated initialiser"},
+    {cd::ext_gnu_array_range, &diag::HncExtension, kWords, "designated initialiser"},
+    {cd::ext_gnu_missing_equal_designator, &diag::HncExtension, kWords, "designated initialiser"},
+    {cd::ext_gnu_old_style_field_designator, &diag::HncExtension, kWords, "designated initialiser"},
+    {cd::ext_c_empty_initializer, &diag::HncExtension, kWords, "empty initialiser"},
+    {cd::ext_mixed_decls_code, &diag::HncExtension, kWords, "declaration behind a statement"},
+    {cd::ext_c99_variable_decl_in_for_loop, &diag::HncExtension, kWords, "declaration in the head of for"},
+    {cd::ext_empty_struct_union, &diag::HncExtension, kWords, "struct or union without members"},
+    {cd::ext_no_named_members_in_struct_union, &diag::HncExtension, kWords, "struct or union without members"},
+    {cd::ext_c11_anonymous_struct, &diag::HncExtension, kWords, "struct without a name as a member"},
+    {cd::ext_gnu_anonymous_struct, &diag::HncExtension, kWords, "struct without a name as a member"},
+    {cd::ext_gnu_case_range, &diag::HncExtension, kWords, "range of cases"},
+    {cd::ext_gnu_statement_expr, &diag::HncExtension, kWords, "statements in an expression"},
+    {cd::ext_gnu_statement_expr_macro, &diag::HncExtension, kWords, "statements in an expression"},
+    {cd::ext_gnu_conditional_expr, &diag::HncExtension, kWords, "'?:' without its middle operand"},
+    {cd::ext_gnu_indirect_goto, &diag::HncExtension, kWords, "computed goto"},
+    {cd::ext_gnu_address_of_label, &diag::HncExtension, kWords, "address of a label"},
+    {cd::ext_c99_compound_literal, &diag::HncExtension, kWords, "compound literal"},
+    {cd::ext_c99_longlong, &diag::HncExtension, kWords, "long long"},
+    {cd::ext_typecheck_cast_to_union, &diag::HncExtension, kWords, "cast to a union"},
+    {cd::ext_typecheck_cond_one_void, &diag::HncIncompatible, kWords, "one side of ':' is void"},
+    {cd::ext_imaginary_constant, &diag::HncExtension, kWords, "imaginary constant"},
+    {cd::err_function_definition_not_allowed, &diag::HncExtension, kWords, "function in a function"},
+    {cd::ext_c99_array_usage, &diag::HncExtension, kWords, "static or qualifier in an array"},
+    // accepted
+    {cd::ext_c_label_end_of_compound_statement, &diag::HncWithoutMeaning, kWords, "a label without a statement"},
+};
+
+/// Diagnostics that other code of ours reports, or that mean nothing here.
+bool IsFoundElsewhere(unsigned id) {
+  switch (id) {
+    case cd::err_pp_file_not_found:  // MissingInclude
+    case cd::err_pp_file_not_found_angled_include_not_fatal:
+    case cd::err_pp_include_too_deep:
+    case cd::warn_pp_undef_identifier:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Clang's own words for what is accepted are warnings that no rule names.
+bool IsError(clang::DiagnosticsEngine::Level level) { return level >= clang::DiagnosticsEngine::Error; }
+
+std::string Quoted(const std::string& text) { return "'" + text + "'"; }
+
+}  // namespace
+
+std::string ArgumentText(const clang::Diagnostic& info, unsigned index) {
+  if (index >= info.getNumArgs()) return {};
+  switch (info.getArgKind(index)) {
+    case clang::DiagnosticsEngine::ak_std_string:
+      return info.getArgStdStr(index);
+    case clang::DiagnosticsEngine::ak_c_string:
+      return info.getArgCStr(index);
+    case clang::DiagnosticsEngine::ak_sint:
+      return std::to_string(info.getArgSInt(index));
+    case clang::DiagnosticsEngine::ak_uint:
+      return std::to_string(info.getArgUInt(index));
+    case clang::DiagnosticsEngine::ak_tokenkind: {
+      const auto kind = static_cast<clang::tok::TokenKind>(info.getRawArg(index));
+      if (const char* sign = clang::tok::getPunctuatorSpelling(kind)) return sign;
+      if (const char* word = clang::tok::getKeywordSpelling(kind)) return word;
+      return kind == clang::tok::identifier ? "a name" : clang::tok::getTokenName(kind);
+    }
+    case clang::DiagnosticsEngine::ak_identifierinfo: {
+      const clang::IdentifierInfo* name = info.getArgIdentifier(index);
+      return name == nullptr ? std::string() : name->getName().str();
+    }
+    case clang::DiagnosticsEngine::ak_qualtype:
+      return clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(index))).getAsString();
+    case clang::DiagnosticsEngine::ak_declarationname:
+      return clang::DeclarationName::getFromOpaqueInteger(info.getRawArg(index)).getAsString();
+    case clang::DiagnosticsEngine::ak_nameddecl:
+      return reinterpret_cast<const clang::NamedDecl*>(info.getRawArg(index))->getNameAsString();
+    default:
+      return {};
+  }
+}
+
+source::Range Diagnoser::RangeOf(const clang::Diagnostic& info) const {
+  const bool syntax =
+      session_.parser != nullptr && clang::DiagnosticIDs::getCategoryNumberForDiag(info.getID()) ==
+                                        clang::DiagnosticIDs::getCategoryNumberForDiag(cd::err_expected);
+  // The token at which the syntax breaks, not the end of the one before it.
+  const clang::SourceLocation place = syntax && session_.parser->getCurToken().getLocation().isValid()
+                                          ? session_.parser->getCurToken().getLocation()
+                                          : info.getLocation();
+  if (session_.places.InProduct(place)) return session_.output.unit.last_token;
+  const source::Range range = session_.places.OfToken(place);
+  return range.begin == 0 ? session_.output.unit.last_token : range;
+}
+
+std::string Diagnoser::TokenAt(source::Range range) const {
+  const clang::Token* current = session_.parser == nullptr ? nullptr : &session_.parser->getCurToken();
+  if (current != nullptr && current->is(clang::tok::eof)) return "the end of the file";
+  if (current != nullptr && session_.places.OfToken(current->getLocation()) == range && !current->isAnnotation()) {
+    return Quoted(session_.clang.getPreprocessor().getSpelling(*current));
+  }
+  return Quoted(session_.input.text(range));
+}
+
+bool Diagnoser::ByTable(const clang::Diagnostic& info) {
+  const Rule* rule = std::ranges::find(kRules, info.getID(), &Rule::id);
+  if (rule == std::end(kRules)) return false;
+  const source::Range range = RangeOf(info);
+  std::string text = rule->words;
+  if (rule->argument == kToken) text = TokenAt(range);
+  if (rule->argument >= 0) text = ArgumentText(info, static_cast<unsigned>(rule->argument));
+  const bool system = FindSystemName(text).has_value() || FindSystemFunction(text) != nullptr || text == "plc1_time" ||
+                      text == "plc2_time";
+  if (rule->message == &diag::HncRedefinition && system) {
+    session_.findings().Report(range, diag::HncRedefinitionSystem, text);
+  } else {
+    session_.findings().Report(range, *rule->message, text);
+  }
+  return true;
+}
+
+bool Diagnoser::Calls(const clang::Diagnostic& info) {
+  switch (info.getID()) {
+    case cd::err_typecheck_call_too_few_args:
+    case cd::err_typecheck_call_too_few_args_one:
+    case cd::err_typecheck_call_too_few_args_at_least:
+    case cd::err_typecheck_call_too_few_args_at_least_one:
+    case cd::err_typecheck_call_too_many_args:
+    case cd::err_typecheck_call_too_many_args_one:
+    case cd::err_typecheck_call_too_many_args_at_most:
+    case cd::err_typecheck_call_too_many_args_at_most_one:
+      session_.findings().Report(RangeOf(info), diag::HncArgumentMismatch);
+      return true;
+    case cd::err_too_few_args_in_macro_invoc:
+      session_.findings().Report(RangeOf(info), diag::HncPreprocessorArguments, "few");
+      return true;
+    case cd::err_too_many_args_in_macro_invoc:
+      session_.findings().Report(RangeOf(info), diag::HncPreprocessorArguments, "many");
+      return true;
+    case cd::err_multiple_default_labels_defined:
+      session_.findings().Report(RangeOf(info), diag::HncDuplicateDefault);
+      return true;
+    case cd::err_pp_expects_filename:
+      session_.findings().Report(RangeOf(info), diag::HncIncludeNothing);
+      return true;
+    case cd::err_unterminated_block_comment:
+      session_.findings().Report(RangeOf(info), diag::HncUnterminatedComment);
+      return true;
+    case cd::ext_unterminated_char_or_string:
+      if (info.getArgSInt(0) == 1) {
+        session_.findings().Report(RangeOf(info), diag::HncUnterminatedString);
+      } else {
+        session_.findings().Report(RangeOf(info), diag::HncUnterminatedCharacter);
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// A pointer among the operands, or none: E019 or E018.
+bool Diagnoser::Operands(const clang::Diagnostic& info) {
+  const auto is_pointer = [&](unsigned index) {
+    if (index >= info.getNumArgs() || info.getArgKind(index) != clang::DiagnosticsEngine::ak_qualtype) return false;
+    const auto type = clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(index)));
+    return !type.isNull() && (type->isPointerType() || type->isArrayType());
+  };
+  switch (info.getID()) {
+    case cd::err_typecheck_invalid_operands:
+    case cd::err_typecheck_unary_expr:
+    case cd::err_typecheck_statement_requires_integer:
+    case cd::err_typecheck_indirection_requires_pointer:
+    case cd::err_typecheck_illegal_increment_decrement:
+    case cd::err_typecheck_subscript_not_integer:
+      break;
+    default:
+      return false;
+  }
+  const bool invalid_indirection = info.getID() == cd::err_typecheck_indirection_requires_pointer;
+  if (invalid_indirection) {
+    session_.findings().Report(RangeOf(info), diag::HncIncompatible,
+                               "'*' needs a pointer, found " + Quoted(ArgumentText(info, 0)));
+  } else if (is_pointer(0) || is_pointer(1)) {
+    session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, "an operand is an address");
+  } else {
+    std::string types = Quoted(ArgumentText(info, 0));
+    if (info.getNumArgs() > 1) types += " and " + Quoted(ArgumentText(info, 1));
+    session_.findings().Report(RangeOf(info), diag::HncIncompatible, "an operator cannot take " + types);
+  }
+  return true;
+}
+
+bool Diagnoser::Conversions(const clang::Diagnostic& info) {
+  switch (info.getID()) {
+    case cd::err_typecheck_convert_incompatible:
+    case cd::ext_typecheck_convert_incompatible_pointer:
+      session_.findings().Report(RangeOf(info), diag::HncIncompatible,
+                                 Quoted(ArgumentText(info, 0)) + " and " + Quoted(ArgumentText(info, 1)));
+      return true;
+    case cd::ext_typecheck_convert_incompatible_pointer_sign: {
+      const std::string first = ArgumentText(info, 0), second = ArgumentText(info, 1);
+      const auto is_char = [](const std::string& type) { return type.find("char") != std::string::npos; };
+      if (is_char(first) && is_char(second)) return true;  // accepted, 10.4
+      session_.findings().Report(RangeOf(info), diag::HncIncompatible, Quoted(first) + " and " + Quoted(second));
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+void Diagnoser::Syntax(const clang::Diagnostic& info) {
+  const source::Range range = RangeOf(info);
+  const std::string token = TokenAt(range);
+  const unsigned id = info.getID();
+  if (id == cd::err_expected_expression && token == "'else'") {
+    session_.findings().Report(range, diag::HncMisplaced, "else");
+  } else if (id == cd::err_expected || id == cd::err_expected_after) {
+    session_.findings().Report(range, diag::HncSyntax, token,
+                               Quoted(ArgumentText(info, id == cd::err_expected ? 0 : 1)));
+  } else if (id == cd::err_expected_semi_after_expr || id == cd::err_expected_semi_after_stmt ||
+             id == cd::err_expected_semi_declaration || id == cd::err_expected_semi_decl_list) {
+    session_.findings().Report(range, diag::HncSyntax, token, "';'");
+  } else if (id == cd::err_expected_expression) {
+    session_.findings().Report(range, diag::HncSyntax, token, "an expression");
+  } else if (id == cd::err_invalid_decl_spec_combination) {
+    session_.findings().Report(range, diag::HncSyntaxTypeWords, token);
+  } else {
+    session_.findings().Report(range, diag::HncSyntaxAt, token);
+  }
+}
+
+/// "the other one": Clang's notes that name an earlier declaration or bracket.
+void Diagnoser::AddNote(const clang::Diagnostic& info) {
+  if (!reported_last_ || session_.places.InProduct(info.getLocation())) return;
+  const auto add = [&](const char* text) {
+    session_.findings().all().back().notes.push_back({session_.places.OfToken(info.getLocation()), text});
+  };
+  switch (info.getID()) {
+    case cd::note_previous_definition:
+    case cd::note_previous_declaration:
+    case cd::note_previous_implicit_declaration:
+      return add("the other one is here");
+    case cd::note_duplicate_case_prev:
+      return add("the first one is here");
+    case cd::note_matching:
+      return add("to match this");
+    default:
+      return;
+  }
+}
+
+void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
+  if (level == clang::DiagnosticsEngine::Note) return AddNote(info);
+  reported_last_ = false;
+  if (session_.stopped || IsFoundElsewhere(info.getID())) return;
+  if (!IsError(level) && info.getLocation().isValid() && session_.places.InProduct(info.getLocation())) return;
+  const size_t before = session_.findings().all().size();
+  const llvm::StringRef category =
+      clang::DiagnosticIDs::getCategoryNameFromID(clang::DiagnosticIDs::getCategoryNumberForDiag(info.getID()));
+  const bool lexical = category.starts_with("Lexical"), syntactic = category.starts_with("Parse");
+  session_.findings().SetPhase(lexical ? Phase::kText : syntactic ? Phase::kSyntax : Phase::kMeaning);
+  const bool known = ByTable(info) || Calls(info) || Operands(info) || Conversions(info);
+  if (!known && IsError(level)) {
+    if (lexical) {
+      session_.findings().Report(RangeOf(info), diag::HncPreprocessor, "this cannot be read");
+    } else if (syntactic) {
+      Syntax(info);
+    } else {
+      session_.findings().Report(RangeOf(info), diag::HncIncompatible, TokenAt(RangeOf(info)) + " does not fit here");
+    }
+  }
+  reported_last_ = session_.findings().all().size() > before;
+}
+
+}  // namespace plcxx::hnc

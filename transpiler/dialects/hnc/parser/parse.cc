@@ -1,0 +1,116 @@
+// The module's one function: text to tokens to Clang's tree to ours.
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/ASTContext.h>
+#include <clang/Lex/Preprocessor.h>
+#include <clang/Parse/ParseAST.h>
+#include <clang/Parse/Parser.h>
+#include <clang/Sema/Sema.h>
+#include <llvm/Support/thread.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "transpiler/dialects/hnc/parser/converter.h"
+#include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/parser/session.h"
+
+namespace plcxx::hnc {
+namespace {
+
+/// Clang and the conversion follow the nesting of the program by recursion: chains of `else if`, sums and assignments
+/// have no limit of their own. Only what is used of it is real memory.
+constexpr unsigned kStackBytes = 512U << 20;
+
+/// Comments such as /*@loop_bound 8@*/ say the same as #pragma plcxx loop_bound(8).
+void AddLoopBounds(const std::vector<Comment>& comments, std::vector<LoopBound>& bounds) {
+  constexpr std::string_view kMark = "@loop_bound";
+  for (const Comment& comment : comments) {
+    std::string_view text = comment.text;
+    if (!text.starts_with(kMark)) continue;
+    text.remove_prefix(kMark.size());
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    uint32_t rounds = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), rounds);
+    if (read.ec == std::errc{} && rounds >= 1 && rounds <= 65535) bounds.push_back({rounds, comment.range});
+  }
+  std::ranges::sort(bounds, {}, [](const LoopBound& bound) { return bound.range.begin; });
+}
+
+std::string_view KindOf(const clang::Token& token) {
+  if (token.is(clang::tok::identifier)) return "name";
+  if (token.getIdentifierInfo() != nullptr) return "keyword";
+  if (token.is(clang::tok::numeric_constant)) return "number";
+  if (token.is(clang::tok::char_constant)) return "character";
+  if (token.is(clang::tok::string_literal)) return "string";
+  return "sign";
+}
+
+void PutTokens(Session& session) {
+  for (const clang::Token& token : session.tokens) {
+    if (token.is(clang::tok::eof) || session.places.InProduct(token.getLocation())) continue;
+    session.output.tokens.push_back(
+        {session.places.Of(token.getLocation()), KindOf(token), session.clang.getPreprocessor().getSpelling(token)});
+  }
+}
+
+void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
+  Session session(input, output);
+  SetUp(session);
+  Preprocess(session);
+  FilterTokens(session);
+  if (until == ParseUntil::kTokens) return PutTokens(session);
+  ParseTokens(session);
+}
+
+}  // namespace
+
+void ParseTokens(Session& session) {
+  clang::CompilerInstance& clang = session.clang;
+  clang.createASTContext();
+  clang.setASTConsumer(std::make_unique<clang::ASTConsumer>());
+  clang.createSema(clang::TU_Complete, nullptr);
+  clang::Sema& sema = clang.getSema();
+  clang::Preprocessor& preprocessor = clang.getPreprocessor();
+  preprocessor.EnterTokenStream(session.tokens, /*DisableMacroExpansion=*/true, /*IsReinject=*/true);
+  {
+    clang::Parser parser(preprocessor, sema, /*SkipFunctionBodies=*/false);
+    session.parser = &parser;
+    parser.Initialize();
+    clang::Parser::DeclGroupPtrTy group;
+    clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
+    for (bool at_end = parser.ParseFirstTopLevelDecl(group, imports); !at_end;
+         at_end = parser.ParseTopLevelDecl(group, imports)) {
+    }
+    session.parser = nullptr;
+    sema.ActOnEndOfTranslationUnit();
+  }
+  session.findings().SetPhase(Phase::kMeaning);
+  Converter(session).Run();
+}
+
+void Converter::Run() {
+  CollectComments();
+  loop_bounds_ = session_.loop_bounds;
+  AddLoopBounds(unit_.comments, loop_bounds_);
+  unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;
+  const clang::TranslationUnitDecl* unit = context_.getTranslationUnitDecl();
+  for (const clang::Decl* declaration : unit->decls()) {
+    const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
+    if (named == nullptr || named->getDeclName().isEmpty()) continue;
+    const std::string name = named->getNameAsString();
+    if (name.starts_with(kExpectedPrefix)) expected_.emplace(name.substr(kExpectedPrefix.size()), named);
+  }
+  for (const clang::Decl* declaration : unit->decls()) Declare(declaration);
+  if (!session_.stopped) CheckCalls();
+  CheckEntries();
+}
+
+}  // namespace plcxx::hnc
+
+extern "C" __attribute__((visibility("default"))) void plcxx_hnc_parse(const plcxx::hnc::ParserInput& input,
+                                                                       plcxx::hnc::ParseUntil until,
+                                                                       plcxx::hnc::ParserOutput& output) {
+  llvm::thread worker(std::optional<unsigned>(plcxx::hnc::kStackBytes), [&] { plcxx::hnc::Run(input, until, output); });
+  worker.join();
+}

@@ -1,0 +1,166 @@
+// The preprocessor's run: all tokens of the program, and what only the preprocessor sees: macros and their uses, groups
+// that are left out, includes, pragmas.
+#include <clang/Lex/Lexer.h>
+#include <clang/Lex/MacroInfo.h>
+#include <clang/Lex/PPCallbacks.h>
+#include <clang/Lex/Preprocessor.h>
+
+#include <cctype>
+#include <charconv>
+#include <memory>
+#include <unordered_map>
+
+#include "transpiler/dialects/hnc/parser/session.h"
+
+namespace plcxx::hnc {
+namespace {
+
+constexpr unsigned kMostIncludes = 20;           // one in the other, 10.1
+constexpr size_t kMostTokens = 4'000'000;        // macros that double each other end here, not in memory
+constexpr std::string_view kBlanks = " \t\v\f";  // line ends within a directive are splices
+
+bool IsWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::string_view NextWord(std::string_view& text) {
+  const size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+  size_t end = begin;
+  while (end < text.size() && IsWord(text[end])) ++end;
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+class Watcher : public clang::PPCallbacks {
+ public:
+  explicit Watcher(Session& session) : session_(session), preprocessor_(session.clang.getPreprocessor()) {}
+
+  void FileChanged(clang::SourceLocation /*place*/, FileChangeReason reason, clang::SrcMgr::CharacteristicKind /*kind*/,
+                   clang::FileID /*previous*/) override {
+    if (reason == ExitFile && depth_ > 0) --depth_;
+    if (reason != EnterFile) return;
+    auto* lexer = static_cast<clang::Lexer*>(preprocessor_.getCurrentFileLexer());
+    if (lexer == nullptr || !lexer->getFileID().isValid()) return;
+    ++depth_;
+    const auto entry = session_.sources().getFileEntryRefForID(lexer->getFileID());
+    if (entry) session_.output.read.push_back(entry->getName().str());
+    if (depth_ <= kMostIncludes + 1) return;
+    if (!too_deep_) session_.findings().Report(last_include_, diag::HncIncludeDepth, last_include_name_);
+    too_deep_ = true;
+    lexer->seek(static_cast<unsigned>(lexer->getBuffer().size()), true);
+  }
+
+  void InclusionDirective(clang::SourceLocation hash, const clang::Token& /*include*/, llvm::StringRef name,
+                          bool angled, clang::CharSourceRange range, clang::OptionalFileEntryRef file,
+                          llvm::StringRef /*search*/, llvm::StringRef /*relative*/, const clang::Module* /*module*/,
+                          bool /*imported*/, clang::SrcMgr::CharacteristicKind /*kind*/) override {
+    last_include_ = {session_.places.Of(range.getBegin()), session_.places.Of(range.getEnd())};
+    if (last_include_.end <= last_include_.begin) last_include_ = session_.places.OfToken(range.getBegin());
+    last_include_name_ = name.str();
+    if (file) return;
+    const bool in_main = session_.sources().isInMainFile(hash);
+    session_.output.missing.push_back({name.str(), last_include_, !angled, in_main});
+  }
+
+  void MacroDefined(const clang::Token& name, const clang::MacroDirective* macro) override {
+    if (session_.places.InProduct(name.getLocation())) return;
+    IdOf(*macro->getMacroInfo(), name);
+  }
+
+  void MacroExpands(const clang::Token& name, const clang::MacroDefinition& macro, clang::SourceRange range,
+                    const clang::MacroArgs* /*arguments*/) override {
+    if (name.getLocation().isMacroID() || session_.places.InProduct(name.getLocation())) return;
+    const clang::MacroInfo* info = macro.getMacroInfo();
+    if (info == nullptr || info->isBuiltinMacro()) return;
+    const MacroId id = IdOf(*info, name);
+    const source::Range place = session_.places.Of(range);
+    session_.macro_uses[place.begin] = session_.output.unit.macro_uses.Add({id, place});
+  }
+
+  void SourceRangeSkipped(clang::SourceRange range, clang::SourceLocation /*endif*/) override {
+    session_.output.left_out.push_back({session_.places.Of(range.getBegin()), session_.places.Of(range.getEnd())});
+  }
+
+  void PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) override;
+
+ private:
+  MacroId IdOf(const clang::MacroInfo& info, const clang::Token& name) {
+    const auto known = ids_.find(&info);
+    if (known != ids_.end()) return known->second;
+    const bool system = session_.places.InProduct(info.getDefinitionLoc());
+    const MacroId id = session_.output.unit.macros.Add(
+        {.name = name.getIdentifierInfo()->getName().str(),
+         .has_parameters = info.isFunctionLike(),
+         .is_system = system,
+         .range = system ? source::Range{} : session_.places.OfToken(info.getDefinitionLoc())});
+    ids_.emplace(&info, id);
+    return id;
+  }
+
+  Session& session_;
+  clang::Preprocessor& preprocessor_;
+  unsigned depth_ = 0;  // the main source is 1
+  bool too_deep_ = false;
+  source::Range last_include_;
+  std::string last_include_name_;
+  std::unordered_map<const clang::MacroInfo*, MacroId> ids_;  // only asked
+};
+
+void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) {
+  const source::Range range = session_.places.OfToken(place);
+  if (introducer != clang::PIK_HashPragma) {
+    session_.findings().Report(range, diag::HncExtension, "_Pragma");
+    return;
+  }
+  const auto [file, offset] = session_.sources().getDecomposedExpansionLoc(place);
+  std::string_view line = session_.sources().getBufferData(file).substr(offset);
+  size_t end = line.find('\n');
+  while (end != std::string_view::npos && end > 0 && line[end - 1] == '\\') end = line.find('\n', end + 1);
+  line = line.substr(0, end);
+  const source::Range all{range.begin, session_.places.Of(place.getLocWithOffset(static_cast<int>(line.size())))};
+  line.remove_prefix(std::min<size_t>(line.size(), 1));  // the '#'
+  NextWord(line);                                        // pragma
+  const std::string word(NextWord(line));
+  for (const char* known : {"inline", "argsused", "warn", "option", "hdrfile", "hdrstop", "saveregs"}) {
+    if (word == known) return;
+  }
+  if (word == "startup" || word == "exit") {
+    session_.findings().Report(all, diag::HncPragma, word);
+    return;
+  }
+  if (word != "plcxx" || NextWord(line) != "loop_bound") {
+    session_.findings().Report(all, diag::HncWithoutMeaning, word.empty() ? "#pragma" : "#pragma " + word);
+    return;
+  }
+  const size_t open = line.find('(');
+  std::string_view number = open == std::string_view::npos ? std::string_view() : line.substr(open + 1);
+  number = NextWord(number);
+  uint32_t rounds = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), rounds);
+  if (read.ec != std::errc{} || read.ptr != number.data() + number.size() || rounds == 0 || rounds > 65535) {
+    session_.findings().Report(all, diag::HncPragma, "plcxx loop_bound: the bound is a number from 1 to 65535");
+    return;
+  }
+  session_.loop_bounds.push_back({rounds, all});
+}
+
+}  // namespace
+
+void Preprocess(Session& session) {
+  clang::Preprocessor& preprocessor = session.clang.getPreprocessor();
+  preprocessor.addPPCallbacks(std::make_unique<Watcher>(session));
+  preprocessor.EnterMainSourceFile();
+  clang::Token token;
+  do {
+    preprocessor.Lex(token);
+    session.tokens.push_back(token);
+  } while (token.isNot(clang::tok::eof) && session.tokens.size() < kMostTokens);
+  if (token.is(clang::tok::eof)) return;
+  session.findings().Report(session.places.OfToken(token.getLocation()), diag::HncPreprocessor,
+                            "macros expand to more than 4000000 tokens");
+  session.stopped = true;
+  session.tokens.back().startToken();
+  session.tokens.back().setKind(clang::tok::eof);
+  session.tokens.back().setLocation(token.getLocation());
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,27 @@
+// The way back from a rewritten text: what the parser's module needs of source_text.h, and nothing more.
+#include <algorithm>
+#include <iterator>
+
+#include "transpiler/dialects/hnc/source_text.h"
+
+namespace plcxx::hnc {
+
+source::Offset SourceText::Original(uint32_t at) const {
+  if (!file.valid()) return 0;
+  const auto next = std::ranges::upper_bound(map, at, {}, &Stretch::at);
+  const Stretch& stretch = *std::prev(next);
+  uint32_t original = stretch.original + (at - stretch.at);
+  // Within something that was rewritten: no further than what stands behind it.
+  if (next != map.end()) original = std::min(original, next->original);
+  return base + std::min(original, size);
+}
+
+std::string LiteralBytes(std::string_view bytes) {
+  std::string literal(bytes);
+  for (size_t i = 1; i < literal.size(); ++i) {
+    if (literal[i] == kBackslashOfCharacter && static_cast<unsigned char>(literal[i - 1]) >= 0x80) literal[i] = '\\';
+  }
+  return literal;
+}
+
+}  // namespace plcxx::hnc
