@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/passes/passes_testing.h"
+#include "transpiler/passes/enter_switches.h"
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
@@ -87,6 +88,9 @@ struct Follower {
       case ir::OpKind::kIf:
         Region(ir::RegionId(condition ? inst.b : inst.c));
         break;
+      case ir::OpKind::kSwitch:
+        Choose(inst);
+        break;
       case ir::OpKind::kBlock:
         Region(ir::RegionId(inst.a));
         if (leaving == id) leaving = {};
@@ -100,6 +104,21 @@ struct Follower {
         break;
       default:
         break;
+    }
+  }
+
+  void Choose(const ir::Inst& inst) {
+    const std::vector<ir::SwitchCase>& cases = program.switches[ir::SwitchId(inst.payload)].cases;
+    size_t chosen = cases.size();
+    for (size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].values.empty()) chosen = i;
+    }
+    for (size_t i = 0; i < cases.size(); ++i) {
+      if (std::ranges::find(cases[i].values, values[inst.a]) != cases[i].values.end()) chosen = i;
+    }
+    for (; chosen < cases.size() && going(); ++chosen) {
+      Region(cases[chosen].region);
+      if (!cases[chosen].falls_through) return;
     }
   }
 
@@ -127,6 +146,9 @@ std::vector<uint32_t> Trace(const ir::Program& program, uint32_t inputs) {
   Follower follower{.program = program, .inputs = inputs};
   follower.values.resize(program.insts.size());
   follower.words.resize(program.places.size());
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    if (program.places[ir::PlaceId(i)].name == "slice") follower.words[i] = inputs % 5;
+  }
   follower.Region(program.routines[ir::RoutineId(0)].body);
   EXPECT_TRUE(follower.going());
   return follower.trace;
@@ -134,11 +156,25 @@ std::vector<uint32_t> Trace(const ir::Program& program, uint32_t inputs) {
 
 enum class Ways : uint8_t { kForward, kBoth };
 
+/// A choice between labels, in ascending order as often as not, as a mechanism begins.
+std::string RandomEntry(std::mt19937& random, uint32_t count) {
+  if (random() % 3 == 0) return "";
+  std::string entry = "%8 = load slice\nswitch %8 {\n";
+  const bool ascending = random() % 2 == 0;
+  uint32_t label = 0;
+  for (uint32_t value = 1; value <= 3; ++value) {
+    label = ascending ? std::min(count, label + 1 + static_cast<uint32_t>(random() % 3))
+                      : static_cast<uint32_t>(random() % (count + 1));
+    entry += "  case " + std::to_string(value) + " {\n    jump L" + std::to_string(label) + "\n  }\n";
+  }
+  return entry + (random() % 2 == 0 ? "  default {\n  }\n" : "") + "}\n";
+}
+
 /// `count` statements; each may jump to a label, each label stands before or behind a marker.
 std::string RandomBody(std::mt19937& random, uint32_t count, Ways ways) {
   const auto below = [&random](uint32_t n) { return static_cast<uint32_t>(random() % n); };
   const std::string end = "L" + std::to_string(count);
-  std::string body;
+  std::string body = RandomEntry(random, count);
   for (uint32_t i = 0; i < count; ++i) {
     const std::string label = "label L" + std::to_string(i) + "\n";
     const std::string marker = "stmt s" + std::to_string(i + 1) + "\n";
@@ -183,6 +219,7 @@ void ExpectSameTraces(uint32_t seed, uint32_t rounds, Ways ways) {
     ASSERT_TRUE(ir::Verify(after, ir::Stage::kStructured).empty())
         << body << ir::Print(after) << ir::Verify(after, ir::Stage::kStructured)[0];
     ir::Program nested = after;
+    EnterSwitches(nested);
     NestBlocks(nested);
     ASSERT_TRUE(ir::Verify(nested, ir::Stage::kStructured).empty())
         << body << ir::Print(nested) << ir::Verify(nested, ir::Stage::kStructured)[0];

@@ -99,6 +99,15 @@ void PartPrinter::If(const ir::Inst& first) {
   switched_ = outer_switched;
 }
 
+/// Whether the last thing in the region is a jump, so that nothing behind it is reached.
+bool PartPrinter::EndsElsewhere(ir::RegionId region) const {
+  const std::vector<ir::InstId>& insts = program_.regions[region].insts;
+  if (debug() || insts.empty()) return false;
+  const ir::Inst& last = program_[insts.back()];
+  if (last.op != ir::OpKind::kExit || ir::ValueId(last.a).valid()) return false;
+  return emittable_.leaves.at(insts.back().index) != Leave::kFallsThrough;
+}
+
 void PartPrinter::Switch(const ir::Inst& inst) {
   Line("switch (" + Value(inst.a) + ") {");
   ++indent_;
@@ -112,7 +121,7 @@ void PartPrinter::Switch(const ir::Inst& inst) {
     }
     ++indent_;
     RegionBody(arm.region);
-    if (!arm.falls_through) Line("break;");
+    if (!arm.falls_through && !EndsElsewhere(arm.region)) Line("break;");
     --indent_;
     Line("}");
     if (arm.falls_through) Line("[[fallthrough]];");

@@ -70,6 +70,7 @@ class PartPrinter {
   /// A condition, switched off together with its statement in the debug flavour.
   std::string Condition(const ir::Inst& inst);
   void Switch(const ir::Inst& inst);
+  bool EndsElsewhere(ir::RegionId region) const;
   void Loop(ir::InstId id, const ir::Inst& inst);
   std::string Step(ir::RegionId region);
   bool IsSpelledAsOne(ir::RegionId region) const;

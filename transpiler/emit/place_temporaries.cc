@@ -88,7 +88,7 @@ void Temporaries::Region(ir::RegionId region) {
       case ir::Shape::kLabel: {
         const std::vector<ir::ValueId> operands = ir::UsedValues(program, inst);
         for (const ir::ValueId operand : operands) Consume(operand, operands.size() == 1);
-        ++now;
+        if (shape != ir::Shape::kBlock) ++now;  // to enter a block does nothing
         epoch[id.index] = now;
         reads[id.index] = true;
         for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) {
