@@ -19,7 +19,7 @@ std::string Entered(std::string_view body) {
 TEST(EnterSwitches, WaitsAreCasesThatRunOn) {
   EXPECT_EQ(Entered(R"(%0 = load slice
 switch %0 {
-  case 1 falls_through {
+  case 1 {
     jump L1
   }
   case 2 {
@@ -44,7 +44,7 @@ label L9
             R"(%0 = load slice
 block @1 {
   switch %0 {
-    default {
+    default falls_through {
       stmt s1
       %0 = load a
       store b %0
@@ -67,7 +67,7 @@ block @1 {
 TEST(EnterSwitches, ABlockThatOthersLeaveStaysAndSoDoItsCases) {
   EXPECT_EQ(Entered(R"(%0 = load slice
 switch %0 {
-  case 1 falls_through {
+  case 1 {
     jump L1
   }
   case 2 {
@@ -89,7 +89,7 @@ stmt s3
             R"(%0 = load slice
 block @1 {
   switch %0 {
-    default {
+    default falls_through {
       stmt s1
       %0 = load a
       exit @1 if %0
