@@ -346,7 +346,8 @@ std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(co
                                         "-I",     directory.path(), "-o",  compiled->executable};
   for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
     written = written && directory.Write(file.name, file.text);
-    if (file.name.ends_with(".cpp")) arguments.push_back(directory.path() + "/" + file.name);
+    if (file.name.ends_with(".cpp") && emittable.parts.size() > 1)
+      arguments.push_back(directory.path() + "/" + file.name);
   }
   written = written && directory.Write("harness.cpp", HarnessText(emittable));
   arguments.push_back(directory.path() + "/harness.cpp");

@@ -1,14 +1,27 @@
 #include "transpiler/driver/harness.h"
 
+#include <algorithm>
+
 namespace plcxx::driver {
 namespace {
 
-// Before the host functions: what they do with a call.
+// Before the host functions: what they do with a call. C's library alone: the harness is compiled for every scenario,
+// and the headers of C++'s cost more than all the rest.
 constexpr std::string_view kCalls = R"(
-struct Event { uint32_t function; std::vector<uint64_t> arguments; };
+struct Event { uint32_t function; uint32_t count; uint64_t arguments[kMostArguments]; };
 struct Answer { uint64_t result; uint32_t has_second; uint64_t second; };
-static std::vector<Event> events;
+static Event* events = nullptr;
+static uint32_t event_count = 0, event_room = 0;
 static bool asks = false;
+
+static void Note(const Event& event) {
+  if (event_count == event_room) {
+    event_room = 2 * event_room + 16;
+    events = static_cast<Event*>(realloc(events, event_room * sizeof(Event)));
+    if (events == nullptr) exit(0);
+  }
+  events[event_count++] = event;
+}
 
 static uint32_t ReadWord() {
   uint32_t value = 0;
@@ -21,10 +34,10 @@ static uint64_t ReadLong() {
   return static_cast<uint64_t>(ReadWord()) << 32 | low;
 }
 
-static void WriteCall(uint32_t function, const std::vector<uint64_t>& arguments) {
-  const uint32_t head[2] = {function, static_cast<uint32_t>(arguments.size())};
+static void WriteCall(const Event& event) {
+  const uint32_t head[2] = {event.function, event.count};
   fwrite(head, sizeof head, 1, stdout);
-  fwrite(arguments.data(), sizeof(uint64_t), arguments.size(), stdout);
+  fwrite(event.arguments, sizeof(uint64_t), event.count, stdout);
 }
 
 static void HostWrites() {
@@ -34,10 +47,10 @@ static void HostWrites() {
   m.ReapplyForces();
 }
 
-static Answer Ask(uint32_t function, const std::vector<uint64_t>& arguments) {
+static Answer Ask(const Event& event) {
   if (!asks) return {0, 0, 0};
   fwrite(&kHostQuestion, sizeof kHostQuestion, 1, stdout);
-  WriteCall(function, arguments);
+  WriteCall(event);
   fwrite(&m, kStateBytes, 1, stdout);
   fflush(stdout);
   for (;;) {
@@ -82,10 +95,9 @@ constexpr std::string_view kMain = R"(
 namespace harness = program::harness;
 
 static void Report() {
-  const uint32_t count = static_cast<uint32_t>(harness::events.size());
-  fwrite(&count, sizeof count, 1, stdout);
-  for (const harness::Event& event : harness::events) harness::WriteCall(event.function, event.arguments);
-  harness::events.clear();
+  fwrite(&harness::event_count, sizeof harness::event_count, 1, stdout);
+  for (uint32_t i = 0; i < harness::event_count; ++i) harness::WriteCall(harness::events[i]);
+  harness::event_count = 0;
   fwrite(&harness::m, harness::kStateBytes, 1, stdout);
   fflush(stdout);
 }
@@ -114,9 +126,11 @@ int main() {
         break;
       }
       case 'T': {
-        std::vector<char> text(word() + 1);
-        if (text.size() > 1 && fread(text.data(), text.size() - 1, 1, stdin) != 1) exit(0);
-        SendText(m, text.data(), text.size() - 1);
+        const uint32_t size = word();
+        char* const text = static_cast<char*>(malloc(size + 1));
+        if (text == nullptr || (size > 0 && fread(text, size, 1, stdin) != 1)) exit(0);
+        SendText(m, text, size);
+        free(text);
         Report();
         break;
       }
@@ -163,14 +177,14 @@ std::string Parameters(const ir::HostFunction& function) {
 
 /// The body of a function whose calls are events, and are answered by who drives the engine.
 std::string Asking(const ir::HostFunction& function, uint32_t number) {
-  std::string call = std::to_string(number) + ", {";
+  std::string call = std::to_string(number) + ", " + std::to_string(function.parameters.size()) + ", {";
   for (const ir::Parameter& parameter : function.parameters) {
     call += (call.back() == '{' ? "" : ", ") + ("harness::Bits(" + parameter.name + ")");
   }
   call += '}';
-  std::string out = "  static_cast<void>(host);\n";
-  if (!function.routine_exchange) out += "  harness::events.push_back({" + call + "});\n";
-  out += "  const harness::Answer harness_answer = harness::Ask(" + call + ");\n";
+  std::string out = "  static_cast<void>(host);\n  const harness::Event harness_event = {" + call + "};\n";
+  if (!function.routine_exchange) out += "  harness::Note(harness_event);\n";
+  out += "  const harness::Answer harness_answer = harness::Ask(harness_event);\n";
   if (!function.out.name.empty())
     out += "  if (harness_answer.has_second) harness::TakeBits(harness_answer.second, " + function.out.name + ");\n";
   if (function.result == ir::Type::kNone) return out + "  static_cast<void>(harness_answer);\n";
@@ -182,7 +196,7 @@ std::string Asking(const ir::HostFunction& function, uint32_t number) {
 std::string Storing(const ir::HostFunction& function, uint32_t number) {
   const bool loads = function.access == ir::HostAccess::kWritesRetentive;
   std::string out;
-  if (!function.routine_exchange) out += "  harness::events.push_back({" + std::to_string(number) + ", {}});\n";
+  if (!function.routine_exchange) out += "  harness::Note({" + std::to_string(number) + ", 0, {}});\n";
   out += loads ? "  if (host.has_stored) retentive = host.stored;\n"
                : "  host.stored = retentive;\n  host.has_stored = true;\n";
   if (function.result != ir::Type::kNone && !loads) out += "  return {};\n";
@@ -216,12 +230,18 @@ std::string HostFunctions(const emit::Emittable& emittable) {
 std::string HarnessText(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const bool retentive = emittable.layout.retentive_bytes > 0;
-  std::string out = "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include <vector>\n#include \"" +
-                    emittable.options.name + ".hpp\"\n";
+  size_t most_arguments = 1;
+  for (const ir::HostFunction& function : program.host_functions) {
+    most_arguments = std::max(most_arguments, function.parameters.size());
+  }
+  // One part: in one run of the compiler. In front of the library, whose macros may be names of the program.
+  std::string out = "#include \"" + emittable.options.name + (emittable.parts.size() == 1 ? ".cpp" : ".hpp") + "\"\n";
+  out += "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
   out += "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
   if (retentive) out += "  Retentive stored{};\n  bool has_stored = false;\n";
   out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
+  out += "constexpr size_t kMostArguments = " + std::to_string(most_arguments) + ";\n";
   out += "constexpr uint32_t kHostQuestion = " + std::to_string(kHostQuestion) + "u;\n";
   out += "static void StoreRetentive() {\n";
   if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
