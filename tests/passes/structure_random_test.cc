@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "tests/passes/passes_testing.h"
-#include "transpiler/passes/enter_switches.h"
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
@@ -219,7 +218,6 @@ void ExpectSameTraces(uint32_t seed, uint32_t rounds, Ways ways) {
     ASSERT_TRUE(ir::Verify(after, ir::Stage::kStructured).empty())
         << body << ir::Print(after) << ir::Verify(after, ir::Stage::kStructured)[0];
     ir::Program nested = after;
-    EnterSwitches(nested);
     NestBlocks(nested);
     ASSERT_TRUE(ir::Verify(nested, ir::Stage::kStructured).empty())
         << body << ir::Print(nested) << ir::Verify(nested, ir::Stage::kStructured)[0];

@@ -10,7 +10,6 @@
 #include "transpiler/driver/source_loading.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/verifier.h"
-#include "transpiler/passes/enter_switches.h"
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
@@ -128,7 +127,6 @@ void Pipeline::Lower() {
 void Pipeline::Structure() {
   Show("structuring");
   passes::Structure(compilation_.program);
-  passes::EnterSwitches(compilation_.program);
   passes::NestBlocks(compilation_.program);
   CheckIr(compilation_.program, ir::Stage::kStructured);
 }
