@@ -34,6 +34,7 @@ class Generator:
         self.places = []     # globals that may be read and written
         self.locals = []     # of the function that is being made
         self.functions = []
+        self.called = set()
         self.arrays = []     # (name, type of the elements, count)
         self.c, self.cpp, self.initial = [], [], []
         self.with_reals = self.rng.random() < 0.3
@@ -273,7 +274,10 @@ class Generator:
     def call(self, depth):
         if not self.functions:
             return self.variable(depth)
-        function = self.rng.choice(self.functions)
+        return self.call_of(self.rng.choice(self.functions), depth)
+
+    def call_of(self, function, depth):
+        self.called.add(function.name)
         arguments = [self.expression(depth - 2) for _ in function.parameters]
         if function.old_style:
             kinds = [promoted(kind) for _, kind in function.parameters]
@@ -448,6 +452,11 @@ class Generator:
         self.locals = []
         local_c, local_cpp = self.local_variables()
         c, cpp = self.statements(count, 2)
+        for function in self.functions:  # a pointer that nothing is assigned to would be refused
+            if name == "plc2" and function.pointer and function.name not in self.called:
+                value = self.call_of(function, 3)
+                c.append(f"{value.c};")
+                cpp.append(f"{value.cpp};")
         self.c += [f"void {name}()", "{"] + local_c + c + ["}"]
         self.cpp += [f"void {name}()", "{"] + local_cpp + cpp + ["}"]
 

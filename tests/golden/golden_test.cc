@@ -27,6 +27,7 @@ TEST(Golden, PrintedPhases) {
   }
 }
 
+// The same sources give the same bytes. covers: TECHNOL-213
 TEST(Golden, GeneratedCodeOfTheSamples) {
   for (const auto& dialect : fs::directory_iterator(kRoot / "samples")) {
     if (!dialect.is_directory()) continue;

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/ir/builder.h"
@@ -51,6 +52,21 @@ bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   return !(inner == outer && left && inner >= Precedence::kAnd);
 }
 
+/// A constant read as two's complement; the lowest numbers of C++'s own types stay calls, for no literal is negative.
+std::optional<int64_t> SignedConstant(const ir::Program& program, ir::ValueId value) {
+  const ir::Inst& inst = program[value];
+  const bool minus = inst.op == ir::OpKind::kMinus16 || inst.op == ir::OpKind::kMinus32;
+  const ir::Inst& constant = minus ? program[ir::ValueId(inst.a)] : inst;
+  if (constant.op != ir::OpKind::kConst || constant.c == 16) return std::nullopt;
+  const uint32_t bits = 8 * ir::Bytes(constant.type);
+  if (bits < 8 || bits > 32) return std::nullopt;
+  const auto raw = static_cast<int64_t>(ir::ConstantValue(constant));
+  const int64_t number = raw >= int64_t{1} << (bits - 1) ? raw - (int64_t{1} << bits) : raw;
+  const int64_t read = minus ? -number : number;
+  if (read == -(int64_t{1} << 31) || read > 0x7FFF || read < -0x8000) return std::nullopt;
+  return read;
+}
+
 Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
@@ -65,6 +81,16 @@ Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, co
   const std::string_view pattern = info.spelling;
   const bool operation = info.precedence != Precedence::kPrimary;
   for (size_t i = 0; i < pattern.size(); ++i) {
+    // "S16({1})" of a constant is the number itself.
+    const size_t bracket = operation && pattern[i] == 'S' ? pattern.find("({", i) : std::string_view::npos;
+    if (bracket != std::string_view::npos && bracket - i <= 3) {
+      const ir::ValueId operand(words[pattern[bracket + 2] - '0']);
+      if (const std::optional<int64_t> number = SignedConstant(*emittable.program, operand)) {
+        out += std::to_string(*number);
+        i = bracket + 4;
+        continue;
+      }
+    }
     if (pattern[i] == '{') {
       const auto operand = static_cast<uint32_t>(pattern[i + 1] - '0');
       Spelling inner = Spell(emittable, local_names, ir::ValueId(words[operand]));

@@ -155,7 +155,6 @@ void Lowering::LowerFunction(FunctionId id) {
   around_.clear();
   elided_break_ = {};
   end_of_switch_.clear();
-  end_flow_.clear();
   result_bounds_.reset();
   placed_labels_.clear();
   annotated_labels_.clear();
@@ -177,6 +176,7 @@ void Lowering::LowerFunction(FunctionId id) {
   builder_.SetRegion(region);
   Lower(function.body, true);
   const bool falls_off = flow_.reachable;
+  if (falls_off) LeaveFunction();
   PlaceLabel(end_label_);
   const bool entry = id == unit_.init || id == unit_.plc1 || id == unit_.plc2;
   const bool gives = TypeAt(function.result).kind != TypeKind::kVoid;

@@ -121,7 +121,9 @@ Address Lowering::TableElement(const Expr& load) {
   const std::optional<int64_t> known = KnownInteger(index);
   if (known && (*known < 0 || *known >= table.view->count)) {
     diagnostics_.Report(element.range, diag::HncIndex, *known, table.name, table.view->count - 1);
-    return {};
+    address.targets = {};
+    address.reported = true;
+    return address;
   }
   AddIndex(address, index, 2, 1);
   return address;
@@ -130,6 +132,11 @@ Address Lowering::TableElement(const Expr& load) {
 Address Lowering::EvaluatePointer(ExprId id) {
   const Expr& expr = ExprAt(id);
   switch (expr.kind) {
+    case ExprKind::kPoison: {
+      Address refused;
+      refused.reported = true;
+      return refused;
+    }
     case ExprKind::kNull: {
       Address null;
       null.is_null = true;
@@ -340,6 +347,7 @@ Value Lowering::PointerDifference(const Expr& expr) {
 /// Whether an access through the pointer can be lowered; else it is refused, once for each variable.
 bool Lowering::CheckTargets(const Address& address, ExprId at) {
   if (!address.targets.objects.empty() && address.targets.objects.size() <= kMostTargets) return true;
+  if (address.reported) return false;
   ExprId source = ExprAt(at).a;
   VariableId variable;
   if (source.valid()) {

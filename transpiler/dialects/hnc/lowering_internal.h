@@ -41,7 +41,8 @@ struct Address {
   ir::ValueId index;  // i32 with sign; none: constant
   uint32_t stride = 1;
   Bounds index_bounds;
-  bool is_null = false;  // the constant 0
+  bool is_null = false;   // the constant 0
+  bool reported = false;  // that there is none has been told
 };
 
 /// What an lvalue expression names: a local of the routine, or memory.
@@ -132,6 +133,7 @@ class Lowering {
   // --- operators (lowering_operators.cc) ---
   Value Binary(BinaryOp op, const Value& a, const Value& b, const Expr& at);
   Value BinaryInteger(BinaryOp op, const Value& a, const Value& b, const Expr& at);
+  Value AsMask(const Value& value);
   Value BinaryReal(BinaryOp op, const Value& a, const Value& b);
   Value Compare(BinaryOp op, const Value& a, const Value& b);
   Value Divide(BinaryOp op, const Value& a, const Value& b, const Expr& at);
@@ -209,6 +211,7 @@ class Lowering {
   void If(StatementId id, const Statement& statement, bool last);
   void FlatIf(const Statement& statement);
   void Return(const Statement& statement, bool last);
+  void LeaveFunction();
   void Mark(StatementId id, source::Range range, bool opens_block);
   void MarkText(source::Range range, const std::string& subject, bool opens_block);
   void TakeComments(source::Offset until, std::vector<source::Range>& to);
@@ -381,7 +384,6 @@ class Lowering {
   std::vector<Around> around_;
   StatementId elided_break_;         // ends the case that is being lowered
   std::vector<Flow> end_of_switch_;  // behind such breaks
-  std::vector<Flow> end_flow_;       // behind returns at the end of the function
   std::optional<Bounds> result_bounds_;
   std::unordered_map<uint32_t, Bounds> bounds_of_results_;  // by FunctionId
   std::unordered_map<uint32_t, uint32_t> goto_labels_;      // by LabelId
@@ -393,6 +395,7 @@ class Lowering {
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back
   std::unordered_map<uint32_t, bool> annotated_labels_;
   std::string why_unbounded_;
+  MacroUseId marked_macro_;    // whose text the last marker shows
   uint32_t statement_id_ = 0;  // for faults
   source::Range statement_range_;
   std::unordered_set<uint32_t> refused_pointers_;  // by VariableId

@@ -245,7 +245,12 @@ void Lowering::AddVariables() {
   program_.spaces[data_].bytes = data;
   program_.spaces[automatic_].bytes = automatic;
   program_.spaces[strings_].bytes = strings;
-  if (data + automatic > kMostData) {
+  uint32_t own = data + automatic;
+  for (uint32_t i = 0; i < unit_.variables.size(); ++i) {
+    const Storage storage = unit_.variables[VariableId(i)].storage;
+    if (storage == Storage::kPlc1Time || storage == Storage::kPlc2Time) own -= 2;  // the header's
+  }
+  if (own > kMostData) {
     const Variable* largest = nullptr;
     for (const Variable& variable : unit_.variables) {
       const bool counts = variable.storage == Storage::kGlobal || variable.storage == Storage::kStaticLocal;
@@ -253,7 +258,7 @@ void Lowering::AddVariables() {
         largest = &variable;
     }
     const source::Range range = largest != nullptr ? largest->range : unit_.last_token;
-    diagnostics_.Report(range, diag::HncDataSize, data + automatic, kMostData);
+    diagnostics_.Report(range, diag::HncDataSize, own, kMostData);
     return;
   }
   for (uint32_t i = 0; i < objects_.size(); ++i) {

@@ -91,7 +91,8 @@ Value Lowering::Compare(BinaryOp op, const Value& a, const Value& b) {
   return FromBit(Pure(ComparisonOf(op, type, with_sign), {x.id, y.id}));
 }
 
-Value Lowering::BinaryReal(BinaryOp op, const Value& a, const Value& b) {
+Value Lowering::BinaryReal(BinaryOp op, const Value& left, const Value& right) {
+  const Value a = Convert(left, double_), b = Convert(right, double_);
   const auto plain = [&](OpKind kind) { return Make(Pure(kind, {a.id, b.id}), a.type); };
   const auto compare = [&](OpKind kind) { return FromBit(Pure(kind, {a.id, b.id})); };
   switch (op) {
@@ -182,7 +183,16 @@ Value Lowering::Shift(BinaryOp op, const Value& a, const Value& b, const Expr& a
   return result;
 }
 
-Value Lowering::BinaryInteger(BinaryOp op, const Value& a, const Value& b, const Expr& at) {
+/// A mask that constants made reads best in hexadecimal.
+Value Lowering::AsMask(const Value& value) {
+  const std::optional<int64_t> known = KnownInteger(value);
+  if (!known || (*known >= 0 && *known < 10)) return value;
+  return Number(*known, value.type, 16);
+}
+
+Value Lowering::BinaryInteger(BinaryOp op, const Value& left, const Value& right, const Expr& at) {
+  const bool masks = op == BinaryOp::kBitAnd || op == BinaryOp::kBitOr || op == BinaryOp::kBitXor;
+  const Value a = masks ? AsMask(left) : left, b = masks ? AsMask(right) : right;
   const Type& type = TypeAt(a.type);
   const Widths* widths = nullptr;
   switch (op) {

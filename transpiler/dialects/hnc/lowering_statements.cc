@@ -89,6 +89,10 @@ void Lowering::MarkText(source::Range range, const std::string& subject, bool op
 }
 
 void Lowering::Mark(StatementId id, source::Range range, bool opens_block) {
+  // What one use of a macro makes has one text: the statement around it has shown it.
+  const MacroUseId macro = unit_.statements[id].macro;
+  if (macro.valid() && macro == marked_macro_) return;
+  marked_macro_ = macro;
   MarkText(range, SubjectOf(unit_.statements[id]), opens_block);
 }
 
@@ -202,6 +206,7 @@ void Lowering::Lower(StatementId id, bool last) {
     case StatementKind::kCriticalLeave: {
       Mark(id, statement.range, false);
       const bool enters = statement.kind == StatementKind::kCriticalEnter;
+      flow_.critical = enters ? std::optional(statement.range) : std::nullopt;
       builder_.CallHost(Host(enters ? "critical_enter" : "critical_leave", {}, ir::Type::kNone,
                              enters ? "asm cli: nothing may interrupt; ends with the part at the latest."
                                     : "asm sti: the end of what nothing may interrupt."),
@@ -375,6 +380,12 @@ void Lowering::FlatIf(const Statement& statement) {
   }
 }
 
+/// W9: a way out on which nothing ends what `asm cli` began.
+void Lowering::LeaveFunction() {
+  if (flow_.reachable && flow_.critical) diagnostics_.Report(*flow_.critical, diag::HncCliWithoutSti);
+  flow_.critical.reset();
+}
+
 void Lowering::Return(const Statement& statement, bool last) {
   const Type& result = TypeAt(function_->result);
   if (statement.expression.valid() && result.kind == TypeKind::kPointer) {
@@ -407,8 +418,12 @@ void Lowering::Return(const Statement& statement, bool last) {
     builder_.Store(result_, builder_.Constant(program_.places[result_].type, 0));
     result_bounds_ = result_bounds_ ? Join(*result_bounds_, {0, 0}) : Bounds{0, 0};
   }
+  LeaveFunction();
+  const bool entry = function_id_ == unit_.init || function_id_ == unit_.plc1 || function_id_ == unit_.plc2;
+  if (!statement.expression.valid() && result.kind != TypeKind::kVoid && !entry) {
+    diagnostics_.Report(statement.range, diag::HncNoReturnValue, function_->name);
+  }
   if (last) {
-    end_flow_.push_back(flow_);
     flow_.reachable = false;
   } else {
     JumpTo(end_label_);

@@ -118,6 +118,7 @@ void Flow::JoinWith(const Flow& other) {
     fact->second = Join(fact->second, found->second);
     ++fact;
   }
+  if (!critical) critical = other.critical;
   unassigned.insert(other.unassigned.begin(), other.unassigned.end());
 }
 

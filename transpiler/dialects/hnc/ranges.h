@@ -44,6 +44,7 @@ struct Cell {
 class Flow {
  public:
   bool reachable = true;
+  std::optional<source::Range> critical;  // the `asm cli` that no `asm sti` has ended on some way here
 
   std::optional<Bounds> Find(const Cell& cell) const;
   void Learn(const Cell& cell, const Bounds& bounds);

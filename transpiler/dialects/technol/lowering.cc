@@ -58,6 +58,32 @@ void Lowering::FindResumes(Body& body) {
   body.resumes.erase(std::unique(body.resumes.begin(), body.resumes.end()), body.resumes.end());
 }
 
+void Lowering::FindStretches(Body& body) const {
+  if (body.resumes.empty()) return;
+  const auto stretch_of = [&](InstructionId id) {
+    return std::upper_bound(body.resumes.begin(), body.resumes.end(), id) - body.resumes.begin();
+  };
+  for (const InstructionId id : body.instructions) {
+    bool crosses = false;
+    flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
+      if (edge != Edge::kJump || stretch_of(to) == stretch_of(id)) return;
+      const bool forward_to_last = to > body.resumes.back() && to > id;
+      crosses |= !forward_to_last;
+      if (forward_to_last && (!body.tail || to < *body.tail)) body.tail = to;
+    });
+    if (crosses) return;
+  }
+  // Nothing that jumps back may lead out of the tail.
+  for (const InstructionId id : body.instructions) {
+    bool back = false;
+    flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
+      back |= edge == Edge::kJump && body.tail && id >= *body.tail && to < *body.tail;
+    });
+    if (back) return;
+  }
+  body.stretches_are_cases = true;
+}
+
 /// Modules and mechanisms, then the subprograms: those that share an instruction are one routine.
 void Lowering::FindBodies() {
   for (const Root& root : flow_.roots()) {
@@ -68,6 +94,7 @@ void Lowering::FindBodies() {
       if (own && flow_.IsReached(InstructionId(i))) body.instructions.push_back(InstructionId(i));
     }
     FindResumes(body);
+    FindStretches(body);
     bodies_.push_back(std::move(body));
   }
   body_of_subprogram_.resize(flow_.subprograms().size());

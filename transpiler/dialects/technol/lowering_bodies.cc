@@ -80,6 +80,8 @@ void Lowering::BeginBody(Body& body) {
   } else if (body.leaves) {
     builder_.Store(Local("left", Type::kBit), builder_.Bit(0));
   }
+  stretches_.clear();
+  if (body.stretches_are_cases) return BeginStretches(body);
   ir::Switch choice;
   const ir::RegionId behind = builder_.region();
   const auto choose = [&](uint64_t value, InstructionId at) {
@@ -100,6 +102,38 @@ void Lowering::BeginBody(Body& body) {
   builder_.SwitchOn(selector, std::move(choice));
 }
 
+/// The first stretch is the default: step 0.
+void Lowering::BeginStretches(const Body& body) {
+  SpillAll();
+  const ir::ValueId step = builder_.Load(StepPlace(body.unit));
+  ir::Switch choice;
+  const auto add = [&](std::vector<uint64_t> values, InstructionId first, InstructionId end) {
+    const ir::RegionId region = builder_.NewRegion();
+    stretches_[first] = region;
+    bool runs_on = false;
+    flow_.ForEachSuccessor(InstructionId(end.index - 1),
+                           [&](InstructionId, Edge edge) { runs_on |= edge == Edge::kOn; });
+    choice.cases.push_back({.values = std::move(values), .region = region, .falls_through = runs_on});
+  };
+  const std::vector<InstructionId>& resumes = body.resumes;
+  add({}, body.instructions.front(), resumes.front());
+  for (size_t i = 0; i + 1 < resumes.size(); ++i) add({i + 1}, resumes[i], resumes[i + 1]);
+  add({resumes.size()}, resumes.back(), resumes.back());
+  choice.cases.back().falls_through = false;
+  builder_.SwitchOn(step, std::move(choice));
+  if (body.tail) stretches_[*body.tail] = builder_.region();
+  ForgetAll();
+}
+
+void Lowering::EnterStretch(InstructionId id) {
+  const auto found = stretches_.find(id);
+  if (found == stretches_.end()) return;
+  SpillAll();
+  builder_.SetRegion(found->second);
+  ForgetAll();
+  compared_ = {};
+}
+
 void Lowering::LowerBody(Body& body) {
   body_ = &body;
   end_is_used_ = false;
@@ -114,7 +148,9 @@ void Lowering::LowerBody(Body& body) {
       if (edge == Edge::kJump) mark(to);
     });
   }
-  for (const InstructionId resume : body.resumes) mark(resume);
+  for (const InstructionId resume : body.resumes) {
+    if (!body.stretches_are_cases) mark(resume);
+  }
   for (const uint32_t k : body.subprograms) {
     if (body.subprograms.size() > 1) mark(flow_.EntryOf(k));
   }
@@ -127,6 +163,7 @@ void Lowering::LowerBody(Body& body) {
   for (const InstructionId id : body.instructions) Execute(id);
   EndComments(body);
   builder_.SetRange({});
+  builder_.SetRegion(program_.routines[body.routine].body);
   if (end_is_used_) builder_.Label(kEndLabel);
 }
 
@@ -137,11 +174,17 @@ void Lowering::Execute(InstructionId id) {
   width_ = flow_.WidthBefore(id) == 0 ? 16 : flow_.WidthBefore(id);
   const Effects effects = EffectsOf(tree_, instruction, width_);
   wanted_flags_ = flow_.LiveBehind(id) & kFlags;
+  EnterStretch(id);
   if (label_at_[index]) {
     SpillAll();
     builder_.Label(id.index + 1);
     ForgetAll();
     compared_ = {};
+  }
+  const bool ends_module = instruction.op == Op::kModuleEnd && !Info(tree_.units[body_->unit].module).waits;
+  if (ends_module) {
+    AddComments(instruction.comments, CommentPlace::kLeading, waiting_comments_);
+    return;
   }
   if (begins_statement_[index]) {
     EndStatementOfAll();

@@ -52,10 +52,14 @@ struct Body {
   std::vector<InstructionId> instructions;  // in source order
   ir::RoutineId routine;
   std::vector<InstructionId> resumes;  // waiting points, their steps count from 1
-  ir::PlaceId entry;                   // which subprogram is called, where there are several
-  bool leaves = false;                 // may leave all routines at once, by a refused jump or a trap
-  bool loops = false;                  // it, or what it calls, jumps backward
-  uint32_t level = 0;                  // of subprograms: as Subprogram::level
+  /// The stretches between waiting points are the cases of one `switch`, each running on into the next; what stands
+  /// from `tail` on is behind it. Not where a jump goes from one stretch into another.
+  bool stretches_are_cases = false;
+  std::optional<InstructionId> tail;
+  ir::PlaceId entry;    // which subprogram is called, where there are several
+  bool leaves = false;  // may leave all routines at once, by a refused jump or a trap
+  bool loops = false;   // it, or what it calls, jumps backward
+  uint32_t level = 0;   // of subprograms: as Subprogram::level
 };
 
 class Lowering {
@@ -69,10 +73,14 @@ class Lowering {
   void FindWideRegisters();
   void FindBodies();
   void FindResumes(Body& body);
+  void FindStretches(Body& body) const;
   void FindLeaving();
   void AddBodyRoutines();
   void LowerBody(Body& body);
   void BeginBody(Body& body);
+  void BeginStretches(const Body& body);
+  /// Goes on in the region of the stretch that begins at the instruction, if one does.
+  void EnterStretch(InstructionId id);
   void Execute(InstructionId id);
   void Dispatch(const Instruction& instruction);
   bool CanLeave(const Instruction& instruction) const;
@@ -276,6 +284,7 @@ class Lowering {
   Resources wanted_flags_ = 0;                     // behind it
   std::vector<bool> begins_statement_, label_at_;  // of the body's instructions
   bool end_is_used_ = false;
+  std::map<InstructionId, ir::RegionId> stretches_;  // by their first instruction, the tail among them
   ir::StatementId statement_;
   std::unordered_map<uint32_t, size_t> index_in_body_;
 

@@ -107,8 +107,8 @@ void Lowering::CutStatements(const Body& body) {
     const bool other_source =
         i > 0 && tree_.instructions[body.instructions[i - 1]].expansion.valid() != instruction.expansion.valid();
     const bool faults = CanFault(body.instructions[i]);
-    const bool begins = behind_end || label_at_[i] || !follows || other_source || (faults && sequence.faults) ||
-                        BeginsStatement(tree_, instruction, sequence);
+    const bool begins = behind_end || label_at_[i] || stretches_.contains(body.instructions[i]) || !follows ||
+                        other_source || (faults && sequence.faults) || BeginsStatement(tree_, instruction, sequence);
     if (begins) sequence = {};
     begins_statement_[i] = begins;
     const Effects effects = EffectsOf(tree_, instruction, 16);

@@ -231,7 +231,7 @@ void slow(State& m, Host& host) noexcept {
   // OUT  %Q407
   const bool t4 = CNUD(m[C_PARTS], m[PART_PULSE], m[BATCH], Pins((m[KEY_A] | m[NC_RESET])
       & m[MODE_JOG], false, false));
-  m[Q407] = t4 & (S32(m[BATCH]) > S32(0));
+  m[Q407] = t4 & (S32(m[BATCH]) > 0);
 
   // LD   PART_PULSE
   // ADDW PARTS_TOTAL, 1, PARTS_TOTAL
@@ -472,14 +472,14 @@ void SR20(State& m, Host& host) noexcept {
   // GT   T_CODE, 8
   // SET  T_BAD
   const bool t1 = Rising(m[T_STROBE_edge], m[T_STROBE]);
-  if (t1 & (S32(m[T_CODE]) >= S32(1)) & (S32(m[T_CODE]) <= S32(8)) & (m[TUR_STEP] == 0)) {
+  if (t1 & (S32(m[T_CODE]) >= 1) & (S32(m[T_CODE]) <= 8) & (m[TUR_STEP] == 0)) {
     m[TUR_TGT] = m[T_CODE];
     m[TUR_STEP] = 1;
   }
-  if (t1 & (S32(m[T_CODE]) < S32(1))) {
+  if (t1 & (S32(m[T_CODE]) < 1)) {
     m[T_BAD] = true;
   }
-  if (t1 & (S32(m[T_CODE]) > S32(8))) {
+  if (t1 & (S32(m[T_CODE]) > 8)) {
     m[T_BAD] = true;
   }
 
@@ -496,7 +496,7 @@ void SR20(State& m, Host& host) noexcept {
     m[TUR_STEP] = 1;
     m[TUR_TGT] = Add32(m[TUR_POS], 1);
   }
-  if (t2 & (S32(m[TUR_TGT]) > S32(8))) {
+  if (t2 & (S32(m[TUR_TGT]) > 8)) {
     m[TUR_TGT] = 1;
   }
 
@@ -511,7 +511,7 @@ void SR20(State& m, Host& host) noexcept {
   // MPP
   // ANI  TUR_THERMAL
   // MOV  9, TUR_STEP
-  const bool t3 = (S32(m[TUR_STEP]) >= S32(1)) & (S32(m[TUR_STEP]) <= S32(3));
+  const bool t3 = (S32(m[TUR_STEP]) >= 1) & (S32(m[TUR_STEP]) <= 3);
   if (TONS(m[T_TURRET], t3, 8, 8)) {
     m[TUR_STEP] = 9;
   }
@@ -670,7 +670,7 @@ void SR31(State& m, Host&) noexcept {
   // LD   1
   // LE   LUBE_MIN, 0
   // MOV  20, LUBE_MIN         ; 默认 20 分钟
-  if (S32(m[LUBE_MIN]) <= S32(0)) {
+  if (S32(m[LUBE_MIN]) <= 0) {
     m[LUBE_MIN] = 20;
   }
 
@@ -910,7 +910,7 @@ void SR40(State& m, Host&) noexcept {
   // LT   M_CODE, 3
   // ORB
   // SET  M_ANSWER
-  if ((S32(m[M_CODE]) > S32(30)) | (S32(m[M_CODE]) < S32(3))) {
+  if ((S32(m[M_CODE]) > 30) | (S32(m[M_CODE]) < 3)) {
     m[M_ANSWER] = true;
   }
 }

@@ -1017,7 +1017,7 @@ void PM21(State& m, uint16_t& ax, Host& host) noexcept {
   // :>
   // : K 0
   // :S F 8.4             narzedzie jest
-  m[F8_4] = m[F8_4] | (S16(ax) > S16(0));
+  m[F8_4] = m[F8_4] | (S16(ax) > 0);
 }
 
 // PM 12: loop module, while F 251.3 is 1.
@@ -1133,7 +1133,7 @@ void PM12(State& m, Host&) noexcept {
   // :>=
   // : K 2
   // :R C 3
-  ZeroCounter(m[C3], S16(m[C3_count]) >= S16(2));
+  ZeroCounter(m[C3], S16(m[C3_count]) >= 2);
 
   // :A O 0.2
   // :SF T 8
@@ -1166,7 +1166,7 @@ void PM12(State& m, Host&) noexcept {
   // :>=
   // : K 2
   // :R C 4
-  ZeroCounter(m[C4], S16(m[C4_count]) >= S16(2));
+  ZeroCounter(m[C4], S16(m[C4_count]) >= 2);
 
   // :A C 4
   // := O 0.6
@@ -1612,7 +1612,7 @@ void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // : K 0
   // := F 11.0
   // :JC DODAJ
-  const bool t1 = S16(m[DW36]) < S16(0);
+  const bool t1 = S16(m[DW36]) < 0;
   m[F11_0] = t1;
   if (!t1) {
     // :JU KIER
@@ -1631,7 +1631,7 @@ void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // :AN F 9.0
   // :AN O 1.6
   // := O 1.5             w prawo
-  m[O1_5] = (S16(m[DW36]) <= S16(6)) & m[F9_1] & !m[F9_0] & !m[O1_6];
+  m[O1_5] = (S16(m[DW36]) <= 6) & m[F9_1] & !m[F9_0] & !m[O1_6];
 
   // :L DW 36
   // :>
@@ -1641,7 +1641,7 @@ void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // :AN O 1.5
   // := O 1.6             w lewo
   const uint16_t t2 = m[DW36];
-  m[O1_6] = (S16(t2) > S16(6)) & m[F9_1] & !m[F9_0] & !m[O1_5];
+  m[O1_6] = (S16(t2) > 6) & m[F9_1] & !m[F9_0] & !m[O1_5];
   ax = t2;
 }
 
