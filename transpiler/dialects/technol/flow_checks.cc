@@ -37,17 +37,20 @@ void CheckCalls(const Flow& flow, diag::Engine& diagnostics) {
   }
 }
 
+/// From every label of the subprogram area, called or not.
 void CheckReturns(const Flow& flow, diag::Engine& diagnostics) {
   const Program& program = flow.program();
   std::vector<bool> seen(program.instructions.size());
-  for (uint32_t k = 0; k < flow.subprograms().size(); ++k) {
-    const InstructionId entry = flow.EntryOf(k);
-    if (program.instructions[entry].op == Op::kAreaEnd) {
-      const Instruction& call = program.instructions[flow.subprograms()[k].calls.front()];
-      Report(diagnostics, program, call, diag::TechnolMissingRet, NameOf(program, flow.subprograms()[k]));
-    }
+  for (const Subprogram& subprogram : flow.subprograms()) {
+    if (program.instructions[program.labels[subprogram.label].at].op != Op::kAreaEnd) continue;
+    const Instruction& call = program.instructions[subprogram.calls.front()];
+    Report(diagnostics, program, call, diag::TechnolMissingRet, NameOf(program, subprogram));
+  }
+  for (const Label& label : program.labels) {
+    const Instruction& entry = program.instructions[label.at];
+    if (!entry.unit.valid() || program.units[entry.unit].kind != UnitKind::kSubprograms) continue;
     std::vector<InstructionId> order;
-    if (!seen[entry.index]) flow.CollectFrom(entry, seen, order);
+    if (!seen[label.at.index]) flow.CollectFrom(label.at, seen, order);
     for (const InstructionId id : order) {
       const Instruction& instruction = program.instructions[id];
       bool past = false;

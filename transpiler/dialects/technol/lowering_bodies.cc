@@ -54,6 +54,7 @@ void Lowering::AddBodyRoutines() {
     }
     const Unit& unit = tree_.units[body.unit];
     if (unit.kind == UnitKind::kMechanism) {
+      ActivationPlace(body.unit);  // scenarios name it, whether the program does or not
       body.routine = AddRoutine("mech_" + unit.name, Kind::kSubroutine, CommentOf(body));
     } else if (unit.module == ModuleKind::kInit) {
       body.routine = init_;

@@ -179,7 +179,8 @@ void Lowering::BeginStatement(size_t first, size_t end) {
   }
   source::Range lines = LinesOf(begin, last.range.end);
   // The line of a macro's call stands above the first of its statements only.
-  if (lines.begin == last_lines_.begin) lines.end = lines.begin;
+  const bool is_told = lines.begin == last_lines_.begin;
+  if (is_told) lines.end = lines.begin;
   last_lines_ = lines;
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
   AddComments(head.comments, CommentPlace::kLeading, comments);
@@ -193,7 +194,7 @@ void Lowering::BeginStatement(size_t first, size_t end) {
   }
   statement_ = program_.statements.Add({.range = lines,
                                         .comments = std::move(comments),
-                                        .subject = SubjectOf(first, end),
+                                        .subject = is_told ? "" : SubjectOf(first, end),
                                         .id = StatementNumber(first, end),
                                         .line = line});
   builder_.SetRange(head.range);

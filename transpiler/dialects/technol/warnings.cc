@@ -23,7 +23,6 @@ class Warner {
     Mechanisms();
     ControlOwned();
     Requests();
-    PastSymbols();
     SharedByParts();
   }
 
@@ -53,7 +52,6 @@ class Warner {
   void Mechanisms();
   void ControlOwned();
   void Requests();
-  void PastSymbols();
   void SharedByParts();
   bool IsTouched(const Symbol& symbol, bool writes) const;
 
@@ -187,23 +185,6 @@ void Warner::Requests() {
       // The control never clears REQ_PIS_HALT: nothing can wait for its end.
       if (NameOf(*access.operand) != "REQ_PIS_HALT")
         At(access.at, diag::TechnolRequestNotWaited, NameOf(*access.operand));
-    }
-  }
-}
-
-/// TW021: an access of a cell that goes on in the next one.
-void Warner::PastSymbols() {
-  std::set<InstructionId> reported;
-  for (const MemoryAccess& access : accesses_) {
-    const Operand& operand = *access.operand;
-    const Address& address = operand.address;
-    if (operand.kind != OperandKind::kMemory || !address.base.valid()) continue;
-    const Symbol& base = program_.symbols[address.base];
-    if (base.kind != SymbolKind::kCell || base.bytes == 0 || base.bytes >= BytesOf(program_, address.area)) continue;
-    const int64_t end = int64_t{base.offset} + base.bytes;
-    const bool past = address.offset + operand.width / 8 > end;
-    if (past && reported.insert(access.at).second) {
-      At(access.at, diag::TechnolPastSymbol, ToText(program_, operand), base.name);
     }
   }
 }

@@ -8,7 +8,7 @@
 
 namespace plcxx::technol {
 
-/// TW006 to TW009, TW012 to TW014, TW021, TW024, TW025; of a program without errors.
+/// TW006 to TW009, TW012 to TW014, TW024, TW025; of a program without errors.
 void Warn(const Flow& flow, diag::Engine& diagnostics);
 
 }  // namespace plcxx::technol
