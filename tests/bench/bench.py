@@ -25,6 +25,7 @@ QUIET = {
     "nc110": ["W313", "W322", "W351", "W356", "W357", "W358"],
     "prostep": generate_accumulator.ProStep.warnings,
     "host50": generate_accumulator.Host50.warnings,
+    "technol": generate_accumulator.Technol.warnings,
 }
 RUNTIME = ROOT / "runtime_support"
 

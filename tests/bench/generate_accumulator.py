@@ -5,7 +5,7 @@ The mix is that of generate_nc110.py: 58 % coils, 13 % coils with a compare, 10 
 5 % counters, 3.3 contacts a statement on average. A statement is a rung or a sequence. The same number of statements
 always gives the same program.
 
-    generate_accumulator.py prostep|host50 STATEMENTS DIRECTORY [--sliced]
+    generate_accumulator.py prostep|host50|technol STATEMENTS DIRECTORY [--sliced]
 """
 import json
 import pathlib
@@ -197,6 +197,83 @@ static inline void Count(Counter& c, bool v, int32_t preset) {
         return []
 
 
+class Technol:
+    """The main module; timers and counters are words that the program counts, as the language has none."""
+
+    name, extension = "technol", "plc"
+    warnings = ["TW004", "TW006", "TW007", "TW008", "TW009", "TW011", "TW020", "TW025"]
+    bits = [f"B{n}" for n in range(1600)]
+    inputs = [f"I{n}" for n in range(160)]
+    words = [f"W{n}" for n in range(80)]
+    timers, counters, period_ms = 64, 64, 20
+    scan = "period(m, host);"
+    compares = {"<": "LT", "=": "EQ", ">": "GT"}
+
+    def timer_contact(self, n):
+        return f"TO{n}"
+
+    def counter_contact(self, n):
+        return f"CO{n}"
+
+    def data(self):
+        flags = [*self.bits, *self.inputs, "HELP", *(f"{k}{n}" for k in ("TO", "CO", "CE") for n in range(64))]
+        rows = [f"F{i}: DFM {','.join(flags[i : i + 8])}" for i in range(0, len(flags), 8)]
+        return ["DATA", *rows, *(f"{k}: DW 0" for k in [*self.words, *(f"{k}{n}" for k in ("TC", "CC") for n in range(64))]), "DATA_END"]
+
+    def source(self, statements):
+        lines = [*self.data(), "MODULE_INIT", "MODULE_INIT_END", "MODULE_MAIN"]
+        for i, (kind, target, terms, extra) in enumerate(statements):
+            if kind == "compare":
+                lines += [f"LOD WORD.{extra[0]}", f"{self.compares[extra[1]]} CNST.{extra[2]}", "WR HELP"]
+            for k, (op, negated, operand) in enumerate(terms):
+                lines.append(f"{'LDR' if k == 0 else 'LO' if op == '+' else 'LA'} {'-' if negated else ''}{operand}")
+            if kind == "compare":
+                lines.append("LA HELP")
+            if kind in ("coil", "compare"):
+                lines.append(f"WR {target}")
+            elif kind in ("set", "reset"):
+                lines.append(f"FL1 {1 if kind == 'set' else 0},{target}")
+            elif kind == "timer":
+                lines += [f"JL0 Z{i}", f"LOD TC{target}", "AD CNST.1", f"STO TC{target}", f"JUM K{i}"]
+                lines += [f"Z{i}: LOD CNST.0", f"STO TC{target}", f"K{i}: LOD TC{target}", f"GE CNST.{extra}", f"WR TO{target}"]
+            else:
+                lines += ["WR HELP", f"LA -CE{target}", f"JL0 Z{i}", f"LOD CC{target}", "AD CNST.1", f"STO CC{target}"]
+                lines += [f"Z{i}: LDR HELP", f"WR CE{target}", f"LOD CC{target}", f"GE CNST.{extra}", f"WR CO{target}"]
+        lines.append("MODULE_MAIN_END")
+        for module in ("MODULE_FAST", "MODULE_CLEAR", "MODULE_HALT", "PRIPRAVNE_FUNKCE", "ZAVERECNE_FUNKCE"):
+            lines += [module, module + "_END"]
+        return "\n".join([*lines, "STOP"]) + "\n"
+
+    types = """
+struct Timer { uint16_t value; bool output; };
+struct Counter { uint16_t value; bool edge, output; };
+static inline void Delay(Timer& t, bool v, uint32_t preset) {
+  t.value = v ? (uint16_t)(t.value + 1) : 0;
+  t.output = t.value >= preset;
+}
+static inline void Count(Counter& c, bool v, uint32_t preset) {
+  if (v && !c.edge) c.value = (uint16_t)(c.value + 1);
+  c.edge = v;
+  c.output = c.value >= preset;
+}
+"""
+    word_type = "uint16_t"
+
+    def variable(self, operand):
+        if operand.startswith(("TO", "CO")):
+            return f"{operand[0]}{operand[2:]}.output"
+        return operand
+
+    def timer(self, target, text, extra):
+        return f"Delay(T{target}, {text}, {extra}u);"
+
+    def counter(self, target, text, extra):
+        return f"Count(C{target}, {text}, {extra}u);"
+
+    def before_scan(self, timers):
+        return []
+
+
 class Program:
     """Statements as (kind, target, terms, extra); a term is (operator, negated, operand)."""
 
@@ -313,7 +390,7 @@ class Program:
 
 
 def machine_of(dialect, **options):
-    return {"prostep": ProStep, "host50": Host50}[dialect](**options)
+    return {"prostep": ProStep, "host50": Host50, "technol": Technol}[dialect](**options)
 
 
 def write(machine, count, directory):
