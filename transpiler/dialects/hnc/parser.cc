@@ -99,8 +99,14 @@ class Reporter {
     }
     std::ranges::copy(parsed_.output.findings.all(), std::back_inserter(findings));
     std::ranges::stable_sort(findings, {}, &Finding::phase);
+    std::set<Line> divisions;  // a division by zero is also no constant expression
     for (const Finding& finding : findings) {
-      if (!Follows(finding)) Report(finding);
+      if (finding.row.key == diag::HncDivisionByZero.row.key) divisions.insert(LineOf(finding.range));
+    }
+    for (const Finding& finding : findings) {
+      const bool explained =
+          finding.row.key == diag::HncConstantRequired.row.key && divisions.contains(LineOf(finding.range));
+      if (!explained && !Follows(finding)) Report(finding);
     }
   }
 

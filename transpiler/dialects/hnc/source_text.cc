@@ -243,7 +243,8 @@ void Rewriter::IncludeLine() {
   const char close = Peek() == '<' ? '>' : Peek() == '"' ? '"' : '\0';
   if (close == '\0') return;
   const size_t end = text_.find_first_of(std::string{close, '\r', '\n'}, at_ + 1);
-  if (end != std::string_view::npos && text_[end] == close) Copy(end + 1 - at_);
+  if (end == std::string_view::npos || text_[end] != close) return;
+  for (; at_ <= end; ++at_) Put(Peek() == '\\' ? '/' : Peek());
 }
 
 void Rewriter::PragmaLine() {

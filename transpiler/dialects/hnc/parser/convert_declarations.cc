@@ -22,7 +22,13 @@ bool IsFileVariable(const clang::VarDecl* variable) {
 /// The declaration that makes the object; null where there is none.
 const clang::VarDecl* DefinitionOf(const clang::VarDecl* variable) {
   if (const clang::VarDecl* definition = variable->getDefinition()) return definition;
-  return variable->getActingDefinition();
+  const clang::VarDecl* tentative = nullptr;
+  for (const clang::VarDecl* declaration : variable->redecls()) {
+    const bool is_one = declaration->isThisDeclarationADefinition() != clang::VarDecl::DeclarationOnly;
+    const bool first = tentative == nullptr || declaration->getLocation() < tentative->getLocation();
+    if (is_one && first) tentative = declaration;
+  }
+  return tentative;
 }
 
 }  // namespace

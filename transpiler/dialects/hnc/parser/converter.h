@@ -135,6 +135,7 @@ class Converter {
   std::unordered_map<std::string, const clang::NamedDecl*> expected_;  // by name: what the product declares
   std::unordered_set<const clang::RecordDecl*> checked_records_;
   std::unordered_set<std::string> undefined_;  // reported
+  std::unordered_set<std::string> bodies_;     // functions that have one, also where it was refused
 
   std::vector<Call> calls_;  // in the order of the source
   std::vector<LoopBound> loop_bounds_;

@@ -148,6 +148,7 @@ void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroduc
 void Preprocess(Session& session) {
   clang::Preprocessor& preprocessor = session.clang.getPreprocessor();
   preprocessor.addPPCallbacks(std::make_unique<Watcher>(session));
+  preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
   clang::Token token;
   do {
