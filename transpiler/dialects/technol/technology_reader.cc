@@ -203,7 +203,7 @@ class TableReader {
         ReportRowNumber(word);
         SkipToRow();
         // The number of one row was unreadable or missing: what follows is that row or the next one.
-        const bool next = !AtEnd() && NumberOf(words_[next_]) == expected_ + 1;
+        const bool next = AtEnd() || NumberOf(words_[next_]) == expected_ + 1;
         if (next) ++expected_, ++seen_;
         continue;
       }
@@ -214,8 +214,10 @@ class TableReader {
       }
       ++next_;
       if (!TakeItems()) SkipToRow();
-      ++expected_;
-      ++seen_;
+      const uint32_t rows = torn_ ? 2 : 1;  // what followed a torn number has been skipped, too
+      torn_ = false;
+      expected_ += rows;
+      seen_ += rows;
     }
     if (AtEnd()) return;
     const Word& word = words_[next_];
@@ -236,16 +238,17 @@ class TableReader {
       const Word& word = words_[next_];
       if (IsTorn(next_) || IsStrayColon(next_)) {
         ReportRowNumber(word);
-        ++next_;
+        torn_ = IsTorn(next_);
         return false;
       }
       if (!TakeItem(word)) return false;
       ++next_;
     }
     if (AtEnd() || IsRowNumber(words_[next_].text)) return true;
+    if (IsTorn(next_)) return true;  // the next row's, and its fault
     const Word& word = words_[next_];
     const bool last = seen_ + 1 >= table_.rows || expected_ + 1 >= table_.rows;
-    if (IsTorn(next_) || IsStrayColon(next_)) {
+    if (IsStrayColon(next_)) {
       ReportRowNumber(word);
     } else if (IsItem(word.text)) {
       Report(word.range, diag::TechnolTableTooMany, int64_t{expected_}, word.text, int64_t{table_.columns});
@@ -286,6 +289,7 @@ class TableReader {
   size_t next_ = 0;
   uint32_t expected_ = 0;  // the number of the next row
   uint32_t seen_ = 0;      // rows so far
+  bool torn_ = false;      // the number of the next row, in the middle of this one: reported
 };
 
 }  // namespace
