@@ -66,11 +66,11 @@ TEST(TechnolTables, Faults) {
   EXPECT_THAT(TableErrors("$TCH 1 1 2\n1\n1: 1\n"), ElementsAre("2:1 TT006"));
   EXPECT_THAT(TableErrors("$TCH 1 1 2\n0: 1\n01 : 1\n"), ElementsAre("3:1 TT006"));
   EXPECT_THAT(TableErrors("$TCH 1 1 2\n0: 1\n2: 1\n"), ElementsAre("3:1 TT007"));
-  EXPECT_THAT(TableErrors("$TCH 1 2 2\n0: 1\n1: 1\n\n"), ElementsAre("3:1 TT008", "3:1 TT008"));
+  EXPECT_THAT(TableErrors("$TCH 1 2 2\n0: 1\n1: 1\n\n"), ElementsAre("3:1 TT008", "3:4 TT008"));
   EXPECT_THAT(TableErrors("$TCH 1 1 2\n0: 1 2 x\n1: 1 2\n"), ElementsAre("2:6 TT009", "3:6 TT009"));
   EXPECT_THAT(TableErrors("$TCH 1 3 1\n0: 1.2.3 4-5 6\n"), ElementsAre("2:4 TT010")) << "the first fault of a row";
   EXPECT_THAT(TableErrors("$TCH 1 2 2\n0: 1-2\n1: 5 123456\n"), ElementsAre("2:4 TT011", "3:6 TT012"));
-  EXPECT_THAT(TableErrors("$TCH 1 1 3\n0: 1\n1: 2\n"), ElementsAre("3:1 TT013"));
+  EXPECT_THAT(TableErrors("$TCH 1 1 3\n0: 1\n1: 2\n"), ElementsAre("3:4 TT013"));
   EXPECT_THAT(TableErrors("$TCH 1 1 1\n0: 1 x\n"), ElementsAre("2:6 TT014"));
   EXPECT_THAT(TableErrors("$TCH 1 1 1\n0: 1\n1: 1\n"), ElementsAre("3:1 TT014"));
   EXPECT_THAT(TableErrors("$TCH 1 1 1\n0: 1 x:\n"), ElementsAre("2:6 TT006"));

@@ -71,13 +71,12 @@ class TableReader {
   }
   source::Range FirstLine() const { return RangeOf(0, std::min(file_.text.find_first_of("\r\n"), file_.text.size())); }
 
-  /// The last line that is not blank.
-  source::Range LastLine() const {
+  /// The end of the last line that is not blank: behind everything else that is wrong in it.
+  source::Range LastPlace() const {
     const std::string_view text = file_.text;
     size_t end = text.size();
     while (end > 0 && IsBlank(text[end - 1])) --end;
-    const size_t before = text.substr(0, end).find_last_of("\r\n");
-    return RangeOf(before == std::string_view::npos ? 0 : before + 1, end);
+    return RangeOf(end == 0 ? 0 : end - 1, end);
   }
 
   void TakeName() {
@@ -195,7 +194,7 @@ class TableReader {
   void TakeRows() {
     while (seen_ < table_.rows && expected_ < table_.rows) {
       if (AtEnd()) {
-        Report(LastLine(), diag::TechnolTableFewerRows, int64_t{seen_}, int64_t{table_.rows});
+        Report(LastPlace(), diag::TechnolTableFewerRows, int64_t{seen_}, int64_t{table_.rows});
         return;
       }
       const Word& word = words_[next_];
@@ -231,7 +230,7 @@ class TableReader {
   bool TakeItems() {
     for (uint32_t column = 0; column < table_.columns; ++column) {
       if (AtEnd() || IsRowNumber(words_[next_].text)) {
-        Report(AtEnd() ? LastLine() : words_[next_].range, diag::TechnolTableTooFew, int64_t{expected_},
+        Report(AtEnd() ? LastPlace() : words_[next_].range, diag::TechnolTableTooFew, int64_t{expected_},
                int64_t{column}, int64_t{table_.columns});
         return true;  // nothing has to be skipped
       }
