@@ -14,7 +14,6 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr uint32_t kMostErrors = 50;  // 10.2
 
 struct Parsed {
   std::unique_ptr<ProgramFiles> files;
@@ -156,7 +155,6 @@ Unit Parse(dialects::Request& request) {
   if (!IsOneSource(request)) return faulty;
   Parsed parsed = Run(request).Parse(ParseUntil::kTree);
   Reporter(request, parsed).Run();
-  request.diagnostics->LimitErrors(kMostErrors);
   Unit& unit = parsed.output.unit;
   unit.faulty = unit.faulty || request.diagnostics->HasErrors();
   std::set<uint32_t> counted;

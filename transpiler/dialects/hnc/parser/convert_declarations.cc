@@ -69,6 +69,11 @@ void Converter::Declare(const clang::Decl* declaration) {
     CheckMembers(record);
   } else if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(declaration)) {
     for (const clang::EnumConstantDecl* constant : enumeration->enumerators()) {
+      const int64_t value = constant->getInitVal().getExtValue();
+      if (value < -32768 || value > 32767) {
+        findings().Report(NameOf(constant), diag::HncConstantTooLarge, constant->getName());
+        break;  // those behind it follow
+      }
       if (const clang::Expr* init = constant->getInitExpr()) {
         if (!constant->getName().starts_with(kProductPrefix) && HasWildShift(Convert(init))) {
           findings().Report(NameOf(constant), diag::HncConstantRequired, "with a shift count inside the width");

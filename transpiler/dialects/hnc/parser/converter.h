@@ -112,7 +112,6 @@ class Converter {
   source::Range WithSemicolon(source::Range range) const;
   source::Range Head(clang::SourceLocation first, clang::SourceLocation last) const;
   std::optional<LoopBound> BoundBefore(source::Offset place) const;
-  ExprId Condition(const clang::Expr* expr) { return Convert(expr); }
 
   Findings& findings() { return session_.findings(); }
   source::Range RangeOf(const clang::Expr* expr) const { return session_.places.Of(expr->getSourceRange()); }

@@ -44,14 +44,11 @@ const Rule kRules[] = {
     {cd::err_hex_escape_no_digits, &diag::HncEscape, kWords, "\\x without digits"},
     {cd::ext_unknown_escape, &diag::HncEscape, 0},
     {cd::ext_nonstandard_escape, &diag::HncEscape, 0},
-    {cd::ext_enum_value_not_int, &diag::HncConstantTooLarge, kToken},
-    {cd::ext_enumerator_increment_too_large, &diag::HncConstantTooLarge, kToken},
     {cd::err_enumerator_wrapped, &diag::HncConstantTooLarge, kToken},
     // preprocessor
     {cd::err_pp_hash_error, &diag::HncErrorDirective, 0},
     {cd::err_pp_unterminated_conditional, &diag::HncUnterminatedConditional, kWords, "this #if"},
     {cd::err_pp_empty_filename, &diag::HncCannotOpenInclude, kWords, ""},
-    {cd::ext_pp_macro_redef, &diag::HncMacroRedefined, 0},
     {cd::ext_pp_redef_builtin_macro, &diag::HncMacroRedefined, kToken},
     {cd::ext_pp_undef_builtin_macro, &diag::HncMacroRedefined, kToken},
     {cd::err_pp_invalid_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
@@ -232,6 +229,9 @@ bool IsFoundElsewhere(unsigned id) {
     case cd::err_pp_file_not_found_angled_include_not_fatal:
     case cd::err_pp_include_too_deep:
     case cd::warn_pp_undef_identifier:
+    case cd::ext_pp_macro_redef:      // the preprocessor's watcher: blanks do not count
+    case cd::ext_enum_value_not_int:  // enumerators in the tree
+    case cd::ext_enumerator_increment_too_large:
     case cd::ext_typecheck_convert_pointer_int:  // from here: conversions in the tree
     case cd::err_typecheck_convert_pointer_int:
     case cd::ext_typecheck_convert_int_pointer:
