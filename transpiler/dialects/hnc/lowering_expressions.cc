@@ -370,8 +370,16 @@ Address Lowering::RecordAddress(ExprId id) {
       const ValueId condition = Condition(expr.a);
       return SelectAddress(condition, RecordAddress(expr.b), RecordAddress(expr.c));
     }
-    default:
+    case ExprKind::kVariable:
+    case ExprKind::kIndex:
+    case ExprKind::kDereference:
+    case ExprKind::kMember:
       return EvaluateLvalue(id).address;
+    default: {
+      Address refused;
+      refused.reported = true;
+      return refused;
+    }
   }
 }
 

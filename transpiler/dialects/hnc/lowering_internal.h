@@ -195,6 +195,9 @@ class Lowering {
 
   // --- faults and host (lowering_faults.cc) ---
   void AddFaultRoutine();
+  void CallCritical(const std::string& name);
+  ir::PlaceId CriticalFlag();
+  void EndCritical();
   void RecordFault(Fault fault);
   void FaultWhen(ir::ValueId condition, Fault fault);
   ir::HostFunctionId Host(std::string name, std::vector<ir::Parameter> parameters, ir::Type result, std::string comment,
@@ -312,6 +315,8 @@ class Lowering {
   // --- names (lowering_symbols.cc) ---
   void AddSymbols();
   void AddSymbol(const std::string& name, TypeId type, uint32_t offset, const std::vector<ir::Symbol::Index>& indices);
+  std::string AddressText(ObjectId object, uint32_t offset, ir::Type type) const;
+  std::string MeaningOf(const Variable& variable) const;
   void Document();
 
   template <class Body>
@@ -402,7 +407,7 @@ class Lowering {
   std::unordered_set<uint32_t> read_unassigned_;   // likewise: reported
   uint64_t rounds_around_ = 1;
   bool unreachable_reported_ = false;
-  bool critical_ = false;
+  ir::PlaceId critical_flag_;
   size_t next_comment_ = 0;
   dialects::StatementIds statement_ids_;
 
