@@ -35,7 +35,8 @@ std::string CommentText(std::string_view text) {
   if (begin == std::string::npos) return "";
   out.erase(0, begin);
   while (out.back() == ' ') out.pop_back();
-  if (out.back() == '\\') out += '.';  // it would join the next line to the comment
+  // A backslash would join the next line to the comment, and so would the trigraph for one.
+  if (out.back() == '\\' || out.ends_with("?\?/")) out += '.';
   return out;
 }
 
