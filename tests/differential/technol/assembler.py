@@ -242,7 +242,7 @@ class Machine:
 def make(rng):
     """The text of a program and the steps of its scenario."""
     program, _ = Generator(rng).body(rng.randint(3, 25), 0, set())
-    cells = [f"I{r}: DS 4" for r in R32] + [f"O{r}: DS 4" for r in R32] + [f"{c}: DS {w // 8}" for c, w in CELLS.items()]
+    cells = [f"{side}{r}: DS 4" for side in "IO" for r in R32] + [f"{c}: DS {w // 8}" for c, w in CELLS.items()]
     lines = ["        DATA", *cells, "        DATA_END", "        MODULE_MAIN"]
     lines += [f"        MOV {r},I{r}" for r in R32] + text(program) + [f"        MOV O{r},{r}" for r in R32]
     lines += ["        MODULE_MAIN_END", "        STOP", ""]

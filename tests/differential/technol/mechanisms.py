@@ -1,4 +1,4 @@
-"""Random programs of waiting mechanisms, and the state machine of 6.4, 6.7 and 7 that they are, written apart from plcxx.
+"""Random programs of waiting mechanisms, and the state machine of 6.4, 6.7 and 7 that they are, apart from plcxx.
 
 A program is a list of (instruction, operand...); a mechanism inside a module is ("MECH", name). Loops are left by the
 guard, whose limit is small here.
