@@ -85,6 +85,7 @@ TEST(TechnolTables, Options) {
   EXPECT_THAT(table.items, ElementsAre(0x00180520, 0x80005100));
 }
 
+// covers: TECHNOL-195
 TEST(TechnolTables, WrittenBack) {
   EXPECT_EQ(WriteTable(ImageOf(TableOf("popis\n$TCH 1 7 2\n0:1 2 3 4 5 6 -7.5 1: 0 0 0 0 0 0 12345.678")), "popis\n"),
             "popis\n$TCH 1 7 2\n"
