@@ -25,6 +25,7 @@ class Converter {
  private:
   // convert_types.cc
   TypeId TypeOf(clang::QualType type);
+  TypeId Describe(clang::QualType type);
   TypeId Integer(unsigned bits, bool is_signed);
   TypeId Add(Type type);
   RecordId RecordOf(const clang::RecordDecl* record);
@@ -127,6 +128,7 @@ class Converter {
 
   // Only asked, never walked through.
   std::unordered_map<std::string, TypeId> types_;
+  std::unordered_map<const void*, TypeId> known_types_;  // by Clang's type
   std::unordered_map<const clang::RecordDecl*, RecordId> records_;
   std::unordered_map<const clang::VarDecl*, VariableId> variables_;
   std::unordered_map<const clang::FunctionDecl*, FunctionId> functions_;
