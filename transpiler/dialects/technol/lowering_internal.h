@@ -268,6 +268,7 @@ class Lowering {
 
   // --- documentation (lowering_documentation.cc) ---
   void Document();
+  void DocumentErrors();
   std::string CommentText(const Symbol& symbol) const;
 
   const Program& tree_;
