@@ -151,6 +151,7 @@ class Lowering {
   Value Conditional(const Expr& expr);
   Value Assign(ExprId id);
   Value CompoundAssign(ExprId id);
+  void StoreBack(const Lvalue& target, const Value& value);
   Value Increment(ExprId id);
   /// Whether evaluating it does nothing but compute, and cannot fault.
   bool IsSimple(ExprId id) const;
@@ -399,6 +400,7 @@ class Lowering {
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back
   std::unordered_map<uint32_t, bool> annotated_labels_;
+  bool index_is_checked_ = false;  // by the load in front of the store of `+=` and `++`: one access, one fault
   std::string why_unbounded_;
   MacroUseId marked_macro_;    // whose text the last marker shows
   uint32_t statement_id_ = 0;  // for faults
