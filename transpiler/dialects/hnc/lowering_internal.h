@@ -306,7 +306,7 @@ class Lowering {
   void Cycle();
   void FillSchedule();
   void AddDispatcher();
-  ir::RoutineId AddChannelRoutine(std::string name, std::string comment, ir::PlaceId& channel);
+  ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
   ir::PlaceId ChannelWord(Area area, uint32_t word, std::string_view name);
   ir::PlaceId ChannelByte(ir::PlaceId first, const std::string& name);
   void CallHandlers(uint32_t kind, ir::PlaceId channel, const std::function<void()>& otherwise);
