@@ -101,8 +101,6 @@ void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexce
 uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noexcept {
   uint16_t result = 0;
 
-  result = 0;
-
   // if (value < low)
   if (S16(value) < S16(low)) {
     // return low;
@@ -410,8 +408,6 @@ uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   uint16_t d = 0;
   bool both = false;
   bool both_local = false;
-
-  result = 0;
 
   // int d = 0;
   d = 0;
@@ -751,8 +747,6 @@ void axes(State& m, Host& host) noexcept {
 uint16_t speed_percent(State& m, Host&) noexcept {
   uint16_t result = 0;
 
-  result = 0;
-
   // return 50 + 10 * SPEED_SWITCH;
   result = Add16(50, Mul16(10, ShiftRight16(m[X3], 4) & 7));
   return result;
@@ -898,8 +892,6 @@ uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
   uint16_t result = 0;
   uint16_t p = 0;
 
-  result = 0;
-
   // for (p = 0; p < POCKETS; p++)
   p = 0;
   for (; p < 12; p = Add16(p, 1)) {
@@ -987,8 +979,6 @@ void next_step(State& m, uint16_t state, Host&) noexcept {
 uint16_t positive_turn(State& m, Host&) noexcept {
   uint16_t result = 0;
   uint16_t ahead = 0;
-
-  result = 0;
 
   // int ahead = (target_pocket - pocket_in_front + POCKETS) % POCKETS;
   ahead = SignedRem16(Add16(Sub16(m[target_pocket], m[pocket_in_front]), 12), 12);
