@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/parser/product_names.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -318,6 +319,10 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
   std::string text = rule->words;
   if (rule->argument == kToken) text = TokenAt(range);
   if (rule->argument >= 0) text = ArgumentText(info, static_cast<unsigned>(rule->argument));
+  if (text.starts_with(kProductPrefix)) {  // what FilterTokens makes of asm, where no statement can stand
+    session_.findings().Report(range, diag::HncAssembler, "outside a function");
+    return true;
+  }
   const bool system = FindSystemName(text).has_value() || FindSystemFunction(text) != nullptr || text == "plc1_time" ||
                       text == "plc2_time";
   const bool type =
