@@ -14,7 +14,6 @@
 namespace plcxx::hnc {
 namespace {
 
-
 struct Parsed {
   std::unique_ptr<ProgramFiles> files;
   ParserOutput output;
