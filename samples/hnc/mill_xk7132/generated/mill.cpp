@@ -1422,7 +1422,7 @@ void power(State& m, Host& host) noexcept {
   }
 
   // machine_on = ESTOP_OK && !(alarms & ALARM_ESTOP);
-  m[machine_on] = (((m[X4] & 1) != 0) & !((m[alarms] & 1) != 0) ? 1 : 0);
+  m[machine_on] = ((((m[X4] & 1) != 0) & !((m[alarms] & 1) != 0)) ? 1 : 0);
 
   // Y_ENABLE(machine_on)
   if (m[machine_on] != 0) {
@@ -1489,7 +1489,7 @@ void coolant(State& m, Host&) noexcept {
   }
 
   // coolant_on = coolant_wanted && machine_on && !(alarms & ALARM_COOLANT);
-  m[coolant_on] = ((m[coolant_wanted] != 0) & (m[machine_on] != 0) & !((m[alarms] & 0x0010) != 0) ? 1 : 0);
+  m[coolant_on] = (((m[coolant_wanted] != 0) & (m[machine_on] != 0) & !((m[alarms] & 0x0010) != 0)) ? 1 : 0);
 
   // Y_COOLANT(coolant_on)
   if (m[coolant_on] != 0) {
