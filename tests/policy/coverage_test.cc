@@ -27,6 +27,8 @@ TEST(Coverage, EveryRequirementOfNc110) { ExpectCovered("checklist_nc110.txt", 2
 
 TEST(Coverage, EveryRequirementOfTechnol) { ExpectCovered("checklist_technol.txt", 217); }
 
+TEST(Coverage, EveryRequirementOfHnc) { ExpectCovered("checklist_hnc.txt", 362); }
+
 TEST(Coverage, FixtureLacksOne) {
   const Coverage coverage =
       FindCoverage(Fixture("coverage"), "# three\nNC110-001 first\nNC110-002 second\nNC110-004 last\n");

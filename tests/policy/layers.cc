@@ -153,8 +153,7 @@ std::string LibrariesOf(const LayerTable& table, const LayerRow& row) {
       const bool is_file = folder.ends_with(".cc");
       if (RowOf(table, is_file ? folder : folder + "/any.cc") != &row) continue;
       libraries += (libraries.empty() ? " " : ", ") + library.name;
-      const bool is_part = std::ranges::count(folder, '/') > std::ranges::count(row.folder, '/');
-      if (is_part) libraries += " (" + Short(folder) + " only)";
+      if (folder != row.folder) libraries += " (" + Short(folder) + " only)";
     }
   }
   return libraries;

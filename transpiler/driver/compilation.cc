@@ -117,6 +117,10 @@ void Pipeline::Lower() {
   Show("translating");
   dialects::Request request = compilation_.MakeRequest();
   dialects::Lowered lowered = compilation_.dialect->lower(request);
+  // More sources than a program of the language has: the command line is wrong, not the program.
+  compilation_.wrong_use = std::ranges::any_of(compilation_.diagnostics.all(), [](const diag::Diagnostic& diagnostic) {
+    return diagnostic.row->code == diag::HncOneSource.row.code;
+  });
   compilation_.program = std::move(lowered.program);
   compilation_.summary = lowered.summary;
   compilation_.name = request_.name.empty() ? DefaultName(compilation_) : request_.name;

@@ -9,6 +9,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/ir/builder.h"
 
 namespace plcxx::driver {
 namespace {
@@ -57,6 +58,18 @@ UsesByBits CollectUses(const ir::Program& program) {
         (access.kind == checks::AccessKind::kRead ? both.reads : both.writes).push_back(access.range);
       }
     }
+  }
+  // Power-on, what the parts call, and what the host calls are in none of their lists.
+  for (const ir::Routine& routine : program.routines) {
+    using Kind = ir::RoutineKind;
+    if (routine.kind == Kind::kFast || routine.kind == Kind::kSlow || routine.kind == Kind::kSchedule) continue;
+    ir::ForEachInst(program, routine.body, [&](ir::InstId id) {
+      const ir::Inst& inst = program[id];
+      if (inst.op != ir::OpKind::kLoad && inst.op != ir::OpKind::kStore) return;
+      const checks::BitSpan span = numbering.Of(program.places[ir::PlaceId(inst.payload)]);
+      Uses& both = uses[{span.first, span.last}];
+      (inst.op == ir::OpKind::kLoad ? both.reads : both.writes).push_back(inst.range);
+    });
   }
   return uses;
 }

@@ -12,7 +12,8 @@
 namespace plcxx::driver {
 
 /// The events must be the expected calls, in order; of the arguments only those named count. Calls of the regular
-/// exchange do not count, those of a polled function only where the list names the function. None when all is as expected, else both lists in words.
+/// exchange do not count, those of a polled function only where the list names the function. None when all is as
+/// expected, else both lists in words.
 std::optional<std::string> CallsMismatch(const ir::Program& program, const std::vector<PlannedCall>& expected,
                                          const std::vector<sim::HostEvent>& events);
 

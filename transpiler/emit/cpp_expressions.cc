@@ -94,7 +94,9 @@ Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, co
     if (pattern[i] == '{') {
       const auto operand = static_cast<uint32_t>(pattern[i + 1] - '0');
       Spelling inner = Spell(emittable, local_names, ir::ValueId(words[operand]));
-      if (operation && NeedsBrackets(inner.precedence, info.precedence, operand == 0)) {
+      // A choice binds loosest; compilers ask whether its condition was meant to be all that stands before it.
+      const bool condition = operand == 0 && pattern.starts_with("({0} ?") && inner.precedence >= Precedence::kAnd;
+      if (condition || (operation && NeedsBrackets(inner.precedence, info.precedence, operand == 0))) {
         out += '(';
         out += inner.text;
         out += ')';

@@ -21,8 +21,11 @@ std::string CommentText(std::string_view text) {
     if (i + length > text.size()) length = text.size() - i;
     unsigned code = lead < 0x80 ? lead : lead & (0xFFu >> (length + 1));
     for (size_t k = 1; k < length; ++k) code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
+    constexpr unsigned kUndecodable = 0xFFFD;
     if (code == '\t' || code == '\n') {
       out += ' ';
+    } else if (code == kUndecodable) {
+      out += '?';
     } else if (!IsHarmful(code)) {
       out.append(text, i, length);
     }
@@ -32,7 +35,8 @@ std::string CommentText(std::string_view text) {
   if (begin == std::string::npos) return "";
   out.erase(0, begin);
   while (out.back() == ' ') out.pop_back();
-  if (out.back() == '\\') out += '.';  // it would join the next line to the comment
+  // A backslash would join the next line to the comment, and so would the trigraph for one.
+  if (out.back() == '\\' || out.ends_with("?\?/")) out += '.';
   return out;
 }
 

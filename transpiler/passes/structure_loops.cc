@@ -201,7 +201,8 @@ void LoopMaker::Make(const Interval& interval, RegionId outer) {
     const ir::SpaceId space = program.spaces.Add({.name = "resume",
                                                   .title = "where the next round of a loop begins",
                                                   .bytes = ir::Bytes(ir::Type::kI32),
-                                                  .lifetime = ir::Lifetime::kRoutine});
+                                                  .lifetime = ir::Lifetime::kRoutine,
+                                                  .own = true});
     resume = program.places.Add({.name = "resume", .type = ir::Type::kI32, .space = space});
     builder.Store(resume, builder.Constant(ir::Type::kI32, 0));
   }

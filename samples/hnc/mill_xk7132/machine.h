@@ -46,6 +46,8 @@ void watch()
     }
     if (!AIR_OK)
         alarms |= ALARM_AIR;
+    if (!OIL_OK)
+        alarms |= ALARM_OIL;
     if (!COOLANT_OK)
         alarms |= ALARM_COOLANT;
 }
@@ -66,8 +68,6 @@ void lubrication()
     static unsigned char pumping = 1;
     unsigned limit;
 
-    if (scans_read == 2 && !OIL_OK)
-        alarms |= ALARM_OIL;
     if (!machine_on) {
         Y_LUBE(0);
         clr_y(0, 7);

@@ -73,6 +73,7 @@ ProgramFiles::ProgramFiles(dialects::Request& request, const Settings& settings)
   main_folder_ = path.substr(0, name);
   main_name_ = path.substr(name);
   auto text = std::make_unique<SourceText>(Rewrite(*request.sources, file));
+  ApplyLineDirectives(*request.sources, *text);
   main_ = text.get();
   texts_.emplace(path, std::move(text));
   known_.emplace(std::string(kMainFolder) + "/" + main_name_, main_);
@@ -134,7 +135,9 @@ const SourceText* ProgramFiles::OpenBelow(const std::string& folder, const std::
     request_.diagnostics->Report({}, diag::CannotReadSource, found, error.detail);
     return nullptr;
   }
-  return texts_.emplace(found, std::make_unique<SourceText>(Rewrite(*request_.sources, *file))).first->second.get();
+  auto text = std::make_unique<SourceText>(Rewrite(*request_.sources, *file));
+  ApplyLineDirectives(*request_.sources, *text);
+  return texts_.emplace(found, std::move(text)).first->second.get();
 }
 
 }  // namespace plcxx::hnc

@@ -71,6 +71,7 @@ const dialects::Dialect kHnc = {
     .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
                              diag::Engine&) {},
     .lints = {},
+    .takes_macros = true,
 };
 
 }  // namespace plcxx::hnc

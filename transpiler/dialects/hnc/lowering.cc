@@ -117,7 +117,6 @@ void Lowering::BeginLocals(const Function& function) {
     const ir::Type type = program_.places[copied->second].type;
     builder_.Store(PlaceAt(objects_.OfVariable(id), 0, type), builder_.Load(copied->second));
   }
-  if (result_.valid()) zero(result_, 0);
   for (const VariableId id : function.locals) {
     const Variable& variable = unit_.variables[id];
     if (variable.storage != Storage::kAutomatic) continue;
@@ -178,6 +177,10 @@ void Lowering::LowerFunction(FunctionId id) {
   const bool falls_off = flow_.reachable;
   if (falls_off) LeaveFunction();
   PlaceLabel(end_label_);
+  if (falls_off && result_.valid()) {
+    builder_.SetRegion(prologue);
+    builder_.Store(result_, builder_.Constant(program_.places[result_].type, 0));
+  }
   const bool entry = id == unit_.init || id == unit_.plc1 || id == unit_.plc2;
   const bool gives = TypeAt(function.result).kind != TypeKind::kVoid;
   if (falls_off && gives && !entry) diagnostics_.Report(function.range, diag::HncNoReturnValue, function.name);

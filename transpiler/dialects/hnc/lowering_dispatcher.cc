@@ -70,7 +70,7 @@ ir::PlaceId Lowering::ChannelByte(ir::PlaceId first, const std::string& name) {
   return place;
 }
 
-ir::RoutineId Lowering::AddChannelRoutine(std::string name, std::string comment, ir::PlaceId& channel) {
+ir::RoutineId Lowering::AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel) {
   const ir::RoutineId id = AddRoutine(name, ir::RoutineKind::kSubroutine, std::move(comment));
   locals_ =
       program_.spaces.Add({.name = name, .title = "", .bytes = 0, .lifetime = ir::Lifetime::kRoutine, .own = true});

@@ -298,6 +298,13 @@ Value Lowering::Assign(ExprId id) {
   return target.bit_field != nullptr ? LoadBitField(target) : value;
 }
 
+/// Into the place that has just been loaded.
+void Lowering::StoreBack(const Lvalue& target, const Value& value) {
+  index_is_checked_ = true;
+  Store(target, value);
+  index_is_checked_ = false;
+}
+
 Value Lowering::CompoundAssign(ExprId id) {
   const Expr& expr = ExprAt(id);
   if (TypeAt(expr.type).kind == TypeKind::kPointer) {
@@ -309,7 +316,7 @@ Value Lowering::CompoundAssign(ExprId id) {
   Value left = Load(target);
   if (expr.computation.valid()) left = Convert(left, expr.computation);
   const Value result = Convert(Binary(expr.binary, left, right, expr), target.type);
-  Store(target, result);
+  StoreBack(target, result);
   return target.bit_field != nullptr ? LoadBitField(target) : result;
 }
 
@@ -330,7 +337,7 @@ Value Lowering::Increment(ExprId id) {
     after = Convert(Binary(up ? BinaryOp::kAdd : BinaryOp::kSubtract, Convert(before, wide), Number(1, wide), expr),
                     target.type);
   }
-  Store(target, after);
+  StoreBack(target, after);
   return returns_new ? (target.bit_field != nullptr ? LoadBitField(target) : after) : before;
 }
 
@@ -370,8 +377,16 @@ Address Lowering::RecordAddress(ExprId id) {
       const ValueId condition = Condition(expr.a);
       return SelectAddress(condition, RecordAddress(expr.b), RecordAddress(expr.c));
     }
-    default:
+    case ExprKind::kVariable:
+    case ExprKind::kIndex:
+    case ExprKind::kDereference:
+    case ExprKind::kMember:
       return EvaluateLvalue(id).address;
+    default: {
+      Address refused;
+      refused.reported = true;
+      return refused;
+    }
   }
 }
 

@@ -23,6 +23,28 @@ ir::HostFunctionId Lowering::Host(std::string name, std::vector<ir::Parameter> p
   return id;
 }
 
+void Lowering::CallCritical(const std::string& name) {
+  const bool enters = name == "critical_enter";
+  builder_.CallHost(Host(name, {}, ir::Type::kNone,
+                         enters ? "asm cli: nothing may interrupt from here on."
+                                : "asm sti, or the end of a part that has not executed one."),
+                    {});
+}
+
+/// Set from `asm cli` to `asm sti`, or to the end of the part (6.8).
+ir::PlaceId Lowering::CriticalFlag() {
+  if (!critical_flag_.valid()) critical_flag_ = AddScalar("critical", ir::Type::kBit);
+  return critical_flag_;
+}
+
+void Lowering::EndCritical() {
+  if (!critical_flag_.valid()) return;
+  When(builder_.Load(critical_flag_), [&] {
+    builder_.Store(critical_flag_, builder_.Bit(0));
+    CallCritical("critical_leave");
+  });
+}
+
 void Lowering::AddFaultRoutine() {
   fault_code_ = AddScalar("fault_code", ir::Type::kI8);
   fault_statement_ = AddScalar("fault_statement", ir::Type::kI32);
@@ -58,11 +80,15 @@ void Lowering::AddFaultRoutine() {
 }
 
 void Lowering::RecordFault(Fault fault) {
+  if (index_is_checked_ && fault == Fault::kIndex) return;
   builder_.CallRoutine(fault_, {builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(fault)),
                                 builder_.Constant(ir::Type::kI32, statement_id_, 16)});
 }
 
 void Lowering::FaultWhen(ValueId condition, Fault fault) {
+  if (index_is_checked_ && fault == Fault::kIndex) return;
+  const ir::Inst& inst = program_[condition];
+  if (inst.op == ir::OpKind::kConst && inst.a == 0) return;
   When(condition, [&] { RecordFault(fault); });
 }
 

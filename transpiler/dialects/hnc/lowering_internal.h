@@ -151,6 +151,7 @@ class Lowering {
   Value Conditional(const Expr& expr);
   Value Assign(ExprId id);
   Value CompoundAssign(ExprId id);
+  void StoreBack(const Lvalue& target, const Value& value);
   Value Increment(ExprId id);
   /// Whether evaluating it does nothing but compute, and cannot fault.
   bool IsSimple(ExprId id) const;
@@ -195,6 +196,9 @@ class Lowering {
 
   // --- faults and host (lowering_faults.cc) ---
   void AddFaultRoutine();
+  void CallCritical(const std::string& name);
+  ir::PlaceId CriticalFlag();
+  void EndCritical();
   void RecordFault(Fault fault);
   void FaultWhen(ir::ValueId condition, Fault fault);
   ir::HostFunctionId Host(std::string name, std::vector<ir::Parameter> parameters, ir::Type result, std::string comment,
@@ -302,7 +306,7 @@ class Lowering {
   void Cycle();
   void FillSchedule();
   void AddDispatcher();
-  ir::RoutineId AddChannelRoutine(std::string name, std::string comment, ir::PlaceId& channel);
+  ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
   ir::PlaceId ChannelWord(Area area, uint32_t word, std::string_view name);
   ir::PlaceId ChannelByte(ir::PlaceId first, const std::string& name);
   void CallHandlers(uint32_t kind, ir::PlaceId channel, const std::function<void()>& otherwise);
@@ -312,6 +316,8 @@ class Lowering {
   // --- names (lowering_symbols.cc) ---
   void AddSymbols();
   void AddSymbol(const std::string& name, TypeId type, uint32_t offset, const std::vector<ir::Symbol::Index>& indices);
+  std::string AddressText(ObjectId object, uint32_t offset, ir::Type type) const;
+  std::string MeaningOf(const Variable& variable) const;
   void Document();
 
   template <class Body>
@@ -394,6 +400,7 @@ class Lowering {
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back
   std::unordered_map<uint32_t, bool> annotated_labels_;
+  bool index_is_checked_ = false;  // by the load in front of the store of `+=` and `++`: one access, one fault
   std::string why_unbounded_;
   MacroUseId marked_macro_;    // whose text the last marker shows
   uint32_t statement_id_ = 0;  // for faults
@@ -402,7 +409,7 @@ class Lowering {
   std::unordered_set<uint32_t> read_unassigned_;   // likewise: reported
   uint64_t rounds_around_ = 1;
   bool unreachable_reported_ = false;
-  bool critical_ = false;
+  ir::PlaceId critical_flag_;
   size_t next_comment_ = 0;
   dialects::StatementIds statement_ids_;
 

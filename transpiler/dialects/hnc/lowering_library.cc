@@ -70,6 +70,10 @@ ValueId Lowering::RoomBehind(const Address& address) {
   const ValueId offset = OffsetOf(address);
   const auto room_in = [&](ObjectId object) {
     const auto size = static_cast<uint32_t>(objects_[object].size);
+    if (!address.index.valid() && !address.is_null) {
+      const bool inside = address.base >= 0 && address.base <= size;
+      return Long(inside ? size - static_cast<uint32_t>(address.base) : 0);
+    }
     const ValueId outside = Pure(OpKind::kGreater32, {offset, Long(size)});
     return Pure(OpKind::kSelect32, {outside, Long(0), Pure(OpKind::kSub32, {Long(size), offset})});
   };
@@ -121,12 +125,18 @@ Lowering::CallResult Lowering::MemoryFunction(const Expr& expr) {
     builder_.Store(place, value);
     return place;
   };
+  const auto is_constant = [this](ValueId value) { return program_[value].op == OpKind::kConst; };
   const auto shorter = [&](ValueId a, ValueId b) {
+    if (is_constant(a) && is_constant(b)) return program_[a].a <= program_[b].a ? a : b;
     return Pure(OpKind::kSelect32, {Pure(OpKind::kGreater32, {a, b}), b, a});
   };
   ValueId length = shorter(wanted, RoomBehind(to));
   if (!sets) length = shorter(length, RoomBehind(from));
-  FaultWhen(Pure(OpKind::kNotEqual32, {length, wanted}), Fault::kIndex);
+  if (is_constant(length) && is_constant(wanted)) {
+    if (program_[length].a != program_[wanted].a) RecordFault(Fault::kIndex);
+  } else {
+    FaultWhen(Pure(OpKind::kNotEqual32, {length, wanted}), Fault::kIndex);
+  }
   const ir::PlaceId count = keep("length", length), at = AddLocal("at", ir::Type::kI32);
   const auto kept = [&](const Address& address, std::string name) {
     const ir::PlaceId offset = keep(std::move(name), OffsetOf(address));

@@ -363,7 +363,7 @@ ir::PlaceId Lowering::PlaceAt(ObjectId object, uint32_t offset, ir::Type type) {
   const std::string own = NameOfCell(object, offset, type);
   const auto named = cell_names_.find({object.index, offset});
   place = program_.places.Add({.name = named == cell_names_.end() ? own : named->second,
-                               .address = own,
+                               .address = AddressText(object, offset, type),
                                .type = type,
                                .space = object_space_[object.index],
                                .offset = object_begin_[object.index] + offset});

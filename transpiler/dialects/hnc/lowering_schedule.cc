@@ -87,9 +87,11 @@ void Lowering::AddScheduleRoutines() {
   builder_.SetRegion(program_.routines[fast_].body);
   for (uint32_t c = 0; c < 4; ++c) builder_.CallRoutine(dispatch_, {Long(c)});
   CallEntry(unit_.plc1);
+  EndCritical();
   slow_ = AddRoutine("slow", ir::RoutineKind::kSlow, "The slow part: plc2().");
   builder_.SetRegion(program_.routines[slow_].body);
   CallEntry(unit_.plc2);
+  EndCritical();
   if (stop_.valid()) AddStandstill();
   cycle_ = AddRoutine("cycle", ir::RoutineKind::kSchedule,
                       "One base cycle: call it every " + std::to_string(settings_.base_cycle_ms) +
@@ -152,7 +154,10 @@ void Lowering::Cycle() {
   When(Pure(OpKind::kBitNot, {builder_.Load(started_)}), [&] {
     builder_.Store(started_, builder_.Bit(1));
     Parameters();
-    WhenRunning([&] { CallEntry(unit_.init); });
+    WhenRunning([&] {
+      CallEntry(unit_.init);
+      EndCritical();
+    });
     builder_.Store(next_fast_, now());
     builder_.Store(next_slow_, now());
   });

@@ -207,10 +207,8 @@ void Lowering::Lower(StatementId id, bool last) {
       Mark(id, statement.range, false);
       const bool enters = statement.kind == StatementKind::kCriticalEnter;
       flow_.critical = enters ? std::optional(statement.range) : std::nullopt;
-      builder_.CallHost(Host(enters ? "critical_enter" : "critical_leave", {}, ir::Type::kNone,
-                             enters ? "asm cli: nothing may interrupt; ends with the part at the latest."
-                                    : "asm sti: the end of what nothing may interrupt."),
-                        {});
+      builder_.Store(CriticalFlag(), builder_.Bit(enters ? 1 : 0));
+      CallCritical(enters ? "critical_enter" : "critical_leave");
       return;
     }
   }

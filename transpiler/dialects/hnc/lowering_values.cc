@@ -124,6 +124,9 @@ ValueId Lowering::Narrow8(ValueId value) {
       return both(OpKind::kOr8);
     case OpKind::kXor16:
       return both(OpKind::kXor8);
+    case OpKind::kSelect16:
+      if (!is_narrow(inst.b) || !is_narrow(inst.c)) break;
+      return Pure(OpKind::kSelect8, {ValueId(inst.a), Narrow8(ValueId(inst.b)), Narrow8(ValueId(inst.c))});
     case OpKind::kNot16:
       return Pure(OpKind::kNot8, {Narrow8(ValueId(inst.a))});
     case OpKind::kAdd16:

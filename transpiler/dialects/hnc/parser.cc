@@ -14,8 +14,6 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr uint32_t kMostErrors = 50;  // 10.2
-
 struct Parsed {
   std::unique_ptr<ProgramFiles> files;
   ParserOutput output;
@@ -99,8 +97,14 @@ class Reporter {
     }
     std::ranges::copy(parsed_.output.findings.all(), std::back_inserter(findings));
     std::ranges::stable_sort(findings, {}, &Finding::phase);
+    std::set<Line> divisions;  // a division by zero is also no constant expression
     for (const Finding& finding : findings) {
-      if (!Follows(finding)) Report(finding);
+      if (finding.row.key == diag::HncDivisionByZero.row.key) divisions.insert(LineOf(finding.range));
+    }
+    for (const Finding& finding : findings) {
+      const bool explained =
+          finding.row.key == diag::HncConstantRequired.row.key && divisions.contains(LineOf(finding.range));
+      if (!explained && !Follows(finding)) Report(finding);
     }
   }
 
@@ -150,7 +154,6 @@ Unit Parse(dialects::Request& request) {
   if (!IsOneSource(request)) return faulty;
   Parsed parsed = Run(request).Parse(ParseUntil::kTree);
   Reporter(request, parsed).Run();
-  request.diagnostics->LimitErrors(kMostErrors);
   Unit& unit = parsed.output.unit;
   unit.faulty = unit.faulty || request.diagnostics->HasErrors();
   std::set<uint32_t> counted;

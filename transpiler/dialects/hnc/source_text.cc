@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
 #include <optional>
 
@@ -143,6 +144,7 @@ class Rewriter {
   void RestOfLine();
   void IncludeLine();
   void PragmaLine();
+  void LineLine();
   void LineComment();
   void BlockComment();
   void KeepComment(size_t begin);
@@ -227,6 +229,7 @@ void Rewriter::Directive() {
   if (name == "error") return RestOfLine();
   if (name == "include") return IncludeLine();
   if (name == "pragma") return PragmaLine();
+  if (name == "line") return LineLine();
 }
 
 /// Free text up to the end of the logical line or a comment.
@@ -243,7 +246,8 @@ void Rewriter::IncludeLine() {
   const char close = Peek() == '<' ? '>' : Peek() == '"' ? '"' : '\0';
   if (close == '\0') return;
   const size_t end = text_.find_first_of(std::string{close, '\r', '\n'}, at_ + 1);
-  if (end != std::string_view::npos && text_[end] == close) Copy(end + 1 - at_);
+  if (end == std::string_view::npos || text_[end] != close) return;
+  for (; at_ <= end; ++at_) Put(Peek() == '\\' ? '/' : Peek());
 }
 
 void Rewriter::PragmaLine() {
@@ -255,6 +259,23 @@ void Rewriter::PragmaLine() {
   const size_t key = words.find("-K", option);
   if (key == std::string_view::npos || IsWord(key + 2 < words.size() ? words[key + 2] : ' ')) return;
   out_.unsigned_char = true;
+}
+
+/// #line number "name"; what has another form is the C parser's to refuse.
+void Rewriter::LineLine() {
+  constexpr uint32_t kMostLines = 100000;
+  const size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  std::string_view words = text_.substr(at_, end - at_);
+  words.remove_prefix(std::min(words.find_first_not_of(" \t"), words.size()));
+  SourceText::LineDirective directive;
+  const auto read = std::from_chars(words.data(), words.data() + words.size(), directive.line);
+  if (read.ec != std::errc{} || directive.line == 0 || directive.line > kMostLines) return;
+  const size_t open = words.find('"');
+  const size_t close = open == std::string_view::npos ? open : words.find('"', open + 1);
+  if (close != std::string_view::npos) directive.name = words.substr(open + 1, close - open - 1);
+  const size_t line_end = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
+  directive.at = static_cast<uint32_t>(std::min(line_end, text_.size()));
+  out_.line_directives.push_back(std::move(directive));
 }
 
 void Rewriter::KeepComment(size_t begin) {
@@ -430,6 +451,25 @@ void Rewriter::CharacterConstant() {
 
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file) {
   return Rewriter(sources.Get(file), file).Run();
+}
+
+void ApplyLineDirectives(source::SourceManager& sources, SourceText& text) {
+  const std::string original = sources.Get(text.file).text;
+  std::string name = sources.Get(text.file).path;
+  for (size_t i = 0; i < text.line_directives.size(); ++i) {
+    const SourceText::LineDirective& directive = text.line_directives[i];
+    if (!directive.name.empty()) name = directive.name;
+    const bool last = i + 1 == text.line_directives.size();
+    const size_t end = last ? original.size() : text.line_directives[i + 1].at;
+    const uint32_t before = directive.line - 1;
+    const source::FileId shown =
+        sources.AddText(name, std::string(before, '\n') + original.substr(directive.at, end - directive.at));
+    text.moved.push_back({text.base + directive.at, sources.Get(shown).base + before});
+  }
+  if (text.moved.empty()) return;
+  const auto move = [&](source::Range& range) { range = {text.Shown(range.begin), text.Shown(range.end)}; };
+  for (Comment& comment : text.comments) move(comment.range);
+  for (Finding& finding : text.findings.all()) move(finding.range);
 }
 
 SourceText ProductText(std::string name, std::string text) {

@@ -24,6 +24,17 @@ struct SourceText {
     uint32_t original = 0;  // the byte of the file's text that stands there; bytes behind it follow one by one
   };
 
+  /// #line: what follows shows as another file, or as other lines.
+  struct LineDirective {
+    uint32_t at = 0;    // the beginning of the next line, in the file's text
+    uint32_t line = 1;  // its number
+    std::string name;   // empty: the same file
+  };
+  struct Moved {
+    source::Offset from = 0;  // in the file
+    source::Offset to = 0;    // where it shows
+  };
+
   source::FileId file;      // none: a header of the product
   source::Offset base = 0;  // of the file's text
   source::Offset size = 0;  // of the file's text
@@ -31,12 +42,19 @@ struct SourceText {
   std::string text;
   std::vector<Stretch> map;  // by place; the first is {0, 0}
   std::vector<Comment> comments;
-  Findings findings;           // they count only outside groups that are left out
+  Findings findings;  // they count only outside groups that are left out
+  std::vector<LineDirective> line_directives;
+  std::vector<Moved> moved;    // by place; empty without #line
   bool unsigned_char = false;  // #pragma option -K
 
   /// The place in the file for a byte of `text`; 0 in a header of the product.
   source::Offset Original(uint32_t at) const;
+  /// Where a place of the file shows.
+  source::Offset Shown(source::Offset place) const;
 };
+
+/// Makes places behind a #line show as it says: as places of a text with that name and those lines (2.7).
+void ApplyLineDirectives(source::SourceManager& sources, SourceText& text);
 
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file);
 /// A header of the product: nothing to rewrite, no places.

@@ -30,7 +30,7 @@ using VariableId = support::Id<struct VariableTag>;
 using FunctionId = support::Id<struct FunctionTag>;
 using LabelId = support::Id<struct LabelTag>;
 using ExprId = support::Id<struct ExprTag>;
-using StatementId = support::Id<struct StatementTag>;
+using StatementId = support::Id<struct SourceStatementTag>;
 using MacroId = support::Id<struct MacroTag>;
 using MacroUseId = support::Id<struct MacroUseTag>;
 

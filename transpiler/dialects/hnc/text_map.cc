@@ -13,7 +13,12 @@ source::Offset SourceText::Original(uint32_t at) const {
   uint32_t original = stretch.original + (at - stretch.at);
   // Within something that was rewritten: no further than what stands behind it.
   if (next != map.end()) original = std::min(original, next->original);
-  return base + std::min(original, size);
+  return Shown(base + std::min(original, size));
+}
+
+source::Offset SourceText::Shown(source::Offset place) const {
+  const auto next = std::ranges::upper_bound(moved, place, {}, &Moved::from);
+  return next == moved.begin() ? place : std::prev(next)->to + (place - std::prev(next)->from);
 }
 
 std::string LiteralBytes(std::string_view bytes) {

@@ -142,41 +142,44 @@ std::optional<ir::Place> MechanismPlace(const ir::Program& program, std::string_
   return folded;
 }
 
-}  // namespace
+/// Bits and cells; none where it is not wholly inside its area.
+std::optional<ir::Place> MemoryPlace(const ir::Program& program, std::string_view text, Area area, int64_t offset,
+                                     uint32_t width, uint8_t bit) {
+  const ir::SpaceId space = Memory(program)[area];
+  const uint32_t bytes = bit == ir::kNoBit ? width / 8 : 1;
+  if (bytes == 0 || !space.valid() || offset < 0 || offset + bytes > program.spaces[space].bytes) return std::nullopt;
+  const ir::Type cell = width == 8 ? ir::Type::kI8 : width == 16 ? ir::Type::kI16 : ir::Type::kI32;
+  return ir::Place{.name = std::string(text),
+                   .type = bit == ir::kNoBit ? cell : ir::Type::kBit,
+                   .space = space,
+                   .offset = static_cast<uint32_t>(offset),
+                   .bit = bit};
+}
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
-  dialects::Location location;
-  if (const auto thing = FindName(program, text)) {
-    if (thing->kind == SymbolKind::kMechanism) {
-      const std::optional<ir::Place> place = MechanismPlace(program, text);
-      if (!place) return std::nullopt;
-      location.place = *place;
-      return location;
-    }
-    if (thing->kind == SymbolKind::kBit) {
-      location.place = {.name = std::string(text),
-                        .type = ir::Type::kBit,
-                        .space = Memory(program)[thing->area],
-                        .offset = static_cast<uint32_t>(thing->offset),
-                        .bit = thing->bit};
-      return location;
-    }
+std::optional<ir::Place> PlaceOf(const ir::Program& program, std::string_view text) {
+  auto thing = FindName(program, text);
+  if (thing && thing->kind == SymbolKind::kMechanism) return MechanismPlace(program, text);
+  if (!thing) thing = ReadDocumentedAddress(text);
+  if (thing && thing->kind == SymbolKind::kBit) {
+    return MemoryPlace(program, text, thing->area, thing->offset, 1, thing->bit);
+  }
+  if (thing && thing->kind == SymbolKind::kCell) {
+    return MemoryPlace(program, text, thing->area, thing->offset, thing->width, ir::kNoBit);
   }
   AddressReader reader(program, text);
   const std::optional<uint8_t> prefix = reader.TakePrefix();
   const std::optional<Read> read = reader.Whole();
   if (!read) return std::nullopt;
-  const uint32_t width = prefix.value_or(read->width);
-  const ir::SpaceId space = Memory(program)[read->area];
-  if (width == 0 || !space.valid() || read->offset < 0 || read->offset + width / 8 > program.spaces[space].bytes) {
-    return std::nullopt;
-  }
-  location.place = {.name = std::string(text),
-                    .type = width == 8    ? ir::Type::kI8
-                            : width == 16 ? ir::Type::kI16
-                                          : ir::Type::kI32,
-                    .space = space,
-                    .offset = static_cast<uint32_t>(read->offset)};
+  return MemoryPlace(program, text, read->area, read->offset, prefix.value_or(read->width), ir::kNoBit);
+}
+
+}  // namespace
+
+std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
+  std::optional<ir::Place> place = PlaceOf(program, text);
+  if (!place) return std::nullopt;
+  dialects::Location location;
+  location.place = *std::move(place);
   return location;
 }
 

@@ -150,6 +150,7 @@ void Lowering::FindLeaving() {
           if (edge == Edge::kJump && to.index <= id.index) body.loops = true;
         });
         if (instruction.op != Op::kCall) continue;
+        body.calls = true;
         const Body& callee = bodies_[body_of_subprogram_[*flow_.CalleeOf(instruction)]];
         body.leaves |= callee.leaves;
         body.loops |= callee.loops;

@@ -6,7 +6,6 @@
 
 namespace plcxx::technol {
 
-using ir::OpKind;
 using ir::Type;
 using ir::ValueId;
 

@@ -204,7 +204,7 @@ void Lowering::Execute(InstructionId id) {
 }
 
 void Lowering::CallMechanism(const Body& body) {
-  const bool shares_rounds = body_ != nullptr && body_->loops && body.loops;
+  const bool shares_rounds = body_ != nullptr && body_->loops && body.loops && body_->calls && body.calls;
   const auto run = [&] {
     if (!shares_rounds) {
       builder_.CallRoutine(body.routine, {});

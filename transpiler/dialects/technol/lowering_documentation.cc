@@ -34,6 +34,29 @@ void Lowering::Document() {
     }
     program_.documentation.push_back(std::move(row));
   }
+  DocumentErrors();
+}
+
+/// The numbers of all ESETs, with where they stand (9.5).
+void Lowering::DocumentErrors() {
+  std::map<std::pair<int64_t, int64_t>, std::string> errors;
+  for (const Instruction& instruction : tree_.instructions) {
+    if (instruction.op != Op::kEset) continue;
+    const int64_t sub = instruction.operands.count > 1 ? tree_.OperandOf(instruction, 1).value : 0;
+    const source::Position place = sources_.Locate(instruction.range.begin);
+    const std::string_view path = sources_.Get(place.file).path;
+    std::string& places = errors[{tree_.OperandOf(instruction, 0).value, sub}];
+    places += (places.empty() ? "" : ", ") + std::string(path.substr(path.find_last_of("/\\") + 1)) + ":" +
+              std::to_string(place.line);
+  }
+  for (const auto& [numbers, places] : errors) {
+    program_.documentation.push_back(
+        {.address = "ESET " + std::to_string(numbers.first) + "," + std::to_string(numbers.second),
+         .symbols = {},
+         .predefined = {},
+         .meaning = places,
+         .help = {}});
+  }
 }
 
 }  // namespace plcxx::technol

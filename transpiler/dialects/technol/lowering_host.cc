@@ -225,8 +225,7 @@ ValueId Lowering::ValidNcTable() {
         CellPlace(Area::kSetNctab, offset, width == 8 ? Type::kI8 : Type::kI32, "SET_NCTAB_" + std::string(name)));
   };
   const auto is = [&](ValueId value, uint64_t wanted) { return Pure(OpKind::kEqual8, {value, Byte(wanted)}); };
-  const auto within = [&](ValueId value, uint64_t low, uint64_t high) {
-    const ValueId wide = ToWidth(value, 32);
+  const auto within = [&](ValueId wide, uint64_t low, uint64_t high) {
     const ValueId below = Pure(OpKind::kLessEqual32, {wide, Number(high)});
     if (low == 0) return below;
     return Pure(OpKind::kBitAnd, {Pure(OpKind::kGreaterEqual32, {wide, Number(low)}), below});
@@ -234,16 +233,17 @@ ValueId Lowering::ValidNcTable() {
   const auto both = [&](ValueId a, ValueId b) { return Pure(OpKind::kBitAnd, {a, b}); };
   const ValueId version = field("NCTAB_VERZE", 8), mode = field("NCTAB_MOD", 8), table = field("NCTAB_TAB", 8),
                 column = field("NCTAB_SLOUPEC", 8), row = field("NCTAB_RADEK", 8), data = field("NCTAB_DATA", 32);
+  const ValueId wide_column = ToWidth(column, 32), wide_row = ToWidth(row, 32);
   ValueId place;
   for (const NcTable& known : kNcTables) {
-    const ValueId fits = both(is(table, known.number),
-                              both(within(column, 1, known.last_column), within(row, known.first_row, known.last_row)));
+    const ValueId fits = both(is(table, known.number), both(within(wide_column, 1, known.last_column),
+                                                            within(wide_row, known.first_row, known.last_row)));
     place = place.valid() ? Pure(OpKind::kBitOr, {place, fits}) : fits;
   }
   const ValueId digits = Pure(OpKind::kAnd32, {data, builder_.Constant(Type::kI32, 0x7FFFFFFF, 16)});
   const ValueId numbers = Not(Pure(OpKind::kHasNoDigit32, {digits}));
   nc_table_arguments_ = {version, mode, table, column, row, data};
-  return both(both(is(version, 1), within(mode, 0, 1)), both(place, numbers));
+  return both(both(is(version, 1), within(ToWidth(mode, 32), 0, 1)), both(place, numbers));
 }
 
 /// Behind the outputs: each request that stands is given its data and asked for (8.2).

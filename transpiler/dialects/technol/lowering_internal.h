@@ -57,6 +57,7 @@ struct Body {
   bool stretches_are_cases = false;
   std::optional<InstructionId> tail;
   ir::PlaceId entry;    // which subprogram is called, where there are several
+  bool calls = false;   // subprograms, with which it shares its registers
   bool leaves = false;  // may leave all routines at once, by a refused jump or a trap
   bool loops = false;   // it, or what it calls, jumps backward
   uint32_t level = 0;   // of subprograms: as Subprogram::level
@@ -232,6 +233,7 @@ class Lowering {
   };
   Bounds32 BoundsOf(ir::ValueId value) const;
   ir::PlaceId AddLocal(std::string name, ir::Type type);
+  /// A register or what else lives as long as the routine that is lowered, and the subprograms that it calls.
   ir::PlaceId Local(std::string_view name, ir::Type type);
 
   ir::ValueId Constant(uint64_t value, uint32_t width, uint32_t base = 10);
@@ -266,6 +268,7 @@ class Lowering {
 
   // --- documentation (lowering_documentation.cc) ---
   void Document();
+  void DocumentErrors();
   std::string CommentText(const Symbol& symbol) const;
 
   const Program& tree_;
@@ -300,10 +303,10 @@ class Lowering {
 
   std::map<std::tuple<Area, uint32_t, ir::Type, uint8_t>, ir::PlaceId> places_;
   std::map<std::tuple<Area, uint32_t, ir::Type>, ir::PlaceId> indexed_;
-  std::map<uint32_t, ir::PlaceId> steps_, activations_;          // by UnitId
-  std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;  // by UnitId and number
-  std::map<std::string, ir::PlaceId, std::less<>> locals_;       // by name
-  uint32_t step_bytes_ = 0, local_count_ = 0;
+  std::map<uint32_t, ir::PlaceId> steps_, activations_;             // by UnitId
+  std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;     // by UnitId and number
+  std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
+  uint32_t step_bytes_ = 0, local_count_ = 0, own_count_ = 0;
   std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
   std::vector<ir::ValueId> nc_table_arguments_;  // of set_nc_table
   ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;

@@ -215,9 +215,15 @@ ir::PlaceId Lowering::AddLocal(std::string name, Type type) {
 }
 
 ir::PlaceId Lowering::Local(std::string_view name, Type type) {
-  const auto found = locals_.find(name);
-  if (found != locals_.end()) return found->second;
-  return locals_.emplace(std::string(name), AddLocal(std::string(name), type)).first->second;
+  const bool own = body_ != nullptr && body_->unit.valid() && !body_->calls;
+  const auto [found, is_new] = locals_.try_emplace({own ? body_->unit.index : UnitId().index, std::string(name)});
+  if (!is_new) return found->second;
+  found->second = AddLocal(std::string(name), type);
+  if (own) {
+    program_.places[found->second].space = memory_[SpaceKey::kOwn];
+    program_.places[found->second].offset = 4 * own_count_++;
+  }
+  return found->second;
 }
 
 }  // namespace plcxx::technol

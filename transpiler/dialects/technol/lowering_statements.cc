@@ -63,14 +63,14 @@ bool UsesRloFirst(Op op) {
 
 bool UsesDrFirst(Op op) { return (op >= Op::kSto && op <= Op::kGe); }
 
-bool BeginsStatement(const Program& program, const Instruction& instruction, const Sequence& sequence) {
+bool BeginsStatement(const Instruction& instruction, const Sequence& sequence) {
   const Op op = instruction.op;
   if (UsesRloFirst(op)) return !sequence.rlo;
   if (UsesDrFirst(op)) return !sequence.dr;
   if (!Info(op).assembler) return true;  // loads, and what stands for itself
   if (IsJump(op)) return !sequence.assembler || sequence.acted;
   const bool continues = sequence.assembler || (sequence.dr && !sequence.rlo);
-  return !continues || sequence.acted || sequence.length >= kLongestRun || !IsPure(program, instruction);
+  return !continues || sequence.acted || sequence.length >= kLongestRun;
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ void Lowering::CutStatements(const Body& body) {
         i > 0 && tree_.instructions[body.instructions[i - 1]].expansion.valid() != instruction.expansion.valid();
     const bool faults = CanFault(body.instructions[i]);
     const bool begins = behind_end || label_at_[i] || stretches_.contains(body.instructions[i]) || !follows ||
-                        other_source || (faults && sequence.faults) || BeginsStatement(tree_, instruction, sequence);
+                        other_source || (faults && sequence.faults) || BeginsStatement(instruction, sequence);
     if (begins) sequence = {};
     begins_statement_[i] = begins;
     const Effects effects = EffectsOf(tree_, instruction, 16);

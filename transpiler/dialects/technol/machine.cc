@@ -84,9 +84,8 @@ const std::vector<OpName>& OpsByName() {
   return sorted;
 }
 
-template <size_t n>
-std::vector<std::string_view> Sorted(const std::string_view (&words)[n]) {
-  std::vector<std::string_view> sorted(std::begin(words), std::end(words));
+std::vector<std::string_view> Sorted(std::span<const std::string_view> words) {
+  std::vector<std::string_view> sorted(words.begin(), words.end());
   std::ranges::sort(sorted);
   return sorted;
 }

@@ -32,8 +32,11 @@ constexpr SpaceRow kRows[] = {
      Direction::kInternal},
     {SpaceKey::kRegisters, "registers", "RLO, registers, flags, arguments", Lifetime::kRoutine, false,
      Direction::kInternal},
+    {SpaceKey::kOwn, "own", "the same of modules and mechanisms that call nothing", Lifetime::kRoutine, false,
+     Direction::kInternal},
 };
 constexpr uint32_t kRegisterBytes = 4096;
+constexpr uint32_t kOwnBytes = 1U << 20;
 
 uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
   switch (key) {
@@ -45,6 +48,8 @@ uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
       return sizes.steps;
     case SpaceKey::kRegisters:
       return kRegisterBytes;
+    case SpaceKey::kOwn:
+      return kOwnBytes;
     default:
       return technol::BytesOf(static_cast<Area>(key));
   }
@@ -60,6 +65,7 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
                     .lifetime = row.lifetime,
                     .host_visible = row.host_visible};
     if (space.bytes == 0) continue;
+    space.own = row.key == SpaceKey::kOwn;
     if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }

@@ -20,7 +20,8 @@ enum class SpaceKey : uint8_t {
   kUser,
   kMechanisms,  // activation bits
   kSteps,       // steps and automatic timers
-  kRegisters,   // as long as a partition runs
+  kRegisters,   // of those that call subprograms, and of these
+  kOwn,         // of each other module and mechanism
   kCount
 };
 constexpr SpaceKey KeyOf(Area area) { return static_cast<SpaceKey>(area); }

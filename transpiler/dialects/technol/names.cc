@@ -76,19 +76,31 @@ NamedThing ReadAddress(std::string_view address) {
     return thing;
   }
   const size_t plus = address.find('+');
-  if (plus == std::string_view::npos) return thing;
+  if (plus == std::string_view::npos || plus + 1 == address.size()) return thing;
   const std::string_view name = address.substr(0, plus);
   thing.area = name == Name(Area::kUser) ? Area::kUser : AreaByName(name).value_or(Area::kNone);
   address.remove_prefix(plus + 1);
   thing.offset = TakeNumber(address);
   thing.kind = address.starts_with('.') ? SymbolKind::kBit : SymbolKind::kCell;
-  address.remove_prefix(1);
+  if (!address.empty()) address.remove_prefix(1);
   const auto number = static_cast<uint8_t>(TakeNumber(address));
   (thing.kind == SymbolKind::kBit ? thing.bit : thing.width) = number;
   return thing;
 }
 
+std::optional<NamedThing> ReadDocumentedAddress(std::string_view text) {
+  if (text.find('+') == std::string_view::npos || text.starts_with('=')) return std::nullopt;
+  const NamedThing thing = ReadAddress(text);
+  if (thing.area == Area::kNone || thing.offset < 0) return std::nullopt;
+  const auto offset = static_cast<uint32_t>(thing.offset);
+  const std::string spelled = thing.kind == SymbolKind::kBit ? BitAddress(thing.area, offset, thing.bit)
+                                                             : CellAddress(thing.area, offset, thing.width);
+  if (spelled != text) return std::nullopt;
+  return thing;
+}
+
 std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name) {
+  if (name.empty()) return std::nullopt;
   const ir::Documentation* folded = nullptr;
   for (const ir::Documentation& row : program.documentation) {
     if (row.symbols == name) return ReadAddress(row.address);

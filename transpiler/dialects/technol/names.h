@@ -24,6 +24,8 @@ struct NamedThing {
 /// The documented address of a symbol; empty: labels, structures, macros.
 std::string AddressOfSymbol(const Symbol& symbol);
 NamedThing ReadAddress(std::string_view address);
+/// Of a bit or cell that is spelled as AddressOfSymbol spells it; none for every other text.
+std::optional<NamedThing> ReadDocumentedAddress(std::string_view text);
 /// By the documentation of the program, then by the control's own names. Spelled without regard to case, unless the
 /// program has another name that differs by case only.
 std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name);

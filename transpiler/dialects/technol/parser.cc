@@ -60,7 +60,7 @@ Program Parser::Run() {
                                          .end = InstructionId(base + static_cast<uint32_t>(subprograms_.size()))});
   for (Pending& pending : subprograms_) {
     pending.instruction.unit = area;
-    code_.push_back(std::move(pending));
+    code_.push_back(pending);
   }
   for (Label& label : program.labels) {
     if (label.unit.valid()) continue;

@@ -296,7 +296,7 @@ bool Parser::ReadField(TokenReader& reader, const StructureField& field, std::ve
   const size_t first = reader.position();
   const Token& token = *reader.Peek();
   std::vector<uint8_t> bytes;
-  if (token.kind == TokenKind::kString && token.text.size() > 3 && field.width == 8) {
+  if (token.kind == TokenKind::kString && field.width == 8 && (token.text.size() > 3 || field.bytes > 1)) {
     reader.Take();
     const std::string_view text = token.text.substr(1, token.text.size() - 2);
     if (text.size() > field.bytes) {

@@ -64,7 +64,7 @@ void Parser::TakeMacroLine(std::string_view text, std::span<const Token> tokens,
     Macro macro = std::move(*macro_);
     macro_.reset();
     const SymbolId symbol = macro.symbol;
-    if (symbol.valid()) macros_.insert_or_assign(symbol, std::move(macro));
+    if (symbol.valid()) macros_.try_emplace(symbol, std::move(macro));  // included again: the same
     return;
   }
   if (Means(first.text, "LOCAL") && !macro_->in_body) {
@@ -118,21 +118,23 @@ void Parser::CallMacro(const Statement& statement, const Macro& called, const To
 
   const ExpansionId outer = context_.expansion;
   const source::Range call = outer.valid() ? context_.program.expansions[outer].call : statement.range;
-  const Macro macro = called;  // a line may define another macro
   const uint32_t number = ++expansion_count_;
   ++macro_depth_;
-  for (const MacroLine& line : macro.lines) {
+  for (const MacroLine& line : called.lines) {
     context_.BeginStatement(statement_number_, outer);
-    expanded_texts_.push_back(Expand(line.text, macro, arguments, number,
+    expanded_texts_.push_back(Expand(line.text, called, arguments, number,
                                      [this](std::string_view word) { return context_.names.Fold(word); }));
     const std::string& text = expanded_texts_.back();
     if (++expanded_lines_ > kExpandedLines || text.size() > kExpandedLineBytes) {
-      if (!expansion_full_) context_.Report(call, diag::TechnolMacroSize, macro.name);
+      if (!expansion_full_) context_.Report(call, diag::TechnolMacroSize, called.name);
       expansion_full_ = true;
       break;
     }
-    context_.expansion = context_.program.expansions.Add(
-        {.call = call, .outer = outer, .body = line.range, .text = std::string(TrimBlanks(text)), .macro = macro.name});
+    context_.expansion = context_.program.expansions.Add({.call = call,
+                                                          .outer = outer,
+                                                          .body = line.range,
+                                                          .text = std::string(TrimBlanks(text)),
+                                                          .macro = called.name});
     TakeLine(text, {.call = call});
     context_.expansion = outer;
     if (expansion_full_) break;

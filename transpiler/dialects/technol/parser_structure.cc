@@ -1,14 +1,6 @@
 #include "transpiler/dialects/technol/parser_internal.h"
 
 namespace plcxx::technol {
-namespace {
-
-/// MODULE_X and the like as in the message: the name of a unit, or "the program" outside.
-std::string_view FirstSpelling(const Token& word, std::string_view keyword) {
-  return word.text.substr(0, keyword.size());
-}
-
-}  // namespace
 
 bool Parser::IsOutside(const Statement& statement) {
   const std::string_view text = statement.words.empty() ? statement.label->text : statement.first().text;
@@ -146,7 +138,6 @@ void Parser::CloseModule(const Statement& statement, std::string_view keyword) {
     context_.Report(statement.range, diag::TechnolCodeInData, statement.first().text);
     return;
   }
-  const std::string name(FirstSpelling(statement.first(), keyword));
   if (mechanism_.valid()) {
     context_.Report(statement.range, diag::TechnolMechanismNotClosed, context_.program.units[mechanism_].name);
     LeaveMechanism({});

@@ -49,6 +49,19 @@ std::string SymbolText(const Program& program, const Symbol& symbol) {
   return {};
 }
 
+/// "error 10,5 at turret.plc:12" of every ESET (9.5).
+std::string ErrorList(const source::SourceManager& sources, const Program& program) {
+  std::string text;
+  for (const Instruction& instruction : program.instructions) {
+    if (instruction.op != Op::kEset || instruction.operands.count == 0) continue;
+    const int64_t sub = instruction.operands.count > 1 ? program.OperandOf(instruction, 1).value : 0;
+    const source::Position place = sources.Locate(instruction.range.begin);
+    text += "error " + std::to_string(program.OperandOf(instruction, 0).value) + "," + std::to_string(sub) + " at " +
+            sources.Get(place.file).path + ":" + std::to_string(place.line) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string ToText(const Program& program, const Operand& operand) {
@@ -133,6 +146,7 @@ std::string PrintSyntax(const source::SourceManager& sources, const Program& pro
       text += std::to_string(sources.Locate(instruction.range.begin).line) + ": " + ToText(program, instruction) + "\n";
     }
   }
+  text += ErrorList(sources, program);
   if (program.table) text += Listing(*program.table);
   return text;
 }

@@ -71,13 +71,12 @@ class TableReader {
   }
   source::Range FirstLine() const { return RangeOf(0, std::min(file_.text.find_first_of("\r\n"), file_.text.size())); }
 
-  /// The last line that is not blank.
-  source::Range LastLine() const {
+  /// The end of the last line that is not blank: behind everything else that is wrong in it.
+  source::Range LastPlace() const {
     const std::string_view text = file_.text;
     size_t end = text.size();
     while (end > 0 && IsBlank(text[end - 1])) --end;
-    const size_t before = text.substr(0, end).find_last_of("\r\n");
-    return RangeOf(before == std::string_view::npos ? 0 : before + 1, end);
+    return RangeOf(end == 0 ? 0 : end - 1, end);
   }
 
   void TakeName() {
@@ -195,7 +194,7 @@ class TableReader {
   void TakeRows() {
     while (seen_ < table_.rows && expected_ < table_.rows) {
       if (AtEnd()) {
-        Report(LastLine(), diag::TechnolTableFewerRows, int64_t{seen_}, int64_t{table_.rows});
+        Report(LastPlace(), diag::TechnolTableFewerRows, int64_t{seen_}, int64_t{table_.rows});
         return;
       }
       const Word& word = words_[next_];
@@ -203,7 +202,7 @@ class TableReader {
         ReportRowNumber(word);
         SkipToRow();
         // The number of one row was unreadable or missing: what follows is that row or the next one.
-        const bool next = !AtEnd() && NumberOf(words_[next_]) == expected_ + 1;
+        const bool next = AtEnd() || NumberOf(words_[next_]) == expected_ + 1;
         if (next) ++expected_, ++seen_;
         continue;
       }
@@ -214,8 +213,10 @@ class TableReader {
       }
       ++next_;
       if (!TakeItems()) SkipToRow();
-      ++expected_;
-      ++seen_;
+      const uint32_t rows = torn_ ? 2 : 1;  // what followed a torn number has been skipped, too
+      torn_ = false;
+      expected_ += rows;
+      seen_ += rows;
     }
     if (AtEnd()) return;
     const Word& word = words_[next_];
@@ -229,23 +230,24 @@ class TableReader {
   bool TakeItems() {
     for (uint32_t column = 0; column < table_.columns; ++column) {
       if (AtEnd() || IsRowNumber(words_[next_].text)) {
-        Report(AtEnd() ? LastLine() : words_[next_].range, diag::TechnolTableTooFew, int64_t{expected_},
+        Report(AtEnd() ? LastPlace() : words_[next_].range, diag::TechnolTableTooFew, int64_t{expected_},
                int64_t{column}, int64_t{table_.columns});
         return true;  // nothing has to be skipped
       }
       const Word& word = words_[next_];
       if (IsTorn(next_) || IsStrayColon(next_)) {
         ReportRowNumber(word);
-        ++next_;
+        torn_ = IsTorn(next_);
         return false;
       }
       if (!TakeItem(word)) return false;
       ++next_;
     }
     if (AtEnd() || IsRowNumber(words_[next_].text)) return true;
+    if (IsTorn(next_)) return true;  // the next row's, and its fault
     const Word& word = words_[next_];
     const bool last = seen_ + 1 >= table_.rows || expected_ + 1 >= table_.rows;
-    if (IsTorn(next_) || IsStrayColon(next_)) {
+    if (IsStrayColon(next_)) {
       ReportRowNumber(word);
     } else if (IsItem(word.text)) {
       Report(word.range, diag::TechnolTableTooMany, int64_t{expected_}, word.text, int64_t{table_.columns});
@@ -286,6 +288,7 @@ class TableReader {
   size_t next_ = 0;
   uint32_t expected_ = 0;  // the number of the next row
   uint32_t seen_ = 0;      // rows so far
+  bool torn_ = false;      // the number of the next row, in the middle of this one: reported
 };
 
 }  // namespace

@@ -68,6 +68,7 @@ void Converter::ReportUndefined(const Call& call) {
     findings().Report(call.range, diag::HncVariableArgument, "'" + name + "'");
     return;
   }
+  if (bodies_.contains(name)) return;  // its definition has been refused
   if (!undefined_.insert(name).second) return;
   if (const FunctionRow* row = FindSystemFunction(name)) {
     findings().Report(call.range, diag::HncUndefinedFunctionHeader, name, FirstHeader(*row));
@@ -95,7 +96,14 @@ void Converter::CheckArguments(const Call& call, const clang::FunctionDecl* defi
     if (parameter->isIntegralOrEnumerationType() && context_.getTypeSize(parameter) < 16) promoted = context_.IntTy;
     if (parameter->isSpecificBuiltinType(clang::BuiltinType::Float)) promoted = context_.DoubleTy;
     const TypeId wanted = TypeOf(promoted);
-    const TypeId found = unit_.expressions[arguments[i]].type;
+    // What the program writes: Clang converts for an old-style definition that it has seen, the original does not.
+    ExprId written = arguments[i];
+    while (unit_.expressions[written].kind == ExprKind::kConvert && unit_.expressions[written].is_implicit) {
+      written = unit_.expressions[written].a;
+    }
+    TypeId found = unit_.expressions[written].type;
+    if (unit_.types[found].kind == TypeKind::kInteger && unit_.types[found].bits == 8) found = Integer(16, true);
+    if (unit_.types[found].kind == TypeKind::kReal) found = TypeOf(context_.DoubleTy);
     const Type& want = unit_.types[wanted];
     const Type& have = unit_.types[found];
     const bool both_integers = want.kind == TypeKind::kInteger && have.kind == TypeKind::kInteger;
@@ -109,7 +117,7 @@ void Converter::CheckArguments(const Call& call, const clang::FunctionDecl* defi
       continue;
     }
     const TypeId kept = TypeOf(parameter);
-    if (kept == found) continue;
+    if (kept == unit_.expressions[arguments[i]].type) continue;
     Expr conversion;
     conversion.kind = null ? ExprKind::kNull : ExprKind::kConvert;
     conversion.is_implicit = true;
@@ -124,7 +132,7 @@ void Converter::CheckArguments(const Call& call, const clang::FunctionDecl* defi
 
 void Converter::CheckEntries() {
   const bool syntax = std::ranges::any_of(findings().all(), [](const Finding& finding) {
-    return finding.phase == Phase::kSyntax && finding.row.severity == diag::Severity::kError;
+    return finding.phase != Phase::kMeaning && finding.row.severity == diag::Severity::kError;
   });
   if (syntax || session_.stopped) return;  // it may stand in what was not understood
   const auto check = [&](FunctionId entry, const char* name) {

@@ -69,6 +69,9 @@ void Converter::CheckDeclaredType(clang::QualType type, Holder holder, const std
 void Converter::CheckMembers(const clang::RecordDecl* record) {
   record = record->getDefinition();
   if (record == nullptr || !checked_records_.insert(record).second) return;
+  for (const clang::Decl* inner : record->decls()) {
+    if (llvm::isa<clang::EnumDecl>(inner)) Declare(inner);
+  }
   for (const clang::FieldDecl* field : record->fields()) {
     if (const auto* inner = field->getType()->getAs<clang::RecordType>()) CheckMembers(inner->getDecl());
     const source::Range range = NameOf(field);

@@ -22,7 +22,13 @@ bool IsFileVariable(const clang::VarDecl* variable) {
 /// The declaration that makes the object; null where there is none.
 const clang::VarDecl* DefinitionOf(const clang::VarDecl* variable) {
   if (const clang::VarDecl* definition = variable->getDefinition()) return definition;
-  return variable->getActingDefinition();
+  const clang::VarDecl* tentative = nullptr;
+  for (const clang::VarDecl* declaration : variable->redecls()) {
+    const bool is_one = declaration->isThisDeclarationADefinition() != clang::VarDecl::DeclarationOnly;
+    const bool first = tentative == nullptr || declaration->getLocation() < tentative->getLocation();
+    if (is_one && first) tentative = declaration;
+  }
+  return tentative;
 }
 
 }  // namespace
@@ -63,6 +69,11 @@ void Converter::Declare(const clang::Decl* declaration) {
     CheckMembers(record);
   } else if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(declaration)) {
     for (const clang::EnumConstantDecl* constant : enumeration->enumerators()) {
+      const int64_t value = constant->getInitVal().getExtValue();
+      if (value < -32768 || value > 32767) {
+        findings().Report(NameOf(constant), diag::HncConstantTooLarge, constant->getName());
+        break;  // those behind it follow
+      }
       if (const clang::Expr* init = constant->getInitExpr()) {
         if (!constant->getName().starts_with(kProductPrefix) && HasWildShift(Convert(init))) {
           findings().Report(NameOf(constant), diag::HncConstantRequired, "with a shift count inside the width");

@@ -164,10 +164,15 @@ ExprId Converter::Cast(const clang::CastExpr* expr) {
       result.constant = Constant{};
       return unit_.expressions.Add(std::move(result));
     }
-    case clang::CK_IntegralToPointer:
+    case clang::CK_IntegralToPointer: {
+      const auto* call = llvm::dyn_cast<clang::CallExpr>(operand->IgnoreParenImpCasts());
+      const clang::FunctionDecl* callee = call == nullptr ? nullptr : call->getDirectCallee();
+      Convert(operand);
+      if (callee != nullptr && callee->getDefinition() == nullptr && callee->isImplicit()) return Poison(expr);
       findings().Report(RangeOf(expr), diag::HncAbsoluteAddress,
                         "'" + Written(RangeOf(operand)) + "' is a number and becomes a pointer");
       return Poison(expr);
+    }
     case clang::CK_PointerToIntegral:
       findings().Report(RangeOf(operand), diag::HncPointerAsValue, "'" + Written(RangeOf(operand)) + "' is an address");
       return Poison(expr);

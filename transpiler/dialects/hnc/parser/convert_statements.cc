@@ -134,6 +134,13 @@ StatementId Converter::Switch(const clang::SwitchStmt* statement) {
     findings().Report(unit_.expressions[result.expression].range, diag::HncPointerAsValue,
                       "the selector of a switch is an address");
   }
+  constexpr int64_t kMostCases = 1024;  // 10.1
+  int64_t cases = 0;
+  for (const clang::SwitchCase* label = statement->getSwitchCaseList(); label != nullptr;
+       label = label->getNextSwitchCase()) {
+    ++cases;
+  }
+  if (cases > kMostCases) findings().Report(result.keyword, diag::HncTooManyCases, kMostCases);
   selectors_.push_back(unit_.expressions[result.expression].type);
   result.then = Convert(statement->getBody());
   selectors_.pop_back();

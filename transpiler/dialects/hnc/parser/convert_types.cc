@@ -42,6 +42,14 @@ TypeId Converter::Integer(unsigned bits, bool is_signed) {
 
 TypeId Converter::TypeOf(clang::QualType qualified) {
   const clang::QualType type = qualified.getCanonicalType().getUnqualifiedType();
+  const auto known = known_types_.find(type.getAsOpaquePtr());
+  if (known != known_types_.end()) return known->second;
+  const TypeId id = Describe(type);
+  known_types_.emplace(type.getAsOpaquePtr(), id);
+  return id;
+}
+
+TypeId Converter::Describe(clang::QualType type) {
   constexpr unsigned kWidest = 32;  // wider ones have been refused
   Type result;
   result.text = TextOf(type);

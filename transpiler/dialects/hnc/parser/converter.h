@@ -25,6 +25,7 @@ class Converter {
  private:
   // convert_types.cc
   TypeId TypeOf(clang::QualType type);
+  TypeId Describe(clang::QualType type);
   TypeId Integer(unsigned bits, bool is_signed);
   TypeId Add(Type type);
   RecordId RecordOf(const clang::RecordDecl* record);
@@ -112,7 +113,6 @@ class Converter {
   source::Range WithSemicolon(source::Range range) const;
   source::Range Head(clang::SourceLocation first, clang::SourceLocation last) const;
   std::optional<LoopBound> BoundBefore(source::Offset place) const;
-  ExprId Condition(const clang::Expr* expr) { return Convert(expr); }
 
   Findings& findings() { return session_.findings(); }
   source::Range RangeOf(const clang::Expr* expr) const { return session_.places.Of(expr->getSourceRange()); }
@@ -128,6 +128,7 @@ class Converter {
 
   // Only asked, never walked through.
   std::unordered_map<std::string, TypeId> types_;
+  std::unordered_map<const void*, TypeId> known_types_;  // by Clang's type
   std::unordered_map<const clang::RecordDecl*, RecordId> records_;
   std::unordered_map<const clang::VarDecl*, VariableId> variables_;
   std::unordered_map<const clang::FunctionDecl*, FunctionId> functions_;
@@ -135,6 +136,7 @@ class Converter {
   std::unordered_map<std::string, const clang::NamedDecl*> expected_;  // by name: what the product declares
   std::unordered_set<const clang::RecordDecl*> checked_records_;
   std::unordered_set<std::string> undefined_;  // reported
+  std::unordered_set<std::string> bodies_;     // functions that have one, also where it was refused
 
   std::vector<Call> calls_;  // in the order of the source
   std::vector<LoopBound> loop_bounds_;

@@ -3,6 +3,7 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Decl.h>
 #include <clang/AST/Type.h>
+#include <clang/Basic/DiagnosticAST.h>
 #include <clang/Basic/DiagnosticIDs.h>
 #include <clang/Basic/DiagnosticLex.h>
 #include <clang/Basic/DiagnosticParse.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/parser/product_names.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -43,14 +45,11 @@ const Rule kRules[] = {
     {cd::err_hex_escape_no_digits, &diag::HncEscape, kWords, "\\x without digits"},
     {cd::ext_unknown_escape, &diag::HncEscape, 0},
     {cd::ext_nonstandard_escape, &diag::HncEscape, 0},
-    {cd::ext_enum_value_not_int, &diag::HncConstantTooLarge, kToken},
-    {cd::ext_enumerator_increment_too_large, &diag::HncConstantTooLarge, kToken},
     {cd::err_enumerator_wrapped, &diag::HncConstantTooLarge, kToken},
     // preprocessor
     {cd::err_pp_hash_error, &diag::HncErrorDirective, 0},
     {cd::err_pp_unterminated_conditional, &diag::HncUnterminatedConditional, kWords, "this #if"},
     {cd::err_pp_empty_filename, &diag::HncCannotOpenInclude, kWords, ""},
-    {cd::ext_pp_macro_redef, &diag::HncMacroRedefined, 0},
     {cd::ext_pp_redef_builtin_macro, &diag::HncMacroRedefined, kToken},
     {cd::ext_pp_undef_builtin_macro, &diag::HncMacroRedefined, kToken},
     {cd::err_pp_invalid_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
@@ -84,13 +83,15 @@ const Rule kRules[] = {
     // names
     {cd::err_undeclared_var_use, &diag::HncUndeclared, 0},
     {cd::err_undeclared_use, &diag::HncUndeclared, 0},
+    {cd::err_unknown_typename, &diag::HncSyntaxAt, kToken},
     {cd::err_no_member, &diag::HncNoMember, 0},
     {cd::err_undeclared_label_use, &diag::HncUndefinedLabel, 0},
     {cd::err_redefinition, &diag::HncRedefinition, 0},
     {cd::err_redefinition_of_label, &diag::HncRedefinition, 0},
     {cd::err_redefinition_of_enumerator, &diag::HncRedefinition, 0},
     {cd::err_redefinition_different_kind, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_different_type, &diag::HncConflictingTypes, 0},
+    {cd::err_redefinition_different_type, &diag::HncRedefinition, 0},
+    {cd::err_redeclaration_different_type, &diag::HncRedefinition, 0},
     {cd::err_redefinition_different_typedef, &diag::HncRedefinition, 2},
     {cd::ext_redefinition_of_typedef, &diag::HncRedefinition, 0},
     {cd::err_nested_redefinition, &diag::HncRedefinition, 0},
@@ -123,6 +124,7 @@ const Rule kRules[] = {
     {cd::err_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
     {cd::ext_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
     {cd::err_init_element_not_constant, &diag::HncConstantRequired, kWords, "to initialise static data"},
+    {cd::err_decl_negative_array_size, &diag::HncConstantRequired, kWords, "that is not negative"},
     {cd::err_typecheck_negative_array_size, &diag::HncConstantRequired, kWords, "that is not negative"},
     {cd::err_array_size_non_int, &diag::HncConstantRequired, kWords, "as the size of an array"},
     {cd::err_array_too_large, &diag::HncConstantRequired, kWords, "that is smaller"},
@@ -192,7 +194,6 @@ const Rule kRules[] = {
     {cd::err_not_integral_type_anon_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
     // what the language does not have, 3.5
     {cd::ext_vla, &diag::HncExtension, kWords, "array of variable length"},
-    {cd::ext_vla_folded_to_constant, &diag::HncConstantRequired, kWords, "as the size of an array"},
     {cd::ext_typecheck_zero_array_size, &diag::HncExtension, kWords, "array without elements"},
     {cd::ext_designated_init, &diag::HncExtension, kWords, "designated initialiser"},
     {cd::ext_gnu_array_range, &diag::HncExtension, kWords, "designated initialiser"},
@@ -229,6 +230,21 @@ bool IsFoundElsewhere(unsigned id) {
     case cd::err_pp_file_not_found_angled_include_not_fatal:
     case cd::err_pp_include_too_deep:
     case cd::warn_pp_undef_identifier:
+    case cd::ext_pp_macro_redef:      // the preprocessor's watcher: blanks do not count
+    case cd::ext_enum_value_not_int:  // enumerators in the tree
+    case cd::ext_enumerator_increment_too_large:
+    case cd::ext_typecheck_convert_pointer_int:  // from here: conversions in the tree
+    case cd::err_typecheck_convert_pointer_int:
+    case cd::ext_typecheck_convert_int_pointer:
+    case cd::err_typecheck_convert_int_pointer:
+    case cd::ext_typecheck_cond_pointer_integer_mismatch:
+    case cd::ext_typecheck_comparison_of_pointer_integer:
+    case cd::err_typecheck_comparison_of_pointer_integer:
+    case cd::ext_typecheck_ordered_comparison_of_pointer_integer:
+    case cd::ext_typecheck_convert_incompatible_function_pointer:
+    case cd::err_typecheck_convert_incompatible_function_pointer:
+    case cd::ext_return_missing_expr:  // W25
+    case cd::warn_return_missing_expr:
       return true;
     default:
       return false;
@@ -293,7 +309,7 @@ std::string Diagnoser::TokenAt(source::Range range) const {
   if (current != nullptr && session_.places.OfToken(current->getLocation()) == range && !current->isAnnotation()) {
     return Quoted(session_.clang.getPreprocessor().getSpelling(*current));
   }
-  return Quoted(session_.input.text(range));
+  return Quoted(Written(range));
 }
 
 bool Diagnoser::ByTable(const clang::Diagnostic& info) {
@@ -303,9 +319,17 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
   std::string text = rule->words;
   if (rule->argument == kToken) text = TokenAt(range);
   if (rule->argument >= 0) text = ArgumentText(info, static_cast<unsigned>(rule->argument));
+  if (text.starts_with(kProductPrefix)) {  // what FilterTokens makes of asm, where no statement can stand
+    session_.findings().Report(range, diag::HncAssembler, "outside a function");
+    return true;
+  }
   const bool system = FindSystemName(text).has_value() || FindSystemFunction(text) != nullptr || text == "plc1_time" ||
                       text == "plc2_time";
-  if (rule->message == &diag::HncRedefinition && system) {
+  const bool type =
+      info.getID() == cd::err_redefinition_different_type || info.getID() == cd::err_redeclaration_different_type;
+  if (system && type) {
+    session_.findings().Report(range, diag::HncConflictingTypes, text);
+  } else if (rule->message == &diag::HncRedefinition && system) {
     session_.findings().Report(range, diag::HncRedefinitionSystem, text);
   } else {
     session_.findings().Report(range, *rule->message, text);
@@ -370,6 +394,29 @@ bool Diagnoser::Operands(const clang::Diagnostic& info) {
     default:
       return false;
   }
+  const auto is_array = [&] {
+    return info.getArgKind(0) == clang::DiagnosticsEngine::ak_qualtype &&
+           clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(0)))->isArrayType();
+  };
+  if (info.getID() == cd::err_typecheck_illegal_increment_decrement && is_array()) {
+    session_.findings().Report(RangeOf(info), diag::HncNotAssignable, "an array is no variable");
+    return true;
+  }
+  if (info.getID() == cd::err_typecheck_statement_requires_integer) {
+    session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, "the selector of a switch is no integer");
+    return true;
+  }
+  // `F_ui[3] |= 1` stores into the table.
+  const std::string sign = Written(RangeOf(info));
+  if (is_pointer(0) && sign.size() >= 2 && sign.ends_with('=') && sign != "==" && sign != "!=" && sign != "<=" &&
+      sign != ">=" && info.getNumRanges() > 0) {
+    const source::Range target = session_.places.Of(info.getRange(0).getAsRange());
+    const std::string text = Written(target);
+    if (text.find_first_of("[(") != std::string::npos) {
+      session_.findings().Report(target, diag::HncPointerTable, Quoted(text));
+      return true;
+    }
+  }
   const bool invalid_indirection = info.getID() == cd::err_typecheck_indirection_requires_pointer;
   if (invalid_indirection) {
     session_.findings().Report(RangeOf(info), diag::HncIncompatible,
@@ -426,6 +473,14 @@ void Diagnoser::Syntax(const clang::Diagnostic& info) {
 
 /// "the other one": Clang's notes that name an earlier declaration or bracket.
 void Diagnoser::AddNote(const clang::Diagnostic& info) {
+  const bool wild_shift =
+      info.getID() == cd::note_constexpr_large_shift || info.getID() == cd::note_constexpr_negative_shift;
+  if (folded_size_.begin != 0 && wild_shift) {
+    session_.findings().SetPhase(Phase::kMeaning);
+    session_.findings().Report(folded_size_, diag::HncConstantRequired, "with a shift count inside the width");
+    folded_size_ = {};
+    return;
+  }
   if (!reported_last_ || session_.places.InProduct(info.getLocation())) return;
   const auto add = [&](const char* text) {
     session_.findings().all().back().notes.push_back({session_.places.OfToken(info.getLocation()), text});
@@ -435,8 +490,16 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
     case cd::note_previous_declaration:
     case cd::note_previous_implicit_declaration:
       return add("the other one is here");
-    case cd::note_duplicate_case_prev:
-      return add("the first one is here");
+    case cd::note_duplicate_case_prev: {
+      // Clang walks through the labels from the last to the first.
+      Finding& finding = session_.findings().all().back();
+      const source::Range other = session_.places.OfToken(info.getLocation());
+      const source::Range later = other.begin > finding.range.begin ? other : finding.range;
+      const source::Range earlier = other.begin > finding.range.begin ? finding.range : other;
+      finding.range = later;
+      finding.notes.push_back({earlier, "the first one is here"});
+      return;
+    }
     case cd::note_matching:
       return add("to match this");
     default:
@@ -447,6 +510,8 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
 void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
   if (level == clang::DiagnosticsEngine::Note) return AddNote(info);
   reported_last_ = false;
+  // Accepted, but not with each operation: the note behind it tells.
+  folded_size_ = info.getID() == cd::ext_vla_folded_to_constant ? RangeOf(info) : source::Range{};
   if (session_.stopped || IsFoundElsewhere(info.getID())) return;
   if (!IsError(level) && info.getLocation().isValid() && session_.places.InProduct(info.getLocation())) return;
   const size_t before = session_.findings().all().size();

@@ -25,8 +25,10 @@ class Diagnoser : public clang::DiagnosticConsumer {
 
   source::Range RangeOf(const clang::Diagnostic& info) const;
   std::string TokenAt(source::Range range) const;
+  std::string Written(source::Range range) const { return session_.input.text(range); }
 
   Session& session_;
+  source::Range folded_size_;   // of an array, where the last diagnostic was of that
   bool reported_last_ = false;  // a note belongs to the last finding
 };
 

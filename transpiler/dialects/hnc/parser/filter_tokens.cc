@@ -281,6 +281,11 @@ void Filter::AssemblerLine() {
   std::string lower = instruction;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const clang::Token last = in_[at_ > begin ? at_ - 1 : begin];
+  if (levels_ == 0) {
+    session_.findings().Report(range, diag::HncAssembler, "outside a function");
+    if (Peek().is(tok::semi)) ++at_;
+    return;
+  }
   if (lower == "cli" || lower == "sti") {
     Put(MadeName(first, std::string(kProductPrefix) + lower, tok::identifier));
     Put(Made(first, tok::l_paren));

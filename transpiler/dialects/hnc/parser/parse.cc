@@ -23,7 +23,7 @@ namespace {
 constexpr unsigned kStackBytes = 512U << 20;
 
 /// Comments such as /*@loop_bound 8@*/ say the same as #pragma plcxx loop_bound(8).
-void AddLoopBounds(const std::vector<Comment>& comments, std::vector<LoopBound>& bounds) {
+void AddLoopBounds(const std::vector<Comment>& comments, Findings& findings, std::vector<LoopBound>& bounds) {
   constexpr std::string_view kMark = "@loop_bound";
   for (const Comment& comment : comments) {
     std::string_view text = comment.text;
@@ -32,7 +32,11 @@ void AddLoopBounds(const std::vector<Comment>& comments, std::vector<LoopBound>&
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
     uint32_t rounds = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), rounds);
-    if (read.ec == std::errc{} && rounds >= 1 && rounds <= 65535) bounds.push_back({rounds, comment.range});
+    if (read.ec == std::errc{} && rounds >= 1 && rounds <= 65535) {
+      bounds.push_back({rounds, comment.range});
+    } else {
+      findings.Report(comment.range, diag::HncPragma, "loop_bound: the bound is a number from 1 to 65535");
+    }
   }
   std::ranges::sort(bounds, {}, [](const LoopBound& bound) { return bound.range.begin; });
 }
@@ -92,13 +96,15 @@ void ParseTokens(Session& session) {
 void Converter::Run() {
   CollectComments();
   loop_bounds_ = session_.loop_bounds;
-  AddLoopBounds(unit_.comments, loop_bounds_);
+  AddLoopBounds(unit_.comments, findings(), loop_bounds_);
   unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;
   const clang::TranslationUnitDecl* unit = context_.getTranslationUnitDecl();
   for (const clang::Decl* declaration : unit->decls()) {
     const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
     if (named == nullptr || named->getDeclName().isEmpty()) continue;
     const std::string name = named->getNameAsString();
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration);
+    if (function != nullptr && function->doesThisDeclarationHaveABody()) bodies_.insert(name);
     if (name.starts_with(kExpectedPrefix)) expected_.emplace(name.substr(kExpectedPrefix.size()), named);
   }
   for (const clang::Decl* declaration : unit->decls()) Declare(declaration);

@@ -5,6 +5,7 @@
 #include <clang/Lex/PPCallbacks.h>
 #include <clang/Lex/Preprocessor.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <memory>
@@ -63,6 +64,14 @@ class Watcher : public clang::PPCallbacks {
 
   void MacroDefined(const clang::Token& name, const clang::MacroDirective* macro) override {
     if (session_.places.InProduct(name.getLocation())) return;
+    const clang::MacroDirective* before = macro->getPrevious();
+    const bool defined = before != nullptr && before->getKind() == clang::MacroDirective::MD_Define;
+    if (defined && !IsSame(*before->getMacroInfo(), *macro->getMacroInfo())) {
+      const source::Range other = session_.places.OfToken(before->getMacroInfo()->getDefinitionLoc());
+      Finding& finding = session_.findings().Report(session_.places.OfToken(name.getLocation()),
+                                                    diag::HncMacroRedefined, name.getIdentifierInfo()->getName());
+      if (other.begin != 0) finding.notes.push_back({other, "the other one is here"});
+    }
     IdOf(*macro->getMacroInfo(), name);
   }
 
@@ -83,6 +92,14 @@ class Watcher : public clang::PPCallbacks {
   void PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) override;
 
  private:
+  /// The same parameters and the same tokens, however they are spaced.
+  bool IsSame(const clang::MacroInfo& a, const clang::MacroInfo& b) const {
+    const bool same_kind = a.isFunctionLike() == b.isFunctionLike() && a.isVariadic() == b.isVariadic();
+    if (!same_kind || !std::ranges::equal(a.params(), b.params())) return false;
+    return std::ranges::equal(a.tokens(), b.tokens(), [&](const clang::Token& x, const clang::Token& y) {
+      return x.getKind() == y.getKind() && preprocessor_.getSpelling(x) == preprocessor_.getSpelling(y);
+    });
+  }
   MacroId IdOf(const clang::MacroInfo& info, const clang::Token& name) {
     const auto known = ids_.find(&info);
     if (known != ids_.end()) return known->second;
@@ -148,6 +165,7 @@ void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroduc
 void Preprocess(Session& session) {
   clang::Preprocessor& preprocessor = session.clang.getPreprocessor();
   preprocessor.addPPCallbacks(std::make_unique<Watcher>(session));
+  preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
   clang::Token token;
   do {

@@ -164,7 +164,6 @@ void SetUp(Session& session) {
   clang.InitializeSourceManager(clang::FrontendInputFile(main, clang::InputKind(clang::Language::C)));
   clang.createPreprocessor(clang::TU_Complete);
   clang.getPreprocessor().setPredefines(Predefines(session.input));
-  clang.getPreprocessor().setPragmasEnabled(false);
   clang.getDiagnosticClient().BeginSourceFile(clang.getLangOpts(), &clang.getPreprocessor());
 }
 

@@ -1,0 +1,172 @@
+// What C becomes: operations, loops and their bounds, index checks, calls, the checks that need flow.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hnc_lowered.h"
+#include "transpiler/dialects/hnc/locate.h"
+
+namespace plcxx::hnc {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// The errors of plc1() with these statements.
+std::vector<std::string> Errors(const std::string& statements) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements(statements));
+  std::vector<std::string> reported = lowered.Reported();
+  std::erase_if(reported, [](const std::string& line) { return line.find(" W") != std::string::npos; });
+  return reported;
+}
+
+std::vector<std::string> Body(const std::string& statements) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements(statements));
+  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << statements;
+  return lowered.Routine("plc1");
+}
+
+bool HasLine(const std::vector<std::string>& lines, const std::string& part) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(part) != std::string::npos; });
+}
+
+// covers: HNC-213
+TEST(HncLowering, ABitOfAByteIsAnOperationOfBytes) {
+  const std::vector<std::string> lines = Body("Y[2] |= 0x80; Y[2] &= ~0x80;");
+  EXPECT_TRUE(HasLine(lines, "or.i8")) << testing::PrintToString(lines);
+  EXPECT_TRUE(HasLine(lines, "and.i8")) << testing::PrintToString(lines);
+}
+
+// covers: HNC-197
+TEST(HncLowering, DivisionIsCheckedOnlyWhereItCanTrap) {
+  EXPECT_TRUE(HasLine(Body("a = a / b;"), "call record_fault"));
+  EXPECT_FALSE(HasLine(Body("a = a / 3;"), "record_fault"));
+  EXPECT_FALSE(HasLine(Body("a = a / (b & 7 | 8);"), "record_fault"));
+}
+
+// covers: HNC-278
+TEST(HncLowering, AnIndexIsCheckedOnlyWhereItCanLeave) {
+  EXPECT_TRUE(HasLine(Body("a = table[b];"), "record_fault"));
+  EXPECT_FALSE(HasLine(Body("a = table[b & 7];"), "record_fault"));
+  EXPECT_FALSE(HasLine(Body("int k; for (k = 0; k < 8; k++) table[k] = 0;"), "record_fault"));
+  EXPECT_FALSE(HasLine(Body("if (X[0] < 128) a = R[X[0] + 5];"), "record_fault"));
+  EXPECT_TRUE(HasLine(Body("int k; for (k = 0; k <= 8; k++) table[k] = 0;"), "record_fault"));
+}
+
+// covers: HNC-244, HNC-247, HNC-249, HNC-251, HNC-253, HNC-256, HNC-357
+TEST(HncLowering, LoopsAreProvedOrRefused) {
+  const std::vector<std::pair<std::string, bool>> loops = {
+      {"for (i = 0; i < 10; i++) a++;", true},
+      {"for (i = 10; i > 0; i -= 2) a++;", true},
+      {"for (c = 0; c < 255; c++) a++;", true},
+      {"for (c = 0; c < 300; c++) a++;", false},
+      {"for (c = 0; c <= 255; c++) a++;", false},
+      {"for (u = 10; u >= 0; u--) a++;", false},
+      {"for (i = 0; i < n; i++) a++;", true},
+      {"for (i = 0; i <= n; i++) a++;", false},
+      {"if (n > 10) n = 10; for (i = 0; i <= n; i++) a++;", true},
+      {"for (i = 0; i < n; i++) n++;", false},
+      {"for (i = 0; i != 10; i += 2) a++;", true},
+      {"for (i = 0; i != 9; i += 2) a++;", false},
+      {"for (u = 0; u != 9; u += 2) a++;", false},
+      {"for (c = 0; c != 4; c += 12) a++;", true},
+      {"while (n) n--;", true},
+      {"while (n--) a++;", true},
+      {"while (--n > 0) a++;", true},
+      {"while (i++ < 10) a++;", true},
+      {"while (X[0] == 0) a++;", false},
+      {"while (i < 10 && X[0]) i++;", true},
+      {"while (i < 10 || X[0]) i++;", false},
+      {"i = 0; while (i < 10) { if (a) i++; }", false},
+      {"i = 0; while (i < 10) { if (a) continue; i++; }", false},
+      {"i = 0; while (i < 10) { i++; if (a) continue; b++; }", true},
+      {"i = 0; do i++; while (i < 5);", true},
+      {"for (;;) { a++; break; }", true},
+      {"for (;;) { a++; if (a) break; }", false},
+      {"do { a++; } while (0);", true},
+      {"for (R[5] = 0; R[5] < 10; R[5]++) a++;", true},
+      {"for (R[5] = 0; R[5] < 10; R[5]++) R[a & 15] = 0;", false},
+      {"i = 0; again: i++; if (i < 5) goto again;", true},
+      {"again: if (X[0]) goto again;", false},
+  };
+  for (const auto& [loop, accepted] : loops) {
+    const std::vector<std::string> errors = Errors(loop);
+    if (accepted) {
+      EXPECT_THAT(errors, IsEmpty()) << loop;
+    } else {
+      EXPECT_THAT(errors, ElementsAre("3 E032")) << loop;
+    }
+  }
+}
+
+TEST(HncLowering, TheStepOfAForStandsInItsHead) {
+  const std::vector<std::string> lines = Body("int k; for (k = 0; k < 8; k++) a += k;");
+  EXPECT_TRUE(HasLine(lines, "loop")) << testing::PrintToString(lines);
+  EXPECT_TRUE(HasLine(lines, "step {")) << testing::PrintToString(lines);
+}
+
+// covers: HNC-227
+TEST(HncLowering, ASwitchStaysOneAndFallsThrough) {
+  const std::vector<std::string> lines = Body("switch (a) { case 1: b = 1; case 2: b = 2; break; default: b = 3; }");
+  EXPECT_TRUE(HasLine(lines, "case 1 falls_through {")) << testing::PrintToString(lines);
+  EXPECT_TRUE(HasLine(lines, "default {")) << testing::PrintToString(lines);
+  EXPECT_FALSE(HasLine(lines, "jump")) << testing::PrintToString(lines);
+}
+
+// covers: HNC-092, HNC-093
+TEST(HncLowering, RecursionIsRefusedAtTheCallThatClosesIt) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nvoid f();\nvoid g() { f(); }\nvoid f() { g(); }\n"
+            "void init() { plc1_time = 16; plc2_time = 32; }\nvoid plc1() { f(); }\nvoid plc2() { }\n");
+  EXPECT_THAT(lowered.Reported(), Contains("3 E031"));
+}
+
+// covers: HNC-218
+TEST(HncLowering, PointersToOneObjectAreOffsets) {
+  const std::vector<std::string> lines = Body("int *p; p = &table[2]; *p = 5; p[1] = 6;");
+  EXPECT_FALSE(HasLine(lines, "record_fault")) << testing::PrintToString(lines);
+  EXPECT_FALSE(HasLine(lines, "switch")) << testing::PrintToString(lines);
+}
+
+// covers: HNC-263
+TEST(HncLowering, PointersToSeveralObjectsChoose) {
+  EXPECT_TRUE(HasLine(Body("int *p; if (a) p = table; else p = R_i; *p = 5;"), "switch"));
+}
+
+// covers: HNC-331
+TEST(HncLowering, HandlersAreNumbers) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nvoid on_m(int ch) { mod_M_code(ch) = -1; }\n"
+            "void init() { plc1_time = 16; plc2_time = 32; set_mst_func(0, 'M', on_m); }\n"
+            "void plc1() { }\nvoid plc2() { }\n");
+  EXPECT_THAT(lowered.Reported(), IsEmpty());
+  EXPECT_TRUE(HasLine(lowered.Routine("dispatch"), "call on_m"));
+}
+
+// covers: HNC-126, HNC-127
+TEST(HncLowering, LocationsByName) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nstruct axis { int speed; unsigned char on; } axes[3];\n"
+            "void init() { plc1_time = 16; plc2_time = 32; }\n"
+            "void plc1() { static int count; count++; axes[1].speed = count; }\nvoid plc2() { }\n");
+  for (const char* name : {"X0.1", "F162.5", "R[612]", "B[0]", "R_i[1]", "F_l[1]", "G_i[170]", "axes[1].speed",
+                           "axes[2].on", "plc1.count", "HW[0]", "MODAL[3]", "FAULT.code", "FAULT.line", "plc1_time"}) {
+    EXPECT_TRUE(Locate(lowered.program(), name)) << name;
+  }
+  for (const char* name :
+       {"X0.8", "F162.16", "R[768]", "F_l[255]", "axes[3].speed", "axes", "count", "HW[4]", "Q1", ""}) {
+    EXPECT_FALSE(Locate(lowered.program(), name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace plcxx::hnc

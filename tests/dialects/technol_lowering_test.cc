@@ -1,0 +1,138 @@
+// What the instructions of a module become.
+
+#include "tests/dialects/technol_lowered.h"
+
+namespace plcxx::technol {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
+
+// covers: TECHNOL-077
+TEST(TechnolLowering, ALogicSequenceIsOneExpression) {
+  EXPECT_THAT(Main("LDR A\nLO B\nLA -C\nWR Q\n"),
+              ElementsAre("stmt Q", "%0 = load A", "%1 = load B", "%2 = or.bit %0 %1", "%3 = load C", "%4 = not.bit %3",
+                          "%5 = and.bit %2 %4", "store Q %5"));
+}
+
+// covers: TECHNOL-095
+TEST(TechnolLowering, ALoadWithWhatIsStoredIsOneExpression) {
+  EXPECT_THAT(Main("LOD W\nAD CNST.1\nSTO W\n"),
+              ElementsAre("stmt W", "%0 = load W", "%1 = const i16 1", "%2 = add.i16 %0 %1", "store W %2"));
+}
+
+// covers: TECHNOL-096
+TEST(TechnolLowering, ADoublewordMakesTheOperationWide) {
+  EXPECT_THAT(Main("LOD W\nAD D\nSTO D\n"), IsSupersetOf({"%4 = add.i32 %2 %3", "store D %4"}));
+}
+
+// covers: TECHNOL-155
+TEST(TechnolLowering, AJumpBehindCmpIsAComparison) {
+  EXPECT_THAT(Main("MOV AX,W\nCMP AX,5\nJA L\nFL 1,A\nL: LDR A\nWR B\n"),
+              IsSupersetOf({"%8 = zext.i16.i32 %0", "%10 = ugt.i32 %8 %9", "jump L5 if %10"}));
+  EXPECT_THAT(Main("MOV AX,W\nCMP AX,5\nJL L\nFL 1,A\nL: LDR A\nWR B\n"), Contains("%7 = slt.i16 %0 %1"));
+}
+
+// covers: TECHNOL-139, TECHNOL-142
+TEST(TechnolLowering, HalvesOfRegistersAreTakenApartWithoutComputing) {
+  EXPECT_THAT(Main("MOV AL,X\nMOV AH,5\nMOV X,AH\n"), IsSupersetOf({"%4 = const i8 5", "store X %4"}));
+  EXPECT_THAT(Main("MOV BL,X\nXOR BH,BH\nMOV W,BX\n"), IsSupersetOf({"%5 = zext.i8.i16 %0", "store W %5"}));
+}
+
+// covers: TECHNOL-068
+TEST(TechnolLowering, AnIndexedAccessIsCheckedBesideIt) {
+  const std::vector<std::string> lines = Main("MOV BX,W\nMOV AL,X[BX]\nMOV X,AL\n");
+  EXPECT_THAT(lines, IsSupersetOf({"%1 = sext.i16.i32 %0", "%3 = add.i32 %1 %2", "%4 = const i32 7",
+                                   "%5 = ugt.i32 %3 %4", "if %5 {", "%8 = load X_indexed[%1]", "store X %8"}));
+}
+
+// covers: TECHNOL-068
+TEST(TechnolLowering, AnIndexThatCannotLeaveTheAreaIsNotChecked) {
+  const std::string data =
+      "DATA\nTAB: DS 256\nX: DB ?\nDATA_END\nMODULE_MAIN\nMOV BL,X\nXOR BH,BH\nMOV AL,BYTE PTR "
+      "TAB[BX]\nMOV X,AL\nMODULE_MAIN_END\nSTOP\n";
+  LoweredProgram lowered;
+  LowerInto(lowered, data);
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  EXPECT_THAT(lowered.Routine("MODULE_MAIN"), Not(Contains(testing::StartsWith("host fault"))));
+}
+
+// covers: TECHNOL-103
+TEST(TechnolLowering, ADivisionBranchesWhereTheDivisorIsNotKnown) {
+  EXPECT_THAT(Main("LOD W\nDIVB X\nSTO W\n"), Contains("} else {"));
+  EXPECT_THAT(Main("LOD W\nDIVB CNST.10\nSTO W\n"), Not(Contains("} else {")));
+}
+
+// covers: TECHNOL-115, TECHNOL-119
+TEST(TechnolLowering, AMechanismIsASwitchOverItsStep) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nLDR B\nEX0\nFL 1,C\nMECH_END M\n"));
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  std::vector<std::string> lines = lowered.Routine("mech_M");
+  lines.erase(lines.begin(), std::find(lines.begin(), lines.end(), "%12 = load M_step"));
+  std::erase_if(lines, [](const std::string& line) { return line.starts_with("store rlo"); });
+  EXPECT_THAT(lines, ElementsAre("%12 = load M_step", "switch %12 {", "default falls_through {", "stmt A",
+                                 "%0 = const bit 1", "store A %0", "}", "case 1 {", "stmt M", "%0 = load B",
+                                 "%1 = not.bit %0", "if %1 {", "%2 = const i16 1", "store M_step %2", "jump L0", "}",
+                                 "stmt C", "%0 = const bit 1", "store C %0", "stmt M", "%0 = const bit 0", "store M %0",
+                                 "%1 = const i16 0", "store M_step %1", "}", "}", "label L0"));
+}
+
+// covers: TECHNOL-089
+TEST(TechnolLowering, SubprogramsWithACommonTailAreOneRoutine) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("CALL S1\nCALL S2\n", "S1: FL 1,A\nS2: FL 1,B\nRET\n"));
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  EXPECT_THAT(lowered.Routine("S1"), IsSupersetOf({"%0 = load entry", "switch %0 {", "case 1 {"}));
+  EXPECT_THAT(lowered.Routine("MODULE_MAIN"), IsSupersetOf({"call S1 (%0)"}));
+}
+
+// covers: TECHNOL-087
+TEST(TechnolLowering, ARefusedJumpInASubprogramLeavesItsCallers) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("CALL S\nFL 1,A\n", "S: LDR B\nJL1 S\nRET\n"));
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  EXPECT_THAT(lowered.Routine("MODULE_MAIN"), IsSupersetOf({"%0 = call S ()", "jump L0 if %0"}));
+}
+
+// covers: TECHNOL-196
+TEST(TechnolLowering, OnlyRequestsOfTheProgramAreAskedFor) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("FL 1,REQ_CLOSE_ALL\n"));
+  EXPECT_THAT(lowered.Routine("requests"), IsSupersetOf({"%0 = load REQ_CLOSE_ALL", "host close_all ()"}));
+  EXPECT_THAT(lowered.Routine("requests"), Not(Contains("host backup_pos ()")));
+}
+
+TEST(TechnolLocate, AddressesWithoutRegisters) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("LDR A\nWR Q\nMECH_BEGIN M\nMECH_END M\n"));
+  const auto at = [&](std::string_view text) {
+    const auto location = Locate(lowered.program(), text);
+    if (!location) return std::string("none");
+    const ir::Place& place = location->place;
+    return lowered.program().spaces[place.space].name + " " + std::to_string(place.offset) + " " +
+           std::string(ir::Name(place.type));
+  };
+  EXPECT_EQ(at("a"), "DATA 0 bit");
+  EXPECT_EQ(at("M"), "mechanisms 0 bit");
+  EXPECT_EQ(at("W"), "DATA 2 i16");
+  EXPECT_EQ(at("BYTE.W+1"), "DATA 3 i8");
+  EXPECT_EQ(at("DWRD.(TAB_TECHNOL+32)"), "TAB_TECHNOL 32 i32");
+  EXPECT_EQ(at("byte.(LABEL_MEM + 3*4)"), "LABEL_MEM 12 i8");
+  EXPECT_EQ(at("TAB_TECHNOL.TCH_VOLBA"), "TAB_TECHNOL 6 i16");
+  EXPECT_EQ(at("WORD.LABEL_MEM[10]"), "LABEL_MEM 10 i16");
+  EXPECT_EQ(at("REQ_PIS_HALT"), "SYS 7 bit");
+  EXPECT_EQ(at("BUKON99"), "BUKON 396 i32");
+  for (const char* text : {"LABEL_MEM", "WORD.LABEL_MEM+999", "NIC", "", "5", "WORD.", "W[BX]", "BYTE.A", "W W"}) {
+    EXPECT_EQ(at(text), "none") << text;
+  }
+  EXPECT_EQ(ParseValue("0FFh"), 255U);
+  EXPECT_EQ(ParseValue("'T'"), 84U);
+  EXPECT_EQ(ParseValue("1x"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace plcxx::technol

@@ -1,0 +1,143 @@
+// The tool with C sources: options of C compilers, the order of messages, what of the source is in the output.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::string_view kEntries = "void init() { plc1_time = 16; plc2_time = 32; }\nvoid plc2() { }\n";
+
+std::string Program(std::string_view rest) {
+  return "#include \"plc.h\"\n" + std::string(kEntries) + std::string(rest);
+}
+
+size_t Count(std::string_view text, std::string_view word) {
+  size_t count = 0;
+  for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// covers: HNC-052 HNC-356
+TEST(HncCommand, DefinesAndUndefines) {
+  const Workplace work;
+  work.Write("mill.cld", Program("#ifndef __MSDOS__\nint undefined;\n#endif\nvoid plc1() { Y[0] = SPEED; }\n"));
+  EXPECT_EQ(work.Run("check mill.cld").code, 1);
+  EXPECT_EQ(work.Run("check mill.cld -D SPEED=3").code, 0);
+  EXPECT_EQ(work.Run("check mill.cld -D SPEED").code, 0);
+  EXPECT_THAT(work.Run("print syntax mill.cld -D SPEED=3 -U __MSDOS__").out, HasSubstr("undefined"));
+}
+
+// covers: HNC-047 HNC-356
+TEST(HncCommand, IncludeDirectories) {
+  const Workplace work;
+  work.Write("common/Speeds.h", "#define SPEED 3\n");
+  work.Write("mill.cld", Program("#include \"SPEEDS.H\"\nvoid plc1() { Y[0] = SPEED; }\n"));
+  EXPECT_THAT(work.Run("check mill.cld").errors, HasSubstr("hnc-E005"));
+  EXPECT_EQ(work.Run("check mill.cld -I common").code, 0);
+}
+
+// covers: HNC-347
+TEST(HncCommand, WarningsAsErrorsAndSilenced) {
+  const Workplace work;
+  work.Write("mill.cld", Program("void plc1() { if (X[0] & 1 != 0) Y[0] = 1; }\n"));
+  const Ran plain = work.Run("check mill.cld");
+  EXPECT_EQ(plain.code, 0) << plain;
+  EXPECT_THAT(plain.errors, HasSubstr("hnc-W12"));
+  EXPECT_EQ(work.Run("check mill.cld -Werror").code, 1);
+  EXPECT_EQ(work.Run("check mill.cld -Werror=W12").code, 1);
+  EXPECT_EQ(work.Run("check mill.cld -Werror=W3").code, 0);
+  EXPECT_THAT(work.Run("check mill.cld -Wno-W12").errors, Not(HasSubstr("hnc-W12")));
+}
+
+// covers: HNC-347
+TEST(HncCommand, LostDigitsAreToldWhenAskedFor) {
+  const Workplace work;
+  work.Write("mill.cld", Program("void plc1() { Y[0] = 300; }\n"));
+  EXPECT_THAT(work.Run("check mill.cld").errors, Not(HasSubstr("hnc-W17")));
+  EXPECT_THAT(work.Run("check mill.cld -WW17").errors, HasSubstr("hnc-W17"));
+}
+
+TEST(HncCommand, OneSourceIsAProgram) {
+  const Workplace work;
+  work.Write("mill.cld", Program("void plc1() { }\n"));
+  work.Write("other.cld", Program("void plc1() { }\n"));
+  EXPECT_EQ(work.Run("check mill.cld other.cld").code, 2);
+}
+
+// covers: HNC-345
+TEST(HncCommand, AllErrorsInTheOrderOfTheirPlaces) {
+  const Workplace work;
+  work.Write("mill.cld",
+             Program("void plc1() { Y[0] = first; }\nvoid f() { f(); }\nint g() { while (X[0]) ; return 1; }\n"
+                     "void h() { goto nowhere; }\n"));
+  const std::string errors = work.Run("check mill.cld").errors;
+  const size_t undeclared = errors.find("mill.cld:4:"), recursion = errors.find("mill.cld:5:"),
+               loop = errors.find("mill.cld:6:"), label = errors.find("mill.cld:7:");
+  EXPECT_NE(label, std::string::npos) << errors;
+  EXPECT_LT(undeclared, recursion) << errors;
+  EXPECT_LT(recursion, loop) << errors;
+  EXPECT_LT(loop, label) << errors;
+}
+
+// covers: HNC-345
+TEST(HncCommand, AtMostFiftyErrors) {
+  const Workplace work;
+  std::string body = "void plc1()\n{\n";
+  for (int i = 0; i < 200; ++i) body += "    Y[0] = x" + std::to_string(i) + ";\n";
+  work.Write("mill.cld", Program(body + "}\n"));
+  const size_t told = Count(work.Run("check mill.cld").errors, "error: ");
+  EXPECT_GE(told, 45u);
+  EXPECT_LE(told, 52u);
+}
+
+// covers: HNC-355 HNC-351
+TEST(HncCommand, LinesAreInTheMapOnly) {
+  const Workplace work;
+  const std::string body = "int a;\nvoid plc1() { a = 1 / X[0]; Y[0] = a; }\n";
+  work.Write("mill.cld", Program(body));
+  ASSERT_EQ(work.Run("emit mill.cld -o one --quiet --name mill").code, 0);
+  work.Write("mill.cld", Program("/* a line\n   more */\n" + body));
+  ASSERT_EQ(work.Run("emit mill.cld -o two --quiet --name mill").code, 0);
+  EXPECT_EQ(work.Read("one/mill.cpp"), work.Read("two/mill.cpp"));
+  EXPECT_EQ(work.Read("one/mill.hpp"), work.Read("two/mill.hpp"));
+  EXPECT_NE(work.Read("one/mill.map.json"), work.Read("two/mill.map.json"));
+}
+
+// covers: HNC-331 HNC-353
+TEST(HncCommand, NoPointerToAFunctionAndNoTextOutsideComments) {
+  const Workplace work;
+  work.Write("mill.cld",
+             "#include \"plc.h\"\n#define DOUBLED(x) ((x) + (x))\nint a;\n"
+             "void on_m(int ch) { mod_M_code(ch) = -1; }\n"
+             "void init() { plc1_time = 16; plc2_time = 32; set_mst_func(0, 'M', on_m); }\n"
+             "void plc1() { a = DOUBLED(X[0]); /* */ Y[0] = a; }\nvoid plc2() { }\n");
+  ASSERT_EQ(work.Run("emit mill.cld -o out --quiet --name mill").code, 0);
+  const std::string code = work.Read("out/mill.cpp");
+  EXPECT_THAT(code, AllOf(Not(HasSubstr("(*")), HasSubstr("on_m(m, 0")));
+  for (size_t at = code.find("DOUBLED"); at != std::string::npos; at = code.find("DOUBLED", at + 1)) {
+    const size_t line = code.rfind('\n', at) + 1;
+    EXPECT_NE(code.substr(line, at - line).find("//"), std::string::npos);
+  }
+}
+
+// covers: HNC-349 HNC-350
+TEST(HncCommand, ReportNamesCellsAsTheMacrosDo) {
+  const Workplace work;
+  work.Write("mill.cld",
+             Program("#define mode_sel R[0]\nvoid plc1() { mode_sel = X[0]; if (mode_sel == 1) Y[1] |= 8; }\n"));
+  const Ran report = work.Run("report mill.cld --print-symbols");
+  EXPECT_EQ(report.code, 0) << report;
+  EXPECT_THAT(report.out, HasSubstr("mode_sel"));
+  EXPECT_THAT(work.Run("report mill.cld --cross-reference").out, HasSubstr("R0  mode_sel"));
+}
+
+}  // namespace
+}  // namespace plcxx::driver
