@@ -121,7 +121,7 @@ TEST_F(GeneratedHost50, TablesOfTheSourceAreConstants) {
 
 // covers: HOST50-231
 TEST_F(GeneratedHost50, ASymbolGivesWayToANameOfTheGeneratedCode) {
-  EXPECT_THAT(header_, HasSubstr("title_B1,  // B1: a name of the generated code\n"));
+  EXPECT_THAT(header_, HasSubstr("title_B1{0, 1};  // B1: a name of the generated code\n"));
   EXPECT_THAT(header_, HasSubstr("parts"));
 }
 

@@ -231,7 +231,7 @@ struct Schedule {
   bool elapses_every_ms = false;      // the same at every whole millisecond that is not a period's
   bool period_ends_its_time = false;  // the first period is at t = period_ms, each one at the end of its time
   uint32_t period_ms = 10;
-  uint32_t slot_ms = 2;         // of each period, for the slow part; what automatic slicing divides by
+  uint32_t slot_ms = 2;  // of each period, for the slow part; what automatic slicing divides by
   /// Not 0: `period` is the slow part alone, run every period_ms, and `fast_only` the fast part, run every fast_ms and
   /// before a slow part of the same time. `run: {slow: n}` and `run: {fast: n}` then are n of them, and no time passes.
   uint32_t fast_ms = 0;

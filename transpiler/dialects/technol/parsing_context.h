@@ -18,8 +18,8 @@ namespace plcxx::technol {
 
 class ParsingContext {
  public:
-  ParsingContext(const source::SourceManager& source_manager, diag::Engine& engine, const Settings& options)
-      : sources(source_manager), diagnostics(engine), settings(options), names(program.symbols, options.names) {}
+  ParsingContext(const source::SourceManager& all_sources, diag::Engine& engine, const Settings& options)
+      : sources(all_sources), diagnostics(engine), settings(options), names(program.symbols, options.names) {}
 
   /// What is reported from now on belongs to statement `number`, which stands in `in` (none: in a file). Statements are
   /// numbered in the order of the text.

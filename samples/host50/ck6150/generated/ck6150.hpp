@@ -369,4 +369,60 @@ inline constexpr plcxx::DisplayText messages[] = {
     {10, 1, "润滑油位低"},
 };
 
+// What the program is called
+struct title_row {
+  const char* key;
+  const char* text;
+};
+inline constexpr title_row title[] = {
+    {"BUILDER", "ACME Machine Tools"},
+    {"MACHINE", "CK6150"},
+    {"PROGRAM", "lathe with 8-position turret"},
+    {"VERSION", "1.2"},
+    {"PCVERSION", "3.0"},
+    {"NCVERSION", "2.4"},
+    {"CREATED", "2024-03-11"},
+    {"EDITED", "2024-06-02"},
+    {"AUTHOR", "张工"},
+    {"NOTE", "八工位电动刀架, 液压卡盘, 送料机为 PLC 轴 1 / bar feeder is PLC axis 1"},
+};
+
+// M codes: number, text
+struct m_codes_row {
+  uint16_t number;
+  const char* text;
+};
+inline constexpr m_codes_row m_codes[] = {
+    {3, "主轴正转"},
+    {4, "主轴反转"},
+    {5, "主轴停止"},
+    {8, "冷却开"},
+    {9, "冷却关"},
+    {10, "卡盘夹紧"},
+    {11, "卡盘松开"},
+    {20, "送料"},
+    {21, "送料机回零"},
+    {30, "程序结束"},
+};
+
+// What the program was compiled with
+struct settings_row {
+  const char* name;
+  const char* value;
+};
+inline constexpr settings_row settings[] = {
+    {"SLOWDIV", "8"},
+    {"CHANNELS", "1"},
+    {"TP", "IEC"},
+    {"ROTQ", "FORWARD"},
+    {"ROTBASE", "1"},
+    {"CNUD", "RING"},
+    {"FTOW", "TRUNC"},
+    {"BTOW", "CLEAR"},
+    {"AXISBASE", "1"},
+    {"EDGEINIT", "IMAGE"},
+    {"SLICES", "ATOMIC"},
+    {"PREDEFINED", "OFF"},
+};
+
 }  // namespace ck6150

@@ -5,7 +5,7 @@
 #include <clang/Parse/ParseAST.h>
 #include <clang/Parse/Parser.h>
 #include <clang/Sema/Sema.h>
-#include <llvm/Support/thread.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <charconv>
@@ -19,8 +19,30 @@ namespace plcxx::hnc {
 namespace {
 
 /// Clang and the conversion follow the nesting of the program by recursion: chains of `else if`, sums and assignments
-/// have no limit of their own. Only what is used of it is real memory.
-constexpr unsigned kStackBytes = 512U << 20;
+/// have no limit of their own. Only what is used of it is real memory; where that much address space is not to be had,
+/// less has to do.
+constexpr size_t kStackBytes[] = {size_t{512} << 20, size_t{128} << 20, size_t{32} << 20};
+
+/// Runs `work` to its end on a stack of its own.
+template <class Work>
+void RunOnLargeStack(Work work) {
+  for (const size_t bytes : kStackBytes) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, bytes);
+    pthread_t thread{};
+    const auto run = [](void* argument) -> void* {
+      (*static_cast<Work*>(argument))();
+      return nullptr;
+    };
+    const bool started = pthread_create(&thread, &attributes, run, &work) == 0;
+    pthread_attr_destroy(&attributes);
+    if (!started) continue;
+    pthread_join(thread, nullptr);
+    return;
+  }
+  work();
+}
 
 /// Comments such as /*@loop_bound 8@*/ say the same as #pragma plcxx loop_bound(8).
 void AddLoopBounds(const std::vector<Comment>& comments, Findings& findings, std::vector<LoopBound>& bounds) {
@@ -117,6 +139,5 @@ void Converter::Run() {
 extern "C" __attribute__((visibility("default"))) void plcxx_hnc_parse(const plcxx::hnc::ParserInput& input,
                                                                        plcxx::hnc::ParseUntil until,
                                                                        plcxx::hnc::ParserOutput& output) {
-  llvm::thread worker(std::optional<unsigned>(plcxx::hnc::kStackBytes), [&] { plcxx::hnc::Run(input, until, output); });
-  worker.join();
+  plcxx::hnc::RunOnLargeStack([&] { plcxx::hnc::Run(input, until, output); });
 }
