@@ -245,11 +245,14 @@ inline Value Read(const Place& place) {
   return Whole(place.type, static_cast<int64_t>(bits));
 }
 
+/// Whether an access outside its object has been told by a read of the same operator: `a += b` and `++` are one access.
+enum class Told : uint8_t { kNotYet, kByRead };
+
 /// Stores, and gives the stored value in the place's type.
-inline Value Store(const Place& place, const Value& value) {
+inline Value Store(const Place& place, const Value& value, Told told = Told::kNotYet) {
   const Value stored = Convert(place.type, value);
   if (place.bytes == nullptr) {
-    Fault(2);
+    if (told == Told::kNotYet) Fault(2);
     return stored;
   }
   uint64_t bits = static_cast<uint64_t>(stored.whole);
@@ -285,7 +288,7 @@ inline Value Read(const Field& field) {
   return Whole(!field.is_signed && field.width == 16 ? Type::kUnsigned : Type::kInt, bits);
 }
 
-inline Value Store(const Field& field, const Value& value) {
+inline Value Store(const Field& field, const Value& value, Told /*told*/ = Told::kNotYet) {
   const int64_t mask = ((int64_t{1} << field.width) - 1) << field.shift;
   const int64_t bits = Convert(Type::kLong, value).whole << field.shift & mask;
   const int64_t unit = (UnitOf(field) & ~mask) | bits;
@@ -303,7 +306,7 @@ Value Assign(const Value& value, Where place) {
 template <class Where>
 Value AssignOp(const Value& value, Op op, Where where) {
   const auto place = where();
-  return Store(place, Binary{Read(place), op, value}());
+  return Store(place, Binary{Read(place), op, value}(), Told::kByRead);
 }
 
 template <class Where>
@@ -315,7 +318,7 @@ template <class Where>
 Value After(Where where, int step) {  // x++, x--
   const auto place = where();
   const Value old = Read(place);
-  Store(place, Binary{old, Op::kAdd, Whole(Type::kInt, step)}());
+  Store(place, Binary{old, Op::kAdd, Whole(Type::kInt, step)}(), Told::kByRead);
   return old;
 }
 
