@@ -381,8 +381,8 @@ inline constexpr title_row title[] = {
     {"VERSION", "1.2"},
     {"PCVERSION", "3.0"},
     {"NCVERSION", "2.4"},
-    {"CREATED", "2024-03-11"},
-    {"EDITED", "2024-06-02"},
+    {"CREATED", "spring 2024"},
+    {"EDITED", "summer 2024"},
     {"AUTHOR", "张工"},
     {"NOTE", "八工位电动刀架, 液压卡盘, 送料机为 PLC 轴 1 / bar feeder is PLC axis 1"},
 };
