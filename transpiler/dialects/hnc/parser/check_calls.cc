@@ -81,7 +81,6 @@ void Converter::ReportUndefined(const Call& call) {
 /// width and kind. What a parameter keeps of its argument (a char the low byte) is a conversion of the tree.
 void Converter::CheckArguments(const Call& call, const clang::FunctionDecl* definition) {
   if (!call.expr.valid()) return;
-  const std::string name = definition->getNameAsString();
   const std::string shown = call.function->getNameAsString();
   std::vector<ExprId> arguments = unit_.expressions[call.expr].arguments;
   const size_t count = definition->getNumParams();
