@@ -28,11 +28,15 @@ struct Initial {
   uint64_t value = 0;
 };
 
+namespace {
+
 /// Whether a table can go on with `next` behind `last`, or with its first value.
 bool Follows(const Initial& last, const Initial& next) {
   return next.space == last.space && next.index <= last.index + 1 + kMostZeros &&
          next.offset <= last.offset + kMostDistance;
 }
+
+}  // namespace
 
 /// Values of one array, by index.
 struct InitialArray {

@@ -1,43 +1,30 @@
 #include "transpiler/dialects/hnc/options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/common/option_values.h"
+
 namespace plcxx::hnc {
 namespace {
+
+using dialects::Number;
+using dialects::OneOf;
 
 struct Row {
   dialects::OptionInfo info;
   bool (*apply)(std::string_view text, Settings& settings);
 };
 
-bool Number(std::string_view text, uint32_t least, uint32_t most, uint32_t& value) {
-  uint32_t number = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = result.ptr == text.data() + text.size();
-  if (result.ec != std::errc{} || !whole || number < least || number > most) return false;
-  value = number;
-  return true;
-}
-
-template <class Choice>
-bool Choose(std::string_view text, std::string_view first, std::string_view second, Choice a, Choice b,
-            Choice& choice) {
-  if (text != first && text != second) return false;
-  choice = text == first ? a : b;
-  return true;
-}
-
 constexpr Row kRows[] = {
     {{"char", "signed or unsigned", "signed", "sign of plain char and of character constants"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "signed", "unsigned", CharOption::kSigned, CharOption::kUnsigned, s.plain_char);
+       return OneOf(text, "signed", CharOption::kSigned, "unsigned", CharOption::kUnsigned, s.plain_char);
      }},
     {{"abs", "int or long", "int", "abs() takes an int, or keeps the type of its argument"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "int", "long", AbsMeaning::kInt, AbsMeaning::kLong, s.abs);
+       return OneOf(text, "int", AbsMeaning::kInt, "long", AbsMeaning::kLong, s.abs);
      }},
     {{"system-header", "a file name", "", "a further name of the system header plc.h"},
      [](std::string_view text, Settings& s) {
@@ -48,25 +35,25 @@ constexpr Row kRows[] = {
      [](std::string_view text, Settings& s) { return Number(text, 0, 28, s.x_mirror); }},
     {{"sysfunc", "image or host", "image", "system functions write G, or call functions of the host"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "image", "host", SysfuncOption::kImage, SysfuncOption::kHost, s.sysfunc);
+       return OneOf(text, "image", SysfuncOption::kImage, "host", SysfuncOption::kHost, s.sysfunc);
      }},
     {{"handler-calls", "each or once", "each", "handlers are called in each fast cycle of a request, or once"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "each", "once", HandlerCallsOption::kEach, HandlerCallsOption::kOnce, s.handler_calls);
+       return OneOf(text, "each", HandlerCallsOption::kEach, "once", HandlerCallsOption::kOnce, s.handler_calls);
      }},
     {{"m00-flags", "on or off", "on", "the dispatcher sets CH_M00 and CH_M01"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "on", "off", M00FlagsOption::kOn, M00FlagsOption::kOff, s.m00_flags);
+       return OneOf(text, "on", M00FlagsOption::kOn, "off", M00FlagsOption::kOff, s.m00_flags);
      }},
     {{"stop", "corrected or printed", "corrected", "set_axis_stop() of a negative rest"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "corrected", "printed", StopOption::kCorrected, StopOption::kPrinted, s.stop);
+       return OneOf(text, "corrected", StopOption::kCorrected, "printed", StopOption::kPrinted, s.stop);
      }},
     {{"loop-warn", "1..10000000", "1000", "rounds of a loop from which it is warned about"},
      [](std::string_view text, Settings& s) { return Number(text, 1, 10'000'000, s.loop_warn); }},
     {{"faults", "continue or stop", "continue", "what the machine does after a run-time fault"},
      [](std::string_view text, Settings& s) {
-       return Choose(text, "continue", "stop", FaultsOption::kContinue, FaultsOption::kStop, s.faults);
+       return OneOf(text, "continue", FaultsOption::kContinue, "stop", FaultsOption::kStop, s.faults);
      }},
     {{"base-cycle", "1..100 in ms", "1", "the host's base cycle"},
      [](std::string_view text, Settings& s) { return Number(text, 1, 100, s.base_cycle_ms); }},

@@ -1,13 +1,18 @@
 #include "transpiler/dialects/prostep/options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/common/option_values.h"
+
 namespace plcxx::prostep {
 namespace {
+
+using dialects::Number;
+using dialects::OneOf;
+using dialects::Switch;
 
 /// Takes the value into the settings; false when it does not fit.
 using Apply = bool (*)(std::string_view value, Settings& settings);
@@ -16,29 +21,6 @@ struct Row {
   dialects::OptionInfo info;
   Apply apply;
 };
-
-bool Number(std::string_view text, uint32_t low, uint32_t high, uint32_t& into) {
-  uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) return false;
-  into = value;
-  return true;
-}
-
-bool Switch(std::string_view text, bool& into) {
-  const bool on = text == "on" || text == "true", off = text == "off" || text == "false";
-  if (on || off) into = on;
-  return on || off;
-}
-
-/// The first word means `first`, the second `second`.
-template <class Enum>
-bool OneOf(std::string_view text, std::string_view first_word, Enum first, std::string_view second_word, Enum second,
-           Enum& into) {
-  if (text != first_word && text != second_word) return false;
-  into = text == first_word ? first : second;
-  return true;
-}
 
 bool ApplyRetentive(std::string_view text, Settings& s) {
   const size_t dash = text.find('-');
