@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/driver/child_process.h"
+#include "transpiler/compile/child_process.h"
 
 namespace plcxx::driver {
 namespace {
@@ -41,26 +41,27 @@ class TestCommand : public testing::Test {
     std::ifstream in(root_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  ProcessResult Run(const std::string& arguments) const {
-    return RunProcess({"sh", "-c", "cd '" + root_.string() + "' && '" PLCXX_BINARY "' test " + arguments}, kSeconds);
+  compile::ProcessResult Run(const std::string& arguments) const {
+    return compile::RunProcess({"sh", "-c", "cd '" + root_.string() + "' && '" PLCXX_BINARY "' test " + arguments},
+                               kSeconds);
   }
 
-  TemporaryDirectory directory_;
+  compile::TemporaryDirectory directory_;
   fs::path root_ = directory_.path();
 };
 
 TEST_F(TestCommand, AScenarioThatPasses) {
-  const ProcessResult simulated = Run("good.yaml --engine sim --verbose");
+  const compile::ProcessResult simulated = Run("good.yaml --engine sim --verbose");
   EXPECT_EQ(simulated.exit_code, 0);
   EXPECT_EQ(simulated.output, "passed  good.yaml  (3 steps in simulator)\n1 scenario passed\n");
-  const ProcessResult both = Run("good.yaml --verbose");
+  const compile::ProcessResult both = Run("good.yaml --verbose");
   EXPECT_EQ(both.exit_code, 0) << both.output;
   EXPECT_THAT(both.output, HasSubstr("(3 steps in simulator and compiled)"));
   EXPECT_THAT(Run("good.yaml --engine host --verbose").output, HasSubstr("(3 steps in compiled)"));
 }
 
 TEST_F(TestCommand, AScenarioThatFails) {
-  const ProcessResult result = Run("good.yaml wrong.yaml --engine sim");
+  const compile::ProcessResult result = Run("good.yaml wrong.yaml --engine sim");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.output,
             "passed  good.yaml\n"
@@ -74,13 +75,13 @@ TEST_F(TestCommand, AScenarioThatFails) {
 
 TEST_F(TestCommand, AScenarioThatCannotBeRun) {
   Write("unknown.yaml", Scenario("- wait: 3\n"));
-  const ProcessResult result = Run("good.yaml unknown.yaml nowhere.yaml wrong.yaml --engine sim");
+  const compile::ProcessResult result = Run("good.yaml unknown.yaml nowhere.yaml wrong.yaml --engine sim");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.output, HasSubstr("unknown.yaml:4:3: 'wait' is no step"));
   EXPECT_THAT(result.output, HasSubstr("nowhere.yaml: there is no such file"));
   EXPECT_THAT(result.output, HasSubstr("1 scenario passed, 1 failed, 2 cannot be run"));
   Write("location.yaml", Scenario("- set: {Z9: 1}\n"));
-  const ProcessResult location = Run("location.yaml --engine sim");
+  const compile::ProcessResult location = Run("location.yaml --engine sim");
   EXPECT_EQ(location.exit_code, 2);
   EXPECT_THAT(location.output, HasSubstr("location.yaml:4:9: 'Z9' is no location of dialect nc110"));
   Write("sources.yaml", "steps: []\n");
@@ -91,7 +92,7 @@ TEST_F(TestCommand, AScenarioThatCannotBeRun) {
 TEST_F(TestCommand, AProgramWithErrorsFailsAndShowsThem) {
   Write("broken.plc", "$\nU4A8=\n");
   Write("broken.yaml", "dialect: nc110\nsources: [broken.plc]\nsteps: []\n");
-  const ProcessResult result = Run("broken.yaml --engine sim");
+  const compile::ProcessResult result = Run("broken.yaml --engine sim");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, HasSubstr("broken.yaml: the program has errors\nbroken.plc:2:"));
   Write("expected_bad.yaml", "dialect: nc110\nsources: [broken.plc]\nexpect_error: {line: 2}\n");
@@ -106,7 +107,7 @@ TEST_F(TestCommand, DirectoriesAreSearchedInOrder) {
   EXPECT_EQ(Run("sub --engine sim --jobs 4").output,
             "passed  sub/b/a.yaml\npassed  sub/b/z.yaml\n2 scenarios passed\n");
   Write("empty/readme", "");
-  const ProcessResult empty = Run("empty");
+  const compile::ProcessResult empty = Run("empty");
   EXPECT_EQ(empty.exit_code, 2);
   EXPECT_THAT(empty.output, HasSubstr("there is no scenario (*.yaml) in directory 'empty'"));
 }
@@ -131,7 +132,7 @@ TEST_F(TestCommand, WaveformsHoldTheLocationsOfTheScenario) {
 }
 
 TEST_F(TestCommand, WhatTheCompilerSaysIsShown) {
-  const ProcessResult result = Run("good.yaml --cxx false");
+  const compile::ProcessResult result = Run("good.yaml --cxx false");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, HasSubstr("good.yaml: 'false' cannot compile the generated code"));
   EXPECT_EQ(Run("good.yaml --engine fast").exit_code, 2);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "transpiler/driver/child_process.h"
+#include "transpiler/compile/child_process.h"
 #include "transpiler/driver/scenario.h"
 
 namespace plcxx::golden {
@@ -98,11 +98,11 @@ std::string ReadFile(const fs::path& path) {
 }
 
 ToolResult RunTool(const fs::path& directory, const std::vector<std::string>& arguments) {
-  const driver::TemporaryDirectory temporary;
+  const compile::TemporaryDirectory temporary;
   std::string command = "cd " + Quoted(directory.string()) + " && " + Quoted(PLCXX_BINARY);
   for (const std::string& argument : arguments) command += " " + Quoted(argument);
   command += " >" + Quoted(temporary.path() + "/output") + " 2>" + Quoted(temporary.path() + "/errors");
-  const driver::ProcessResult result = driver::RunProcess({"sh", "-c", command}, kToolSeconds);
+  const compile::ProcessResult result = compile::RunProcess({"sh", "-c", command}, kToolSeconds);
   return {result.exit_code, ReadFile(temporary.path() + "/output"), ReadFile(temporary.path() + "/errors")};
 }
 
@@ -160,7 +160,7 @@ std::vector<std::string> CheckSample(const fs::path& machine, Mode mode) {
   const std::optional<Program> program = ProgramOf(scenarios.front());
   if (!program) return {scenarios.front().string() + ": names no program"};
 
-  const driver::TemporaryDirectory temporary;
+  const compile::TemporaryDirectory temporary;
   const std::string name = fs::path(program->first_source).stem().string();
   const ToolResult result =
       RunTool(machine, Command({"emit", "--quiet", "--name", name, "-o", temporary.path()}, *program));

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/driver/child_process.h"
+#include "transpiler/compile/child_process.h"
 #include "transpiler/driver/scenario.h"
 
 namespace plcxx::golden {
@@ -59,7 +59,7 @@ TEST(Golden, EveryProgramBelongsToACase) {
 
 /// A private folder with files in it.
 struct Folder {
-  driver::TemporaryDirectory directory;
+  compile::TemporaryDirectory directory;
   fs::path path = directory.path();
 
   void Write(const std::string& name, std::string_view text) const {

@@ -122,7 +122,9 @@ void Pipeline::Lower() {
     return diagnostic.row->code == diag::HncOneSource.row.code;
   });
   compilation_.program = std::move(lowered.program);
-  compilation_.summary = lowered.summary;
+  compilation_.summary = std::move(lowered.summary);
+  compilation_.data_files = std::move(lowered.data_files);
+  compilation_.has_program = lowered.has_program;
   compilation_.name = request_.name.empty() ? DefaultName(compilation_) : request_.name;
   compilation_.program.name = compilation_.name;
   if (compilation_.ok()) CheckIr(compilation_.program, ir::Stage::kLowered);

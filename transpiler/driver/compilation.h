@@ -71,6 +71,8 @@ struct Compilation {
   std::string name;                            // of the program and its output files, made safe
   ir::Program program;                         // as far as `reached` says
   dialects::SourceSummary summary;
+  std::vector<dialects::DataFile> data_files;
+  bool has_program = true;       // false: the sources are data only
   Estimates estimates;           // from kChecked on
   std::optional<Stage> reached;  // the last stage without errors
   bool wrong_use = false;        // the errors are of the command line, not of the program

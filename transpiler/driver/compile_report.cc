@@ -22,6 +22,11 @@ std::string Plural(uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+/// Without directory: the report must not depend on where the sources stand.
+std::string FileName(const Compilation& compilation, source::FileId id) {
+  return std::filesystem::path(compilation.sources->Get(id).path).filename().string();
+}
+
 }  // namespace
 
 std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files) {
@@ -31,8 +36,7 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
   report["sources"] = nlohmann::ordered_json::array();
   for (const source::FileId id : compilation.files) {
     const source::File& file = compilation.sources->Get(id);
-    // Without directory: the report must not depend on where the sources stand.
-    report["sources"].push_back({{"file", std::filesystem::path(file.path).filename().string()},
+    report["sources"].push_back({{"file", FileName(compilation, id)},
                                  {"lines", compilation.sources->LineCount(id)},
                                  {"encoding", source::Name(file.encoding)}});
   }
@@ -52,6 +56,14 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
     for (const dialects::ResourceUse& resource : compilation.summary.resources) {
       report["resources"].push_back(
           {{"name", resource.name}, {"used", resource.used}, {"available", resource.available}});
+    }
+  }
+  if (!compilation.summary.raised_errors.empty()) {
+    report["raised_errors"] = nlohmann::ordered_json::array();
+    for (const dialects::RaisedError& error : compilation.summary.raised_errors) {
+      const source::Position at = compilation.sources->Locate(error.range.begin);
+      report["raised_errors"].push_back(
+          {{"main", error.main}, {"sub", error.sub}, {"file", FileName(compilation, at.file)}, {"line", at.line}});
     }
   }
   report["slices"] = compilation.estimates.slices;

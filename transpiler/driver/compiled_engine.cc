@@ -3,11 +3,10 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <utility>
 
-#include "transpiler/driver/child_process.h"
-#include "transpiler/driver/embedded_runtime.h"
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/runtime_files.h"
 #include "transpiler/driver/harness.h"
 #include "transpiler/emit/cpp_printer.h"
 
@@ -30,7 +29,7 @@ class CompiledProgram {
  public:
   const ir::Program* program = nullptr;
   emit::Layout layout;
-  std::unique_ptr<TemporaryDirectory> directory;
+  std::unique_ptr<compile::TemporaryDirectory> directory;
   std::string executable;
 };
 
@@ -298,7 +297,7 @@ class CompiledEngine : public sim::Engine {
   std::shared_ptr<CompiledProgram> compiled_;
   const ir::Program& program_;
   const emit::Layout& layout_;
-  ChildProcess child_;
+  compile::ChildProcess child_;
   std::vector<uint8_t> state_;  // mirror of the child's State
   std::vector<uint8_t> force_mask_, force_value_;
   std::vector<std::vector<uint8_t>> shadow_, shadow_mask_, shadow_value_;  // by SpaceId
@@ -319,7 +318,7 @@ std::string FindCompiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen != nullptr && *chosen != '\0') return chosen;
   for (const char* candidate : {"c++", "g++", "clang++"}) {
-    if (RunProcess({candidate, "--version"}, 10).exit_code == 0) return candidate;
+    if (compile::RunProcess({candidate, "--version"}, 10).exit_code == 0) return candidate;
   }
   return "";
 }
@@ -331,17 +330,12 @@ std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(co
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->program = &program;
   compiled->layout = emittable.layout;
-  compiled->directory = std::make_unique<TemporaryDirectory>();
-  const TemporaryDirectory& directory = *compiled->directory;
+  compiled->directory = std::make_unique<compile::TemporaryDirectory>();
+  const compile::TemporaryDirectory& directory = *compiled->directory;
   if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
   compiled->executable = directory.path() + "/program";
 
-  std::error_code error;
-  bool written = std::filesystem::create_directory(directory.path() + "/plcxx", error);
-  for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
-    written = written && directory.Write(std::string("plcxx/") + kRuntimeHeaders[i].name,
-                                         {kRuntimeHeaders[i].text, kRuntimeHeaders[i].size});
-  }
+  bool written = compile::WriteRuntime(directory.path());
   std::vector<std::string> arguments = {compiler, "-std=c++17",     "-O0", "-w",
                                         "-I",     directory.path(), "-o",  compiled->executable};
   for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
@@ -353,7 +347,7 @@ std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(co
   arguments.push_back(directory.path() + "/harness.cpp");
   if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
 
-  const ProcessResult result = RunProcess(arguments, kCompileSeconds);
+  const compile::ProcessResult result = compile::RunProcess(arguments, kCompileSeconds);
   if (result.exit_code != 0) {
     return CompileFailure{"'" + compiler + "' cannot compile the generated code:\n" + FirstLines(result.output, 20)};
   }

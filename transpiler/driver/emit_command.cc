@@ -60,19 +60,23 @@ std::vector<std::string> PathsRead(const Compilation& compilation) {
 }
 
 OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation) {
-  emit::EmitOptions options;
-  options.name = compilation.name;
-  options.flavour = settings.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease;
-  options.line_directives = settings.line_directives;
-  const emit::Emittable emittable = emit::Legalize(compilation.program, options);
-
   OutputRequest output;
   output.directory = settings.directory;
-  output.files = emit::PrintCpp(emittable, *compilation.sources);
-  output.files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
-  std::vector<std::string> names;
-  for (const emit::OutputFile& file : output.files) names.push_back(file.name);
-  output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names)});
+  if (compilation.has_program) {
+    emit::EmitOptions options;
+    options.name = compilation.name;
+    options.flavour = settings.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease;
+    options.line_directives = settings.line_directives;
+    const emit::Emittable emittable = emit::Legalize(compilation.program, options);
+    output.files = emit::PrintCpp(emittable, *compilation.sources);
+    output.files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
+  }
+  for (const dialects::DataFile& file : compilation.data_files) output.files.push_back({file.name, file.bytes});
+  if (compilation.has_program) {
+    std::vector<std::string> names;
+    for (const emit::OutputFile& file : output.files) names.push_back(file.name);
+    output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names)});
+  }
   for (emit::OutputFile& file : output.files) file.name = PathIn(settings.directory, file.name);
 
   output.protected_paths = PathsRead(compilation);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plcxx::driver {
+namespace plcxx::compile {
 
 /// A directory that disappears with the object.
 class TemporaryDirectory {
@@ -49,4 +49,4 @@ class ChildProcess {
   int from_child_ = -1;
 };
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::compile

@@ -1,7 +1,7 @@
 // The headers of runtime_support inside the tool, so that a moved binary can still compile what it generated.
 #pragma once
 
-namespace plcxx::driver {
+namespace plcxx::compile {
 
 struct EmbeddedFile {
   const char* name;  // "timers.h"
@@ -12,4 +12,4 @@ struct EmbeddedFile {
 extern const EmbeddedFile kRuntimeHeaders[];
 extern const unsigned kRuntimeHeadersCount;
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::compile

@@ -1,4 +1,4 @@
-#include "transpiler/driver/child_process.h"
+#include "transpiler/compile/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace plcxx::driver {
+namespace plcxx::compile {
 namespace {
 
 constexpr int kAnswerMilliseconds = 10'000;
@@ -145,4 +145,4 @@ bool ChildProcess::Receive(void* bytes, size_t size) {
   return true;
 }
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::compile
