@@ -57,16 +57,40 @@ struct ResourceUse {
   uint32_t available = 0;
 };
 
+/// A number under which the program reports an error to the operator, and one statement that does.
+struct RaisedError {
+  uint32_t main = 0, sub = 0;
+  source::Range range;
+};
+
+/// A list that the specification of a dialect asks for beside the program: handlers, alarms, limits.
+struct SummaryTable {
+  std::string name;  // a word: "handlers"
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  // each as long as `columns`
+};
+
 /// What the compile report tells of the source.
 struct SourceSummary {
   uint32_t lines = 0;
   uint32_t statements = 0;
-  std::vector<ResourceUse> resources;  // in the order of the control's own page; empty: it has none
+  std::vector<RaisedError> raised_errors = {};  // by number, then by place
+  std::vector<ResourceUse> resources;           // in the order of the control's own page; empty: it has none
+  std::vector<SummaryTable> tables = {};
+};
+
+/// What emit writes beside the C++.
+struct DataFile {
+  std::string name;  // without directory
+  std::string bytes;
 };
 
 struct Lowered {
   ir::Program program;
   SourceSummary summary;
+  std::vector<DataFile> data_files;
+  bool has_program = true;  // false: the sources are data only, and there is no C++ to write
 };
 
 /// A place in a scenario or a watch list: memory, a field of an instance, a port of the simulated control, or the
@@ -80,6 +104,9 @@ struct Location {
   /// only, ControlStub::ReadCell and WriteCell are what `expect` and `set` do. Cannot be forced.
   std::optional<uint32_t> cell;
   bool has_sign = false;  // people read the integer as two's complement
+  /// Not empty: an integer of so many bits (a bit-field), each at a place of its own, the lowest first. `place` is the
+  /// whole number that they are a part of.
+  std::vector<ir::Place> bits;
 };
 
 /// Reads and writes the bytes that a control exchanges with the PLC program.
@@ -162,6 +189,8 @@ struct Dialect {
   bool reads_empty_files = false;      // an empty source is a text without lines, not a fault of the world
   bool takes_system_includes = false;  // --system-include means something to it
   bool takes_macros = false;
+  bool values_wrap = false;    // a scenario's whole number is meant modulo 2^width of its location
+  bool whole_periods = false;  // `run: {ms: n}` takes multiples of the period only
   /// The text of a message that has just become active, where memory is a part of it (numbers); empty: "message N".
   /// None: the text is that of Program::messages.
   std::string (*message_text)(const ir::Program& program, uint32_t number, const ImagePort& image) = nullptr;

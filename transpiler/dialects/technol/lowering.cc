@@ -48,38 +48,47 @@ void Lowering::FindWideRegisters() {
   }
 }
 
-void Lowering::FindResumes(Body& body) {
+void Lowering::FindEntries(Body& body) const {
+  std::vector<InstructionId>& entries = body.entries;
+  const auto add = [&](InstructionId id) {
+    if (id == body.instructions.front()) return;  // step 0
+    const auto at = std::lower_bound(entries.begin(), entries.end(), id);
+    if (at == entries.end() || *at != id) entries.insert(at, id);
+  };
   for (const InstructionId id : body.instructions) {
-    if (!IsWait(tree_.instructions[id].op)) continue;
-    const InstructionId resume = flow_.ResumeOf(id);
-    if (resume != body.instructions.front()) body.resumes.push_back(resume);  // from the beginning: step 0
+    if (IsWait(tree_.instructions[id].op)) add(flow_.ResumeOf(id));
   }
-  std::sort(body.resumes.begin(), body.resumes.end());
-  body.resumes.erase(std::unique(body.resumes.begin(), body.resumes.end()), body.resumes.end());
+  // Each one more may stand between another jump and its label.
+  for (size_t count = 0; count != entries.size();) {
+    count = entries.size();
+    for (const InstructionId id : body.instructions) {
+      flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
+        if (edge != Edge::kJump || to > id || body.StretchOf(to) == body.StretchOf(id)) return;
+        body.goes_back = true;
+        add(to);
+      });
+    }
+  }
 }
 
 void Lowering::FindStretches(Body& body) const {
-  if (body.resumes.empty()) return;
-  const auto stretch_of = [&](InstructionId id) {
-    return std::upper_bound(body.resumes.begin(), body.resumes.end(), id) - body.resumes.begin();
-  };
+  FindEntries(body);
+  if (body.entries.empty()) return;
   for (const InstructionId id : body.instructions) {
     bool crosses = false;
     flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
-      if (edge != Edge::kJump || stretch_of(to) == stretch_of(id)) return;
-      const bool forward_to_last = to > body.resumes.back() && to > id;
-      crosses |= !forward_to_last;
-      if (forward_to_last && (!body.tail || to < *body.tail)) body.tail = to;
+      if (edge != Edge::kJump || to <= id || body.StretchOf(to) == body.StretchOf(id)) return;
+      const bool to_end_of_own = body.StretchOf(to) == body.StretchOf(id) + 1 && body.IsEntry(to);
+      const bool to_tail = to > body.entries.back();
+      crosses |= !to_end_of_own && !to_tail;
+      if (to_tail && (!body.tail || to < *body.tail)) body.tail = to;
     });
     if (crosses) return;
   }
-  // Nothing that jumps back may lead out of the tail.
   for (const InstructionId id : body.instructions) {
-    bool back = false;
     flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
-      back |= edge == Edge::kJump && body.tail && id >= *body.tail && to < *body.tail;
+      body.tail_goes_back |= edge == Edge::kJump && body.tail && id >= *body.tail && to < *body.tail;
     });
-    if (back) return;
   }
   body.stretches_are_cases = true;
 }
@@ -93,7 +102,6 @@ void Lowering::FindBodies() {
       const bool own = instruction.unit == root.unit || instruction.mechanism == root.unit;
       if (own && flow_.IsReached(InstructionId(i))) body.instructions.push_back(InstructionId(i));
     }
-    FindResumes(body);
     FindStretches(body);
     bodies_.push_back(std::move(body));
   }

@@ -47,14 +47,34 @@ InstructionId Lowering::TargetOf(const Instruction& instruction) const {
 
 /// A jump back takes one of the rounds; when none is left, everything is left (6.4).
 void Lowering::Jump(InstructionId target, ValueId condition) {
-  if (target.index > now_.index) return builder_.Jump(target.index + 1, condition);
+  const size_t stretch = body_->StretchOf(target);
+  const bool to_other_stretch = stretch != body_->StretchOf(now_);
+  if (target > now_) {
+    const bool to_end_of_own = to_other_stretch && body_->stretches_are_cases && body_->IsEntry(target);
+    return builder_.Jump(to_end_of_own ? EndOfStretch(target) : target.index + 1, condition);
+  }
   const ir::RegionId behind = builder_.region();
   const ir::RegionId refused = builder_.NewRegion();
   builder_.SetRegion(refused);
   CallFault(Fault::kLoop);
   LeaveAll();
   builder_.SetRegion(behind);
+  if (to_other_stretch) return JumpToEntry(stretch, condition, refused);
   builder_.JumpBack(target.index + 1, condition, Local("rounds_left", Type::kI32), refused);
+}
+
+void Lowering::JumpToEntry(size_t step, ValueId condition, ir::RegionId refused) {
+  const auto go = [&] {
+    builder_.Store(chosen_, Constant(step, 16));
+    builder_.Repeat(loop_, {}, refused);
+  };
+  if (!condition.valid()) return go();
+  const ir::RegionId behind = builder_.region();
+  const ir::RegionId taken = builder_.NewRegion();
+  program_[builder_.If(condition, taken)].payload = static_cast<uint32_t>(ir::IfOrigin::kJumps);
+  builder_.SetRegion(taken);
+  go();
+  builder_.SetRegion(behind);
 }
 
 void Lowering::LeaveAll() {

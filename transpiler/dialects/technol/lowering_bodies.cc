@@ -82,7 +82,10 @@ void Lowering::BeginBody(Body& body) {
     builder_.Store(Local("left", Type::kBit), builder_.Bit(0));
   }
   stretches_.clear();
+  loop_ = {};
   if (body.stretches_are_cases) return BeginStretches(body);
+  const ir::ValueId selector = ChosenEntry(body);
+  if (!selector.valid()) return;
   ir::Switch choice;
   const ir::RegionId behind = builder_.region();
   const auto choose = [&](uint64_t value, InstructionId at) {
@@ -91,45 +94,62 @@ void Lowering::BeginBody(Body& body) {
     builder_.Jump(at.index + 1);
     choice.cases.push_back({.values = {value}, .region = arm});
   };
-  if (!body.resumes.empty()) SpillAll();
-  for (size_t i = 0; i < body.resumes.size(); ++i) choose(i + 1, body.resumes[i]);
+  for (size_t i = 0; i < body.entries.size(); ++i) choose(i + 1, body.entries[i]);
   for (size_t i = 0; body.entry.valid() && i < body.subprograms.size(); ++i) {
     if (flow_.EntryOf(body.subprograms[i]) != body.instructions.front()) choose(i, flow_.EntryOf(body.subprograms[i]));
   }
   builder_.SetRegion(behind);
-  if (choice.cases.empty()) return;
   choice.cases.push_back({.values = {}, .region = builder_.NewRegion()});
-  const ir::ValueId selector = builder_.Load(body.entry.valid() ? body.entry : StepPlace(body.unit));
   builder_.SwitchOn(selector, std::move(choice));
+}
+
+ir::ValueId Lowering::ChosenEntry(const Body& body) {
+  if (body.entry.valid()) return builder_.Load(body.entry);
+  if (body.entries.empty()) return {};
+  SpillAll();
+  if (!body.goes_back) return builder_.Load(StepPlace(body.unit));
+  // The step itself stays until a wait: a mechanism that the guard leaves keeps the one with which it came (6.4).
+  chosen_ = OwnLocal("step", Type::kI16);
+  builder_.Store(chosen_, builder_.Load(StepPlace(body.unit)));
+  const ir::RegionId round = builder_.NewRegion();
+  loop_ =
+      builder_.LoopWith({.kind = ir::LoopBound::kBudget, .budget = Local("rounds_left", Type::kI32), .body = round});
+  builder_.SetRegion(round);
+  return builder_.Load(chosen_);
 }
 
 /// The first stretch is the default: step 0.
 void Lowering::BeginStretches(const Body& body) {
-  SpillAll();
-  const ir::ValueId step = builder_.Load(StepPlace(body.unit));
+  const ir::RegionId around = builder_.region();
+  const ir::ValueId step = ChosenEntry(body);
   ir::Switch choice;
   const auto add = [&](std::vector<uint64_t> values, InstructionId first, InstructionId end) {
     const ir::RegionId region = builder_.NewRegion();
     stretches_[first] = region;
     bool runs_on = false;
-    flow_.ForEachSuccessor(InstructionId(end.index - 1),
-                           [&](InstructionId, Edge edge) { runs_on |= edge == Edge::kOn; });
+    for (const InstructionId id : body.instructions) {
+      if (id < first || id >= end) continue;
+      flow_.ForEachSuccessor(
+          id, [&](InstructionId to, Edge edge) { runs_on |= to == end && (edge == Edge::kOn || edge == Edge::kJump); });
+    }
     choice.cases.push_back({.values = std::move(values), .region = region, .falls_through = runs_on});
   };
-  const std::vector<InstructionId>& resumes = body.resumes;
-  add({}, body.instructions.front(), resumes.front());
-  for (size_t i = 0; i + 1 < resumes.size(); ++i) add({i + 1}, resumes[i], resumes[i + 1]);
-  add({resumes.size()}, resumes.back(), resumes.back());
+  const std::vector<InstructionId>& entries = body.entries;
+  add({}, body.instructions.front(), entries.front());
+  for (size_t i = 0; i + 1 < entries.size(); ++i) add({i + 1}, entries[i], entries[i + 1]);
+  add({entries.size()}, entries.back(), entries.back());
   choice.cases.back().falls_through = false;
   builder_.SwitchOn(step, std::move(choice));
-  if (body.tail) stretches_[*body.tail] = builder_.region();
+  if (body.tail) stretches_[*body.tail] = body.tail_goes_back ? builder_.region() : around;
   ForgetAll();
 }
 
+/// A label that begins a stretch also ends the one before it, for the jumps in that.
 void Lowering::EnterStretch(InstructionId id) {
   const auto found = stretches_.find(id);
   if (found == stretches_.end()) return;
   SpillAll();
+  if (body_->tail != id) builder_.Label(EndOfStretch(id));
   builder_.SetRegion(found->second);
   ForgetAll();
   compared_ = {};
@@ -149,8 +169,8 @@ void Lowering::LowerBody(Body& body) {
       if (edge == Edge::kJump) mark(to);
     });
   }
-  for (const InstructionId resume : body.resumes) {
-    if (!body.stretches_are_cases) mark(resume);
+  for (const InstructionId entry : body.entries) {
+    if (!body.stretches_are_cases) mark(entry);
   }
   for (const uint32_t k : body.subprograms) {
     if (body.subprograms.size() > 1) mark(flow_.EntryOf(k));

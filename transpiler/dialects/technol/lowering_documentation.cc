@@ -4,6 +4,7 @@
 
 #include "transpiler/dialects/technol/lowering_internal.h"
 #include "transpiler/dialects/technol/names.h"
+#include "transpiler/dialects/technol/raised_errors.h"
 
 namespace plcxx::technol {
 
@@ -39,13 +40,11 @@ void Lowering::Document() {
 
 /// The numbers of all ESETs, with where they stand (9.5).
 void Lowering::DocumentErrors() {
-  std::map<std::pair<int64_t, int64_t>, std::string> errors;
-  for (const Instruction& instruction : tree_.instructions) {
-    if (instruction.op != Op::kEset) continue;
-    const int64_t sub = instruction.operands.count > 1 ? tree_.OperandOf(instruction, 1).value : 0;
-    const source::Position place = sources_.Locate(instruction.range.begin);
+  std::map<std::pair<uint32_t, uint32_t>, std::string> errors;
+  for (const dialects::RaisedError& error : RaisedErrors(tree_)) {
+    const source::Position place = sources_.Locate(error.range.begin);
     const std::string_view path = sources_.Get(place.file).path;
-    std::string& places = errors[{tree_.OperandOf(instruction, 0).value, sub}];
+    std::string& places = errors[{error.main, error.sub}];
     places += (places.empty() ? "" : ", ") + std::string(path.substr(path.find_last_of("/\\") + 1)) + ":" +
               std::to_string(place.line);
   }

@@ -1,5 +1,7 @@
 // The functions by which a program reaches its host, and the requests (specification 8.1 to 8.4).
 
+#include <utility>
+
 #include "transpiler/dialects/technol/lowering_internal.h"
 
 namespace plcxx::technol {
@@ -26,6 +28,13 @@ constexpr uint64_t kDone = 1;  // of the results of request()
 const std::vector<std::string>& RequestNames() {
   static const std::vector<std::string> names = {"SEND_PLCMEM", "SEND_TABTECH", "SEND_NCTAB",
                                                  "BACKUP_POS",  "BACKUP_MEM",   "CLOSE_ALL"};
+  return names;
+}
+
+/// In the order of SET_NCTAB (5.5).
+const std::vector<std::string>& NcTableFields() {
+  static const std::vector<std::string> names = {"NCTAB_VERZE",   "NCTAB_MOD",   "NCTAB_TAB",
+                                                 "NCTAB_SLOUPEC", "NCTAB_RADEK", "NCTAB_DATA"};
   return names;
 }
 
@@ -101,6 +110,14 @@ const std::vector<HostRow>& HostRows() {
        false,
        true,
        "Right before request(SEND_NCTAB): set one item of an NC table; the arguments are valid."},
+      {HostCall::kNcTableRefused,
+       "nc_table_refused",
+       {{"field", Type::kI8, NcTableFields()}},
+       Type::kNone,
+       HostAccess::kNone,
+       false,
+       true,
+       "Instead of request(SEND_NCTAB), which has failed: the first field of SET_NCTAB that is not valid."},
       {HostCall::kBackupPos,
        "backup_pos",
        {},
@@ -215,35 +232,51 @@ bool Lowering::CanRequest(std::string_view bit) const {
   return false;
 }
 
-/// The arguments as 8.4 wants them.
-ValueId Lowering::ValidNcTable() {
-  const auto field = [&](std::string_view name, uint32_t width) {
-    const Symbol* symbol = FindSymbol(name);
+void Lowering::CheckNcTable(const std::function<void(std::vector<ValueId>)>& transfer) {
+  const auto field = [&](size_t number, Type type) {
+    const Symbol* symbol = FindSymbol(NcTableFields()[number]);
     PLCXX_CHECK(symbol != nullptr);
-    const auto offset = static_cast<uint32_t>(symbol->value);
     return builder_.Load(
-        CellPlace(Area::kSetNctab, offset, width == 8 ? Type::kI8 : Type::kI32, "SET_NCTAB_" + std::string(name)));
+        CellPlace(Area::kSetNctab, static_cast<uint32_t>(symbol->value), type, "SET_NCTAB_" + NcTableFields()[number]));
   };
-  const auto is = [&](ValueId value, uint64_t wanted) { return Pure(OpKind::kEqual8, {value, Byte(wanted)}); };
-  const auto within = [&](ValueId wide, uint64_t low, uint64_t high) {
-    const ValueId below = Pure(OpKind::kLessEqual32, {wide, Number(high)});
-    if (low == 0) return below;
-    return Pure(OpKind::kBitAnd, {Pure(OpKind::kGreaterEqual32, {wide, Number(low)}), below});
+  const ValueId version = field(0, Type::kI8), mode = field(1, Type::kI8), table = field(2, Type::kI8),
+                column = field(3, Type::kI8), row = field(4, Type::kI8), data = field(5, Type::kI32);
+  const auto is_table = [&](const NcTable& known) { return Pure(OpKind::kEqual8, {table, Byte(known.number)}); };
+  const auto outside = [&](ValueId value, uint64_t low, uint64_t high) {
+    const ValueId above = Pure(OpKind::kGreater8, {value, Byte(high)});
+    return low == 0 ? above : Pure(OpKind::kBitOr, {Pure(OpKind::kLess8, {value, Byte(low)}), above});
   };
-  const auto both = [&](ValueId a, ValueId b) { return Pure(OpKind::kBitAnd, {a, b}); };
-  const ValueId version = field("NCTAB_VERZE", 8), mode = field("NCTAB_MOD", 8), table = field("NCTAB_TAB", 8),
-                column = field("NCTAB_SLOUPEC", 8), row = field("NCTAB_RADEK", 8), data = field("NCTAB_DATA", 32);
-  const ValueId wide_column = ToWidth(column, 32), wide_row = ToWidth(row, 32);
-  ValueId place;
-  for (const NcTable& known : kNcTables) {
-    const ValueId fits = both(is(table, known.number), both(within(wide_column, 1, known.last_column),
-                                                            within(wide_row, known.first_row, known.last_row)));
-    place = place.valid() ? Pure(OpKind::kBitOr, {place, fits}) : fits;
-  }
-  const ValueId digits = Pure(OpKind::kAnd32, {data, builder_.Constant(Type::kI32, 0x7FFFFFFF, 16)});
-  const ValueId numbers = Not(Pure(OpKind::kHasNoDigit32, {digits}));
-  nc_table_arguments_ = {version, mode, table, column, row, data};
-  return both(both(is(version, 1), within(ToWidth(mode, 32), 0, 1)), both(place, numbers));
+  /// Whether what `bad` tells of the table holds for the one that is named.
+  const auto in_its_table = [&](const std::function<ValueId(const NcTable&)>& bad) {
+    ValueId any;
+    for (const NcTable& known : kNcTables) {
+      const ValueId here = Pure(OpKind::kBitAnd, {is_table(known), bad(known)});
+      any = any.valid() ? Pure(OpKind::kBitOr, {any, here}) : here;
+    }
+    return any;
+  };
+  const std::function<ValueId()> bad[] = {
+      [&] { return Pure(OpKind::kNotEqual8, {version, Byte(1)}); },
+      [&] { return outside(mode, 0, 1); },
+      [&] {
+        ValueId none;
+        for (const NcTable& known : kNcTables) {
+          const ValueId other = Not(is_table(known));
+          none = none.valid() ? Pure(OpKind::kBitAnd, {none, other}) : other;
+        }
+        return none;
+      },
+      [&] { return in_its_table([&](const NcTable& known) { return outside(column, 1, known.last_column); }); },
+      [&] { return in_its_table([&](const NcTable& known) { return outside(row, known.first_row, known.last_row); }); },
+      [&] {
+        const ValueId digits = Pure(OpKind::kAnd32, {data, builder_.Constant(Type::kI32, 0x7FFFFFFF, 16)});
+        return Pure(OpKind::kHasNoDigit32, {digits});
+      }};
+  const std::function<void(size_t)> check = [&](size_t number) {
+    if (number == std::size(bad)) return transfer({version, mode, table, column, row, data});
+    Choose(bad[number](), [&] { CallHost(HostCall::kNcTableRefused, {Byte(number)}); }, [&] { check(number + 1); });
+  };
+  check(0);
 }
 
 /// Behind the outputs: each request that stands is given its data and asked for (8.2).
@@ -262,9 +295,9 @@ void Lowering::Requests() {
         CallHost(row.data);
         return ask();
       }
-      // What is not valid is not handed on, and the request stays.
-      When(ValidNcTable(), [&] {
-        CallHost(row.data, nc_table_arguments_);
+      // What is not valid is not handed on, and the request stays (8.4).
+      CheckNcTable([&](std::vector<ValueId> arguments) {
+        CallHost(row.data, std::move(arguments));
         ask();
       });
     });

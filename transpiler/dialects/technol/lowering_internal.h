@@ -5,6 +5,7 @@
 // of their callers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -31,6 +32,7 @@ enum class HostCall : uint8_t {
   kSendPlcmem,
   kSendTabtech,
   kSetNcTable,
+  kNcTableRefused,
   kBackupPos,
   kBackupMem,
   kCloseAll,
@@ -51,16 +53,26 @@ struct Body {
   std::vector<uint32_t> subprograms;        // by Flow's numbers
   std::vector<InstructionId> instructions;  // in source order
   ir::RoutineId routine;
-  std::vector<InstructionId> resumes;  // waiting points, their steps count from 1
-  /// The stretches between waiting points are the cases of one `switch`, each running on into the next; what stands
-  /// from `tail` on is behind it. Not where a jump goes from one stretch into another.
+  /// Where a pass or a jump may go on, in source order; their steps count from 1, 0 is the beginning. Waiting points,
+  /// and what jumps back to across one of these.
+  std::vector<InstructionId> entries;
+  bool goes_back = false;  // a jump leads back across an entry: the choice of the entry stands in a loop
+  /// The stretches between entries are the cases of one `switch`, each running on into the next one; what stands from
+  /// `tail` on is behind it. Not where a jump leads forward into a stretch other than the next one.
   bool stretches_are_cases = false;
   std::optional<InstructionId> tail;
-  ir::PlaceId entry;    // which subprogram is called, where there are several
-  bool calls = false;   // subprograms, with which it shares its registers
-  bool leaves = false;  // may leave all routines at once, by a refused jump or a trap
-  bool loops = false;   // it, or what it calls, jumps backward
-  uint32_t level = 0;   // of subprograms: as Subprogram::level
+  bool tail_goes_back = false;  // to an entry
+  ir::PlaceId entry;            // which subprogram is called, where there are several
+  bool calls = false;           // subprograms, with which it shares its registers
+  bool leaves = false;          // may leave all routines at once, by a refused jump or a trap
+  bool loops = false;           // it, or what it calls, jumps backward
+  uint32_t level = 0;           // of subprograms: as Subprogram::level
+
+  /// 0 up to the first entry; the number of the last entry at or before the instruction.
+  size_t StretchOf(InstructionId id) const {
+    return static_cast<size_t>(std::upper_bound(entries.begin(), entries.end(), id) - entries.begin());
+  }
+  bool IsEntry(InstructionId id) const { return std::binary_search(entries.begin(), entries.end(), id); }
 };
 
 class Lowering {
@@ -75,11 +87,16 @@ class Lowering {
   void FindBodies();
   void FindResumes(Body& body);
   void FindStretches(Body& body) const;
+  void FindEntries(Body& body) const;
   void FindLeaving();
   void AddBodyRoutines();
   void LowerBody(Body& body);
   void BeginBody(Body& body);
   void BeginStretches(const Body& body);
+  /// The number of the entry at which the pass begins; where jumps go back, in front of a loop around what follows.
+  ir::ValueId ChosenEntry(const Body& body);
+  /// The label at the end of the stretch in front of the one that begins at the instruction.
+  uint32_t EndOfStretch(InstructionId next) const { return tree_.instructions.size() + next.index + 1; }
   /// Goes on in the region of the stretch that begins at the instruction, if one does.
   void EnterStretch(InstructionId id);
   void Execute(InstructionId id);
@@ -106,6 +123,8 @@ class Lowering {
   void WriteBit(const Operand& operand, ir::ValueId value);
   void SetFlag(const Instruction& instruction);
   void Jump(InstructionId target, ir::ValueId condition);
+  /// Goes to an entry by way of the choice at the head of the mechanism's loop.
+  void JumpToEntry(size_t step, ir::ValueId condition, ir::RegionId refused);
   void JumpIfRlo(const Instruction& instruction, bool wanted);
   void Call(const Instruction& instruction);
   void Return();
@@ -235,6 +254,8 @@ class Lowering {
   ir::PlaceId AddLocal(std::string name, ir::Type type);
   /// A register or what else lives as long as the routine that is lowered, and the subprograms that it calls.
   ir::PlaceId Local(std::string_view name, ir::Type type);
+  /// The same, but of the routine alone.
+  ir::PlaceId OwnLocal(std::string name, ir::Type type);
 
   ir::ValueId Constant(uint64_t value, uint32_t width, uint32_t base = 10);
   ir::ValueId Byte(uint64_t value) { return Constant(value, 8); }
@@ -260,7 +281,8 @@ class Lowering {
   void Period();
   void Requests();
   bool CanRequest(std::string_view bit) const;
-  ir::ValueId ValidNcTable();
+  /// Runs `transfer` with the fields of SET_NCTAB when they are valid, else tells the host which one is not (8.4).
+  void CheckNcTable(const std::function<void(std::vector<ir::ValueId>)>& transfer);
   ir::PlaceId NeverPlace();
   void RunFunctions(ModuleKind kind, std::string_view bit);
   void FillSchedule();
@@ -288,6 +310,8 @@ class Lowering {
   std::vector<bool> begins_statement_, label_at_;  // of the body's instructions
   bool end_is_used_ = false;
   std::map<InstructionId, ir::RegionId> stretches_;  // by their first instruction, the tail among them
+  ir::InstId loop_;                                  // of a mechanism whose jumps go back
+  ir::PlaceId chosen_;                               // the entry that its next round begins at
   ir::StatementId statement_;
   std::unordered_map<uint32_t, size_t> index_in_body_;
 
@@ -308,7 +332,6 @@ class Lowering {
   std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
   uint32_t step_bytes_ = 0, local_count_ = 0, own_count_ = 0;
   std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
-  std::vector<ir::ValueId> nc_table_arguments_;  // of set_nc_table
   ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;
 
   std::vector<source::Range> waiting_comments_;

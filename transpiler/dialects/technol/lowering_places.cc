@@ -218,12 +218,15 @@ ir::PlaceId Lowering::Local(std::string_view name, Type type) {
   const bool own = body_ != nullptr && body_->unit.valid() && !body_->calls;
   const auto [found, is_new] = locals_.try_emplace({own ? body_->unit.index : UnitId().index, std::string(name)});
   if (!is_new) return found->second;
-  found->second = AddLocal(std::string(name), type);
-  if (own) {
-    program_.places[found->second].space = memory_[SpaceKey::kOwn];
-    program_.places[found->second].offset = 4 * own_count_++;
-  }
+  found->second = own ? OwnLocal(std::string(name), type) : AddLocal(std::string(name), type);
   return found->second;
+}
+
+ir::PlaceId Lowering::OwnLocal(std::string name, Type type) {
+  const ir::PlaceId place = AddLocal(std::move(name), type);
+  program_.places[place].space = memory_[SpaceKey::kOwn];
+  program_.places[place].offset = 4 * own_count_++;
+  return place;
 }
 
 }  // namespace plcxx::technol

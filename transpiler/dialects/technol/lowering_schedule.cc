@@ -53,7 +53,7 @@ void Lowering::RunFunctions(ModuleKind kind, std::string_view bit) {
   const ir::PlaceId active = SystemPlace(bit);
   if (body == nullptr) return builder_.Store(active, builder_.Bit(0));  // nothing to do is done at once
   const auto run = [&] { builder_.CallRoutine(body->routine, {}); };
-  const bool keeps = !body->resumes.empty() || tree_.units[body->unit].timers > 0;
+  const bool keeps = !body->entries.empty() || tree_.units[body->unit].timers > 0;
   if (keeps) {
     Choose(builder_.Load(active), run, [&] { Rewind(body->unit); });
   } else {

@@ -54,10 +54,10 @@ ir::PlaceId Lowering::ActivationPlace(UnitId unit) {
 }
 
 void Lowering::Leave(InstructionId resume) {
-  const auto at = std::lower_bound(body_->resumes.begin(), body_->resumes.end(), resume);
-  const bool begins = at == body_->resumes.end() || *at != resume;  // as if nothing had run
-  if (!body_->resumes.empty()) {
-    const auto step = begins ? 0 : static_cast<uint64_t>(at - body_->resumes.begin()) + 1;
+  const auto at = std::lower_bound(body_->entries.begin(), body_->entries.end(), resume);
+  const bool begins = at == body_->entries.end() || *at != resume;  // as if nothing had run
+  if (!body_->entries.empty()) {
+    const auto step = begins ? 0 : static_cast<uint64_t>(at - body_->entries.begin()) + 1;
     builder_.Store(StepPlace(body_->unit), Constant(step, 16));
   }
   end_is_used_ = true;
@@ -130,7 +130,7 @@ void Lowering::Delay(const Instruction& instruction) {
 
 void Lowering::Rewind(UnitId unit) {
   const Body* body = BodyOfMechanism(unit);
-  if (body != nullptr && !body->resumes.empty()) builder_.Store(StepPlace(unit), Constant(0, 16));
+  if (body != nullptr && !body->entries.empty()) builder_.Store(StepPlace(unit), Constant(0, 16));
   for (uint32_t i = 0; i < tree_.units[unit].timers; ++i) builder_.Store(TimerPlace(unit, i), Constant(0, 16));
 }
 

@@ -3,6 +3,7 @@
 #include "transpiler/dialects/technol/lexer.h"
 #include "transpiler/dialects/technol/macros.h"
 #include "transpiler/dialects/technol/parser.h"
+#include "transpiler/dialects/technol/raised_errors.h"
 
 namespace plcxx::technol {
 namespace {
@@ -52,11 +53,9 @@ std::string SymbolText(const Program& program, const Symbol& symbol) {
 /// "error 10,5 at turret.plc:12" of every ESET (9.5).
 std::string ErrorList(const source::SourceManager& sources, const Program& program) {
   std::string text;
-  for (const Instruction& instruction : program.instructions) {
-    if (instruction.op != Op::kEset || instruction.operands.count == 0) continue;
-    const int64_t sub = instruction.operands.count > 1 ? program.OperandOf(instruction, 1).value : 0;
-    const source::Position place = sources.Locate(instruction.range.begin);
-    text += "error " + std::to_string(program.OperandOf(instruction, 0).value) + "," + std::to_string(sub) + " at " +
+  for (const dialects::RaisedError& error : RaisedErrors(program)) {
+    const source::Position place = sources.Locate(error.range.begin);
+    text += "error " + std::to_string(error.main) + "," + std::to_string(error.sub) + " at " +
             sources.Get(place.file).path + ":" + std::to_string(place.line) + "\n";
   }
   return text;

@@ -1,12 +1,18 @@
 #include "transpiler/dialects/technol/technol.h"
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "transpiler/dialects/technol/flow_checks.h"
 #include "transpiler/dialects/technol/locate.h"
 #include "transpiler/dialects/technol/lowering.h"
 #include "transpiler/dialects/technol/options.h"
 #include "transpiler/dialects/technol/parser.h"
+#include "transpiler/dialects/technol/raised_errors.h"
 #include "transpiler/dialects/technol/sources.h"
 #include "transpiler/dialects/technol/stub.h"
+#include "transpiler/dialects/technol/technology_table.h"
 #include "transpiler/dialects/technol/warnings.h"
 
 namespace plcxx::technol {
@@ -24,12 +30,22 @@ std::string Syntax(dialects::Request& request) {
   return PrintSyntax(*request.sources, Parse(request, ReadSettings(request.options)));
 }
 
+/// The table of the sources as an image and as a listing, each named after its file (9.8.3).
+std::vector<dialects::DataFile> TableFiles(const TechnologyTable& table, const source::SourceManager& sources) {
+  const std::string stem = std::filesystem::path(sources.Get(table.file).path).stem().string();
+  const TableImage image = ImageOf(table);
+  return {{.name = stem + ".bin", .bytes = std::string(image.begin(), image.end())},
+          {.name = stem + ".lst", .bytes = Listing(table)}};
+}
+
 dialects::Lowered LowerProgram(dialects::Request& request) {
   diag::Engine& diagnostics = *request.diagnostics;
   const Settings settings = ReadSettings(request.options);
   const Program tree = Parse(request, settings);
   dialects::Lowered lowered;
-  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count};
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .raised_errors = RaisedErrors(tree)};
+  lowered.has_program = !tree.tables_only;
+  if (tree.table) lowered.data_files = TableFiles(*tree.table, *request.sources);
   if (tree.tables_only) return lowered;
   const Flow flow(tree);
   CheckPaths(flow, diagnostics);
