@@ -47,7 +47,7 @@ bool TemporaryDirectory::Write(const std::string& name, std::string_view text) c
   return std::fclose(file) == 0 && written;
 }
 
-ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds) {
+ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds, const std::string& directory) {
   ProcessResult result;
   int fds[2];
   if (pipe2(fds, O_CLOEXEC) != 0) return result;
@@ -56,6 +56,7 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds)
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, fds[1], 1);
   posix_spawn_file_actions_adddup2(&actions, fds[1], 2);
+  if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   pid_t pid = -1;
   const std::vector<char*> pointers = Pointers(arguments);
   const int failed = posix_spawnp(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);

@@ -28,8 +28,8 @@ struct ProcessResult {
   std::string output;  // standard output and error together
 };
 
-/// Runs a program to its end; it is killed after `seconds`.
-ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds);
+/// Runs a program to its end in `directory` (empty: the current one); it is killed after `seconds`.
+ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds, const std::string& directory = {});
 
 /// A running program whose standard input and output are ours.
 class ChildProcess {

@@ -8,14 +8,22 @@
 
 namespace plcxx::compile {
 
-bool WriteRuntime(const std::string& directory) {
-  const std::filesystem::path folder = std::filesystem::path(directory) / "plcxx";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  bool written = !error;
+std::vector<RuntimeFile> RuntimeFiles() {
+  std::vector<RuntimeFile> files;
   for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
-    std::ofstream file(folder / kRuntimeHeaders[i].name, std::ios::binary);
-    file.write(kRuntimeHeaders[i].text, static_cast<std::streamsize>(kRuntimeHeaders[i].size));
+    const EmbeddedFile& header = kRuntimeHeaders[i];
+    files.push_back({std::string("plcxx/") + header.name, {header.text, header.size}});
+  }
+  return files;
+}
+
+bool WriteRuntime(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(directory) / "plcxx", error);
+  bool written = !error;
+  for (const RuntimeFile& header : RuntimeFiles()) {
+    std::ofstream file(std::filesystem::path(directory) / header.name, std::ios::binary);
+    file.write(header.text.data(), static_cast<std::streamsize>(header.text.size()));
     written = written && file.good();
   }
   return written;

@@ -2,8 +2,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace plcxx::compile {
+
+struct RuntimeFile {
+  std::string name;  // "plcxx/timers.h", as generated code includes it
+  std::string_view text;
+};
+
+/// All of them, by name.
+std::vector<RuntimeFile> RuntimeFiles();
 
 /// Writes them to `directory`/plcxx, which is made when missing. False when one of them cannot be written.
 bool WriteRuntime(const std::string& directory);

@@ -47,6 +47,7 @@ void AddPrint(CLI::App& app, Run& run);
 void AddSim(CLI::App& app, Run& run);
 void AddExplain(CLI::App& app, Run& run);
 void AddReport(CLI::App& app, Run& run);
-void AddLaterCommands(CLI::App& app, Run& run);  // build, diff
+void AddBuild(CLI::App& app, Run& run);
+void AddLaterCommands(CLI::App& app, Run& run);  // diff
 
 }  // namespace plcxx::driver

@@ -13,8 +13,7 @@ struct LaterCommand {
   const char* name;
   const char* meaning;
 };
-constexpr std::array<LaterCommand, 2> kLaterCommands = {{
-    {"build", "Emit and compile for a target (comes with a later version)"},
+constexpr std::array<LaterCommand, 1> kLaterCommands = {{
     {"diff", "Which outputs' logic changed (comes with a later version)"},
 }};
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* kFooter = R"(Examples:
   plcxx emit turret.sym turret.plc -o generated     C++ for any toolchain
+  plcxx build turret.plc --target cortex-m4f        a library for a controller, audited and measured
   plcxx check turret.sym turret.plc                 what is wrong or doubtful
   plcxx test turret.yaml                            run scenarios
   plcxx sim turret.plc --for 3s --watch U4A8,W2K2   watch it run
@@ -37,6 +38,7 @@ int Main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   AddEmit(app, run);
+  AddBuild(app, run);
   AddCheck(app, run);
   AddPrint(app, run);
   AddTest(app, run);

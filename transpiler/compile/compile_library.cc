@@ -1,0 +1,91 @@
+#include "transpiler/compile/compile_library.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/runtime_files.h"
+
+namespace plcxx::compile {
+namespace {
+
+constexpr int kCompileSeconds = 1800;
+constexpr int kArchiveSeconds = 300;
+
+std::string FirstFault(const std::string& output) {
+  size_t begin = output.find("error:");
+  begin = begin == std::string::npos ? 0 : output.rfind('\n', begin) + 1;
+  return output.empty() ? "it ended without a word" : output.substr(begin, output.find('\n', begin) - begin);
+}
+
+std::string ObjectName(const std::string& source) {
+  return std::filesystem::path(source).replace_extension(".o").string();
+}
+
+bool WriteSources(const LibraryRequest& request, std::vector<std::string>& sources) {
+  bool written = WriteRuntime(request.directory);
+  for (const emit::OutputFile& file : *request.files) {
+    const bool source = file.name.ends_with(".cpp");
+    if (!source && !file.name.ends_with(".hpp")) continue;
+    std::ofstream out(std::filesystem::path(request.directory) / file.name, std::ios::binary);
+    out << file.text;
+    written = written && out.good();
+    if (source) sources.push_back(file.name);
+  }
+  return written;
+}
+
+/// Compiles all of them, `jobs` at a time; the fault of the first one that has any.
+std::optional<RefusedSource> CompileAll(const LibraryRequest& request, const std::vector<std::string>& sources) {
+  std::atomic<size_t> next = 0;
+  std::mutex guard;
+  size_t done = 0;
+  std::vector<std::optional<RefusedSource>> faults(sources.size());
+  const auto work = [&] {
+    for (size_t i = next++; i < sources.size(); i = next++) {
+      const ProcessResult result = RunProcess(CompileCommand(*request.toolchain, *request.target, request.level,
+                                                             request.directory, sources[i], ObjectName(sources[i])),
+                                              kCompileSeconds, request.directory);
+      if (result.exit_code != 0) faults[i] = RefusedSource{sources[i], FirstFault(result.output), result.output};
+      const std::lock_guard<std::mutex> lock(guard);
+      ++done;
+      request.progress("compiling: " + std::to_string(done) + " of " + std::to_string(sources.size()));
+    }
+  };
+  std::vector<std::thread> workers;
+  const size_t count = std::clamp<size_t>(request.jobs, 1, sources.size());
+  for (size_t i = 1; i < count; ++i) workers.emplace_back(work);
+  work();
+  for (std::thread& worker : workers) worker.join();
+  const auto first = std::ranges::find_if(faults, [](const auto& fault) { return fault.has_value(); });
+  return first == faults.end() ? std::nullopt : *first;
+}
+
+}  // namespace
+
+std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& request) {
+  std::vector<std::string> sources;
+  if (!WriteSources(request, sources)) {
+    return RefusedSource{"", "cannot write into the temporary directory " + request.directory, ""};
+  }
+  request.progress("compiling");
+  if (auto fault = CompileAll(request, sources)) return *fault;
+
+  Library library;
+  library.archive = "lib" + request.name + ".a";
+  std::vector<std::string> command = {request.toolchain->archiver, "rcsD", library.archive};
+  for (const std::string& source : sources) {
+    library.objects.push_back(ObjectName(source));
+    command.push_back(library.objects.back());
+  }
+  const ProcessResult result = RunProcess(command, kArchiveSeconds, request.directory);
+  if (result.exit_code != 0) return RefusedSource{"", FirstFault(result.output), result.output};
+  return library;
+}
+
+}  // namespace plcxx::compile

@@ -1,0 +1,40 @@
+// Generated C++ to objects and a static library, in a directory of its own.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/emit/cpp_printer.h"
+
+namespace plcxx::compile {
+
+struct LibraryRequest {
+  const Target* target = nullptr;
+  const Toolchain* toolchain = nullptr;
+  std::string name;                                      // of the program; the library is lib<name>.a
+  std::string level;                                     // as behind -O
+  unsigned jobs = 1;                                     // compilers at the same time
+  const std::vector<emit::OutputFile>* files = nullptr;  // those that end in .hpp and .cpp count
+  std::string directory;                                 // exists, empty
+  std::function<void(std::string_view)> progress;
+};
+
+struct RefusedSource {
+  std::string source;   // its name; empty: the archiver
+  std::string message;  // the first line with a fault
+  std::string output;   // all that the compiler said
+};
+
+struct Library {
+  std::vector<std::string> objects;  // names below the request's directory
+  std::string archive;               // likewise
+};
+
+std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& request);
+
+}  // namespace plcxx::compile

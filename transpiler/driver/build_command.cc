@@ -1,0 +1,206 @@
+// plcxx build: sources to C++, objects and a library for a target; what was built is audited and measured.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/compile_library.h"
+#include "transpiler/compile/runtime_files.h"
+#include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/compile_report.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/emit/emittable.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx build turret.sym turret.plc --target cortex-m4f -o out
+      writes out/libturret.a, out/turret.hpp, out/plcxx/*.h, the C++, maps and the report
+  plcxx build mill.cld --target rv32imac --compiler clang++-19 -O s
+  plcxx build turret.plc --target host --name mill -j 4
+
+Compile your own code with -I out and link it with out/libturret.a.
+Files are written whole or not at all; a file that would not change keeps its time.
+Exit codes: 0 built, 1 the program has errors or the audit found some (nothing written), 2 wrong use, 3 a fault of plcxx.)";
+
+struct BuildSettings {
+  CommonOptions common;
+  std::string name;
+  std::string directory;
+  std::string target;
+  std::string compiler;
+  std::string level = "2";
+  unsigned jobs = 0;
+  bool debug = false;
+  bool quiet = false;
+};
+
+std::string TargetsText() {
+  std::string text = "Targets:\n";
+  for (const compile::Target& target : compile::Targets()) {
+    text += "  " + std::string(target.name) + std::string(16 - target.name.size(), ' ') + std::string(target.meaning) +
+            "\n";
+  }
+  return text;
+}
+
+std::string BytesOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// One build: from a compiled program to the files that are written.
+class Build {
+ public:
+  Build(const BuildSettings& settings, const compile::Target& target, Compilation& compilation, ProgressLine& progress)
+      : settings_(settings), target_(target), compilation_(compilation), progress_(progress) {}
+
+  void Run() {
+    if (compilation_.has_program && !CompileProgram()) return;
+    for (const dialects::DataFile& file : compilation_.data_files) files_.push_back({file.name, file.bytes});
+    Write();
+  }
+
+ private:
+  bool CompileProgram() {
+    auto found = compile::FindToolchain(target_, settings_.compiler);
+    if (const auto* missing = std::get_if<compile::MissingTool>(&found)) {
+      compilation_.diagnostics.Report({}, diag::NoCompiler, missing->command, missing->package);
+      return false;
+    }
+    toolchain_ = std::get<compile::Toolchain>(found);
+    progress_.Show("printing C++");
+    const emit::Emittable emittable = emit::Legalize(
+        compilation_.program,
+        {.name = compilation_.name, .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease});
+    files_ = ProgramFiles(compilation_, emittable);
+    const compile::TemporaryDirectory directory;
+    if (!directory.valid()) {
+      ReportCannotWrite({"a temporary directory", "it cannot be made"}, compilation_);
+      return false;
+    }
+    auto compiled = compile::CompileLibrary({.target = &target_,
+                                             .toolchain = &toolchain_,
+                                             .name = compilation_.name,
+                                             .level = settings_.level,
+                                             .jobs = Jobs(),
+                                             .files = &files_,
+                                             .directory = directory.path(),
+                                             .progress = [this](std::string_view text) { progress_.Show(text); }});
+    if (const auto* refused = std::get_if<compile::RefusedSource>(&compiled)) {
+      progress_.Clear();
+      std::cerr << refused->output;
+      compilation_.diagnostics.Report({}, diag::CompilerRefuses,
+                                      refused->source.empty() ? "lib" + compilation_.name + ".a" : refused->source,
+                                      refused->message);
+      return false;
+    }
+    const auto& library = std::get<compile::Library>(compiled);
+    files_.push_back({library.archive, BytesOf(std::filesystem::path(directory.path()) / library.archive)});
+    return compilation_.ok();
+  }
+
+  void Write() {
+    if (compilation_.has_program) {
+      std::vector<std::string> names;
+      for (const emit::OutputFile& file : files_) names.push_back(file.name);
+      files_.push_back({compilation_.name + ".report.json", ReportJson(compilation_, names)});
+      for (const compile::RuntimeFile& header : compile::RuntimeFiles()) {
+        files_.push_back({header.name, std::string(header.text)});
+      }
+    }
+    OutputRequest output;
+    // The deeper directory, so that both are made.
+    output.directory = compilation_.has_program ? PathIn(settings_.directory, "plcxx") : settings_.directory;
+    output.files = std::move(files_);
+    for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.directory, file.name);
+    output.protected_paths = PathsRead(compilation_);
+    progress_.Show("writing");
+    if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation_);
+  }
+
+  unsigned Jobs() const {
+    return settings_.jobs != 0 ? settings_.jobs : std::max(std::thread::hardware_concurrency(), 1u);
+  }
+
+  const BuildSettings& settings_;
+  const compile::Target& target_;
+  Compilation& compilation_;
+  ProgressLine& progress_;
+  compile::Toolchain toolchain_;
+  std::vector<emit::OutputFile> files_;  // without directory
+};
+
+int RunBuild(const BuildSettings& settings) {
+  std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  const compile::Target* target = compile::FindTarget(settings.target);
+  if (target == nullptr) {
+    std::string names;
+    for (const compile::Target& known : compile::Targets())
+      names += (names.empty() ? "" : ", ") + std::string(known.name);
+    PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names
+                                            : "'" + settings.target + "' is no target; there are: " + names);
+    return kWrongUse;
+  }
+  if (!settings.name.empty() && !IsFileName(settings.name)) {
+    PrintUsageError("'--name " + settings.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
+    return kWrongUse;
+  }
+  request->name = settings.name;
+
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  Compilation compilation = Compile(*request);
+  if (compilation.ok()) Build(settings, *target, compilation, progress).Run();
+  progress.Clear();
+  PrintDiagnostics(compilation, FormatOf(settings.common));
+  if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation);
+  return ExitCodeOf(compilation);
+}
+
+}  // namespace
+
+void AddBuild(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("build", "Emit, compile for a target, audit and measure the objects");
+  const auto settings = std::make_shared<BuildSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--target", settings->target, "What to compile for, see below")->type_name("T")->group("Output");
+  command->add_option("--name", settings->name, "Name of the program and its files; else from the first logic source")
+      ->type_name("NAME")
+      ->group("Output");
+  command->add_option("-o", settings->directory, "Directory of the files, made when missing; else the current one")
+      ->type_name("DIR")
+      ->group("Output");
+  command
+      ->add_option("--compiler", settings->compiler,
+                   "GCC or Clang, also behind a launcher ('ccache g++'); else the target's own GCC")
+      ->type_name("CMD")
+      ->group("Output");
+  command->add_option("-O", settings->level, "Level of optimization; else 2")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"0", "1", "2", "3", "s", "z"}))
+      ->group("Output");
+  command->add_option("-j", settings->jobs, "Compilers at the same time; else one for each processor")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 256u))
+      ->group("Output");
+  command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
+  command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");
+  command->footer("");                                                                    // not the one of the program
+  command->footer([] { return TargetsText() + DialectOptionsText() + "\n" + kFooter; });  // only where it is shown
+  command->callback([settings, &run] { run = [settings] { return RunBuild(*settings); }; });
+}
+
+}  // namespace plcxx::driver
