@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 TEST(EmitFiles, FourFilesByTheFirstLogicSource) {
@@ -142,6 +144,58 @@ std::string Emitted(const Workplace& work, const std::string& directory) {
   for (const char* suffix : {".hpp", ".cpp", ".map.json", ".report.json"})
     text += work.Read(directory + "/main" + suffix);
   return text;
+}
+
+/// So many statements of one signal each, and one more in front of statement `before`.
+std::string ManyStatements(int count, int before = -1) {
+  std::string text = "$\n";
+  for (int i = 0; i < count; ++i) {
+    if (i == before) text += "U4A20=I0A9*/I0A8\n";
+    text += "U" + std::to_string(100 + i / 32) + "K" + std::to_string(i % 32) + "=I0A" + std::to_string(i % 32) + "+U" +
+            std::to_string(100 + (i * 7 % count) / 32) + "K" + std::to_string(i * 7 % count % 32) + "\n";
+  }
+  return text;
+}
+
+TEST(EmitFiles, AsManyPartsAsTheBuildSystemExpects) {
+  const Workplace place;
+  place.Write("few.plc", "$\nU4A0=I0A0\n");
+  const Ran few = place.Run("emit few.plc --parts 3 -o few -q");
+  EXPECT_EQ(few.code, 0) << few;
+  EXPECT_THAT(place.Files("few"),
+              UnorderedElementsAre("few.hpp", "few.cpp", "few_2.cpp", "few_3.cpp", "few.map.json", "few.report.json"));
+
+  place.Write("many.plc", ManyStatements(1200));
+  fs::create_directories(place.Path("edited"));
+  place.Write("edited/many.plc", ManyStatements(1200, 700));
+  ASSERT_EQ(place.Run("emit many.plc --parts 4 -o a -q").code, 0);
+  ASSERT_EQ(place.Run("emit edited/many.plc --parts 4 -o b -q").code, 0);
+  int changed = 0;
+  size_t statements = 0;
+  for (const char* name : {"many.cpp", "many_2.cpp", "many_3.cpp", "many_4.cpp"}) {
+    const std::string before = place.Read(std::string("a/") + name);
+    changed += before != place.Read(std::string("b/") + name) ? 1 : 0;
+    const auto own = static_cast<size_t>(std::ranges::count(before, '|'));
+    EXPECT_GE(own, 50u) << name;
+    statements += own;
+  }
+  EXPECT_EQ(statements, 1200u);
+  EXPECT_EQ(changed, 1) << "an inserted statement is in one file";
+
+  EXPECT_EQ(place.Run("emit few.plc --parts 65").code, 2);
+  EXPECT_EQ(place.Run("emit few.plc --parts 0").code, 2);
+  EXPECT_EQ(place.Run("emit few.plc --parts 2 --single-file").code, 2);
+}
+
+TEST(EmitFiles, OneFileIsCompleteInItself) {
+  const Workplace place;
+  place.Write("first.plc", "$\nU4A0=I0A0\n");
+  place.Write("second-machine.plc", "$\nT1I(5)=I0A0\nU4A0=T1U\n");
+  ASSERT_EQ(place.Run("emit first.plc --single-file -q").code, 0);
+  ASSERT_EQ(place.Run("emit second-machine.plc --single-file -q").code, 0);
+  EXPECT_FALSE(place.Has("first.cpp"));
+  EXPECT_THAT(place.Read("second-machine.hpp"), HasSubstr("#ifdef SECOND_MACHINE_IMPLEMENTATION\n"));
+  EXPECT_THAT(place.Read("first.hpp"), Not(HasSubstr("#include <plcxx/")));
 }
 
 TEST(EmitFiles, TheSameBytesFromEveryPlace) {

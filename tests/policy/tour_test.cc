@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace plcxx::policy {
 namespace {
@@ -18,6 +20,15 @@ std::string ToolDirectory() { return std::filesystem::path(PLCXX_BINARY).parent_
 TEST(Tour, ReadmeIsTrue) {
   const Findings findings = RunTour("README.md", ReadFile(Root() + "/README.md"), ToolDirectory());
   EXPECT_THAT(findings, IsEmpty()) << Joined(findings);
+}
+
+TEST(Tour, GuideIsTrue) {
+  const std::vector<std::string> pages = FilesBelow(Root(), "docs", {".md"});
+  EXPECT_GE(pages.size(), 7u);
+  for (const std::string& page : pages) {
+    const Findings findings = RunTour(page, ReadFile(Root() + "/" + page), ToolDirectory());
+    EXPECT_THAT(findings, IsEmpty()) << Joined(findings);
+  }
 }
 
 TEST(Tour, FixtureIsNot) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "transpiler/compile/amalgamate.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
@@ -33,6 +34,8 @@ struct EmitSettings {
   bool line_directives = false;
   bool debug = false;
   bool quiet = false;
+  bool single_file = false;
+  uint32_t parts = 0;
 };
 
 /// Faults of the driver for which a dialect's specification fixes a code.
@@ -67,8 +70,10 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
     options.name = compilation.name;
     options.flavour = settings.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease;
     options.line_directives = settings.line_directives;
+    options.parts = settings.single_file ? 1 : settings.parts;
     const emit::Emittable emittable = emit::Legalize(compilation.program, options);
     output.files = emit::PrintCpp(emittable, *compilation.sources);
+    if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
     output.files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
   }
   for (const dialects::DataFile& file : compilation.data_files) output.files.push_back({file.name, file.bytes});
@@ -128,6 +133,19 @@ void AddEmit(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->group("Output");
   command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")
+      ->group("Output");
+  CLI::Option* parts =
+      command
+          ->add_option(
+              "--parts", settings->parts,
+              "Exactly so many .cpp files, NAME.cpp, NAME_2.cpp ...; else as many as the program's size asks for")
+          ->type_name("N")
+          ->check(CLI::Range(1u, emit::kMostParts))
+          ->group("Output");
+  command
+      ->add_flag("--single-file", settings->single_file,
+                 "One NAME.hpp with runtime, program and, behind a macro that its first lines name, the code")
+      ->excludes(parts)
       ->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");

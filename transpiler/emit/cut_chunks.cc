@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/names.h"
@@ -45,6 +46,8 @@ struct Cutter {
   void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count,
                 size_t first_nested);
   void MakeParts();
+  void MakeFixedParts();
+  void CallInRuns();
 };
 
 void Cutter::Measure(ir::RegionId region, uint32_t at_depth) {
@@ -186,6 +189,12 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
   emittable.chunks.push_back(std::move(chunk));
 }
 
+uint32_t HashOf(const std::string& name) {
+  uint32_t hash = 0;
+  for (const char c : name) hash = hash * 31 + static_cast<unsigned char>(c);
+  return hash;
+}
+
 void Cutter::MakeParts() {
   std::vector<Chunk>& chunks = emittable.chunks;
   uint32_t total = 0;
@@ -194,10 +203,8 @@ void Cutter::MakeParts() {
   uint32_t in_part = 0;
   bool full = true;
   const Chunk* previous = nullptr;  // that a routine calls
-  for (uint32_t index = 0; index < chunks.size(); ++index) {
-    Chunk& chunk = chunks[index];
+  for (Chunk& chunk : chunks) {
     if (chunk.parent != Chunk::kNoParent) continue;
-    const bool follows = previous != nullptr && previous->region == chunk.region && previous->end == chunk.begin;
     const bool other_region = previous != nullptr && previous->region != chunk.region;
     if (full || (other_region && in_part >= kLeastPerPart)) {
       emittable.parts.push_back({"_" + chunk.name});
@@ -205,15 +212,68 @@ void Cutter::MakeParts() {
       full = false;
     }
     chunk.part = static_cast<uint32_t>(emittable.parts.size() - 1);
-    if (!follows || chunk.part != previous->part) emittable.runs.push_back({"run_" + chunk.name, chunk.part, {}, {}});
-    emittable.runs.back().chunks.push_back(index);
     previous = &chunk;
     in_part += chunk.statements;
-    uint32_t id = 0;
-    for (const char c : chunk.name) id = id * 31 + static_cast<unsigned char>(c);
-    full = in_part >= kMostPerPart || (in_part >= kLeastPerPart && id % kPartBorderEvery == 0);
+    full = in_part >= kMostPerPart || (in_part >= kLeastPerPart && HashOf(chunk.name) % kPartBorderEvery == 0);
   }
-  // A chunk stands behind those cut out of it, and goes into the same file.
+  CallInRuns();
+}
+
+/// The borders are behind the chunks with the least hashes, some distance from each other: which ones these are
+/// depends on their own names, so that an edit moves at most the border that it touches.
+void Cutter::MakeFixedParts() {
+  std::vector<Chunk>& chunks = emittable.chunks;
+  struct Candidate {
+    uint32_t hash, behind;  // so many statements stand before it
+    size_t chunk;           // the first one of the next file
+  };
+  std::vector<Candidate> candidates;
+  uint32_t total = 0;
+  uint32_t previous_hash = 0;
+  for (size_t i = 0; i < chunks.size(); ++i) {
+    if (chunks[i].parent != Chunk::kNoParent) continue;
+    if (total > 0) candidates.push_back({previous_hash, total, i});
+    previous_hash = HashOf(chunks[i].name);
+    total += chunks[i].statements;
+  }
+  std::ranges::sort(candidates, {}, [](const Candidate& c) { return std::pair(c.hash, c.chunk); });
+  const uint32_t distance = total / (3 * emittable.options.parts);
+  std::vector<Candidate> borders;
+  for (const Candidate& candidate : candidates) {
+    if (borders.size() + 1 == emittable.options.parts) break;
+    const auto near = [&](uint32_t at) {
+      return (candidate.behind < at ? at - candidate.behind : candidate.behind - at) < distance;
+    };
+    if (near(0) || near(total)) continue;
+    if (std::ranges::none_of(borders, [&](const Candidate& border) { return near(border.behind); }))
+      borders.push_back(candidate);
+  }
+  std::ranges::sort(borders, {}, &Candidate::chunk);
+  // Chunks of the first file are functions of the routines' own file.
+  uint32_t part = 0;
+  for (size_t i = 0; i < chunks.size(); ++i) {
+    if (part < borders.size() && i == borders[part].chunk) ++part;
+    chunks[i].part = part;
+  }
+  for (uint32_t number = 2; number <= emittable.options.parts; ++number)
+    emittable.parts.push_back({"_" + std::to_string(number)});
+  CallInRuns();
+}
+
+/// Neighbours of one file are called by one function, and a chunk stands in the file of the one that it was cut out of.
+void Cutter::CallInRuns() {
+  std::vector<Chunk>& chunks = emittable.chunks;
+  const Chunk* previous = nullptr;
+  for (uint32_t index = 0; index < chunks.size(); ++index) {
+    const Chunk& chunk = chunks[index];
+    if (chunk.parent != Chunk::kNoParent) continue;
+    const bool follows = previous != nullptr && previous->region == chunk.region && previous->end == chunk.begin;
+    if (chunk.part != 0) {
+      if (!follows || chunk.part != previous->part) emittable.runs.push_back({"run_" + chunk.name, chunk.part, {}, {}});
+      emittable.runs.back().chunks.push_back(index);
+    }
+    previous = &chunk;
+  }
   for (uint32_t index = static_cast<uint32_t>(chunks.size()); index-- > 0;) {
     if (chunks[index].parent != Chunk::kNoParent) chunks[index].part = chunks[chunks[index].parent].part;
   }
@@ -247,7 +307,8 @@ void CutChunks(Emittable& emittable) {
     cutter.prefix = emittable.routine_names[i];
     cutter.Visit(body);
   }
-  cutter.MakeParts();
+  if (emittable.options.parts == 0) cutter.MakeParts();
+  if (emittable.options.parts > 1) cutter.MakeFixedParts();
 }
 
 }  // namespace plcxx::emit

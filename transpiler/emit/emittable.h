@@ -24,7 +24,11 @@ struct EmitOptions {
   std::string name = "program";  // of the files and, made safe, of the namespace
   Flavour flavour = Flavour::kRelease;
   bool line_directives = false;
+  /// Files of the program's code, kMostParts at most; 0: as many as its size asks for, named by their content. A fixed
+  /// number is for build systems that have to know their outputs before: name.cpp, name_2.cpp, ... name_N.cpp.
+  uint32_t parts = 0;
 };
+inline constexpr uint32_t kMostParts = 64;
 
 /// The named locals of a function, each list in the order of the places.
 struct Locals {

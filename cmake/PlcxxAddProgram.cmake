@@ -1,0 +1,123 @@
+# plcxx_add_program(<target>
+#   SOURCES <file>...          the program, in the order of the command line
+#   [DIALECT <dialect>]        else told from the sources
+#   [NAME <name>]              of the generated files and of the namespace; else the target's
+#   [OPTIONS <key=value>...]   of the dialect: --set
+#   [INCLUDES <directory>...]  -I
+#   [DEFINES <name[=v]>...]    -D (hnc)
+#   [FLAGS <flag>...]          further options of the command, for example -Werror --debug
+#   [PARTS <n>]                number of .cpp files, 1 when left out; more let an edit compile less
+#   [OUTPUT_DIRECTORY <dir>]   else <binary directory>/<target>.plcxx
+#   [TARGET <target>]          build with `plcxx build --target` instead of the project's own compiler
+#   [LIMITS <limit=value>...]  with TARGET: max-fast-us=500 clock=168MHz max-stack=512 ...: above them the build fails
+#   [COMPILER <command>])      with TARGET: instead of the target's GCC
+#
+# Makes a library <target>: link with it, and include "<name>.hpp". Its files are written when the sources, or a file that
+# they or the options name, are newer; what comes out the same is not compiled again (Ninja).
+function(plcxx_add_program TARGET_NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "DIALECT;NAME;PARTS;OUTPUT_DIRECTORY;TARGET;COMPILER"
+                        "SOURCES;OPTIONS;INCLUDES;DEFINES;FLAGS;LIMITS")
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): what is '${ARG_UNPARSED_ARGUMENTS}'?")
+  endif()
+  if(NOT ARG_SOURCES)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): SOURCES is missing")
+  endif()
+  if((ARG_LIMITS OR ARG_COMPILER) AND NOT ARG_TARGET)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): LIMITS and COMPILER belong to TARGET")
+  endif()
+  if(ARG_TARGET AND ARG_PARTS)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): with TARGET the number of files does not matter: leave PARTS out")
+  endif()
+  set(NAME ${TARGET_NAME})
+  if(ARG_NAME)
+    set(NAME ${ARG_NAME})
+  endif()
+  set(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${TARGET_NAME}.plcxx)
+  if(ARG_OUTPUT_DIRECTORY)
+    get_filename_component(DIRECTORY ${ARG_OUTPUT_DIRECTORY} ABSOLUTE BASE_DIR ${CMAKE_CURRENT_BINARY_DIR})
+  endif()
+
+  set(ARGUMENTS)
+  foreach(SOURCE ${ARG_SOURCES})
+    get_filename_component(SOURCE ${SOURCE} ABSOLUTE)
+    list(APPEND ARGUMENTS ${SOURCE})
+    list(APPEND INPUTS ${SOURCE})
+  endforeach()
+  list(APPEND ARGUMENTS --name ${NAME} -o ${DIRECTORY} --quiet --depfile ${DIRECTORY}.d)
+  if(ARG_DIALECT)
+    list(APPEND ARGUMENTS --dialect ${ARG_DIALECT})
+  endif()
+  foreach(OPTION ${ARG_OPTIONS})
+    list(APPEND ARGUMENTS --set ${OPTION})
+  endforeach()
+  foreach(INCLUDE ${ARG_INCLUDES})
+    get_filename_component(INCLUDE ${INCLUDE} ABSOLUTE)
+    list(APPEND ARGUMENTS -I ${INCLUDE})
+  endforeach()
+  # Files that options name relatively (messages and the like) are found in the caller's directory, by their whole path:
+  # that is what stands in the dependency file.
+  list(APPEND ARGUMENTS -I ${CMAKE_CURRENT_SOURCE_DIR})
+  foreach(DEFINE ${ARG_DEFINES})
+    list(APPEND ARGUMENTS -D ${DEFINE})
+  endforeach()
+  list(APPEND ARGUMENTS ${ARG_FLAGS})
+
+  set(HEADER ${DIRECTORY}/${NAME}.hpp)
+  set(OUTPUTS ${HEADER})
+  if(ARG_TARGET)
+    set(COMMAND build --target ${ARG_TARGET})
+    foreach(LIMIT ${ARG_LIMITS})
+      list(APPEND COMMAND --${LIMIT})
+    endforeach()
+    if(ARG_COMPILER)
+      list(APPEND COMMAND --compiler ${ARG_COMPILER})
+    endif()
+    list(APPEND OUTPUTS ${DIRECTORY}/lib${NAME}.a)
+  else()
+    set(COMMAND emit)
+    set(PARTS 1)
+    if(ARG_PARTS)
+      set(PARTS ${ARG_PARTS})
+    endif()
+    list(APPEND ARGUMENTS --parts ${PARTS})
+    set(UNITS ${DIRECTORY}/${NAME}.cpp)
+    if(PARTS GREATER 1)
+      foreach(NUMBER RANGE 2 ${PARTS})
+        list(APPEND UNITS ${DIRECTORY}/${NAME}_${NUMBER}.cpp)
+      endforeach()
+    endif()
+    list(APPEND OUTPUTS ${UNITS})
+  endif()
+
+  add_custom_command(
+    OUTPUT ${OUTPUTS}
+    BYPRODUCTS ${DIRECTORY}/${NAME}.map.json ${DIRECTORY}/${NAME}.report.json
+    COMMAND plcxx::plcxx ${COMMAND} ${ARGUMENTS}
+    DEPENDS ${INPUTS} plcxx::plcxx
+    DEPFILE ${DIRECTORY}.d
+    WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+    COMMENT "plcxx ${TARGET_NAME}"
+    VERBATIM)
+
+  if(ARG_TARGET)
+    add_custom_target(${TARGET_NAME}_plcxx DEPENDS ${OUTPUTS})
+    add_library(${TARGET_NAME} INTERFACE)
+    add_dependencies(${TARGET_NAME} ${TARGET_NAME}_plcxx)
+    target_link_libraries(${TARGET_NAME} INTERFACE ${DIRECTORY}/lib${NAME}.a)
+    target_sources(${TARGET_NAME} INTERFACE ${HEADER})
+  else()
+    add_library(${TARGET_NAME} STATIC ${UNITS} ${HEADER})
+    target_compile_features(${TARGET_NAME} PUBLIC cxx_std_17)
+    if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      target_compile_options(${TARGET_NAME} PRIVATE -fno-exceptions -fno-rtti)
+    endif()
+  endif()
+  target_include_directories(${TARGET_NAME} INTERFACE ${DIRECTORY})
+  get_target_property(RUNTIME plcxx::runtime INTERFACE_INCLUDE_DIRECTORIES)
+  if(ARG_TARGET)
+    target_include_directories(${TARGET_NAME} INTERFACE ${RUNTIME})
+  else()
+    target_include_directories(${TARGET_NAME} PUBLIC ${RUNTIME})
+  endif()
+endfunction()

@@ -1,0 +1,56 @@
+# cmake --install puts the tool, its modules, the runtime headers and the package for find_package(plcxx) into a prefix;
+# cpack makes a .deb (or .tar.gz) of the same files. The build directory is a package, too: plcxx_DIR=build/lib/cmake/plcxx.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(PLCXX_PACKAGE_DIR lib/cmake/plcxx)
+set(PLCXX_GUIDE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE)
+
+install(TARGETS plcxx RUNTIME DESTINATION bin)
+# Beside the tool, where it looks for them, whatever the system calls its directory of libraries.
+foreach(MODULE plcxx_hnc_parser plcxx_audit)
+  if(TARGET ${MODULE})
+    install(TARGETS ${MODULE} LIBRARY DESTINATION lib)
+  endif()
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime_support/plcxx DESTINATION include FILES_MATCHING PATTERN "*.h")
+install(FILES ${PLCXX_GUIDE} DESTINATION share/doc/plcxx)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples ${PROJECT_SOURCE_DIR}/docs DESTINATION share/doc/plcxx
+        PATTERN generated EXCLUDE)
+
+# Paths in the package's file are relative to the prefix that the file stands in.
+foreach(PLACE installed built)
+  if(PLACE STREQUAL "installed")
+    set(PLCXX_INCLUDE_IN_PREFIX "include")
+    set(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/package)
+  else()
+    file(RELATIVE_PATH PLCXX_INCLUDE_IN_PREFIX ${CMAKE_BINARY_DIR} ${PROJECT_SOURCE_DIR}/runtime_support)
+    set(DIRECTORY ${CMAKE_BINARY_DIR}/${PLCXX_PACKAGE_DIR})
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/plcxxConfig.cmake.in ${DIRECTORY}/plcxxConfig.cmake @ONLY)
+  write_basic_package_version_file(${DIRECTORY}/plcxxConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/PlcxxAddProgram.cmake ${DIRECTORY}/PlcxxAddProgram.cmake COPYONLY)
+endforeach()
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/package/plcxxConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/package/plcxxConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/PlcxxAddProgram.cmake
+        DESTINATION ${PLCXX_PACKAGE_DIR})
+
+set(CPACK_PACKAGE_NAME plcxx)
+set(CPACK_PACKAGE_VENDOR "plcxx developers")
+set(CPACK_PACKAGE_CONTACT "plcxx developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "From the PLC programs of machine tool controls to C++ for a deterministic scan")
+set(CPACK_PACKAGE_DESCRIPTION "plcxx reads PLC logic in the languages of five CNC controls and writes straight-line C++.")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_GENERATOR "DEB")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, gcc-arm-none-eabi, gcc-riscv64-unknown-elf, ccache, distcc")
+# The libraries that the tool and its modules are linked with; without dpkg's tool the package would not say them.
+find_program(PLCXX_SHLIBDEPS dpkg-shlibdeps)
+if(PLCXX_SHLIBDEPS)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+endif()
+include(CPack)
