@@ -261,7 +261,7 @@ void Lowering::CheckNcTable(const std::function<void(std::vector<ValueId>)>& tra
       [&] {
         ValueId none;
         for (const NcTable& known : kNcTables) {
-          const ValueId other = Not(is_table(known));
+          const ValueId other = Pure(OpKind::kNotEqual8, {table, Byte(known.number)});
           none = none.valid() ? Pure(OpKind::kBitAnd, {none, other}) : other;
         }
         return none;

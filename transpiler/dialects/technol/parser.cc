@@ -44,15 +44,12 @@ Program Parser::Run() {
   AddControlStructures();
   AddSignalFile();
   TakeTables();
-  if (sources_.empty()) {
-    context_.program.tables_only = true;
-    return std::move(context_.program);
-  }
-  last_source_ = sources_.back();
-  for (const source::FileId file : sources_) TakeSource(file);
-  CheckWhole();
-
   Program& program = context_.program;
+  program.tables_only = sources_.empty();
+  last_source_ = program.tables_only ? request_.files.back() : sources_.back();
+  for (const source::FileId file : sources_) TakeSource(file);
+  if (!program.tables_only) CheckWhole();
+
   const auto base = static_cast<uint32_t>(code_.size());
   const UnitId area = program.units.Add({.kind = UnitKind::kSubprograms,
                                          .file = last_source_,

@@ -134,7 +134,7 @@ struct SourceFile {
 
 struct Program {
   std::vector<SourceFile> files;  // of the command line, then included ones, without tables
-  bool tables_only = false;       // nothing but a .TCH was given: nothing to lower
+  bool tables_only = false;       // nothing but a .TCH was given: memory without instructions
   Symbols symbols;
   support::Store<UnitId, Unit>
       units;  // modules and mechanisms in source order, the subprogram area last (always there)

@@ -46,14 +46,15 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .raised_errors = RaisedErrors(tree)};
   lowered.has_program = !tree.tables_only;
   if (tree.table) lowered.data_files = TableFiles(*tree.table, *request.sources);
-  if (tree.tables_only) return lowered;
   const Flow flow(tree);
   CheckPaths(flow, diagnostics);
   CheckStack(flow, diagnostics);
   CheckLoads(flow, diagnostics);
   if (diagnostics.HasErrors()) return lowered;
-  WarnOfPaths(flow, diagnostics);
-  Warn(flow, diagnostics);
+  if (!tree.tables_only) {
+    WarnOfPaths(flow, diagnostics);
+    Warn(flow, diagnostics);
+  }
   lowered.program = Lower(tree, flow, settings, *request.sources);
   return lowered;
 }

@@ -12,8 +12,10 @@ using plcxx::Add8;
 using plcxx::Clear;
 using plcxx::FromBcd16;
 using plcxx::FromSignedBcd32;
+using plcxx::Greater8;
 using plcxx::HasNoDigit32;
 using plcxx::HighHalf32;
+using plcxx::Less8;
 using plcxx::LowByte16;
 using plcxx::LowHalf32;
 using plcxx::Mul32;
@@ -280,36 +282,46 @@ void requests(State& m, Host& host) noexcept {
     const uint8_t t6 = m[SET_NCTAB_NCTAB_SLOUPEC];
     const uint8_t t7 = m[SET_NCTAB_NCTAB_RADEK];
     const uint32_t t8 = m[SET_NCTAB_NCTAB_DATA];
-    const uint32_t t9 = t6;
-    const uint32_t t10 = t7;
-    if ((t3 == 1) & (t4 <= 1) & ((((t5 == 1) & ((t9 >= 1) & (t9 <= 5) & ((t10 >= 1) & (t10 <= 99)))) | ((t5
-        == 2) & ((t9 >= 1) & (t9 <= 6) & ((t10 >= 53) & (t10 <= 59)))) | ((t5 == 6) & ((t9 >= 1) & (t9 <= 1)
-        & (t10 <= 95)))) & !HasNoDigit32(t8 & 0x7FFFFFFF))) {
+    if (t3 != 1) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_VERZE);
+    } else if (t4 > 1) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_MOD);
+    } else if ((t5 != 1) & (t5 != 2) & (t5 != 6)) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_TAB);
+    } else if (((t5 == 1) & ((t6 < 1) | (t6 > 5))) | ((t5 == 2) & ((t6 < 1) | (t6 > 6))) | ((t5 == 6) & ((t6
+        < 1) | (t6 > 1)))) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_SLOUPEC);
+    } else if (((t5 == 1) & ((t7 < 1) | (t7 > 99))) | ((t5 == 2) & ((t7 < 53) | (t7 > 59))) | ((t5 == 6) & (t7
+        > 95))) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_RADEK);
+    } else if (HasNoDigit32(t8 & 0x7FFFFFFF)) {
+      nc_table_refused(host, nc_table_refused_field::NCTAB_DATA);
+    } else {
       set_nc_table(host, t3, t4, t5, t6, t7, t8);
-      const uint8_t t11 = request(host, request_id::SEND_NCTAB);
-      if (t11 == 1) {
+      const uint8_t t9 = request(host, request_id::SEND_NCTAB);
+      if (t9 == 1) {
         m[REQ_SEND_NCTAB] = false;
       }
     }
   }
   if (m[REQ_BACKUP_POS]) {
     backup_pos(host);
-    const uint8_t t12 = request(host, request_id::BACKUP_POS);
-    if (t12 == 1) {
+    const uint8_t t10 = request(host, request_id::BACKUP_POS);
+    if (t10 == 1) {
       m[REQ_BACKUP_POS] = false;
     }
   }
   if (m[REQ_BACKUP_MEM]) {
     backup_mem(host, m.retentive);
-    const uint8_t t13 = request(host, request_id::BACKUP_MEM);
-    if (t13 == 1) {
+    const uint8_t t11 = request(host, request_id::BACKUP_MEM);
+    if (t11 == 1) {
       m[REQ_BACKUP_MEM] = false;
     }
   }
   if (m[REQ_CLOSE_ALL]) {
     close_all(host);
-    const uint8_t t14 = request(host, request_id::CLOSE_ALL);
-    if (t14 == 1) {
+    const uint8_t t12 = request(host, request_id::CLOSE_ALL);
+    if (t12 == 1) {
       m[REQ_CLOSE_ALL] = false;
     }
   }
@@ -1489,98 +1501,89 @@ to_VN_KONEC:;
 
 // Mechanism OTOC_ZAS: goes on where it waits.
 void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
-  uint32_t resume = 0;
+  uint16_t step = 0;
 
   rounds_left = 65536u;
-  const uint16_t t1 = m[OTOC_ZAS_step];
-  resume = 0;
+  step = m[OTOC_ZAS_step];
   for (;;) {
-    if (!(resume == 1)) {
-      switch (t1) {
-        case 1: {
-          goto to_OZ_KROK;
+    switch (step) {
+      default: {
+        // CALL SMER
+        SMER(m, host);
+        // LOD  KROKU
+        // EQ   CNST.0
+        // JL1  OZ_KONEC                ; už tam stojí
+        if (m[KROKU] == 0) goto to_OZ_KONEC;
+        // LDR  ZPET
+        // FL1  1,O_ZAS_MINUS
+        // FL0  1,O_ZAS_PLUS
+        const bool t1 = m[ZPET];
+        if (t1) {
+          m[O_ZAS_MINUS] = true;
         }
-        case 2: {
-          goto to_OTOC_ZAS;
-        }
-        default: {
-          break;
+        if (!t1) {
+          m[O_ZAS_PLUS] = true;
         }
       }
-      // CALL SMER
-      SMER(m, host);
-      // LOD  KROKU
-      // EQ   CNST.0
-      // JL1  OZ_KONEC                ; už tam stojí
-      if (m[KROKU] == 0) goto to_OZ_KONEC;
-      // LDR  ZPET
-      // FL1  1,O_ZAS_MINUS
-      // FL0  1,O_ZAS_PLUS
-      const bool t2 = m[ZPET];
-      if (t2) {
-        m[O_ZAS_MINUS] = true;
-      }
-      if (!t2) {
-        m[O_ZAS_PLUS] = true;
-      }
-    }
-  to_OZ_KROK:;
-    // OZ_KROK:  LDR  I_ZAS_POZ               ; lůžko odjíždí
-    // TEX1 -,DOBA_KROKU,OZ_CHYBA
-    if (m[I_ZAS_POZ]) {
-      const uint16_t t3 = m[OTOC_ZAS_timer];
-      if (t3 >= 150) {
+      [[fallthrough]];
+      case 1: {
+        // OZ_KROK:  LDR  I_ZAS_POZ               ; lůžko odjíždí
+        // TEX1 -,DOBA_KROKU,OZ_CHYBA
+        if (m[I_ZAS_POZ]) {
+          const uint16_t t2 = m[OTOC_ZAS_timer];
+          if (t2 >= 150) {
+            m[OTOC_ZAS_timer] = 0;
+            goto to_OZ_CHYBA;
+          }
+          m[OTOC_ZAS_timer] = Add16(t2, 1);
+          m[OTOC_ZAS_step] = 1;
+          return;
+        }
         m[OTOC_ZAS_timer] = 0;
-        goto to_OZ_CHYBA;
       }
-      m[OTOC_ZAS_timer] = Add16(t3, 1);
-      m[OTOC_ZAS_step] = 1;
-      return;
-    }
-    m[OTOC_ZAS_timer] = 0;
-  to_OTOC_ZAS:;
-    // LDR  I_ZAS_POZ               ; další přijíždí
-    // TEX0 -,DOBA_KROKU,OZ_CHYBA
-    if (!m[I_ZAS_POZ]) {
-      const uint16_t t4 = m[OTOC_ZAS_timer2];
-      if (t4 >= 150) {
+      [[fallthrough]];
+      case 2: {
+        // LDR  I_ZAS_POZ               ; další přijíždí
+        // TEX0 -,DOBA_KROKU,OZ_CHYBA
+        if (!m[I_ZAS_POZ]) {
+          const uint16_t t3 = m[OTOC_ZAS_timer2];
+          if (t3 >= 150) {
+            m[OTOC_ZAS_timer2] = 0;
+            goto to_OZ_CHYBA;
+          }
+          m[OTOC_ZAS_timer2] = Add16(t3, 1);
+          m[OTOC_ZAS_step] = 2;
+          return;
+        }
         m[OTOC_ZAS_timer2] = 0;
-        goto to_OZ_CHYBA;
+        // CALL POSUN
+        POSUN(m, dr, host);
+        // LOD  KROKU
+        // SU   CNST.1
+        // STO  KROKU
+        // NE   CNST.0
+        // JL1  OZ_KROK
+        const uint16_t t4 = Sub16(m[KROKU], 1);
+        m[KROKU] = t4;
+        if (t4 != 0) {
+          step = 1;
+          if (rounds_left != 0) {
+            --rounds_left;
+            continue;
+          }
+          fault(host, fault_kind::LOOP, 2552219796u);
+          return;
+        }
+        // FL   0,O_ZAS_PLUS
+        m[O_ZAS_PLUS] = false;
+        // FL   0,O_ZAS_MINUS
+        m[O_ZAS_MINUS] = false;
+        // JUM  OZ_KONEC
+        goto to_OZ_KONEC;
       }
-      m[OTOC_ZAS_timer2] = Add16(t4, 1);
-      m[OTOC_ZAS_step] = 2;
-      return;
-    }
-    m[OTOC_ZAS_timer2] = 0;
-    // CALL POSUN
-    POSUN(m, dr, host);
-    // LOD  KROKU
-    // SU   CNST.1
-    // STO  KROKU
-    // NE   CNST.0
-    // JL1  OZ_KROK
-    const uint16_t t5 = Sub16(m[KROKU], 1);
-    m[KROKU] = t5;
-    if (t5 != 0) {
-      resume = 1;
-      if (rounds_left != 0) {
-        --rounds_left;
-        continue;
-      }
-      fault(host, fault_kind::LOOP, 2552219796u);
-      return;
     }
     break;
   }
-
-  // FL   0,O_ZAS_PLUS
-  m[O_ZAS_PLUS] = false;
-
-  // FL   0,O_ZAS_MINUS
-  m[O_ZAS_MINUS] = false;
-
-  // JUM  OZ_KONEC
-  goto to_OZ_KONEC;
 
 to_OZ_CHYBA:;
   // OZ_CHYBA: FL   0,O_ZAS_PLUS

@@ -40,6 +40,9 @@ void send_plcmem(Host& host, const Retentive& retentive) noexcept;
 void send_tabtech(Host& host, const Retentive& retentive) noexcept;
 /// Right before request(SEND_NCTAB): set one item of an NC table; the arguments are valid.
 void set_nc_table(Host& host, uint8_t ver, uint8_t mode, uint8_t table, uint8_t column, uint8_t row, uint32_t bcd) noexcept;
+enum class nc_table_refused_field : uint8_t { NCTAB_VERZE, NCTAB_MOD, NCTAB_TAB, NCTAB_SLOUPEC, NCTAB_RADEK, NCTAB_DATA };
+/// Instead of request(SEND_NCTAB), which has failed: the first field of SET_NCTAB that is not valid.
+void nc_table_refused(Host& host, nc_table_refused_field field) noexcept;
 /// Right before request(BACKUP_POS): save the positions of the axes.
 void backup_pos(Host& host) noexcept;
 /// Right before request(BACKUP_MEM): save LABEL_MEM and TAB_TECHNOL.
