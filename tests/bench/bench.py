@@ -4,7 +4,8 @@
     bench.py [--plcxx build/bin/plcxx] [--quick] [--dialect nc110] ...
 
 Times are processor seconds of one core. Columns: transpiling (time, time per statement, peak memory), g++ -O2 of the generated code, cost of a scan against the
-same program written by hand with one byte per bit and 250 statements a function, code size on x86-64, Cortex-M4, RV32.
+same program written by hand with one byte per bit and 250 statements a function; code size on x86-64, Cortex-M4, RV32, and
+on the latter two the instructions of a scan in the emulator, their ratio, the worst scan against the mean.
 """
 import argparse
 import os
@@ -16,6 +17,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import emulated  # noqa: E402
 import generate_accumulator  # noqa: E402
 import generate_nc110  # noqa: E402
 
@@ -57,14 +59,14 @@ def text_size(tool, sources, directory):
 
 
 def write_sources(dialect, count, directory):
-    """The PLC program and the same one by hand; gives the source's name and what writes the glue between the two."""
+    """The PLC program and the same one by hand; the source's name, its period in ms, what writes the glue between both."""
     if dialect == "nc110":
         generate_nc110.write(count, directory)
-        return "program.plc", lambda: None
+        return "program.plc", 10, lambda: None
     machine = generate_accumulator.machine_of(dialect)
     program = generate_accumulator.write(machine, count, directory)
     (directory / "compare.cpp").write_text(f"#define STATEMENTS {count}\n#define PERIOD {machine.period_ms}\n" + generate_nc110.COMPARE)
-    return f"program.{machine.extension}", lambda: generate_accumulator.write_glue(program, directory)
+    return f"program.{machine.extension}", machine.period_ms, lambda: generate_accumulator.write_glue(program, directory)
 
 
 def emit_command(plcxx, dialect, source):
@@ -74,7 +76,7 @@ def emit_command(plcxx, dialect, source):
 
 def measure(plcxx, dialect, count, base):
     directory = base / f"{dialect}{count}"
-    source, write_glue = write_sources(dialect, count, directory)
+    source, period, write_glue = write_sources(dialect, count, directory)
     emit, peak = timed(emit_command(plcxx, dialect, source), 5, cwd=directory)
     row = {"dialect": dialect, "statements": count, "emit s": emit, "us/stmt": emit / count * 1e6, "peak MB": peak / 1024, "kB/stmt over 60 MB": max(0, peak - 60 * 1024) / count}
     if count > 10_000:
@@ -94,7 +96,7 @@ def measure(plcxx, dialect, count, base):
     row["scan ratio"] = row["ns/stmt"] / row["ref ns/stmt"]
     for name, tool, flags in [
         ("M4", "arm-none-eabi-", ["-mcpu=cortex-m4", "-mthumb"]),
-        ("RV32", "riscv64-unknown-elf-", ["-march=rv32imac", "-mabi=ilp32"]),
+        ("RV32", "riscv64-unknown-elf-", ["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"]),
     ]:
         if shutil.which(tool + "g++") is None:
             continue
@@ -104,6 +106,9 @@ def measure(plcxx, dialect, count, base):
         compile_all([tool + "g++"], flags, [reference], directory)
         row[f"{name} B/stmt"] = size / count
         row[f"{name} ratio"] = size / text_size(tool + "size", [reference], directory)
+        glue = directory / "glue.cpp"
+        compile_all([tool + "g++"], flags, [glue], directory)
+        row |= emulated.instructions(name, directory, [*generated, reference, glue], count, period)
     return row
 
 
