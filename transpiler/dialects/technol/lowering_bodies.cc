@@ -235,12 +235,9 @@ void Lowering::CallMechanism(const Body& body) {
     builder_.CallRoutine(body.routine, {});
     builder_.Store(rounds, builder_.Load(own));
   };
-  const ir::ValueId active = builder_.Load(ActivationPlace(body.unit));
-  if (settings_.mech_clear == MechClear::kAbort) {
-    Choose(active, run, [&] { Rewind(body.unit); });
-  } else {
-    When(active, run);
-  }
+  When(builder_.Load(ActivationPlace(body.unit)), run);
+  // A subprogram that it has called may have cleared it.
+  if (settings_.mech_clear == MechClear::kAbort && body.calls) RewindIfCleared(body.unit);
 }
 
 void Lowering::Dispatch(const Instruction& instruction) {

@@ -144,6 +144,8 @@ class Lowering {
   void InitMechanism(const Instruction& instruction);
   /// Step and automatic timers are 0; the bit is not touched.
   void Rewind(UnitId unit);
+  void RewindIfCleared(UnitId unit);
+  void RewindCleared();
   void EndMechanism(UnitId unit);
   ir::PlaceId StepPlace(UnitId unit);
   ir::PlaceId TimerPlace(UnitId unit, uint32_t number);

@@ -61,10 +61,20 @@ void Lowering::RunFunctions(ModuleKind kind, std::string_view bit) {
   }
 }
 
+/// With mech-clear=abort: what the host has cleared begins anew, though its MECH_BEGIN may not be reached before the
+/// bit is set again. What the program clears is rewound where it does.
+void Lowering::RewindCleared() {
+  if (settings_.mech_clear != MechClear::kAbort) return;
+  for (const Body& body : bodies_) {
+    if (body.unit.valid() && tree_.units[body.unit].kind == UnitKind::kMechanism) RewindIfCleared(body.unit);
+  }
+}
+
 void Lowering::Slow() {
   body_ = nullptr;
   builder_.SetRange({});
   builder_.SetRegion(program_.routines[slow_].body);
+  RewindCleared();
   const ir::PlaceId annulment = SystemPlace("NC_CLEAR");
   const Body* clear = BodyOfModule(ModuleKind::kClear);
   if (clear != nullptr) {

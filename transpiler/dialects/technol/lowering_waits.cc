@@ -134,6 +134,12 @@ void Lowering::Rewind(UnitId unit) {
   for (uint32_t i = 0; i < tree_.units[unit].timers; ++i) builder_.Store(TimerPlace(unit, i), Constant(0, 16));
 }
 
+void Lowering::RewindIfCleared(UnitId unit) {
+  const Body* body = BodyOfMechanism(unit);
+  if ((body == nullptr || body->entries.empty()) && tree_.units[unit].timers == 0) return;
+  When(Not(builder_.Load(ActivationPlace(unit))), [&] { Rewind(unit); });
+}
+
 void Lowering::EndMechanism(UnitId unit) {
   builder_.Store(ActivationPlace(unit), builder_.Bit(0));
   Rewind(unit);
