@@ -177,6 +177,7 @@ std::string PartPrinter::Step(ir::RegionId region) {
 
 void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
+  loops_.emplace_back(inst.payload);
   const auto landing = emittable_.landings.find(id.index);
   const Landing none;
   const Landing& labels = landing == emittable_.landings.end() ? none : landing->second;

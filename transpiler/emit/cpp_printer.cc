@@ -54,7 +54,7 @@ std::vector<OutputFile> PrintCpp(const Emittable& emittable, const source::Sourc
   std::vector<OutputFile> files;
   files.push_back({name + ".hpp", PrintHeader(emittable)});
   for (uint32_t part = 0; part < emittable.parts.size(); ++part) {
-    files.push_back({name + emittable.parts[part].suffix + ".cpp", PrintPart(emittable, sources, part)});
+    files.push_back(PrintPart(emittable, sources, part));
   }
   return files;
 }

@@ -3,6 +3,8 @@
 // In: the Emittable and the source texts that go into comments. Out: files in the order in which they are read.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -12,9 +14,16 @@
 
 namespace plcxx::emit {
 
+/// A loop as it stands in a generated file: what `plcxx build` measures its repetitions by.
+struct PrintedLoop {
+  uint32_t line = 0;               // of its head, from 1
+  std::optional<uint64_t> rounds;  // the most that it makes; none: only a budget that others share bounds it
+};
+
 struct OutputFile {
   std::string name;  // without directory
   std::string text;
+  std::vector<PrintedLoop> loops = {};  // of a .cpp file, in the order of the text
 };
 
 /// <name>.hpp, <name>.cpp and, for large programs, <name>_<part>.cpp.
@@ -34,7 +43,7 @@ std::string CppString(std::string_view text);
 std::string PrintHeader(const Emittable& emittable);
 std::string PrintTags(const Emittable& emittable);
 std::string PrintState(const Emittable& emittable);
-std::string PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
+OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
 
 /// Names of the locals declared so far, by InstId.
 using LocalNames = std::unordered_map<uint32_t, std::string>;

@@ -214,8 +214,29 @@ std::string PartPrinter::Run() {
   return std::move(out_);
 }
 
-std::string PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part) {
-  return PartPrinter(emittable, sources, part).Run();
+/// Heads of functions are written behind their bodies, so that lines are known only when all is there.
+std::vector<PrintedLoop> PartPrinter::FindLoops(std::string_view text) const {
+  std::vector<PrintedLoop> found;
+  uint32_t line = 1;
+  for (size_t at = 0; at < text.size(); ++line) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view head = text.substr(std::min(text.find_first_not_of(' ', at), end));
+    if (head.starts_with("for (") || head.starts_with("while (")) found.push_back({line, std::nullopt});
+    at = end + 1;
+  }
+  if (found.size() != loops_.size()) return {};
+  for (size_t i = 0; i < found.size(); ++i) {
+    const ir::Loop& loop = program_.loops[loops_[i]];
+    if (loop.kind != ir::LoopBound::kBudget) found[i].rounds = loop.bound;
+  }
+  return found;
+}
+
+OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part) {
+  PartPrinter printer(emittable, sources, part);
+  OutputFile file{emittable.options.name + emittable.parts[part].suffix + ".cpp", printer.Run()};
+  file.loops = printer.FindLoops(file.text);
+  return file;
 }
 
 }  // namespace plcxx::emit

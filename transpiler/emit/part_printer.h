@@ -21,6 +21,8 @@ class PartPrinter {
       : emittable_(emittable), program_(*emittable.program), sources_(sources), part_(part) {}
 
   std::string Run();
+  /// Behind Run: the loops with their lines.
+  std::vector<PrintedLoop> FindLoops(std::string_view text) const;
 
  private:
   // cpp_routines.cc
@@ -96,10 +98,11 @@ class PartPrinter {
   size_t body_begin_ = 0;
   int indent_ = 0;
   int loop_depth_ = 0;
-  uint32_t next_local_ = 1;    // restarts in each chunk and routine
-  LocalNames local_names_;     // by InstId
-  ir::StatementId statement_;  // the one being printed
-  bool switched_ = false;      // inside of its `if (m.on(...))`
+  uint32_t next_local_ = 1;        // restarts in each chunk and routine
+  LocalNames local_names_;         // by InstId
+  ir::StatementId statement_;      // the one being printed
+  std::vector<ir::LoopId> loops_;  // printed so far
+  bool switched_ = false;          // inside of its `if (m.on(...))`
 };
 
 }  // namespace plcxx::emit
