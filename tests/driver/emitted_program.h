@@ -68,7 +68,9 @@ class EmittedProgram {
     work_.Write("debug.cpp", Source(emit::Flavour::kDebug));
     const std::string compiler = FindCompiler();
     ASSERT_FALSE(compiler.empty());
-    auto compiled = CompileForHost(program_, sources_, compiler);
+    auto platform = MakeHostPlatform(compiler);
+    ASSERT_EQ(platform.index(), 0u) << std::get<1>(platform).message;
+    auto compiled = CompileFor(std::get<0>(platform), program_, sources_);
     ASSERT_EQ(compiled.index(), 0u) << std::get<1>(compiled).message << Source(emit::Flavour::kDebug);
     auto started = StartCompiled(std::get<0>(compiled));
     ASSERT_EQ(started.index(), 0u);

@@ -96,7 +96,7 @@ ChildProcess::~ChildProcess() {
   }
 }
 
-bool ChildProcess::Start(const std::string& program) {
+bool ChildProcess::Start(const std::vector<std::string>& arguments) {
   int down[2], up[2];
   if (pipe2(down, O_CLOEXEC) != 0) return false;
   if (pipe2(up, O_CLOEXEC) != 0) {
@@ -108,10 +108,9 @@ bool ChildProcess::Start(const std::string& program) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, down[0], 0);
   posix_spawn_file_actions_adddup2(&actions, up[1], 1);
-  const std::vector<std::string> arguments = {program};  // the pointers refer to it
   const std::vector<char*> pointers = Pointers(arguments);
   pid_t pid = -1;
-  const int failed = posix_spawn(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(down[0]);
   close(up[1]);

@@ -38,7 +38,8 @@ class ChildProcess {
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
-  bool Start(const std::string& program);
+  /// A program, found as the shell finds it, and its arguments.
+  bool Start(const std::vector<std::string>& arguments);
   /// False when the child is gone or does not answer within ten seconds.
   bool Send(std::string_view bytes);
   bool Receive(void* bytes, size_t size);

@@ -1,12 +1,10 @@
 #include "transpiler/driver/compiled_engine.h"
 
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
 #include "transpiler/compile/child_process.h"
-#include "transpiler/compile/runtime_files.h"
 #include "transpiler/driver/harness.h"
 #include "transpiler/emit/cpp_printer.h"
 
@@ -29,7 +27,8 @@ class CompiledProgram {
  public:
   const ir::Program* program = nullptr;
   emit::Layout layout;
-  std::unique_ptr<compile::TemporaryDirectory> directory;
+  std::shared_ptr<const Platform> platform;
+  compile::TemporaryDirectory directory;
   std::string executable;
 };
 
@@ -52,9 +51,13 @@ class CompiledEngine : public sim::Engine {
     FindStored();
   }
 
-  bool Start() { return child_.Start(compiled_->executable); }
+  bool Start() {
+    std::vector<std::string> command = compiled_->platform->emulator;
+    command.push_back(compiled_->executable);
+    return child_.Start(command);
+  }
 
-  std::string_view name() const override { return "compiled"; }
+  std::string_view name() const override { return compiled_->platform->name; }
 
   void PowerOn() override {
     for (uint32_t s = 0; s < shadow_.size(); ++s) {
@@ -200,7 +203,8 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Check(bool alive) {
-    if (!alive) throw EngineFault{"the compiled program ended or did not answer within 10 s"};
+    if (!alive)
+      throw EngineFault{"engine '" + compiled_->platform->name + "': the program ended or did not answer within 10 s"};
   }
 
   void Command(const char* letter, std::initializer_list<uint32_t> words = {}) {
@@ -255,7 +259,7 @@ class CompiledEngine : public sim::Engine {
     if (at >= layout_.bytes[space.index].size()) return {false, at, bit, false};  // a local of routines
     const emit::ByteStorage& stored = layout_.bytes[space.index][at];
     if (stored.bits[bit].storage != emit::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
-    // Bytes of words too: the host is little-endian.
+    // Bytes of words too: this machine and all platforms are little-endian.
     if (stored.whole.storage != emit::Storage::kNone) return {true, stored.whole.offset, bit, false};
     return {false, at, bit, false};
   }
@@ -306,38 +310,22 @@ class CompiledEngine : public sim::Engine {
   sim::HostAnswers answers_;
 };
 
-std::string FirstLines(const std::string& text, size_t lines) {
-  size_t end = 0;
-  for (size_t i = 0; i < lines && end != std::string::npos; ++i) end = text.find('\n', end == 0 ? 0 : end + 1);
-  return end == std::string::npos ? text : text.substr(0, end);
-}
-
 }  // namespace
 
-std::string FindCompiler() {
-  const char* chosen = std::getenv("CXX");
-  if (chosen != nullptr && *chosen != '\0') return chosen;
-  for (const char* candidate : {"c++", "g++", "clang++"}) {
-    if (compile::RunProcess({candidate, "--version"}, 10).exit_code == 0) return candidate;
-  }
-  return "";
-}
-
-std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(const ir::Program& program,
-                                                                              const source::SourceManager& sources,
-                                                                              const std::string& compiler) {
+CompiledOrFailure CompileFor(std::shared_ptr<const Platform> platform, const ir::Program& program,
+                             const source::SourceManager& sources) {
   const emit::Emittable emittable = emit::Legalize(program, {.name = "program", .flavour = emit::Flavour::kDebug});
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->program = &program;
   compiled->layout = emittable.layout;
-  compiled->directory = std::make_unique<compile::TemporaryDirectory>();
-  const compile::TemporaryDirectory& directory = *compiled->directory;
+  compiled->platform = std::move(platform);
+  const compile::TemporaryDirectory& directory = compiled->directory;
   if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
   compiled->executable = directory.path() + "/program";
 
-  bool written = compile::WriteRuntime(directory.path());
-  std::vector<std::string> arguments = {compiler, "-std=c++17",     "-O0", "-w",
-                                        "-I",     directory.path(), "-o",  compiled->executable};
+  bool written = true;
+  std::vector<std::string> arguments = compiled->platform->compile;
+  arguments.insert(arguments.end(), {"-I", directory.path(), "-o", compiled->executable});
   for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
     written = written && directory.Write(file.name, file.text);
     if (file.name.ends_with(".cpp") && emittable.parts.size() > 1)
@@ -346,17 +334,19 @@ std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(co
   written = written && directory.Write("harness.cpp", HarnessText(emittable));
   arguments.push_back(directory.path() + "/harness.cpp");
   if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
+  arguments.insert(arguments.end(), compiled->platform->link.begin(), compiled->platform->link.end());
 
   const compile::ProcessResult result = compile::RunProcess(arguments, kCompileSeconds);
   if (result.exit_code != 0) {
-    return CompileFailure{"'" + compiler + "' cannot compile the generated code:\n" + FirstLines(result.output, 20)};
+    return CompileFailure{"'" + arguments[0] + "' cannot compile the generated code:\n" + FirstLines(result.output)};
   }
   return compiled;
 }
 
 std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program) {
   auto engine = std::make_unique<CompiledEngine>(std::move(program));
-  if (!engine->Start()) return CompileFailure{"cannot start the compiled program"};
+  if (!engine->Start())
+    return CompileFailure{"cannot start the program of engine '" + std::string(engine->name()) + "'"};
   return std::unique_ptr<sim::Engine>(std::move(engine));
 }
 

@@ -1,4 +1,5 @@
-// The generated C++ as an Engine: emitted in the debug flavour, compiled by the system's compiler, run as a child.
+// The generated C++ as an Engine: emitted in the debug flavour, compiled for a platform, run as a child or in an
+// emulator.
 //
 // The child is the generated program and a small main that obeys a byte protocol (harness.h); State is mirrored here
 // after every command, and emit::Layout says where each place is in it. Bytes that the program does not use live in a
@@ -9,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "transpiler/driver/platform.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/sim/engine.h"
@@ -19,14 +21,11 @@ namespace plcxx::driver {
 /// A program that was compiled once; engines start processes of it.
 class CompiledProgram;
 
-struct CompileFailure {
-  std::string message;  // the compiler's own words behind it
-};
+using CompiledOrFailure = std::variant<std::shared_ptr<CompiledProgram>, CompileFailure>;
 
-/// `compiler` is a command ("g++"). `program` must be structured and outlive the result.
-std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> CompileForHost(const ir::Program& program,
-                                                                              const source::SourceManager& sources,
-                                                                              const std::string& compiler);
+/// `program` must be structured and outlive the result.
+CompiledOrFailure CompileFor(std::shared_ptr<const Platform> platform, const ir::Program& program,
+                             const source::SourceManager& sources);
 
 /// Fails with a message when the process cannot be started. A child that dies later ends in EngineFault.
 std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program);
@@ -35,8 +34,5 @@ std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::sh
 struct EngineFault {
   std::string message;
 };
-
-/// $CXX, else the first of c++, g++, clang++ that is there; empty when none is.
-std::string FindCompiler();
 
 }  // namespace plcxx::driver

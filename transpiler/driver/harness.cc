@@ -5,8 +5,7 @@
 namespace plcxx::driver {
 namespace {
 
-// Before the host functions: what they do with a call. C's library alone: the harness is compiled for every scenario,
-// and the headers of C++'s cost more than all the rest.
+// Before the host functions: what they do with a call.
 constexpr std::string_view kCalls = R"(
 struct Event { uint32_t function; uint32_t count; uint64_t arguments[kMostArguments]; };
 struct Answer { uint64_t result; uint32_t has_second; uint64_t second; };
@@ -16,16 +15,22 @@ static bool asks = false;
 
 static void Note(const Event& event) {
   if (event_count == event_room) {
-    event_room = 2 * event_room + 16;
-    events = static_cast<Event*>(realloc(events, event_room * sizeof(Event)));
-    if (events == nullptr) exit(0);
+    const uint32_t room = 2 * event_room + 16;
+    events = static_cast<Event*>(plcxx_console::Grow(events, event_room * sizeof(Event), room * sizeof(Event)));
+    event_room = room;
   }
   events[event_count++] = event;
 }
 
+static unsigned char ReadLetter() {
+  unsigned char letter = 0;
+  plcxx_console::Read(&letter, 1);
+  return letter;
+}
+
 static uint32_t ReadWord() {
   uint32_t value = 0;
-  if (fread(&value, sizeof value, 1, stdin) != 1) exit(0);
+  plcxx_console::Read(&value, sizeof value);
   return value;
 }
 
@@ -36,8 +41,8 @@ static uint64_t ReadLong() {
 
 static void WriteCall(const Event& event) {
   const uint32_t head[2] = {event.function, event.count};
-  fwrite(head, sizeof head, 1, stdout);
-  fwrite(event.arguments, sizeof(uint64_t), event.count, stdout);
+  plcxx_console::Write(head, sizeof head);
+  plcxx_console::Write(event.arguments, event.count * sizeof(uint64_t));
 }
 
 static void HostWrites() {
@@ -49,12 +54,12 @@ static void HostWrites() {
 
 static Answer Ask(const Event& event) {
   if (!asks) return {0, 0, 0};
-  fwrite(&kHostQuestion, sizeof kHostQuestion, 1, stdout);
+  plcxx_console::Write(&kHostQuestion, sizeof kHostQuestion);
   WriteCall(event);
-  fwrite(&m, kStateBytes, 1, stdout);
-  fflush(stdout);
+  plcxx_console::Write(&m, kStateBytes);
+  plcxx_console::Flush();
   for (;;) {
-    switch (getchar()) {
+    switch (ReadLetter()) {
       case 'W': HostWrites(); break;
       case 'S': StoreRetentive(); break;
       case 'A': {
@@ -64,7 +69,7 @@ static Answer Ask(const Event& event) {
         answer.second = ReadLong();
         return answer;
       }
-      default: exit(0);
+      default: plcxx_console::Quit();
     }
   }
 }
@@ -73,21 +78,21 @@ template <class T>
 uint64_t Bits(T value) { return static_cast<uint64_t>(value); }
 static uint64_t Bits(float value) {
   uint32_t bits;
-  memcpy(&bits, &value, sizeof bits);
+  __builtin_memcpy(&bits, &value, sizeof bits);
   return bits;
 }
 static uint64_t Bits(double value) {
   uint64_t bits;
-  memcpy(&bits, &value, sizeof bits);
+  __builtin_memcpy(&bits, &value, sizeof bits);
   return bits;
 }
 template <class T>
 void TakeBits(uint64_t bits, T& value) { value = static_cast<T>(bits); }
 static void TakeBits(uint64_t bits, float& value) {
   const uint32_t low = static_cast<uint32_t>(bits);
-  memcpy(&value, &low, sizeof low);
+  __builtin_memcpy(&value, &low, sizeof low);
 }
-static void TakeBits(uint64_t bits, double& value) { memcpy(&value, &bits, sizeof bits); }
+static void TakeBits(uint64_t bits, double& value) { __builtin_memcpy(&value, &bits, sizeof bits); }
 }
 )";
 
@@ -95,19 +100,21 @@ constexpr std::string_view kMain = R"(
 namespace harness = program::harness;
 
 static void Report() {
-  fwrite(&harness::event_count, sizeof harness::event_count, 1, stdout);
+  plcxx_console::Write(&harness::event_count, sizeof harness::event_count);
   for (uint32_t i = 0; i < harness::event_count; ++i) harness::WriteCall(harness::events[i]);
   harness::event_count = 0;
-  fwrite(&harness::m, harness::kStateBytes, 1, stdout);
-  fflush(stdout);
+  plcxx_console::Write(&harness::m, harness::kStateBytes);
+  plcxx_console::Flush();
 }
 
 int main() {
   program::Host& host = harness::host;
   program::State& m = harness::m;
   const auto word = [] { return harness::ReadWord(); };
+  char* text = nullptr;
+  uint32_t text_room = 0;
   for (;;) {
-    switch (getchar()) {
+    switch (harness::ReadLetter()) {
       case 'I': program::init(m, host); Report(); break;
       case 'P': host.now = word(); RunPeriod(m, host); Report(); break;
       case 'F': host.now = word(); RunFastOnly(m, host); Report(); break;
@@ -127,10 +134,12 @@ int main() {
       }
       case 'T': {
         const uint32_t size = word();
-        char* const text = static_cast<char*>(malloc(size + 1));
-        if (text == nullptr || (size > 0 && fread(text, size, 1, stdin) != 1)) exit(0);
+        if (size > text_room) {
+          text = static_cast<char*>(plcxx_console::Grow(text, 0, 2 * static_cast<size_t>(size)));
+          text_room = 2 * size;
+        }
+        plcxx_console::Read(text, size);
         SendText(m, text, size);
-        free(text);
         Report();
         break;
       }
@@ -234,9 +243,9 @@ std::string HarnessText(const emit::Emittable& emittable) {
   for (const ir::HostFunction& function : program.host_functions) {
     most_arguments = std::max(most_arguments, function.parameters.size());
   }
-  // One part: in one run of the compiler. In front of the library, whose macros may be names of the program.
+  // One part: in one run of the compiler. In front of the console, whose macros may be names of the program.
   std::string out = "#include \"" + emittable.options.name + (emittable.parts.size() == 1 ? ".cpp" : ".hpp") + "\"\n";
-  out += "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
+  out += "#include \"console.h\"\n";
   out += "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
   if (retentive) out += "  Retentive stored{};\n  bool has_stored = false;\n";
   out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";

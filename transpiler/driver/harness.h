@@ -1,4 +1,5 @@
-// The main program of a compiled engine: it owns State and Host, and obeys one-letter commands on standard input.
+// The main program of a compiled engine: it owns State and Host, and obeys one-letter commands from a console, which
+// stands beside it as "console.h" (consoles/host.h says what that is).
 //
 //   I                      init                     P <u32 now>   one period          F <u32 now>   fast part only
 //   W <u32 at, mask, v>    host writes bits         K <u32 at, mask, v>  force bits   R <u32 at, mask>  release

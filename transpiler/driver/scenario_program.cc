@@ -65,10 +65,15 @@ Compilation& ScenarioProgram::Compiled() {
   return compilation_;
 }
 
-std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> ScenarioProgram::OnHost(const std::string& compiler) {
+CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const Platform>& platform) {
   const Compilation& compilation = Compiled();
-  std::call_once(build_once_, [&] { built_ = CompileForHost(compilation.program, *compilation.sources, compiler); });
-  return built_;
+  Built* built = nullptr;
+  {
+    const std::lock_guard lock(built_mutex_);
+    built = &built_[platform->name];
+  }
+  std::call_once(built->once, [&] { built->result = CompileFor(platform, compilation.program, *compilation.sources); });
+  return built->result;
 }
 
 void ScenarioPrograms::Announce(const Scenario& scenario) {

@@ -1,7 +1,7 @@
 // The programs that scenarios drive, each compiled once: scenarios of one machine share sources and options.
 //
 // In: what a scenario asks for. Out: its compilation and, when the scenario wants it, the generated code as a program
-// of the host. Safe to use from several threads.
+// of a platform. Safe to use from several threads.
 #pragma once
 
 #include <map>
@@ -23,7 +23,6 @@ struct ProgramOverrides {
   std::vector<std::string> sources;                          // instead of the scenario's own
   std::vector<std::pair<std::string, std::string>> options;  // the scenario's own win
   diag::WarningOptions warnings;
-  std::string compiler;  // for the host
 };
 
 /// The request of a scenario. Warnings that it lists are switched on.
@@ -35,14 +34,20 @@ class ScenarioProgram {
 
   /// Compiled at the first call.
   Compilation& Compiled();
-  /// The generated code, built at the first call. The compilation must be without errors.
-  std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> OnHost(const std::string& compiler);
+  /// The generated code, built at the first call for a platform. The compilation must be without errors.
+  CompiledOrFailure On(const std::shared_ptr<const Platform>& platform);
 
  private:
+  struct Built {
+    std::once_flag once;
+    CompiledOrFailure result;
+  };
+
   CompilationRequest request_;
-  std::once_flag compile_once_, build_once_;
+  std::once_flag compile_once_;
   Compilation compilation_;
-  std::variant<std::shared_ptr<CompiledProgram>, CompileFailure> built_;
+  std::mutex built_mutex_;
+  std::map<std::string, Built> built_;  // by the platform's name
 };
 
 /// Gives scenarios with equal requests the same program, and forgets it after the last of them.

@@ -6,29 +6,33 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "transpiler/driver/junit.h"
+#include "transpiler/driver/platform.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_program.h"
 
 namespace plcxx::driver {
 
-enum class EngineChoice : uint8_t {
-  kSimulator,
-  /// The generated code, compiled for this machine. A program that uses a function of the regular exchange for itself,
-  /// too, has the simulator beside it, which tells the one from the other.
-  kHost,
-  kAll  // both in lockstep; without a C++ compiler the simulator alone
+/// A platform that runs scenarios: all of them, or one in `one_in`, chosen by the scenario's bytes, so that it is the
+/// same choice everywhere.
+struct PlatformUse {
+  std::shared_ptr<const Platform> platform;
+  uint32_t one_in = 1;
 };
 
+/// What runs a scenario, in lockstep. A program that uses a function of the regular exchange for itself, too, has the
+/// simulator beside it in any case, which tells the one from the other.
 struct SuiteOptions {
-  EngineChoice engines = EngineChoice::kAll;
-  ProgramOverrides programs;  // its compiler is empty when there is none
-  unsigned jobs = 2;          // scenarios that run at a time
-  bool waveform = false;      // record one
+  bool simulator = true;
+  std::vector<PlatformUse> platforms;
+  ProgramOverrides programs;
+  unsigned jobs = 2;      // scenarios that run at a time
+  bool waveform = false;  // record one
 };
 
 struct ScenarioResult {

@@ -1,9 +1,12 @@
 // One scenario from its program to its verdict.
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,6 +30,13 @@ struct Engines {
   std::unique_ptr<Lockstep> lockstep;
   const sim::LastWrites* writes = nullptr;
 };
+
+/// FNV-1a: the same on every machine.
+uint32_t ContentHash(std::string_view text) {
+  uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
 
 class Test {
  public:
@@ -97,25 +107,32 @@ class Test {
     });
   }
 
+  bool IsChosen(const PlatformUse& use) const {
+    if (use.one_in == 1) return true;
+    std::ifstream file(scenario_.path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return ContentHash(text) % use.one_in == 0;
+  }
+
   /// The engines that were asked for, or why there are none.
   std::variant<Engines, std::string> MakeEngines(const Compilation& compilation) {
     Engines made;
     std::vector<std::unique_ptr<sim::Engine>> engines;
-    if (options_.engines != EngineChoice::kHost || NeedsSimulator(compilation.program)) {
+    if (options_.simulator || NeedsSimulator(compilation.program)) {
       auto simulator = std::make_unique<sim::Simulator>(compilation.program);
       simulator->RecordLastWrites();
       made.writes = simulator->last_writes();
       engines.push_back(std::move(simulator));
     }
-    const std::string& compiler = options_.programs.compiler;
-    if (options_.engines != EngineChoice::kSimulator && !compiler.empty()) {
-      auto built = program_.OnHost(compiler);
+    for (const PlatformUse& use : options_.platforms) {
+      if (!IsChosen(use)) continue;
+      auto built = program_.On(use.platform);
       if (const auto* failure = std::get_if<CompileFailure>(&built)) return failure->message;
       auto started = StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(built));
       if (const auto* failure = std::get_if<CompileFailure>(&started)) return failure->message;
       engines.push_back(std::move(std::get<std::unique_ptr<sim::Engine>>(started)));
     }
-    if (engines.empty()) return std::string("there is no C++ compiler: name one with --cxx");
+    if (engines.empty()) engines.push_back(std::make_unique<sim::Simulator>(compilation.program));
     made.lockstep = std::make_unique<Lockstep>(compilation.program, std::move(engines));
     return made;
   }

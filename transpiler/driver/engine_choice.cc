@@ -1,0 +1,118 @@
+#include "transpiler/driver/engine_choice.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+/// One word between commas.
+struct Word {
+  std::string_view name;
+  uint32_t one_in = 1;
+};
+
+std::optional<Word> ReadWord(std::string_view text) {
+  const size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return Word{text};
+  Word word{text.substr(0, slash)};
+  const std::string_view digits = text.substr(slash + 1);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), word.one_in);
+  if (error != std::errc() || end != digits.data() + digits.size() || word.one_in == 0) return std::nullopt;
+  return word;
+}
+
+bool RunsAllScenarios() {
+  const char* value = std::getenv("PLCXX_ALL_TARGETS");
+  return value != nullptr && *value != '\0' && std::string_view(value) != "0";
+}
+
+class Choice {
+ public:
+  Choice(const std::string& compiler, SuiteOptions& options) : compiler_(compiler), options_(options) {}
+
+  bool Add(Word word) {
+    if (RunsAllScenarios()) word.one_in = 1;
+    if (word.name == "sim") return options_.simulator = true;
+    if (word.name == "host") return AddHost(word.one_in);
+    if (word.name == "all") {
+      options_.simulator = true;
+      if (!FindHostCompiler()) {
+        std::cerr << "plcxx: note: no C++ compiler found; scenarios run in the simulator only\n";
+        return true;
+      }
+      return AddHost(word.one_in);
+    }
+    const std::vector<std::string_view> machines = EmulatedMachines();
+    if (std::ranges::find(machines, word.name) == machines.end()) {
+      PrintUsageError("there is no engine '" + std::string(word.name) + "'; there are " + EngineNames());
+      return false;
+    }
+    options_.simulator = true;
+    return AddPlatform(MakeEmulatedPlatform(word.name), word.one_in);
+  }
+
+ private:
+  bool FindHostCompiler() {
+    if (compiler_.empty()) compiler_ = FindCompiler();
+    return !compiler_.empty();
+  }
+
+  bool AddHost(uint32_t one_in) {
+    if (!FindHostCompiler()) {
+      PrintUsageError("there is no C++ compiler for '--engine host': install g++ or name one with --cxx");
+      return false;
+    }
+    return AddPlatform(MakeHostPlatform(compiler_), one_in);
+  }
+
+  bool AddPlatform(PlatformOrFailure made, uint32_t one_in) {
+    if (const auto* failure = std::get_if<CompileFailure>(&made)) {
+      PrintUsageError(failure->message);
+      return false;
+    }
+    auto platform = std::get<std::shared_ptr<const Platform>>(std::move(made));
+    const auto same = [&](const PlatformUse& use) { return use.platform->name == platform->name; };
+    if (std::ranges::none_of(options_.platforms, same)) options_.platforms.push_back({std::move(platform), one_in});
+    return true;
+  }
+
+  std::string compiler_;
+  SuiteOptions& options_;
+};
+
+}  // namespace
+
+std::string EngineNames() {
+  std::string names = "sim, host, all";
+  for (const std::string_view machine : EmulatedMachines()) names += ", " + std::string(machine);
+  return names;
+}
+
+bool ChooseEngines(const std::string& choice, const std::string& compiler, SuiteOptions& options) {
+  options.simulator = false;
+  options.platforms.clear();
+  Choice chosen(compiler, options);
+  for (size_t at = 0; at <= choice.size();) {
+    const size_t end = std::min(choice.find(',', at), choice.size());
+    const std::string_view text = std::string_view(choice).substr(at, end - at);
+    const std::optional<Word> word = ReadWord(text);
+    if (!word) {
+      PrintUsageError("'--engine " + std::string(text) + "': a whole number from 1 on stands behind '/'");
+      return false;
+    }
+    if (!chosen.Add(*word)) return false;
+    at = end + 1;
+  }
+  return true;
+}
+
+}  // namespace plcxx::driver

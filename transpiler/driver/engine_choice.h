@@ -1,0 +1,22 @@
+// What --engine of `plcxx test` says: which engines run the scenarios, side by side.
+//
+// In: "all", "sim", "host,cortex-m", "all,riscv/8". Out: the simulator or not, and the platforms, ready to build
+// programs.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "transpiler/driver/scenario_suite.h"
+
+namespace plcxx::driver {
+
+/// For --help: all names.
+std::string EngineNames();
+
+/// Fills `simulator` and `platforms` of the options. `compiler` is that of the host, empty when it is to be found.
+/// Emulated machines have the simulator beside them, whose trace is the measure. The environment variable
+/// PLCXX_ALL_TARGETS takes all scenarios where NAME/N takes one in N. False when it cannot be; reported.
+bool ChooseEngines(const std::string& choice, const std::string& compiler, SuiteOptions& options);
+
+}  // namespace plcxx::driver
