@@ -52,7 +52,7 @@ const diag::Diagnostic* FirstError(const diag::Engine& diagnostics) {
 }
 
 bool ContainsAll(const diag::Diagnostic& error, const std::vector<std::string>& words) {
-  const std::string text = Lower(std::string(error.row->code) + " " + error.text);
+  const std::string text = Lower(std::string(error.row->code) + " " + error.text + " " + error.remedy);  // hints, too
   return std::all_of(words.begin(), words.end(),
                      [&](const std::string& word) { return text.find(Lower(word)) != std::string::npos; });
 }
