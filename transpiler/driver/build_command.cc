@@ -5,6 +5,8 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -13,12 +15,15 @@
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/build_figures.h"
+#include "transpiler/driver/build_limits.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
 
 namespace plcxx::driver {
@@ -42,6 +47,9 @@ struct BuildSettings {
   std::string compiler;
   std::string level = "2";
   unsigned jobs = 0;
+  std::string clock;
+  BuildLimits limits;
+  bool no_audit = false;
   bool debug = false;
   bool quiet = false;
 };
@@ -63,8 +71,9 @@ std::string BytesOf(const std::filesystem::path& path) {
 /// One build: from a compiled program to the files that are written.
 class Build {
  public:
-  Build(const BuildSettings& settings, const compile::Target& target, Compilation& compilation, ProgressLine& progress)
-      : settings_(settings), target_(target), compilation_(compilation), progress_(progress) {}
+  Build(const BuildSettings& settings, const compile::Target& target, uint64_t clock_hz, Compilation& compilation,
+        ProgressLine& progress)
+      : settings_(settings), target_(target), clock_hz_(clock_hz), compilation_(compilation), progress_(progress) {}
 
   void Run() {
     if (compilation_.has_program && !CompileProgram()) return;
@@ -72,7 +81,14 @@ class Build {
     Write();
   }
 
+  /// Empty where nothing was measured.
+  std::string Table() const { return figures_ ? BuildTable(*figures_, Way(), compilation_.name) : ""; }
+
  private:
+  BuildWay Way() const {
+    return {.target = &target_, .toolchain = &toolchain_, .level = settings_.level, .clock_hz = clock_hz_};
+  }
+
   bool CompileProgram() {
     auto found = compile::FindToolchain(target_, settings_.compiler);
     if (const auto* missing = std::get_if<compile::MissingTool>(&found)) {
@@ -84,7 +100,8 @@ class Build {
     const emit::Emittable emittable = emit::Legalize(
         compilation_.program,
         {.name = compilation_.name, .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease});
-    files_ = ProgramFiles(compilation_, emittable);
+    files_ = emit::PrintCpp(emittable, *compilation_.sources);
+    files_.push_back({compilation_.name + ".map.json", emit::PrintMap(emittable, *compilation_.sources)});
     const compile::TemporaryDirectory directory;
     if (!directory.valid()) {
       ReportCannotWrite({"a temporary directory", "it cannot be made"}, compilation_);
@@ -107,15 +124,31 @@ class Build {
       return false;
     }
     const auto& library = std::get<compile::Library>(compiled);
+    if (!settings_.no_audit) Examine(directory.path(), library, emittable);
     files_.push_back({library.archive, BytesOf(std::filesystem::path(directory.path()) / library.archive)});
     return compilation_.ok();
+  }
+
+  void Examine(const std::filesystem::path& directory, const compile::Library& library,
+               const emit::Emittable& emittable) {
+    progress_.Show("auditing");
+    std::vector<std::string> objects;
+    for (const std::string& name : library.objects) objects.push_back(BytesOf(directory / name));
+    const std::optional<compile::ProgramCode> code = ReadObjects(objects, target_, compilation_);
+    if (!code) return;
+    AuditObjects(*code, emittable, compilation_);
+    if (!compilation_.ok()) return;  // of code that must not be, figures mean nothing
+    progress_.Show("measuring");
+    figures_ = Measure(*code, emittable, files_);
+    CheckLimits(*figures_, settings_.limits, clock_hz_, compilation_);
   }
 
   void Write() {
     if (compilation_.has_program) {
       std::vector<std::string> names;
       for (const emit::OutputFile& file : files_) names.push_back(file.name);
-      files_.push_back({compilation_.name + ".report.json", ReportJson(compilation_, names)});
+      const nlohmann::ordered_json build = figures_ ? BuildJson(*figures_, Way()) : nlohmann::ordered_json();
+      files_.push_back({compilation_.name + ".report.json", ReportJson(compilation_, names, build)});
       for (const compile::RuntimeFile& header : compile::RuntimeFiles()) {
         files_.push_back({header.name, std::string(header.text)});
       }
@@ -136,9 +169,11 @@ class Build {
 
   const BuildSettings& settings_;
   const compile::Target& target_;
+  uint64_t clock_hz_;
   Compilation& compilation_;
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
+  std::optional<BuildFigures> figures_;
   std::vector<emit::OutputFile> files_;  // without directory
 };
 
@@ -158,15 +193,35 @@ int RunBuild(const BuildSettings& settings) {
     PrintUsageError("'--name " + settings.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
     return kWrongUse;
   }
+  uint64_t clock_hz = 0;
+  if (!settings.clock.empty()) {
+    const std::optional<uint64_t> clock = ParseClock(settings.clock);
+    if (!clock) {
+      PrintUsageError("'--clock " + settings.clock + "' is no frequency: write 168MHz, 32kHz or 16000000");
+      return kWrongUse;
+    }
+    clock_hz = *clock;
+  }
+  if (clock_hz == 0 && (settings.limits.fast_us || settings.limits.slow_us)) {
+    PrintUsageError("a limit of time needs the processor's clock: --clock 168MHz");
+    return kWrongUse;
+  }
+  const bool limited =
+      settings.limits.fast_us || settings.limits.slow_us || settings.limits.stack_bytes || settings.limits.code_bytes;
+  if (settings.no_audit && limited) {
+    PrintUsageError("limits are compared with measured figures, which --no-audit leaves out");
+    return kWrongUse;
+  }
   request->name = settings.name;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request);
-  if (compilation.ok()) Build(settings, *target, compilation, progress).Run();
+  Build build(settings, *target, clock_hz, compilation, progress);
+  if (compilation.ok()) build.Run();
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(settings.common));
-  if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation);
+  if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation) << build.Table();
   return ExitCodeOf(compilation);
 }
 
@@ -196,6 +251,17 @@ void AddBuild(CLI::App& app, Run& run) {
       ->type_name("N")
       ->check(CLI::Range(1u, 256u))
       ->group("Output");
+  command->add_option("--clock", settings->clock, "The processor's clock (168MHz): the table and the report get times")
+      ->type_name("F")
+      ->group("Limits");
+  const auto limit = [&](const char* name, std::optional<uint64_t>& value, const char* unit, const char* meaning) {
+    command->add_option(name, value, meaning)->type_name(unit)->group("Limits");
+  };
+  limit("--max-fast-us", settings->limits.fast_us, "US", "The longest that one call of the fast part may take");
+  limit("--max-slow-us", settings->limits.slow_us, "US", "Likewise of the slow part: its longest slice");
+  limit("--max-stack", settings->limits.stack_bytes, "BYTES", "The most stack that a partition may take");
+  limit("--max-code", settings->limits.code_bytes, "BYTES", "The most code that the library may have");
+  command->add_flag("--no-audit", settings->no_audit, "Neither audit nor measure the objects")->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");
   command->footer("");                                                                    // not the one of the program

@@ -29,7 +29,8 @@ std::string FileName(const Compilation& compilation, source::FileId id) {
 
 }  // namespace
 
-std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files) {
+std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files,
+                       const nlohmann::ordered_json& build) {
   nlohmann::ordered_json report;
   report["program"] = compilation.name;
   report["dialect"] = compilation.dialect->name;
@@ -70,6 +71,7 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
   report["period_ms"] = compilation.program.schedule.period_ms;
   report["slow_period_ms"] = compilation.estimates.slow_period_ms;
   report["files"] = files;
+  if (!build.is_null()) report["build"] = build;
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

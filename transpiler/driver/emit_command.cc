@@ -1,6 +1,7 @@
 // plcxx emit: sources to C++ files, maps and report.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "transpiler/compile/amalgamate.h"
@@ -9,6 +10,7 @@
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
@@ -38,30 +40,6 @@ struct EmitSettings {
   uint32_t parts = 0;
 };
 
-/// Faults of the driver for which a dialect's specification fixes a code.
-struct CannotWriteRow {
-  std::string_view dialect;
-  const diag::Message<diag::Text, diag::Text>* message;
-};
-constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
-
-void ReportCannotWrite(const WriteFailure& failure, Compilation& compilation) {
-  const diag::Message<diag::Text, diag::Text>* message = &diag::CannotWriteOutput;
-  for (const CannotWriteRow& row : kCannotWrite) {
-    if (row.dialect == compilation.dialect->name) message = row.message;
-  }
-  compilation.diagnostics.Report({}, *message, failure.path, failure.reason);
-}
-
-std::vector<std::string> PathsRead(const Compilation& compilation) {
-  std::vector<std::string> paths;
-  for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
-    const std::string& path = compilation.sources->Get(source::FileId(i)).path;
-    if (!path.starts_with('<')) paths.push_back(path);  // "<stdin>"
-  }
-  return paths;
-}
-
 OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation) {
   OutputRequest output;
   output.directory = settings.directory;
@@ -80,7 +58,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
   if (compilation.has_program) {
     std::vector<std::string> names;
     for (const emit::OutputFile& file : output.files) names.push_back(file.name);
-    output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names)});
+    output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names, {})});
   }
   for (emit::OutputFile& file : output.files) file.name = PathIn(settings.directory, file.name);
 

@@ -14,12 +14,6 @@ constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
 
 }  // namespace
 
-std::vector<emit::OutputFile> ProgramFiles(const Compilation& compilation, const emit::Emittable& emittable) {
-  std::vector<emit::OutputFile> files = emit::PrintCpp(emittable, *compilation.sources);
-  files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
-  return files;
-}
-
 std::vector<std::string> PathsRead(const Compilation& compilation) {
   std::vector<std::string> paths;
   for (uint32_t i = 0; i < compilation.sources->size(); ++i) {

@@ -99,6 +99,9 @@ void ObjectReader::Resolve(const Place& place, std::vector<Instruction>& code, s
     }
     const bool inside = instruction.target && section == place.section && *instruction.target >= place.begin &&
                         *instruction.target < place.end;
+    // Where a branch of Thumb-1 does not reach, GCC jumps within the function by a call that nobody returns from.
+    const bool far_jump = instruction.flow == Flow::kCall && inside && *instruction.target != place.begin;
+    if (far_jump) instruction.flow = Flow::kJump;
     const bool tail = instruction.flow != Flow::kCall;
     if (tail && inside) continue;
     instruction.target.reset();

@@ -1,0 +1,124 @@
+#include "transpiler/driver/build_figures.h"
+
+#include <algorithm>
+
+#include "transpiler/compile/audit_module.h"
+#include "transpiler/compile/audit_rules.h"
+#include "transpiler/ir/builder.h"
+
+namespace plcxx::driver {
+namespace {
+
+bool IsFloat(ir::Type type) { return type == ir::Type::kF32 || type == ir::Type::kF64; }
+
+bool HasFloats(const emit::Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  const std::vector<ir::InstId> insts = emit::PrintedInsts(program, emittable.options.flavour);
+  return std::ranges::any_of(insts, [&](ir::InstId id) { return IsFloat(program[id].type); }) ||
+         std::ranges::any_of(program.places, [](const ir::Place& place) { return IsFloat(place.type); });
+}
+
+std::string Qualified(const emit::Emittable& emittable, const std::string& name) {
+  return emittable.namespace_name + "::" + name;
+}
+
+void Report(const compile::AuditFinding& finding, diag::Engine& diagnostics) {
+  switch (finding.rule) {
+    case compile::AuditRule::kUnreadable:
+      diagnostics.Report({}, diag::CannotAudit,
+                         "function '" + finding.function + "' has bytes that are no instruction");
+      return;
+    case compile::AuditRule::kHeap:
+      diagnostics.Report({}, diag::AuditHeap, finding.function, finding.detail);
+      return;
+    case compile::AuditRule::kException:
+      diagnostics.Report({}, diag::AuditException, finding.function, finding.detail);
+      return;
+    case compile::AuditRule::kStaticConstructor:
+      diagnostics.Report({}, diag::AuditStaticConstructor, finding.function);
+      return;
+    case compile::AuditRule::kRecursion:
+      diagnostics.Report({}, diag::AuditRecursion, finding.function, finding.detail);
+      return;
+    case compile::AuditRule::kIndirectCall:
+      diagnostics.Report({}, diag::AuditIndirectCall, finding.function);
+      return;
+    case compile::AuditRule::kFloat:
+      diagnostics.Report({}, diag::AuditFloat, finding.function, finding.detail);
+      return;
+    case compile::AuditRule::kUndefined:
+      diagnostics.Report({}, diag::AuditUndefined, finding.function, finding.detail);
+      return;
+  }
+}
+
+void AddSections(const compile::ProgramCode& code, BuildFigures& figures) {
+  for (const compile::ObjectFacts& object : code.objects()) {
+    for (const compile::CodeSection& section : object.sections) {
+      using Kind = compile::SectionKind;
+      if (section.kind == Kind::kCode) figures.code_bytes += section.bytes;
+      if (section.kind == Kind::kConstants) figures.constant_bytes += section.bytes;
+      if (section.kind == Kind::kData || section.kind == Kind::kZeroes) figures.volatile_bytes += section.bytes;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<compile::ProgramCode> ReadObjects(const std::vector<std::string>& objects, const compile::Target& target,
+                                                Compilation& compilation) {
+  std::string reason;
+  const compile::ReadObjectFunction read = compile::LoadObjectReader(reason);
+  if (read == nullptr) {
+    compilation.diagnostics.Report({}, diag::CannotAudit, reason);
+    return std::nullopt;
+  }
+  std::vector<compile::ObjectFacts> facts(objects.size());
+  for (size_t i = 0; i < objects.size(); ++i) {
+    read({.bytes = objects[i], .processor = target.processor}, facts[i]);
+    if (facts[i].failure.empty()) continue;
+    compilation.diagnostics.Report({}, diag::CannotAudit, facts[i].failure);
+    return std::nullopt;
+  }
+  return compile::ProgramCode(std::move(facts));
+}
+
+void AuditObjects(const compile::ProgramCode& code, const emit::Emittable& emittable, Compilation& compilation) {
+  compile::AuditExpectations expectations;
+  const ir::Program& program = *emittable.program;
+  for (uint32_t i = 0; i < program.host_functions.size(); ++i) {
+    if (!emittable.host_used[i]) continue;
+    expectations.host_functions.insert(Qualified(emittable, program.host_functions[ir::HostFunctionId(i)].name));
+  }
+  expectations.has_floats = HasFloats(emittable);
+  for (const compile::AuditFinding& finding : compile::Audit(code, expectations)) {
+    Report(finding, compilation.diagnostics);
+  }
+}
+
+BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& emittable,
+                     const std::vector<emit::OutputFile>& files) {
+  compile::LoopRounds loops;
+  compile::AddRuntimeLoops(loops);
+  for (const emit::OutputFile& file : files) {
+    for (const emit::PrintedLoop& loop : file.loops) loops[{file.name, loop.line}] = loop.rounds;
+  }
+  BuildFigures figures;
+  figures.retentive_bytes = emittable.layout.retentive_bytes;
+  figures.volatile_bytes = emittable.layout.size - emittable.layout.retentive_bytes;
+  AddSections(code, figures);
+  if (!code.objects().empty()) figures.timing = code.objects().front().timing;
+  compile::Measurement measurement(code, loops);
+  const ir::Program& program = *emittable.program;
+  const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+    if (emit::SharesLocals(routine.kind) || (routine.simulation_only && !debug)) continue;
+    const uint32_t function = code.Find(Qualified(emittable, routine.name));
+    if (function == compile::kNoFunction) continue;
+    figures.partitions.push_back({routine.name, ir::RoutineId(i), measurement.From(function)});
+  }
+  return figures;
+}
+
+}  // namespace plcxx::driver

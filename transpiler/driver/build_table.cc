@@ -1,0 +1,112 @@
+// The figures of plcxx build as JSON and as a table.
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "transpiler/compile/audit_rules.h"
+#include "transpiler/driver/build_figures.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr uint64_t kNsPerSecond = 1'000'000'000;
+constexpr uint64_t kHzPerMhz = 1'000'000;
+constexpr uint64_t kNsPerUs = 1000;
+
+std::string Right(std::string text, size_t width) {
+  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+
+std::string Left(std::string text, size_t width) {
+  text.append(width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+
+std::string Right(uint64_t number, size_t width) { return Right(std::to_string(number), width); }
+
+std::string Microseconds(uint64_t ns) {
+  const std::string tenths = std::to_string((ns + kNsPerUs / 10 - 1) / (kNsPerUs / 10));
+  return (tenths.size() == 1 ? "0" : tenths.substr(0, tenths.size() - 1)) + "." + tenths.back();
+}
+
+std::string Joined(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// All that is called and has no figures, and all that is missing.
+struct Exclusions {
+  std::set<std::string> host, support, not_whole;
+};
+
+Exclusions ExclusionsOf(const BuildFigures& figures) {
+  Exclusions all;
+  for (const PartitionFigures& partition : figures.partitions) {
+    for (const std::string& name : partition.figures.host) {
+      (compile::UseOfSymbol(name) == compile::RoutineUse::kUnknown ? all.host : all.support).insert(name);
+    }
+    all.not_whole.insert(partition.figures.not_whole.begin(), partition.figures.not_whole.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+uint64_t Nanoseconds(uint64_t cycles, uint64_t clock_hz) {
+  constexpr uint64_t kMostCycles = ~uint64_t{0} / kNsPerSecond;
+  if (cycles > kMostCycles) return cycles / clock_hz * kNsPerSecond;
+  return (cycles * kNsPerSecond + clock_hz - 1) / clock_hz;
+}
+
+nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& way) {
+  nlohmann::ordered_json build;
+  build["target"] = way.target->name;
+  build["compiler"] = way.toolchain->is_clang ? "clang" : "gcc";
+  build["optimization"] = way.level;
+  if (way.clock_hz != 0) build["clock_hz"] = way.clock_hz;
+  build["timing"] = figures.timing;
+  build["partitions"] = nlohmann::ordered_json::array();
+  for (const PartitionFigures& partition : figures.partitions) {
+    const compile::Figures& own = partition.figures;
+    nlohmann::ordered_json row = {{"name", partition.name},       {"instructions", own.longest.instructions},
+                                  {"cycles", own.longest.cycles}, {"stack_bytes", own.stack_bytes},
+                                  {"code_bytes", own.code_bytes}, {"not_counted", own.host},
+                                  {"not_whole", own.not_whole}};
+    if (way.clock_hz != 0) row["time_ns"] = Nanoseconds(own.longest.cycles, way.clock_hz);
+    build["partitions"].push_back(std::move(row));
+  }
+  build["code_bytes"] = figures.code_bytes;
+  build["constant_bytes"] = figures.constant_bytes;
+  build["retentive_bytes"] = figures.retentive_bytes;
+  build["volatile_bytes"] = figures.volatile_bytes;
+  return build;
+}
+
+std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const std::string& program) {
+  const bool timed = way.clock_hz != 0;
+  size_t width = 10;
+  for (const PartitionFigures& partition : figures.partitions) width = std::max(width, partition.name.size() + 1);
+  std::string text = program + " for " + std::string(way.target->name) + ", " + way.toolchain->version + ", -O" +
+                     way.level + "\n  " + Left("longest path", width + 4) + "instructions    cycles" +
+                     (timed ? "        us" : "") + "     stack      code\n";
+  for (const PartitionFigures& partition : figures.partitions) {
+    const compile::Figures& own = partition.figures;
+    text += "  " + Left(partition.name, width) + Right(own.longest.instructions, 16) + Right(own.longest.cycles, 10);
+    if (timed) text += Right(Microseconds(Nanoseconds(own.longest.cycles, way.clock_hz)), 10);
+    text += Right(own.stack_bytes, 10) + Right(own.code_bytes, 10) + "\n";
+  }
+  text += "  code " + std::to_string(figures.code_bytes) + ", constants " + std::to_string(figures.constant_bytes) +
+          ", retentive " + std::to_string(figures.retentive_bytes) + ", volatile " +
+          std::to_string(figures.volatile_bytes) + " bytes\n";
+  text += "  cycles: " + figures.timing;
+  if (timed) text += "; " + std::to_string(way.clock_hz / kHzPerMhz) + " MHz";
+  text += "\n";
+  const Exclusions excluded = ExclusionsOf(figures);
+  if (!excluded.host.empty()) text += "  not counted, host functions: " + Joined(excluded.host) + "\n";
+  if (!excluded.support.empty()) text += "  not counted, support routines: " + Joined(excluded.support) + "\n";
+  for (const std::string& missing : excluded.not_whole) text += "  not whole: " + missing + "\n";
+  return text;
+}
+
+}  // namespace plcxx::driver
