@@ -10,7 +10,6 @@ using plcxx::Add32;
 using plcxx::Add8;
 using plcxx::Clear;
 using plcxx::FromBcd16;
-using plcxx::Greater16;
 using plcxx::Less8;
 using plcxx::LowByte16;
 using plcxx::S16;
@@ -247,76 +246,76 @@ void advance(State& m, uint32_t elapsed_ms, Host&) noexcept {
 // DW 496 bytes of direct inputs go into I.
 void refresh_inputs(State& m, Host& host) noexcept {
   const uint16_t t1 = m[DW496];
-  if (Greater16(t1, 0)) {
+  if (t1 > 0) {
     m[IB0] = read_port(host, 0);
   }
-  if (Greater16(t1, 1)) {
+  if (t1 > 1) {
     m[IB1] = read_port(host, 1);
   }
-  if (Greater16(t1, 2)) {
+  if (t1 > 2) {
     m[IB2] = read_port(host, 2);
   }
-  if (Greater16(t1, 3)) {
+  if (t1 > 3) {
     m[IB3] = read_port(host, 3);
   }
-  if (Greater16(t1, 4)) {
+  if (t1 > 4) {
     m[IB4] = read_port(host, 4);
   }
-  if (Greater16(t1, 5)) {
+  if (t1 > 5) {
     m[IB5] = read_port(host, 5);
   }
-  if (Greater16(t1, 6)) {
+  if (t1 > 6) {
     m[IB6] = read_port(host, 6);
   }
-  if (Greater16(t1, 7)) {
+  if (t1 > 7) {
     m[IB7] = read_port(host, 7);
   }
-  if (Greater16(t1, 8)) {
+  if (t1 > 8) {
     m[IB8] = read_port(host, 8);
   }
-  if (Greater16(t1, 9)) {
+  if (t1 > 9) {
     m[IB9] = read_port(host, 9);
   }
-  if (Greater16(t1, 10)) {
+  if (t1 > 10) {
     m[IB10] = read_port(host, 10);
   }
-  if (Greater16(t1, 11)) {
+  if (t1 > 11) {
     m[IB11] = read_port(host, 11);
   }
-  if (Greater16(t1, 12)) {
+  if (t1 > 12) {
     m[IB12] = read_port(host, 12);
   }
-  if (Greater16(t1, 13)) {
+  if (t1 > 13) {
     m[IB13] = read_port(host, 13);
   }
-  if (Greater16(t1, 14)) {
+  if (t1 > 14) {
     m[IB14] = read_port(host, 14);
   }
-  if (Greater16(t1, 15)) {
+  if (t1 > 15) {
     m[IB15] = read_port(host, 15);
   }
-  if (Greater16(t1, 16)) {
+  if (t1 > 16) {
     m[IB16] = read_port(host, 16);
   }
-  if (Greater16(t1, 17)) {
+  if (t1 > 17) {
     m[IB17] = read_port(host, 17);
   }
-  if (Greater16(t1, 18)) {
+  if (t1 > 18) {
     m[IB18] = read_port(host, 18);
   }
-  if (Greater16(t1, 19)) {
+  if (t1 > 19) {
     m[IB19] = read_port(host, 19);
   }
-  if (Greater16(t1, 20)) {
+  if (t1 > 20) {
     m[IB44] = read_port(host, 20);
   }
-  if (Greater16(t1, 21)) {
+  if (t1 > 21) {
     m[IB45] = read_port(host, 21);
   }
-  if (Greater16(t1, 22)) {
+  if (t1 > 22) {
     m[IB46] = read_port(host, 22);
   }
-  if (Greater16(t1, 23)) {
+  if (t1 > 23) {
     m[IB47] = read_port(host, 23);
   }
 }
@@ -324,51 +323,51 @@ void refresh_inputs(State& m, Host& host) noexcept {
 // DW 498 bytes of O go to the direct outputs.
 void refresh_outputs(State& m, Host& host) noexcept {
   const uint16_t t1 = m[DW498];
-  if (Greater16(t1, 0)) {
+  if (t1 > 0) {
     m[PB0] = m[OB0];
     write_port(host, 0, m[PB0]);
   }
-  if (Greater16(t1, 1)) {
+  if (t1 > 1) {
     m[PB1] = m[OB1];
     write_port(host, 1, m[PB1]);
   }
-  if (Greater16(t1, 2)) {
+  if (t1 > 2) {
     m[PB2] = m[OB2];
     write_port(host, 2, m[PB2]);
   }
-  if (Greater16(t1, 3)) {
+  if (t1 > 3) {
     m[PB3] = m[OB3];
     write_port(host, 3, m[PB3]);
   }
-  if (Greater16(t1, 4)) {
+  if (t1 > 4) {
     m[PB4] = m[OB4];
     write_port(host, 4, m[PB4]);
   }
-  if (Greater16(t1, 5)) {
+  if (t1 > 5) {
     m[PB5] = m[OB5];
     write_port(host, 5, m[PB5]);
   }
-  if (Greater16(t1, 6)) {
+  if (t1 > 6) {
     m[PB6] = m[OB6];
     write_port(host, 6, m[PB6]);
   }
-  if (Greater16(t1, 7)) {
+  if (t1 > 7) {
     m[PB7] = m[OB7];
     write_port(host, 7, m[PB7]);
   }
-  if (Greater16(t1, 8)) {
+  if (t1 > 8) {
     m[PB8] = m[OB8];
     write_port(host, 8, m[PB8]);
   }
-  if (Greater16(t1, 9)) {
+  if (t1 > 9) {
     m[PB9] = m[OB9];
     write_port(host, 9, m[PB9]);
   }
-  if (Greater16(t1, 10)) {
+  if (t1 > 10) {
     m[PB10] = m[OB10];
     write_port(host, 10, m[PB10]);
   }
-  if (Greater16(t1, 11)) {
+  if (t1 > 11) {
     m[PB11] = m[OB11];
     write_port(host, 11, m[PB11]);
   }
