@@ -26,9 +26,12 @@ void CheckIr(const ir::Program& program, ir::Stage stage) {
 /// The stem of the first logic source: of the file that holds the first statement, because a file of names has none.
 std::string DefaultName(const Compilation& compilation) {
   const ir::Program& program = compilation.program;
-  const source::FileId file = program.statements.empty()
-                                  ? compilation.files.front()
-                                  : compilation.sources->FileAt(program.statements[ir::StatementId(0)].range.begin);
+  source::FileId file = compilation.files.front();
+  if (!program.statements.empty()) {
+    // A file that a source includes does not name the program.
+    const source::FileId first = compilation.sources->FileAt(program.statements[ir::StatementId(0)].range.begin);
+    if (std::ranges::find(compilation.files, first) != compilation.files.end()) file = first;
+  }
   const std::string& path = compilation.sources->Get(file).path;
   if (path.starts_with('<')) return "program";  // standard input
   return emit::SafeIdentifier(std::filesystem::path(path).stem().string());
