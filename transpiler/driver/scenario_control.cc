@@ -79,10 +79,14 @@ void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
     if (stub_) stub_->WriteCell(*location.cell, value);
     return;
   }
-  if (stub_ && stub_->Takes(location.place, value)) return;
-  engine_.Write(location.place, value);
-  if (stub_ && stub_->Written(location.place, value, *this)) return;
-  NoteSet(location.place);
+  for (const auto& [place, part] : WritesTo(location, value)) SetPlace(place, part);
+}
+
+void ScenarioControl::SetPlace(const ir::Place& place, uint64_t value) {
+  if (stub_ && stub_->Takes(place, value)) return;
+  engine_.Write(place, value);
+  if (stub_ && stub_->Written(place, value, *this)) return;
+  NoteSet(place);
 }
 
 void ScenarioControl::NoteSet(const ir::Place& place) {
@@ -96,7 +100,12 @@ void ScenarioControl::NoteSet(const ir::Place& place) {
 
 sim::ReadWatched ScenarioControl::Reader() {
   return [this](const sim::Watched& watched) {
-    return watched.cell ? ReadCell(*watched.cell) : engine_.Read(watched.place);
+    if (watched.cell) return ReadCell(*watched.cell);
+    dialects::Location location;
+    location.place = watched.place;
+    location.bits = watched.bits;
+    location.has_sign = watched.sign == sim::Sign::kTwosComplement;
+    return ReadLocation(engine_, location);
   };
 }
 
@@ -123,6 +132,27 @@ void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
   if (after != before) engine_.Write(ByteOf(space, offset), after);
 }
 
+std::vector<std::pair<ir::Place, uint64_t>> WritesTo(const dialects::Location& location, uint64_t value) {
+  if (location.bits.empty()) return {{location.place, value}};
+  std::vector<std::pair<ir::Place, uint64_t>> writes;
+  for (size_t i = 0; i < location.bits.size(); ++i) writes.emplace_back(location.bits[i], (value >> i) & 1);
+  return writes;
+}
+
+uint64_t FittingField(const dialects::Location& location, uint64_t value) {
+  if (location.bits.empty()) return value;
+  const uint64_t high = ~uint64_t{0} << location.bits.size();
+  const bool negative = location.has_sign && ((value >> (location.bits.size() - 1)) & 1) != 0;
+  return Fitting(location.place.type, negative ? value | high : value & ~high);
+}
+
+uint64_t ReadLocation(sim::Engine& engine, const dialects::Location& location) {
+  if (location.bits.empty()) return engine.Read(location.place);
+  uint64_t value = 0;
+  for (size_t i = 0; i < location.bits.size(); ++i) value |= engine.Read(location.bits[i]) << i;
+  return FittingField(location, value);
+}
+
 sim::Watched WatchLocation(const ir::Program& program, std::string name, const dialects::Location& location) {
   sim::Watched watched;
   if (location.cell) {
@@ -131,6 +161,7 @@ sim::Watched WatchLocation(const ir::Program& program, std::string name, const d
     watched = sim::Watch(program, std::move(name), location.place);
   }
   watched.sign = SignOf(location);
+  watched.bits = location.bits;
   return watched;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/dialects/dialect.h"
@@ -55,6 +56,7 @@ class ScenarioControl : private dialects::ImagePort {
   void StoreRetentive() override { engine_.StoreRetentive(); }
   void LookAtMessages() override;
 
+  void SetPlace(const ir::Place& place, uint64_t value);
   sim::HostAnswer Answer(ir::HostFunctionId function, std::span<const uint64_t> arguments);
   /// From now on the stub leaves this place alone.
   void NoteSet(const ir::Place& place);
@@ -71,6 +73,13 @@ class ScenarioControl : private dialects::ImagePort {
 constexpr sim::Sign SignOf(const dialects::Location& location) {
   return location.has_sign ? sim::Sign::kTwosComplement : sim::Sign::kNone;
 }
+
+/// The places that a write to the location writes, and the value for each.
+std::vector<std::pair<ir::Place, uint64_t>> WritesTo(const dialects::Location& location, uint64_t value);
+/// `value` as memory gives it back: the low bits of a bit-field, and its sign above them.
+uint64_t FittingField(const dialects::Location& location, uint64_t value);
+/// What is there, for a location in memory.
+uint64_t ReadLocation(sim::Engine& engine, const dialects::Location& location);
 
 /// With the scope that the program suggests; a cell belongs to the control's ports.
 sim::Watched WatchLocation(const ir::Program& program, std::string name, const dialects::Location& location);

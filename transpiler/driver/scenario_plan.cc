@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "transpiler/driver/scenario_control.h"
 #include "transpiler/sim/value_text.h"
 
 namespace plcxx::driver {
@@ -99,8 +100,9 @@ class Planner {
                      [&](const ExpectStep& expect) { planned.values = Values(expect.expectations, Use::kExpect); },
                      [&](const ForceStep& force) { planned.values = Values(force.assignments, Use::kForce); },
                      [&](const ReleaseStep& release) { planned.values = Released(release); },
-                     [&](const ExpectCallsStep& expect) { planned.calls = Calls(expect); }, [](const RunStep&) {},
-                     [](const ExpectMessagesStep&) {}, [](const PowerCycleStep&) {}},
+                     [&](const ExpectCallsStep& expect) { planned.calls = Calls(expect); },
+                     [&](const RunStep& run) { CheckRun(run, step.mark); }, [](const ExpectMessagesStep&) {},
+                     [](const PowerCycleStep&) {}},
           step.action);
       plan.steps.push_back(std::move(planned));
     }
@@ -138,7 +140,8 @@ class Planner {
       if (location->text_input) {
         planned.text = assignment.value.text;
       } else {
-        planned.value = Value(assignment.value, location->place.type, assignment.location.text);
+        planned.value =
+            FittingField(*location, Value(assignment.value, location->place.type, assignment.location.text));
       }
       values.push_back(std::move(planned));
     }
@@ -151,6 +154,15 @@ class Planner {
       if (const auto location = Locate(written, Use::kRelease)) values.push_back({written, *location, 0, {}});
     }
     return values;
+  }
+
+  void CheckRun(const RunStep& run, ScenarioMark mark) {
+    const uint32_t period_ms = std::max(1u, program_.schedule.period_ms);
+    for (const RunPart& part : run.parts) {
+      if (!dialect_.whole_periods || part.unit != RunUnit::kMilliseconds || part.count % period_ms == 0) continue;
+      Fail(mark, "a run of " + std::to_string(part.count) + " ms: the time is a multiple of the base cycle of " +
+                     std::to_string(period_ms) + " ms");
+    }
   }
 
   uint64_t Value(const MarkedText& text, ir::Type type, const std::string& owner) {
@@ -227,6 +239,11 @@ class Planner {
 std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type, const dialects::Dialect& dialect) {
   if (type == ir::Type::kF32) return FloatBits<float, uint32_t>(text, dialect);
   if (type == ir::Type::kF64) return FloatBits<double, uint64_t>(text, dialect);
+  if (dialect.values_wrap && type != ir::Type::kI64) {
+    const std::optional<uint64_t> value = ParseScenarioValue(text, ir::Type::kI64, dialect);
+    if (!value) return std::nullopt;
+    return *value & Largest(type);
+  }
   if (text.starts_with('-')) {
     const std::optional<uint64_t> magnitude = Plain(text.substr(1));
     if (!magnitude || type == ir::Type::kBit || *magnitude > Largest(type) / 2 + 1) return std::nullopt;

@@ -54,8 +54,8 @@ std::variant<ScenarioPlan, std::vector<ScenarioError>> PlanScenario(const Scenar
 
 /// The bits of a value: a whole number, hexadecimal with 0x, true/on/yes and false/off/no, or the dialect's own
 /// spelling. A negative number is the two's complement of `type`. A float is the nearest number of its type, nan, inf
-/// or -inf; a dialect's own spelling is a whole number there, of 32 bits with a sign. None when the text is no value or
-/// does not fit.
+/// or -inf; a dialect's own spelling is a whole number there, of 32 bits with a sign. Where the
+/// dialect's values wrap, a whole number is taken modulo 2^width. None when the text is no value or does not fit.
 std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type, const dialects::Dialect& dialect);
 
 }  // namespace plcxx::driver

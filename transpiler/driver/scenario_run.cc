@@ -93,7 +93,7 @@ class Runner {
       if (planned.location.absent) {
         absent_forces_[planned.location.place.name] = absent_values_[planned.location.place.name] = planned.value;
       } else {
-        run_.engines.Force(planned.location.place, planned.value);
+        for (const auto& [place, value] : WritesTo(planned.location, planned.value)) run_.engines.Force(place, value);
       }
     }
     return std::nullopt;
@@ -104,7 +104,7 @@ class Runner {
       if (planned.location.absent) {
         absent_forces_.erase(planned.location.place.name);
       } else {
-        run_.engines.Release(planned.location.place);
+        for (const auto& [place, value] : WritesTo(planned.location, 0)) run_.engines.Release(place);
       }
     }
     return std::nullopt;
@@ -161,7 +161,7 @@ class Runner {
     bool wrong = false;
     std::string found;
     for (const auto& engine : run_.engines.engines()) {
-      const uint64_t value = engine->Read(place);
+      const uint64_t value = ReadLocation(*engine, location);
       wrong |= !right(value);
       if (text(value) == found) continue;
       found += (found.empty() ? "" : ", but in " + std::string(engine->name()) + " ") + text(value);

@@ -86,7 +86,7 @@ bool Planner::TakeAssignment(std::string_view text, SimValue& value) {
   if (location.absent) return Fail(Quoted(text.substr(0, equals)) + " does not exist in this program");
   const std::optional<uint64_t> parsed = ParseScenarioValue(written, location.place.type, *compilation_.dialect);
   if (!parsed) return Fail(Quoted(written) + " is no value for " + std::string(text.substr(0, equals)));
-  value.value = *parsed;
+  value.value = FittingField(location, *parsed);
   return true;
 }
 

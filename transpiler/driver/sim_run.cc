@@ -135,7 +135,9 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
     return count.valid() ? simulator.Read(program.places[count]) : outcome.periods;
   };
 
-  for (const SimValue& forced : plan.forced) simulator.Force(forced.location.place, forced.value);
+  for (const SimValue& forced : plan.forced) {
+    for (const auto& [place, value] : WritesTo(forced.location, forced.value)) simulator.Force(place, value);
+  }
   for (const ir::StatementId statement : plan.disconnected) simulator.EnableStatement(statement, false);
   clock.PowerOn();
   control.PowerOn();

@@ -24,6 +24,7 @@ struct Watched {
   ir::Place place;
   std::optional<uint32_t> cell;  // no memory: a number that means something to the reader; `place` has a type only
   Sign sign = Sign::kNone;
+  std::vector<ir::Place> bits;  // not empty: the bits of a number that is a part of `place`, the lowest first
 };
 
 /// Gives the value of what is watched.
