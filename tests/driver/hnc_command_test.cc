@@ -100,6 +100,23 @@ TEST(HncCommand, AtMostFiftyErrors) {
   EXPECT_LE(told, 52u);
 }
 
+// covers: HNC-124 HNC-128
+TEST(HncCommand, ScenariosRunWholeBaseCyclesAndValuesWrap) {
+  const Workplace work;
+  work.Write("mill.cld", Program("void plc1() { Y[0] = X[0]; }\n"));
+  const std::string head = "dialect: hnc\nsources: [mill.cld]\noptions: {base-cycle: 5}\nsteps:\n";
+  work.Write("good.yaml", head + "- set: {'X[0]': 0x1FE}\n- run: {ms: 10}\n- expect: {'Y[0]': -2, Y0.1: 3}\n");
+  work.Write("bad.yaml", head + "- run: {s: 1}\n- run: {ms: 12}\n");
+  // Without the limit of memory that Run sets: threads that load Clang need more.
+  const auto test = [&work](const std::string& scenario) {
+    const std::string command = "cd '" + work.Path("") + "' && timeout 60 " PLCXX_BINARY " test " + scenario;
+    return std::system((command + " --engine sim >out.txt 2>&1").c_str());
+  };
+  EXPECT_EQ(test("good.yaml"), 0) << work.Read("out.txt");
+  EXPECT_EQ(WEXITSTATUS(test("bad.yaml")), 2);
+  EXPECT_THAT(work.Read("out.txt"), AllOf(HasSubstr("bad.yaml:6:"), HasSubstr("multiple of the base cycle of 5 ms")));
+}
+
 // covers: HNC-355 HNC-351
 TEST(HncCommand, LinesAreInTheMapOnly) {
   const Workplace work;

@@ -72,6 +72,8 @@ const dialects::Dialect kHnc = {
                              diag::Engine&) {},
     .lints = {},
     .takes_macros = true,
+    .values_wrap = true,
+    .whole_periods = true,
 };
 
 }  // namespace plcxx::hnc

@@ -142,6 +142,7 @@ std::optional<Location> Data(const ir::Program& program, std::string_view text) 
     pattern += ']';
     i = close;
   }
+  std::optional<Location> location;
   for (const ir::Symbol& symbol : program.symbols) {
     if (symbol.name != pattern || symbol.indices.size() != indices.size()) continue;
     uint32_t offset = symbol.offset;
@@ -149,17 +150,27 @@ std::optional<Location> Data(const ir::Program& program, std::string_view text) 
       if (indices[i] >= symbol.indices[i].count) return std::nullopt;
       offset += indices[i] * symbol.indices[i].stride;
     }
-    Location location;
-    location.place = {.name = std::string(text),
-                      .address = {},
-                      .type = symbol.type,
-                      .space = symbol.space,
-                      .offset = offset,
-                      .bit = symbol.bit};
-    location.has_sign = symbol.has_sign;
-    return location;
+    const ir::Place place = {.name = std::string(text),
+                             .address = {},
+                             .type = symbol.type,
+                             .space = symbol.space,
+                             .offset = offset,
+                             .bit = symbol.bit};
+    if (!location) {
+      location.emplace();
+      location->place = place;
+      location->has_sign = symbol.has_sign;
+    }
+    location->bits.push_back(place);
   }
-  return std::nullopt;
+  if (!location) return std::nullopt;
+  if (location->bits.size() == 1) {
+    location->bits.clear();
+  } else {  // a bit-field: a part of the two bytes from that of its lowest bit on
+    location->place.type = ir::Type::kI16;
+    location->place.bit = ir::kNoBit;
+  }
+  return location;
 }
 
 }  // namespace

@@ -251,20 +251,19 @@ bool Lowering::IsInEveryRound(ExprId change, const LoopShape& loop) const {
       list.insert(list.end(), statement.body.rbegin(), statement.body.rend());
       continue;
     }
-    if (HasLabel(id)) return false;  // jumped over
-    bool found = false;
+    bool found = false, continues = false;
+    ForEachStatement(unit_, id, [&](StatementId part) {
+      const StatementKind kind = unit_.statements[part].kind;
+      if (kind == StatementKind::kContinue || kind == StatementKind::kGoto) continues = true;
+      if (kind == StatementKind::kLabel) found = true;
+    });
+    if (found) return false;  // jumped over
     const bool plain = statement.kind == StatementKind::kExpression;
     const bool head = statement.kind == StatementKind::kIf || statement.kind == StatementKind::kSwitch;
     if (plain || head) found = IsUnconditional(change, statement.expression);
     if (statement.kind == StatementKind::kFor)
       found = statement.first.valid() && IsUnconditional(change, statement.first);
     if (found) return true;
-    bool continues = false;
-    GoesOn(id, continues);
-    ForEachStatement(unit_, id, [&](StatementId part) {
-      const StatementKind kind = unit_.statements[part].kind;
-      if (kind == StatementKind::kContinue || kind == StatementKind::kGoto) continues = true;
-    });
     if (continues) return false;
   }
   return false;

@@ -1,5 +1,7 @@
 // Lvalues and pointers (specification 5.3, 6.5): which object, which byte of it.
 
+#include <cctype>
+
 #include "transpiler/dialects/hnc/lowering_internal.h"
 
 namespace plcxx::hnc {
@@ -373,6 +375,18 @@ bool Lowering::CheckTargets(const Address& address, ExprId at) {
   return false;
 }
 
+/// Does a line of the source assign to the name?
+static bool AssignsTo(std::string_view line, std::string_view name) {
+  const auto is_part = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (size_t at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
+    size_t behind = at + name.size();
+    if ((at > 0 && is_part(line[at - 1])) || (behind < line.size() && is_part(line[behind]))) continue;
+    while (behind < line.size() && line[behind] == ' ') ++behind;
+    if (behind < line.size() && line[behind] == '=' && line.substr(behind, 2) != "==") return true;
+  }
+  return false;
+}
+
 /// Whether something that was refused already is assigned to the pointer.
 bool Lowering::HasPoisonedSource(VariableId variable) const {
   const auto is_poison = [this](ExprId id) {
@@ -386,6 +400,12 @@ bool Lowering::HasPoisonedSource(VariableId variable) const {
   for (const Expr& expr : unit_.expressions) {
     if (expr.kind != ExprKind::kAssign || ExprAt(expr.a).kind != ExprKind::kVariable) continue;
     if (ExprAt(expr.a).variable == variable && is_poison(expr.b)) return true;
+  }
+  // What Clang refuses as a whole is not in the tree: then an error stands in a line that assigns to this name.
+  for (const diag::Diagnostic& diagnostic : diagnostics_.all()) {
+    const source::Position at = sources_.Locate(diagnostic.range.begin);
+    if (diagnostic.severity != diag::Severity::kError || !at.file.valid()) continue;
+    if (AssignsTo(sources_.Line(at.file, at.line), unit_.variables[variable].name)) return true;
   }
   return false;
 }

@@ -82,10 +82,12 @@ ir::RoutineId Lowering::AddChannelRoutine(const std::string& name, std::string c
   return id;
 }
 
-/// Calls what is registered for the kind; `otherwise` where nothing is.
+/// Calls what is registered for the kind; `otherwise` where nothing is. Slots are read where handlers are not fixed.
 void Lowering::CallHandlers(uint32_t kind, ir::PlaceId channel, const std::function<void()>& otherwise) {
   bool any = false;
-  for (uint32_t c = 0; c < 4; ++c) any = any || !handlers_[c][kind].empty();
+  for (uint32_t c = 0; c < 4; ++c) {
+    any = any || !handlers_[c][kind].empty() || fixed_handlers_[c][kind].value_or(FunctionId()).valid();
+  }
   if (!any) {
     if (otherwise) otherwise();
     return;
@@ -95,7 +97,22 @@ void Lowering::CallHandlers(uint32_t kind, ir::PlaceId channel, const std::funct
   const auto none = [&] {
     if (otherwise) otherwise();
   };
+  const auto call = [&](FunctionId handler, uint32_t channel_number) {
+    const ir::RoutineId routine = routines_[handler.index];
+    if (!routine.valid()) return;
+    std::vector<ValueId> arguments;
+    if (!program_.routines[routine].parameters.empty()) arguments.push_back(Word(channel_number));
+    builder_.CallRoutine(routine, std::move(arguments));
+  };
   for (uint32_t c = 0; c < 4; ++c) {
+    const FunctionId fixed = fixed_handlers_[c][kind].value_or(FunctionId());
+    if (fixed.valid()) {
+      const ir::RegionId of_channel = builder_.NewRegion();
+      builder_.SetRegion(of_channel);
+      call(fixed, c);
+      channels.cases.push_back({.values = {c}, .region = of_channel});
+      continue;
+    }
     const std::vector<FunctionId>& handlers = handlers_[c][kind];
     if (handlers.empty()) continue;
     const ir::RegionId of_channel = builder_.NewRegion();
@@ -103,11 +120,7 @@ void Lowering::CallHandlers(uint32_t kind, ir::PlaceId channel, const std::funct
     for (uint32_t i = 0; i < handlers.size(); ++i) {
       const ir::RegionId of_slot = builder_.NewRegion();
       builder_.SetRegion(of_slot);
-      if (routines_[handlers[i].index].valid()) {
-        std::vector<ValueId> arguments;
-        if (!program_.routines[routines_[handlers[i].index]].parameters.empty()) arguments.push_back(Word(c));
-        builder_.CallRoutine(routines_[handlers[i].index], std::move(arguments));
-      }
+      call(handlers[i], c);
       slots.cases.push_back({.values = {i + 1}, .region = of_slot});
     }
     const ir::RegionId unregistered = builder_.NewRegion();

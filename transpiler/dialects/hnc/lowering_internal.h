@@ -20,6 +20,7 @@
 #include "transpiler/dialects/hnc/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
 #include "transpiler/dialects/hnc/ranges.h"
+#include "transpiler/dialects/hnc/registrations.h"
 #include "transpiler/dialects/hnc/walk.h"
 #include "transpiler/ir/builder.h"
 
@@ -241,7 +242,7 @@ class Lowering {
   void Goto(const Statement& statement);
   uint32_t GotoLabel(LabelId id);
   void LabelStatement(const Statement& statement, bool last);
-  void PrepareBackJump(const Statement& label, StatementId back);
+  void PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps);
 
   // --- loops (lowering_loops.cc, loop_bounds.cc) ---
   /// What goes round: `tests_first` is 0 of a do loop, whose first round is not tested.
@@ -256,6 +257,7 @@ class Lowering {
   bool IsSingleStore(ir::RegionId region) const;
   bool IsLocalObject(ObjectId object) const;
   bool GoesOn(StatementId id, bool& continues) const;
+  bool GoesRound(StatementId id, StatementId outer) const;
   std::optional<bool> ConstantCondition(ExprId id) const;
   void ForgetWrites(StatementId id);
   void ForgetWritesOf(ExprId id);
@@ -348,6 +350,7 @@ class Lowering {
   ir::Builder builder_{program_};
   Objects objects_{unit_};
   Facts facts_{unit_, objects_};
+  FixedHandlers fixed_handlers_ = FindFixedHandlers(unit_, facts_);
   support::Store<TypeId, Type> types_ = unit_.types;  // and those that only lowering needs
   TypeId int_, unsigned_, long_, char_, unsigned_char_, unsigned_long_, double_;
 
@@ -418,7 +421,7 @@ class Lowering {
   ir::RoutineId dispatch_, complete_, standstill_;
   ir::PlaceId fault_code_, fault_statement_, fault_count_, stop_, stopped_, started_, due_fast_, due_slow_, next_fast_,
       next_slow_, fast_done_, slow_done_, now_, period1_, period2_;
-  std::array<std::array<ir::PlaceId, 5>, 4> handler_slots_;
+  std::array<std::array<ir::PlaceId, 5>, 4> handler_slots_;  // of handlers that are not fixed
   std::array<std::array<ir::PlaceId, 4>, 4> states_, called_;
   std::array<ir::PlaceId, 4> modal_, handwheels_;
   ir::PlaceId handwheel_place_;

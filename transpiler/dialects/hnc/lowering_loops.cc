@@ -74,8 +74,24 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
     case StatementKind::kLabel:
       return GoesOn(statement.then, continues);
     default:
+      ForEachStatement(unit_, id, [&](StatementId part) { continues = continues || GoesRound(part, id); });
       return true;
   }
+}
+
+/// Whether a statement in `outer` is a jump back, or a `continue` that belongs to a loop around `outer`.
+bool Lowering::GoesRound(StatementId id, StatementId outer) const {
+  const Statement& statement = unit_.statements[id];
+  if (statement.kind == StatementKind::kGoto) {
+    return statement.label.valid() && unit_.labels[statement.label].range.begin < statement.range.begin;
+  }
+  if (statement.kind != StatementKind::kContinue) return false;
+  for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
+    const StatementKind kind = unit_.statements[at].kind;
+    if (kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor) return false;
+    if (at == outer) break;
+  }
+  return true;
 }
 
 void Lowering::LoopStatement(const Statement& statement) {

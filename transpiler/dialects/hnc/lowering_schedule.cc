@@ -49,6 +49,7 @@ void Lowering::AddScheduleScalars() {
     }
   }
   for (const Registration& registration : facts_.registrations()) {
+    if (fixed_handlers_[registration.channel][registration.kind]) continue;
     ir::PlaceId& slot = handler_slots_[registration.channel][registration.kind];
     if (!slot.valid()) {
       slot = AddScalar(

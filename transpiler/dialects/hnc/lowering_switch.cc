@@ -285,15 +285,15 @@ void Lowering::LabelStatement(const Statement& statement, bool last) {
   if (label.used) {
     const uint32_t number = GotoLabel(statement.label);
     // A way back leads here: what it changes is not known, and its rounds are counted from here on.
-    StatementId back;
+    std::vector<StatementId> back;
     ForEachStatement(unit_, function_->body, [&](StatementId id) {
       const Statement& jump = unit_.statements[id];
       if (jump.kind == StatementKind::kGoto && jump.label == statement.label && jump.range.begin >= label.range.begin) {
-        back = id;
+        back.push_back(id);
       }
     });
     PlaceLabel(number);
-    if (back.valid() && flow_.reachable) {
+    if (!back.empty() && flow_.reachable) {
       PrepareBackJump(statement, back);
       builder_.Label(number);
       placed_labels_.insert(statement.label.index);
@@ -309,8 +309,9 @@ uint32_t Lowering::GotoLabel(LabelId id) {
 }
 
 /// Bounds the rounds of a label with jumps back to it; refused where neither a proof nor an annotation does.
-void Lowering::PrepareBackJump(const Statement& label, StatementId back) {
-  const Statement& jump = unit_.statements[back];
+void Lowering::PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps) {
+  const StatementId back = jumps.back();
+  const Statement& jump = unit_.statements[jumps.front()];
   uint64_t rounds = label.loop_bound ? label.loop_bound->rounds : 0;
   const bool annotated = rounds != 0;
   // Everything between the label and the jump may have been executed.
@@ -329,12 +330,24 @@ void Lowering::PrepareBackJump(const Statement& label, StatementId back) {
   }
   if (!annotated) {
     std::optional<LoopProof> proof;
-    const bool is_if = guard.valid() && guard != back && unit_.statements[guard].kind == StatementKind::kIf &&
-                       !unit_.statements[guard].otherwise.valid();
-    if (is_if) {
-      body.pop_back();
-      proof = Prove({.condition = unit_.statements[guard].expression, .step = {}, .body = body, .tests_first = false});
-      body.push_back(guard);
+    // `label: A; if (c) { B; goto label; }` goes round as long as c holds; a second way back would not ask for c.
+    const StatementId test = guard == self ? label.then : guard;
+    const bool is_if = test.valid() && test != back && unit_.statements[test].kind == StatementKind::kIf &&
+                       !unit_.statements[test].otherwise.valid();
+    if (is_if && jumps.size() == 1) {
+      std::vector<StatementId> round = body;
+      round.pop_back();
+      const size_t in_front = round.size();
+      const Statement& then = unit_.statements[unit_.statements[test].then];
+      if (then.kind == StatementKind::kCompound && !then.body.empty() && then.body.back() == back) {
+        round.insert(round.end(), then.body.begin(), then.body.end() - 1);
+      } else if (unit_.statements[test].then != back) {
+        round.push_back(unit_.statements[test].then);
+      }
+      proof = Prove(
+          {.condition = unit_.statements[test].expression, .step = {}, .body = round, .tests_first = in_front == 0});
+      // The test may come before the first change: one round more at most.
+      if (proof && (in_front == 0 || round.size() > in_front)) ++proof->rounds;
     }
     if (!proof) {
       diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,

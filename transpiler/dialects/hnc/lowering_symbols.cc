@@ -33,14 +33,18 @@ void Lowering::AddSymbol(const std::string& name, TypeId type_id, uint32_t offse
         const std::string inner = member.name.empty() ? name : name + "." + member.name;
         if (!member.is_bit_field) {
           AddSymbol(inner, member.type, offset + member.offset, indices);
-        } else if (!member.name.empty() && member.bit_width == 1) {
+          continue;
+        }
+        // A bit-field is one symbol for each bit, the lowest first: what several symbols name is one number.
+        for (uint32_t i = 0; i < member.bit_width && !member.name.empty(); ++i) {
+          const uint32_t bit = member.bit_offset + i;
           program_.symbols.push_back({.name = inner,
                                       .type = ir::Type::kBit,
                                       .space = data_,
-                                      .offset = offset + member.offset + member.bit_offset / 8,
-                                      .bit = static_cast<uint8_t>(member.bit_offset % 8),
+                                      .offset = offset + member.offset + bit / 8,
+                                      .bit = static_cast<uint8_t>(bit % 8),
                                       .indices = indices,
-                                      .has_sign = false});
+                                      .has_sign = TypeAt(member.type).is_signed});
         }
       }
       return;

@@ -361,7 +361,8 @@ Lowering::CallResult Lowering::CallSystem(const Expr& expr) {
   return result;
 }
 
-/// A handler goes into its slot, as a number among the functions that are registered anywhere for it.
+/// A handler goes into its slot, as a number among the functions that are registered anywhere for it. One that is fixed
+/// has no slot: the dispatcher calls it.
 void Lowering::Register(const Expr& call) {
   for (const Registration& registration : facts_.registrations()) {
     if (&ExprAt(registration.call) != &call) continue;

@@ -11,7 +11,6 @@ using plcxx::Add32;
 using plcxx::Add8;
 using plcxx::ArithmeticShiftRight16;
 using plcxx::Clear;
-using plcxx::Greater16;
 using plcxx::LowByte16;
 using plcxx::LowHalf32;
 using plcxx::Minus16;
@@ -87,7 +86,7 @@ static_assert(offsetof(State, retentive) == 0, "the symbol map holds for this la
 static_assert(offsetof(State, word32) == 204, "the symbol map holds for this layout");
 static_assert(offsetof(State, word16) == 228, "the symbol map holds for this layout");
 static_assert(offsetof(State, byte) == 258, "the symbol map holds for this layout");
-static_assert(offsetof(State, bit) == 1498, "the symbol map holds for this layout");
+static_assert(offsetof(State, bit) == 1494, "the symbol map holds for this layout");
 
 // A run-time fault: 1 division, 2 index, 3 loop; the statement by its number in the map.
 void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexcept {
@@ -161,7 +160,7 @@ void select_mode(State& m, Host& host) noexcept {
     // return;
   }
   // if (mode > MODE_REF_RETURN)
-  else if (Greater16(mode, 5)) {
+  else if (mode > 5) {
     // return;
   } else {
     // for (a = 0; a < AXES; a++)
@@ -291,7 +290,7 @@ void overrides(State& m, Host&) noexcept {
   m[ch_feedover_0] = Mul16(m[X3] & 0x000F, 10);
 
   // *ch_rapidover(0) = FEED_SWITCH > 10 ? 100 : FEED_SWITCH * 10;
-  m[ch_rapidover_0] = (Greater16(m[X3] & 0x000F, 10) ? 100 : Mul16(m[X3] & 0x000F, 10));
+  m[ch_rapidover_0] = ((m[X3] & 0x000F) > 10 ? 100 : Mul16(m[X3] & 0x000F, 10));
 }
 
 // panel_lamps()
@@ -486,7 +485,7 @@ void jog(State& m, uint16_t a, Host& host) noexcept {
     // set_axis_jog(a, (int) ((long) speed * *ch_feedover(0) / 100) * d);
     const uint16_t t3 = Mul16(LowHalf32(SignedDiv32(Mul32(SignExtend16To32(speed), m[ch_feedover_0]), 100)), d);
     const uint16_t t4 = a;
-    if (Greater16(t4, 15)) {
+    if (t4 > 15) {
       record_fault(m, 2, 0x308961E9, host);
     } else {
       set_axis_jog(m, t4, t3, host);
@@ -506,7 +505,7 @@ void jog(State& m, uint16_t a, Host& host) noexcept {
     if (m[At(jogging, t6)] != 0) {
       // set_axis_stop(a);
       const uint16_t t7 = a;
-      if (Greater16(t7, 15)) {
+      if (t7 > 15) {
         record_fault(m, 2, 0x93108E65, host);
       } else {
         set_axis_stop(m, t7, host);
@@ -530,7 +529,7 @@ void step(State& m, uint16_t a, Host& host) noexcept {
   // if (!get_axis_den(a))
   const uint16_t t1 = a;
   answer = 1;
-  if (Greater16(t1, 15)) {
+  if (t1 > 15) {
     record_fault(m, 2, 0x3B96E4A8, host);
   } else {
     answer = get_axis_den(m, t1, host);
@@ -553,7 +552,7 @@ void step(State& m, uint16_t a, Host& host) noexcept {
       // set_axis_step(a, (long) step_width);
       const uint32_t t4 = SignExtend16To32(m[step_width]);
       const uint16_t t5 = a;
-      if (Greater16(t5, 15)) {
+      if (t5 > 15) {
         record_fault(m, 2, 0xC74504ED, host);
       } else {
         set_axis_step(m, t5, t4, host);
@@ -573,7 +572,7 @@ void step(State& m, uint16_t a, Host& host) noexcept {
         // set_axis_step(a, -(long) step_width);
         const uint32_t t8 = Minus32(SignExtend16To32(m[step_width]));
         const uint16_t t9 = a;
-        if (Greater16(t9, 15)) {
+        if (t9 > 15) {
           record_fault(m, 2, 0x5AAF9C00, host);
         } else {
           set_axis_step(m, t9, t8, host);
@@ -604,7 +603,7 @@ void reference(State& m, uint16_t a, Host& host) noexcept {
     if ((m[At(F, t2)] & 0x0010) != 0) {
       // set_axis_home(a, 0);
       const uint16_t t3 = a;
-      if (Greater16(t3, 15)) {
+      if (t3 > 15) {
         record_fault(m, 2, 0x500CC303, host);
       } else {
         set_axis_home(m, t3, 0, host);
@@ -621,7 +620,7 @@ void reference(State& m, uint16_t a, Host& host) noexcept {
   else if (((m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0) & ((a == 2) | (z_ready != 0))) {
     // set_axis_home(a, 1);
     const uint16_t t5 = a;
-    if (Greater16(t5, 15)) {
+    if (t5 > 15) {
       record_fault(m, 2, 0xEA8C8054, host);
     } else {
       set_axis_home(m, t5, 1, host);
@@ -1065,7 +1064,7 @@ void tool_change(State& m, Host& host) noexcept {
     if (t1) {
       const uint16_t t2 = Add16(m[change_scans], 1);
       m[change_scans] = t2;
-      both = Greater16(t2, m[step_limit]);
+      both = t2 > m[step_limit];
     }
     if (both & (m[step_limit] != 0)) {
       // alarms |= ALARM_CHANGE;
@@ -1617,16 +1616,12 @@ void plc_init(State& m, Host& host) noexcept {
   }
 
   // set_mst_func(0, 'M', on_m);
-  m[handler_M0] = 1;
 
   // set_mst_func(0, 'S', on_s);
-  m[handler_S0] = 1;
 
   // set_mst_func(0, 'T', on_t);
-  m[handler_T0] = 1;
 
   // set_mst_func(0, 'E', on_modal);
-  m[handler_E0] = 1;
 }
 
 // plc1()
@@ -1814,15 +1809,7 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
     m[At(modal, channel)] = 0;
     switch (channel) {
       case 0: {
-        switch (m[handler_E0]) {
-          case 1: {
-            on_modal(m, 0, host);
-            break;
-          }
-          default: {
-            break;
-          }
-        }
+        on_modal(m, 0, host);
         break;
       }
       default: {
@@ -1852,16 +1839,7 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
       & ((m[At(mst_flags, channel)] & 0x0100) == 0))) {
     switch (channel) {
       case 0: {
-        switch (m[handler_M0]) {
-          case 1: {
-            on_m(m, 0, host);
-            break;
-          }
-          default: {
-            m[At(mod_M, channel)] = Minus16(1);
-            break;
-          }
-        }
+        on_m(m, 0, host);
         break;
       }
       default: {
@@ -1890,16 +1868,7 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
       & ((m[At(mst_flags, channel)] & 0x0200) == 0))) {
     switch (channel) {
       case 0: {
-        switch (m[handler_S0]) {
-          case 1: {
-            on_s(m, 0, host);
-            break;
-          }
-          default: {
-            m[At(mod_S, channel)] = Minus16(1);
-            break;
-          }
-        }
+        on_s(m, 0, host);
         break;
       }
       default: {
@@ -1928,16 +1897,7 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
       & ((m[At(mst_flags, channel)] & 0x0400) == 0))) {
     switch (channel) {
       case 0: {
-        switch (m[handler_T0]) {
-          case 1: {
-            on_t(m, 0, host);
-            break;
-          }
-          default: {
-            m[At(mod_T, channel)] = Minus16(1);
-            break;
-          }
-        }
+        on_t(m, 0, host);
         break;
       }
       default: {

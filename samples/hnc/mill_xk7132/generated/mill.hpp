@@ -67,10 +67,6 @@ enum Byte : uint16_t {
   lubrication_quarter,  // lubrication.quarter: unsigned char
   lubrication_pumping,  // lubrication.pumping: unsigned char = 1
   buzzer_scans,  // buzzer.scans: unsigned char
-  handler_M0,
-  handler_S0,
-  handler_T0,
-  handler_E0,
   fault_code_n,
   X_0,  // X 0..127 at several widths
   X3 = X_0 + 3,  // X[3]
@@ -206,7 +202,7 @@ struct State {
   Retentive retentive;
   uint32_t word32[6];
   uint16_t word16[15];
-  uint8_t byte[1240];
+  uint8_t byte[1236];
   bool bit[4];
 
   [[gnu::const, gnu::always_inline]] bool& operator[](Bit tag) noexcept { return bit[tag]; }
