@@ -7,9 +7,11 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
+using testing::StartsWith;
 
 // covers: TECHNOL-077
 TEST(TechnolLowering, ALogicSequenceIsOneExpression) {
@@ -79,6 +81,29 @@ TEST(TechnolLowering, AMechanismIsASwitchOverItsStep) {
                                  "%1 = not.bit %0", "if %1 {", "%2 = const i16 1", "store M_step %2", "jump L0", "}",
                                  "stmt C", "%0 = const bit 1", "store C %0", "stmt M", "%0 = const bit 0", "store M %0",
                                  "%1 = const i16 0", "store M_step %1", "}", "}", "label L0"));
+}
+
+// covers: TECHNOL-116
+TEST(TechnolLowering, AJumpBackAcrossAWaitIsAnotherRoundOfTheSwitch) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nZ: FL 1,C\nLDR B\nEX0\nLDR A\nJL1 Z\nMECH_END M\n"));
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  const std::vector<std::string> lines = lowered.Routine("mech_M");
+  const auto has = [&](std::string_view line) { return std::ranges::count(lines, line); };
+  EXPECT_EQ(has("default falls_through {"), 1) << "up to Z";
+  EXPECT_EQ(has("case 1 falls_through {"), 1) << "from Z to the wait";
+  EXPECT_EQ(has("case 2 {"), 1);
+  EXPECT_THAT(lines, Contains(StartsWith("loop")));
+  EXPECT_THAT(lines, Contains(StartsWith("repeat")));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("resume"))));
+}
+
+// covers: TECHNOL-116
+TEST(TechnolLowering, AJumpToTheNextStretchEndsItsOwn) {
+  LoweredProgram lowered;
+  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nLDR A\nJL1 Z\nFL 1,C\nZ: LDR B\nEX0\nFL 0,C\nMECH_END M\n"));
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  EXPECT_THAT(lowered.Routine("mech_M"), IsSupersetOf({"default falls_through {", "case 1 {"}));
 }
 
 // covers: TECHNOL-089

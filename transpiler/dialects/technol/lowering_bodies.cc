@@ -125,14 +125,17 @@ void Lowering::BeginStretches(const Body& body) {
   ir::Switch choice;
   const auto add = [&](std::vector<uint64_t> values, InstructionId first, InstructionId end) {
     const ir::RegionId region = builder_.NewRegion();
-    stretches_[first] = region;
-    bool runs_on = false;
-    for (const InstructionId id : body.instructions) {
-      if (id < first || id >= end) continue;
-      flow_.ForEachSuccessor(
-          id, [&](InstructionId to, Edge edge) { runs_on |= to == end && (edge == Edge::kOn || edge == Edge::kJump); });
+    stretches_[first].region = region;
+    bool runs_on = false, jumps_on = false;
+    const auto& all = body.instructions;
+    for (auto at = std::ranges::lower_bound(all, first); at != all.end() && *at < end; ++at) {
+      flow_.ForEachSuccessor(*at, [&](InstructionId to, Edge edge) {
+        runs_on |= to == end && edge == Edge::kOn;
+        jumps_on |= to == end && edge == Edge::kJump;
+      });
     }
-    choice.cases.push_back({.values = std::move(values), .region = region, .falls_through = runs_on});
+    stretches_[end].is_jumped_to |= jumps_on;
+    choice.cases.push_back({.values = std::move(values), .region = region, .falls_through = runs_on || jumps_on});
   };
   const std::vector<InstructionId>& entries = body.entries;
   add({}, body.instructions.front(), entries.front());
@@ -140,7 +143,7 @@ void Lowering::BeginStretches(const Body& body) {
   add({entries.size()}, entries.back(), entries.back());
   choice.cases.back().falls_through = false;
   builder_.SwitchOn(step, std::move(choice));
-  if (body.tail) stretches_[*body.tail] = body.tail_goes_back ? builder_.region() : around;
+  if (body.tail) stretches_[*body.tail].region = body.tail_goes_back ? builder_.region() : around;
   ForgetAll();
 }
 
@@ -149,8 +152,8 @@ void Lowering::EnterStretch(InstructionId id) {
   const auto found = stretches_.find(id);
   if (found == stretches_.end()) return;
   SpillAll();
-  if (body_->tail != id) builder_.Label(EndOfStretch(id));
-  builder_.SetRegion(found->second);
+  if (found->second.is_jumped_to) builder_.Label(EndOfStretch(id));
+  builder_.SetRegion(found->second.region);
   ForgetAll();
   compared_ = {};
 }

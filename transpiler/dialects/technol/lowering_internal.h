@@ -311,9 +311,13 @@ class Lowering {
   Resources wanted_flags_ = 0;                     // behind it
   std::vector<bool> begins_statement_, label_at_;  // of the body's instructions
   bool end_is_used_ = false;
-  std::map<InstructionId, ir::RegionId> stretches_;  // by their first instruction, the tail among them
-  ir::InstId loop_;                                  // of a mechanism whose jumps go back
-  ir::PlaceId chosen_;                               // the entry that its next round begins at
+  struct Stretch {
+    ir::RegionId region;
+    bool is_jumped_to = false;  // from the one before it
+  };
+  std::map<InstructionId, Stretch> stretches_;  // by their first instruction, the tail among them
+  ir::InstId loop_;                             // of a mechanism whose jumps go back
+  ir::PlaceId chosen_;                          // the entry that its next round begins at
   ir::StatementId statement_;
   std::unordered_map<uint32_t, size_t> index_in_body_;
 
