@@ -6,12 +6,21 @@
 #include "console.h"
 #include "processor.h"
 
+using Word [[gnu::may_alias]] = uintptr_t;
+
 // The compiler calls these for copies and initial values. It must not make a call of themselves out of their loops:
 // compile with -fno-tree-loop-distribute-patterns.
 extern "C" {
 
 void* memcpy(void* to, const void* from, size_t size) {
-  for (size_t i = 0; i < size; ++i) static_cast<unsigned char*>(to)[i] = static_cast<const unsigned char*>(from)[i];
+  size_t i = 0;
+  if (((reinterpret_cast<uintptr_t>(to) | reinterpret_cast<uintptr_t>(from)) & (sizeof(Word) - 1)) == 0) {
+    for (; i + sizeof(Word) <= size; i += sizeof(Word)) {
+      *reinterpret_cast<Word*>(static_cast<unsigned char*>(to) + i) =
+          *reinterpret_cast<const Word*>(static_cast<const unsigned char*>(from) + i);
+    }
+  }
+  for (; i < size; ++i) static_cast<unsigned char*>(to)[i] = static_cast<const unsigned char*>(from)[i];
   return to;
 }
 
@@ -74,6 +83,16 @@ void Fill() {
   input_end = sizeof input - static_cast<size_t>(missing);
 }
 
+void Deliver(const unsigned char* bytes, size_t size) {
+  while (size > 0) {
+    const intptr_t block[] = {output_file, reinterpret_cast<intptr_t>(bytes), static_cast<intptr_t>(size)};
+    const intptr_t missing = Semihosting(kWrite, block);
+    if (missing < 0 || missing >= static_cast<intptr_t>(size)) Fault();
+    bytes += size - static_cast<size_t>(missing);
+    size = static_cast<size_t>(missing);
+  }
+}
+
 }  // namespace
 
 void Quit() { Exit(0); }
@@ -91,24 +110,15 @@ void Read(void* bytes, size_t size) {
 }
 
 void Flush() {
-  const unsigned char* at = output;
-  while (output_end > 0) {
-    const intptr_t block[] = {output_file, reinterpret_cast<intptr_t>(at), static_cast<intptr_t>(output_end)};
-    const intptr_t missing = Semihosting(kWrite, block);
-    if (missing < 0 || missing >= static_cast<intptr_t>(output_end)) Fault();
-    at += output_end - static_cast<size_t>(missing);
-    output_end = static_cast<size_t>(missing);
-  }
+  Deliver(output, output_end);
+  output_end = 0;
 }
 
 void Write(const void* bytes, size_t size) {
-  for (size_t done = 0; done < size;) {
-    if (output_end == sizeof output) Flush();
-    const size_t part = size - done < sizeof output - output_end ? size - done : sizeof output - output_end;
-    memcpy(output + output_end, static_cast<const unsigned char*>(bytes) + done, part);
-    output_end += part;
-    done += part;
-  }
+  if (size > sizeof output - output_end) Flush();
+  if (size > sizeof output) return Deliver(static_cast<const unsigned char*>(bytes), size);
+  memcpy(output + output_end, bytes, size);
+  output_end += size;
 }
 
 // Blocks are not given back: each is at least twice as large as the one before, so that half of the room is of use.
