@@ -37,8 +37,12 @@ constexpr void OnDelay(OnDelayTimer& timer, bool input, uint32_t preset_ms, uint
       timer.elapsed_ms = AddSaturate32(timer.elapsed_ms, now_ms - timer.last_ms);
     }
     if (!timer.done) {
-      timer.done = timer.elapsed_ms >= preset_ms;
-      timer.timing = !timer.done;
+      if (timer.elapsed_ms >= preset_ms) {
+        timer.done = true;
+        timer.timing = false;
+      } else {
+        timer.timing = true;
+      }
     }
   }
   timer.last_ms = now_ms;
