@@ -27,8 +27,8 @@ namespace plcxx {
 /// The last four decimal digits of a number; always four valid digits.
 [[gnu::const]] constexpr uint16_t ToBcd16(uint16_t value) noexcept {
   unsigned rest = value, digits = 0;
-  for (unsigned shift = 0; shift < 16; shift += 4) {
-    const unsigned tenth = (rest * 52429U) >> 19;  // rest / 10 for every 16-bit number
+  for (unsigned shift = 0; shift < 16; shift += 4) {  // at most 4 rounds
+    const unsigned tenth = (rest * 52429U) >> 19;     // rest / 10 for every 16-bit number
     digits |= (rest - tenth * 10) << shift;
     rest = tenth;
   }
@@ -47,7 +47,7 @@ namespace plcxx {
   const bool negative = value > 0x7FFFFFFFU;
   const uint32_t magnitude = (negative ? 0U - value : value) % 80000000U;
   uint32_t rest = magnitude, digits = 0;
-  for (unsigned shift = 0; shift < 32; shift += 4) {
+  for (unsigned shift = 0; shift < 32; shift += 4) {  // at most 8 rounds
     digits |= (rest % 10U) << shift;
     rest /= 10U;
   }
@@ -57,7 +57,7 @@ namespace plcxx {
 /// The number in two's complement; nibbles above 9 count with their weight, too.
 [[gnu::const]] constexpr uint32_t FromSignedBcd32(uint32_t value) noexcept {
   uint32_t magnitude = 0;
-  for (unsigned shift = 32; shift != 0; shift -= 4) {
+  for (unsigned shift = 32; shift != 0; shift -= 4) {  // at most 8 rounds
     const uint32_t nibble = (value >> (shift - 4U)) & (shift == 32 ? 7U : 15U);
     magnitude = magnitude * 10U + nibble;
   }

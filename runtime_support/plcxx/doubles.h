@@ -73,7 +73,7 @@ namespace plcxx {
   uint64_t mantissa = bits & 0x000FFFFFFFFFFFFFU;
   if (exponent == 0) {
     exponent = 1;
-    while ((mantissa & 0x0010000000000000U) == 0) {  // at most 52 times
+    while ((mantissa & 0x0010000000000000U) == 0) {  // at most 52 rounds
       mantissa <<= 1;
       --exponent;
     }
@@ -83,8 +83,8 @@ namespace plcxx {
   if ((exponent & 1) != 0) mantissa <<= 1;
   // Digit by digit: 54 bits of the root of mantissa * 2^54, one more than the result has, and whether anything is left.
   uint64_t root = 0, rest = 0;
-  for (int32_t i = 53; i >= 0; --i) {
-    const int32_t from = 2 * i - 54;  // of the two digits that come down
+  for (int32_t i = 53; i >= 0; --i) {  // at most 54 rounds
+    const int32_t from = 2 * i - 54;   // of the two digits that come down
     const uint64_t digits = from >= 0 ? (mantissa >> from) & 3U : 0U;
     rest = rest << 2 | digits;
     const uint64_t trial = root << 2 | 1U;

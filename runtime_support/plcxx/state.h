@@ -26,13 +26,15 @@ struct DisplayText {
 /// Sets every element to its zero value.
 template <class T, size_t kCount>
 inline void Clear(T (&array)[kCount]) noexcept {
-  for (T& element : array) element = T{};
+  for (T& element : array) element = T{};  // at most one round for each element
 }
 
 /// Sets the elements from `first` on to a table of values; what would lie beyond the array is left out.
 template <class T, size_t kSize, size_t kCount>
 inline void Place(T (&array)[kSize], size_t first, const T (&values)[kCount]) noexcept {
-  for (size_t i = 0; i < kCount && first + i < kSize; ++i) array[first + i] = values[i];
+  for (size_t i = 0; i < kCount && first + i < kSize; ++i) {  // at most one round for each element
+    array[first + i] = values[i];
+  }
 }
 
 }  // namespace plcxx

@@ -31,14 +31,14 @@ constexpr void SendText(TextInbox& inbox, const char* text, size_t length) noexc
     return;
   }
   inbox.length = static_cast<uint8_t>(text == nullptr ? 0 : length);
-  for (uint8_t i = 0; i < inbox.length; ++i) inbox.text[i] = text[i];
+  for (uint8_t i = 0; i < inbox.length; ++i) inbox.text[i] = text[i];  // at most 32 rounds
 }
 
 /// True when the text in the inbox is the literal, a string of C.
 constexpr bool EqualsText(const TextInbox& inbox, const char* literal) noexcept {
   if (literal == nullptr || inbox.length > kLongestText) return false;
   uint8_t i = 0;
-  for (; literal[i] != '\0'; ++i) {
+  for (; literal[i] != '\0'; ++i) {  // at most 33 rounds: the inbox ends before
     if (i == inbox.length || literal[i] != inbox.text[i]) return false;
   }
   return i == inbox.length;
