@@ -84,12 +84,13 @@ class Finder {
  public:
   Finder(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds) : nodes_(nodes), rounds_(rounds) {}
 
-  /// The longest way from `entry` to the end of each node of `inside`, without going back to `entry`.
-  std::vector<std::optional<uint64_t>> Distances(const Nodes& inside, uint32_t entry, bool cut) {
+  /// The longest way from `entry` to the end of each node of `inside`; within a loop without going back to `entry`.
+  std::vector<std::optional<uint64_t>> Distances(const Nodes& inside, uint32_t entry, PathLoop* around) {
+    const bool cut = around != nullptr;
     std::vector<std::optional<uint64_t>> arrival(nodes_.size()), done(nodes_.size());
     arrival[entry] = 0;
     for (const std::vector<uint32_t>& component : Components(nodes_, inside, cut ? entry : kNone).Run(entry)) {
-      Settle(component, entry, cut, arrival, done);
+      Settle(component, entry, around, arrival, done);
       for (const uint32_t node : component) {
         if (!done[node]) continue;
         for (const PathEdge& edge : nodes_[node].successors) {
@@ -102,34 +103,38 @@ class Finder {
   }
 
  private:
-  void Settle(const std::vector<uint32_t>& component, uint32_t entry, bool cut,
+  void Settle(const std::vector<uint32_t>& component, uint32_t entry, PathLoop* around,
               const std::vector<std::optional<uint64_t>>& arrival, std::vector<std::optional<uint64_t>>& done) {
     const uint32_t first = component.front();
     const auto goes_to = [&](uint32_t from, uint32_t to) {
       return std::ranges::any_of(nodes_[from].successors, [to](const PathEdge& edge) { return edge.to == to; });
     };
-    const bool loop = component.size() > 1 || (goes_to(first, first) && !(cut && first == entry));
-    if (!loop) {
+    const bool repeats = component.size() > 1 || (goes_to(first, first) && !(around != nullptr && first == entry));
+    if (!repeats) {
       done[first] = Sum(arrival[first].value_or(0), nodes_[first].cost);
       return;
     }
-    const Nodes blocks(component.begin(), component.end());
-    uint32_t header = kNone;
+    PathLoop loop{.header = kNone, .nodes = Nodes(component.begin(), component.end()), .around = around};
+    const Nodes& blocks = loop.nodes;
+    uint32_t& header = loop.header;
     uint64_t begin = 0;
     for (const uint32_t node : blocks) {
       if (!arrival[node]) continue;
       if (header == kNone) header = node;
       begin = std::max(begin, *arrival[node]);
     }
-    const auto inner = Distances(blocks, header, true);
+    const auto inner = Distances(blocks, header, &loop);
+    const Rounds rounds = rounds_(loop);
+    if (rounds.same_as_around) around->shared = true;
     uint64_t round = 0;
     for (const uint32_t node : blocks) {
       if (!inner[node]) continue;
       for (const PathEdge& edge : nodes_[node].successors) {
-        if (edge.to == header) round = std::max(round, Sum(*inner[node], edge.cost));
+        // With several ways back, a round begins anywhere, and ends wherever one of them does.
+        if (edge.to == header || loop.shared) round = std::max(round, Sum(*inner[node], edge.cost));
       }
     }
-    begin = Sum(begin, Product(round, rounds_(header, blocks).value_or(0)));
+    begin = Sum(begin, Product(round, rounds.same_as_around ? 0 : rounds.most.value_or(0)));
     for (const uint32_t node : blocks) {
       if (inner[node]) done[node] = Sum(begin, *inner[node]);
     }
@@ -145,7 +150,7 @@ uint64_t LongestPath(const std::vector<PathNode>& nodes, const RoundsOfLoop& rou
   if (nodes.empty()) return 0;
   Nodes all;
   for (uint32_t i = 0; i < nodes.size(); ++i) all.insert(all.end(), i);
-  const auto distances = Finder(nodes, rounds).Distances(all, 0, false);
+  const auto distances = Finder(nodes, rounds).Distances(all, 0, nullptr);
   uint64_t longest = 0;
   for (uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].leaves && distances[i]) longest = std::max(longest, *distances[i]);

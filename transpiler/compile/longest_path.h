@@ -20,8 +20,21 @@ struct PathNode {
   bool leaves = false;
 };
 
-/// How many rounds a loop makes at most: of its header and its blocks. None: not known, counted as no repetition.
-using RoundsOfLoop = std::function<std::optional<uint64_t>(uint32_t header, const std::set<uint32_t>& blocks)>;
+/// A loop of the graph.
+struct PathLoop {
+  uint32_t header = 0;
+  std::set<uint32_t> nodes;
+  PathLoop* around = nullptr;  // the loop that it is in; null: none
+  bool shared = false;         // one inside jumps back for this loop, too
+};
+
+/// How many rounds a loop makes at most.
+struct Rounds {
+  std::optional<uint64_t> most;  // none: not known, counted as no repetition
+  bool same_as_around = false;   // it is a second way back of the loop around it: those rounds count for both
+};
+
+using RoundsOfLoop = std::function<Rounds(const PathLoop& loop)>;
 
 constexpr uint64_t kMostCost = uint64_t{1} << 60;  // sums saturate here
 

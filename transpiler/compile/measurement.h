@@ -7,22 +7,29 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/compile/program_code.h"
 
 namespace plcxx::compile {
 
-/// Rounds of the loops whose heads stand in a file at a line; none: the loop is known, its bound is not.
-using LoopRounds = std::map<std::pair<std::string, uint32_t>, std::optional<uint64_t>>;
+/// A loop of the text that was compiled.
+struct KnownLoop {
+  std::string file;                // "mill.cpp", "plcxx/bcd.h"
+  uint32_t first = 0, last = 0;    // its lines, from 1: head and closing brace
+  std::optional<uint64_t> rounds;  // the most; none: the loop is known, its bound is not
+};
 
-/// The loops of the runtime's headers whose comments say "at most N rounds".
-void AddRuntimeLoops(LoopRounds& loops);
+/// A loop whose head is that line of a well indented text.
+KnownLoop LoopAt(const std::string& file, std::string_view text, uint32_t line, std::optional<uint64_t> rounds);
+
+/// The loops of the runtime's headers whose heads say "at most N rounds", or "at most one round for each element": of
+/// an array of State, of which the longest has `elements`.
+void AddRuntimeLoops(std::vector<KnownLoop>& loops, uint64_t elements);
 
 struct Path {
   uint64_t instructions = 0;  // saturates
@@ -39,7 +46,7 @@ struct Figures {
 
 class Measurement {
  public:
-  Measurement(const ProgramCode& code, const LoopRounds& loops);
+  Measurement(const ProgramCode& code, const std::vector<KnownLoop>& loops);
 
   /// From a function on, with all that it calls. Calls in circles count once: the audit refuses them.
   Figures From(uint32_t function);
@@ -54,11 +61,9 @@ class Measurement {
   };
   const Own& Measure(uint32_t function);
   uint64_t StackOf(uint32_t function);
-  std::optional<uint64_t> RoundsOf(uint32_t function, uint32_t header, const std::set<uint32_t>& blocks) const;
-  std::optional<std::optional<uint64_t>> Known(uint32_t function, const CodeLine& line) const;
 
   const ProgramCode& code_;
-  const LoopRounds& loops_;
+  const std::vector<KnownLoop>& loops_;
   std::vector<Own> own_;  // by function
 };
 

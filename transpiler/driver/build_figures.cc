@@ -98,10 +98,13 @@ void AuditObjects(const compile::ProgramCode& code, const emit::Emittable& emitt
 
 BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& emittable,
                      const std::vector<emit::OutputFile>& files) {
-  compile::LoopRounds loops;
-  compile::AddRuntimeLoops(loops);
+  std::vector<compile::KnownLoop> loops;
+  uint64_t elements = 0;
+  for (const emit::Member& member : emittable.layout.members) elements = std::max<uint64_t>(elements, member.count);
+  compile::AddRuntimeLoops(loops, elements);
   for (const emit::OutputFile& file : files) {
-    for (const emit::PrintedLoop& loop : file.loops) loops[{file.name, loop.line}] = loop.rounds;
+    for (const emit::PrintedLoop& loop : file.loops)
+      loops.push_back(compile::LoopAt(file.name, file.text, loop.line, loop.rounds));
   }
   BuildFigures figures;
   figures.retentive_bytes = emittable.layout.retentive_bytes;

@@ -30,11 +30,13 @@ std::map<uint64_t, CodeLine> ObjectReader::LinesOf(const Place& place) {
     }
     for (const uint32_t row : rows) {
       const llvm::DWARFDebugLine::Row& known = table->Rows[row];
+      if (known.Address.SectionIndex != place.section || known.EndSequence)
+        continue;  // LLVM goes on with the next ones
       std::string name;
       table->getFileNameByIndex(known.File, "", llvm::DILineInfoSpecifier::FileLineInfoKind::RelativeFilePath, name);
       lines[known.Address.Address] = {FileIndex(name), known.Line};
     }
-    break;
+    if (!lines.empty()) break;
   }
   return lines;
 }

@@ -86,8 +86,12 @@ Flow MachineCode::ArmFlow(const llvm::MCInst& inst, bool conditional) const {
   const Flow back = conditional ? Flow::kMaybeReturn : Flow::kReturn;
   if (name == "tBX") return Names(inst, 0, "LR") ? back : Flow::kIndirectJump;
   if (description.isIndirectBranch()) return Flow::kIndirectJump;
+  // Read it is by loads of constants beside the code; written as a result, or in a list of registers.
+  const unsigned list = description.isVariadic() ? description.getNumOperands() - 1 : inst.getNumOperands();
   bool writes_counter = false;
-  for (unsigned i = 0; i < inst.getNumOperands(); ++i) writes_counter = writes_counter || Names(inst, i, "PC");
+  for (unsigned i = 0; i < inst.getNumOperands(); ++i) {
+    if (i < description.getNumDefs() || i >= list) writes_counter = writes_counter || Names(inst, i, "PC");
+  }
   if (!writes_counter || description.isBranch() || description.isCall()) return Flow::kNext;
   const bool from_stack = name == "tPOP" || name.starts_with("t2LDMIA") || name == "t2LDR_POST";
   if (from_stack || (name == "tMOVr" && Names(inst, 1, "LR"))) return back;
