@@ -185,7 +185,12 @@ void Lowering::Dispatch(ir::PlaceId channel) {
     };
     const auto become = [&](uint8_t value) { builder_.Store(state, builder_.Constant(ir::Type::kI8, value), index()); };
     const auto give_up = [&] { builder_.Store(mod, Pure(OpKind::kMinus16, {Word(1)}), index()); };
-    When(both(both(is(kIdle), has(strobes, row.strobe)), lacks(strobes, kCancel)), [&] {
+    // The state is asked alone and first: in most cycles there is no request, and a look at it is all that happens.
+    const auto when = [&](uint8_t value, const std::function<ValueId()>& condition, const std::function<void()>& body) {
+      When(is(value), [&] { When(condition(), body); });
+    };
+    const auto requested = [&] { return both(has(strobes, row.strobe), lacks(strobes, kCancel)); };
+    when(kIdle, requested, [&] {
       builder_.Store(mod, builder_.Load(code, index()), index());
       set(flags, row.busy);
       become(kActive);
@@ -194,13 +199,16 @@ void Lowering::Dispatch(ir::PlaceId channel) {
       When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
       When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
     });
-    When(both(is(kActive), Pure(OpKind::kBitOr, {lacks(strobes, row.strobe), has(strobes, kCancel)})), [&] {
+    const auto withdrawn = [&] { return Pure(OpKind::kBitOr, {lacks(strobes, row.strobe), has(strobes, kCancel)}); };
+    when(kActive, withdrawn, [&] {
       give_up();
       clear(flags, row.busy);
       become(kDone);
     });
-    const ValueId held = both(has(strobes, kHold), lacks(flags, row.hold_disabled));
-    When(both(is(kActive), Pure(OpKind::kBitNot, {held})), [&] {
+    const auto goes_on = [&] {
+      return Pure(OpKind::kBitNot, {both(has(strobes, kHold), lacks(flags, row.hold_disabled))});
+    };
+    when(kActive, goes_on, [&] {
       if (!once) {
         CallHandlers(k, channel, give_up);
         return;
@@ -212,10 +220,12 @@ void Lowering::Dispatch(ir::PlaceId channel) {
         CallHandlers(k, channel, give_up);
       });
     });
-    When(both(is(kDone), lacks(strobes, row.strobe)), [&] {
-      clear(acks, row.ack);
-      become(kIdle);
-    });
+    when(
+        kDone, [&] { return lacks(strobes, row.strobe); },
+        [&] {
+          clear(acks, row.ack);
+          become(kIdle);
+        });
   }
 }
 
@@ -234,12 +244,13 @@ void Lowering::Complete(ir::PlaceId channel) {
   for (uint32_t k = 0; k < 4; ++k) {
     const KindRow& row = kRows[k];
     const ir::PlaceId mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
-    const ValueId completed = Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})});
-    When(Pure(OpKind::kBitAnd, {state_is(k, kActive), completed}), [&] {
-      change(flags, OpKind::kAnd16, ~uint32_t{row.busy});
-      change(acks, OpKind::kOr16, row.ack);
-      builder_.Store(ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k])),
-                     builder_.Constant(ir::Type::kI8, kDone), index());
+    When(state_is(k, kActive), [&] {
+      When(Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})}), [&] {
+        change(flags, OpKind::kAnd16, ~uint32_t{row.busy});
+        change(acks, OpKind::kOr16, row.ack);
+        builder_.Store(ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k])),
+                       builder_.Constant(ir::Type::kI8, kDone), index());
+      });
     });
   }
   ValueId any = state_is(0, kActive);

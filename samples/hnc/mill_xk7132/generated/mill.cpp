@@ -1817,142 +1817,170 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
       }
     }
   }
-  if ((m[At(state_M, channel)] == 0) & ((m[At(mst_strobes, channel)] & 0x0100) != 0)
-      & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
-    m[At(mod_M, channel)] = m[At(M_code, channel)];
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0001;
-    m[At(state_M, channel)] = 1;
-    if (m[At(M_code, channel)] == 0) {
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x1000;
-    }
-    if (m[At(M_code, channel)] == 1) {
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x2000;
-    }
-  }
-  if ((m[At(state_M, channel)] == 1) & (((m[At(mst_strobes, channel)] & 0x0100) == 0)
-      | ((m[At(mst_strobes, channel)] & 0x8000) != 0))) {
-    m[At(mod_M, channel)] = Minus16(1);
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;
-    m[At(state_M, channel)] = 2;
-  }
-  if ((m[At(state_M, channel)] == 1) & !(((m[At(mst_strobes, channel)] & 0x2000) != 0)
-      & ((m[At(mst_flags, channel)] & 0x0100) == 0))) {
-    switch (channel) {
-      case 0: {
-        on_m(m, 0, host);
-        break;
+  if (m[At(state_M, channel)] == 0) {
+    if (((m[At(mst_strobes, channel)] & 0x0100) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
+      m[At(mod_M, channel)] = m[At(M_code, channel)];
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0001;
+      m[At(state_M, channel)] = 1;
+      if (m[At(M_code, channel)] == 0) {
+        m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x1000;
       }
-      default: {
-        m[At(mod_M, channel)] = Minus16(1);
-        break;
+      if (m[At(M_code, channel)] == 1) {
+        m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x2000;
       }
     }
   }
-  if ((m[At(state_M, channel)] == 2) & ((m[At(mst_strobes, channel)] & 0x0100) == 0)) {
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFE;
-    m[At(state_M, channel)] = 0;
+  if (m[At(state_M, channel)] == 1) {
+    if (((m[At(mst_strobes, channel)] & 0x0100) == 0) | ((m[At(mst_strobes, channel)] & 0x8000) != 0)) {
+      m[At(mod_M, channel)] = Minus16(1);
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;
+      m[At(state_M, channel)] = 2;
+    }
   }
-  if ((m[At(state_S, channel)] == 0) & ((m[At(mst_strobes, channel)] & 0x0200) != 0)
-      & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
-    m[At(mod_S, channel)] = m[At(S_code, channel)];
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0002;
-    m[At(state_S, channel)] = 1;
-  }
-  if ((m[At(state_S, channel)] == 1) & (((m[At(mst_strobes, channel)] & 0x0200) == 0)
-      | ((m[At(mst_strobes, channel)] & 0x8000) != 0))) {
-    m[At(mod_S, channel)] = Minus16(1);
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFD;
-    m[At(state_S, channel)] = 2;
-  }
-  if ((m[At(state_S, channel)] == 1) & !(((m[At(mst_strobes, channel)] & 0x2000) != 0)
-      & ((m[At(mst_flags, channel)] & 0x0200) == 0))) {
-    switch (channel) {
-      case 0: {
-        on_s(m, 0, host);
-        break;
-      }
-      default: {
-        m[At(mod_S, channel)] = Minus16(1);
-        break;
+  if (m[At(state_M, channel)] == 1) {
+    if (!(((m[At(mst_strobes, channel)] & 0x2000) != 0) & ((m[At(mst_flags, channel)] & 0x0100) == 0))) {
+      switch (channel) {
+        case 0: {
+          on_m(m, 0, host);
+          break;
+        }
+        default: {
+          m[At(mod_M, channel)] = Minus16(1);
+          break;
+        }
       }
     }
   }
-  if ((m[At(state_S, channel)] == 2) & ((m[At(mst_strobes, channel)] & 0x0200) == 0)) {
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFD;
-    m[At(state_S, channel)] = 0;
+  if (m[At(state_M, channel)] == 2) {
+    if ((m[At(mst_strobes, channel)] & 0x0100) == 0) {
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFE;
+      m[At(state_M, channel)] = 0;
+    }
   }
-  if ((m[At(state_T, channel)] == 0) & ((m[At(mst_strobes, channel)] & 0x0400) != 0)
-      & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
-    m[At(mod_T, channel)] = m[At(T_code, channel)];
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0004;
-    m[At(state_T, channel)] = 1;
+  if (m[At(state_S, channel)] == 0) {
+    if (((m[At(mst_strobes, channel)] & 0x0200) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
+      m[At(mod_S, channel)] = m[At(S_code, channel)];
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0002;
+      m[At(state_S, channel)] = 1;
+    }
   }
-  if ((m[At(state_T, channel)] == 1) & (((m[At(mst_strobes, channel)] & 0x0400) == 0)
-      | ((m[At(mst_strobes, channel)] & 0x8000) != 0))) {
-    m[At(mod_T, channel)] = Minus16(1);
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFB;
-    m[At(state_T, channel)] = 2;
+  if (m[At(state_S, channel)] == 1) {
+    if (((m[At(mst_strobes, channel)] & 0x0200) == 0) | ((m[At(mst_strobes, channel)] & 0x8000) != 0)) {
+      m[At(mod_S, channel)] = Minus16(1);
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFD;
+      m[At(state_S, channel)] = 2;
+    }
   }
-  if ((m[At(state_T, channel)] == 1) & !(((m[At(mst_strobes, channel)] & 0x2000) != 0)
-      & ((m[At(mst_flags, channel)] & 0x0400) == 0))) {
-    switch (channel) {
-      case 0: {
-        on_t(m, 0, host);
-        break;
-      }
-      default: {
-        m[At(mod_T, channel)] = Minus16(1);
-        break;
+  if (m[At(state_S, channel)] == 1) {
+    if (!(((m[At(mst_strobes, channel)] & 0x2000) != 0) & ((m[At(mst_flags, channel)] & 0x0200) == 0))) {
+      switch (channel) {
+        case 0: {
+          on_s(m, 0, host);
+          break;
+        }
+        default: {
+          m[At(mod_S, channel)] = Minus16(1);
+          break;
+        }
       }
     }
   }
-  if ((m[At(state_T, channel)] == 2) & ((m[At(mst_strobes, channel)] & 0x0400) == 0)) {
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFB;
-    m[At(state_T, channel)] = 0;
+  if (m[At(state_S, channel)] == 2) {
+    if ((m[At(mst_strobes, channel)] & 0x0200) == 0) {
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFD;
+      m[At(state_S, channel)] = 0;
+    }
   }
-  if ((m[At(state_B, channel)] == 0) & ((m[At(mst_strobes, channel)] & 0x0800) != 0)
-      & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
-    m[At(mod_B, channel)] = m[At(B_code, channel)];
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0008;
-    m[At(state_B, channel)] = 1;
+  if (m[At(state_T, channel)] == 0) {
+    if (((m[At(mst_strobes, channel)] & 0x0400) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
+      m[At(mod_T, channel)] = m[At(T_code, channel)];
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0004;
+      m[At(state_T, channel)] = 1;
+    }
   }
-  if ((m[At(state_B, channel)] == 1) & (((m[At(mst_strobes, channel)] & 0x0800) == 0)
-      | ((m[At(mst_strobes, channel)] & 0x8000) != 0))) {
-    m[At(mod_B, channel)] = Minus16(1);
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFF7;
-    m[At(state_B, channel)] = 2;
+  if (m[At(state_T, channel)] == 1) {
+    if (((m[At(mst_strobes, channel)] & 0x0400) == 0) | ((m[At(mst_strobes, channel)] & 0x8000) != 0)) {
+      m[At(mod_T, channel)] = Minus16(1);
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFB;
+      m[At(state_T, channel)] = 2;
+    }
   }
-  if ((m[At(state_B, channel)] == 1) & !(((m[At(mst_strobes, channel)] & 0x2000) != 0)
-      & ((m[At(mst_flags, channel)] & 0x0800) == 0))) {
-    m[At(mod_B, channel)] = Minus16(1);
+  if (m[At(state_T, channel)] == 1) {
+    if (!(((m[At(mst_strobes, channel)] & 0x2000) != 0) & ((m[At(mst_flags, channel)] & 0x0400) == 0))) {
+      switch (channel) {
+        case 0: {
+          on_t(m, 0, host);
+          break;
+        }
+        default: {
+          m[At(mod_T, channel)] = Minus16(1);
+          break;
+        }
+      }
+    }
   }
-  if ((m[At(state_B, channel)] == 2) & ((m[At(mst_strobes, channel)] & 0x0800) == 0)) {
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFF7;
-    m[At(state_B, channel)] = 0;
+  if (m[At(state_T, channel)] == 2) {
+    if ((m[At(mst_strobes, channel)] & 0x0400) == 0) {
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFFB;
+      m[At(state_T, channel)] = 0;
+    }
+  }
+  if (m[At(state_B, channel)] == 0) {
+    if (((m[At(mst_strobes, channel)] & 0x0800) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
+      m[At(mod_B, channel)] = m[At(B_code, channel)];
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0008;
+      m[At(state_B, channel)] = 1;
+    }
+  }
+  if (m[At(state_B, channel)] == 1) {
+    if (((m[At(mst_strobes, channel)] & 0x0800) == 0) | ((m[At(mst_strobes, channel)] & 0x8000) != 0)) {
+      m[At(mod_B, channel)] = Minus16(1);
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFF7;
+      m[At(state_B, channel)] = 2;
+    }
+  }
+  if (m[At(state_B, channel)] == 1) {
+    if (!(((m[At(mst_strobes, channel)] & 0x2000) != 0) & ((m[At(mst_flags, channel)] & 0x0800) == 0))) {
+      m[At(mod_B, channel)] = Minus16(1);
+    }
+  }
+  if (m[At(state_B, channel)] == 2) {
+    if ((m[At(mst_strobes, channel)] & 0x0800) == 0) {
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFF7;
+      m[At(state_B, channel)] = 0;
+    }
   }
 }
 
 // Requests of one channel that are done are acknowledged.
 void complete(State& m, uint32_t channel, Host&) noexcept {
-  if ((m[At(state_M, channel)] == 1) & (m[At(mod_M, channel)] == Minus16(1))) {
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0001;
-    m[At(state_M, channel)] = 2;
+  if (m[At(state_M, channel)] == 1) {
+    if (m[At(mod_M, channel)] == Minus16(1)) {
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0001;
+      m[At(state_M, channel)] = 2;
+    }
   }
-  if ((m[At(state_S, channel)] == 1) & (m[At(mod_S, channel)] == Minus16(1))) {
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFD;
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0002;
-    m[At(state_S, channel)] = 2;
+  if (m[At(state_S, channel)] == 1) {
+    if (m[At(mod_S, channel)] == Minus16(1)) {
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFD;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0002;
+      m[At(state_S, channel)] = 2;
+    }
   }
-  if ((m[At(state_T, channel)] == 1) & (m[At(mod_T, channel)] == Minus16(1))) {
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFB;
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0004;
-    m[At(state_T, channel)] = 2;
+  if (m[At(state_T, channel)] == 1) {
+    if (m[At(mod_T, channel)] == Minus16(1)) {
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFB;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0004;
+      m[At(state_T, channel)] = 2;
+    }
   }
-  if ((m[At(state_B, channel)] == 1) & (m[At(mod_B, channel)] == Minus16(1))) {
-    m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFF7;
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0008;
-    m[At(state_B, channel)] = 2;
+  if (m[At(state_B, channel)] == 1) {
+    if (m[At(mod_B, channel)] == Minus16(1)) {
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFF7;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0008;
+      m[At(state_B, channel)] = 2;
+    }
   }
   if ((m[At(state_M, channel)] == 1) | (m[At(state_S, channel)] == 1) | (m[At(state_T, channel)] == 1)
       | (m[At(state_B, channel)] == 1)) {
