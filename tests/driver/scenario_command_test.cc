@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/compile/child_process.h"
@@ -58,6 +59,45 @@ TEST_F(TestCommand, AScenarioThatPasses) {
   EXPECT_EQ(both.exit_code, 0) << both.output;
   EXPECT_THAT(both.output, HasSubstr("(3 steps in simulator and compiled)"));
   EXPECT_THAT(Run("good.yaml --engine host --verbose").output, HasSubstr("(3 steps in compiled)"));
+}
+
+TEST_F(TestCommand, EnginesByTheirNames) {
+  EXPECT_THAT(Run("good.yaml --engine cobol").output,
+              HasSubstr("there is no engine 'cobol'; there are sim, host, all, "));
+  EXPECT_EQ(Run("good.yaml --engine cobol").exit_code, 2);
+  EXPECT_EQ(Run("good.yaml --engine sim,").exit_code, 2);
+  EXPECT_THAT(Run("good.yaml --engine host/0").output, HasSubstr("a whole number from 1 on stands behind '/'"));
+  EXPECT_THAT(Run("good.yaml --engine host,sim,host --verbose").output,
+              HasSubstr("(3 steps in simulator and compiled)"));
+  // One in so many that it is none of them; unless all are asked for.
+  EXPECT_THAT(Run("good.yaml --engine all/4000000000 --verbose").output, HasSubstr("(3 steps in simulator)"));
+  EXPECT_THAT(compile::RunProcess({"sh", "-c",
+                                   "cd '" + root_.string() +
+                                       "' && PLCXX_ALL_TARGETS=1 '" PLCXX_BINARY
+                                       "' test good.yaml --engine sim,host/4000000000 --verbose"},
+                                  kSeconds)
+                  .output,
+              HasSubstr("(3 steps in simulator and compiled)"));
+}
+
+TEST_F(TestCommand, EmulatedMachines) {
+  for (const auto& [command, machines] :
+       {std::pair<std::string, std::string>("arm-none-eabi-g++ --version && qemu-system-arm", "cortex-m,cortex-m7"),
+        {"riscv64-unknown-elf-g++ --version && qemu-system-riscv32", "riscv,riscv64"}}) {
+    const std::string engines = "good.yaml --verbose --engine " + machines;
+    if (compile::RunProcess({"sh", "-c", command + " --version"}, kSeconds).exit_code != 0) {
+      EXPECT_THAT(Run(engines).output, HasSubstr(": install "));
+      continue;
+    }
+    const std::string first = machines.substr(0, machines.find(',')), second = machines.substr(machines.find(',') + 1);
+    EXPECT_THAT(Run(engines).output, HasSubstr("(3 steps in simulator and " + first + " and " + second + ")"));
+    EXPECT_THAT(Run("wrong.yaml --engine " + first).output, HasSubstr("U4A8"));
+  }
+  const compile::ProcessResult missing = compile::RunProcess(
+      {"sh", "-c", "cd '" + root_.string() + "' && PATH=/nowhere '" PLCXX_BINARY "' test good.yaml --engine cortex-m"},
+      kSeconds);
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.output, HasSubstr("engine 'cortex-m' needs 'arm-none-eabi-g++': install gcc-arm-none-eabi"));
 }
 
 TEST_F(TestCommand, AScenarioThatFails) {

@@ -1,6 +1,6 @@
 // The first instructions on Cortex-M4 and M7 of QEMU's boards mps2-an386 and mps2-an500.
 
-#include "processor.h"
+#include <processor.h>
 
 extern "C" unsigned char plcxx_stack_top[];
 

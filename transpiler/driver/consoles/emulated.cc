@@ -3,8 +3,8 @@
 //
 // Numbers and blocks of parameters are those of "Semihosting for AArch32 and AArch64" by Arm, which RISC-V took over.
 
-#include "console.h"
-#include "processor.h"
+#include <console.h>
+#include <processor.h>
 
 using Word [[gnu::may_alias]] = uintptr_t;
 

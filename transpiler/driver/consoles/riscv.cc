@@ -1,6 +1,6 @@
 // The first instructions on RISC-V with 32 or 64 bits of QEMU's board virt.
 
-#include "processor.h"
+#include <processor.h>
 
 namespace plcxx_console {
 namespace {
