@@ -12,6 +12,8 @@
 #   [LIMITS <limit=value>...]  with TARGET: max-fast-us=500 clock=168MHz max-stack=512 ...: above them the build fails
 #   [COMPILER <command>])      with TARGET: instead of the target's GCC
 #
+# With TARGET, <target>_library builds the library alone: <output directory>/lib<name>.a, beside its report.
+#
 # Makes a library <target>: link with it, and include "<name>.hpp". Its files are written when the sources, or a file that
 # they or the options name, are newer; what comes out the same is not compiled again (Ninja).
 function(plcxx_add_program TARGET_NAME)
@@ -101,11 +103,11 @@ function(plcxx_add_program TARGET_NAME)
     VERBATIM)
 
   if(ARG_TARGET)
-    add_custom_target(${TARGET_NAME}_plcxx DEPENDS ${OUTPUTS})
+    # A target of its own, so that `--target <target>_library` builds it alone; nothing builds it that does not use it.
+    add_custom_target(${TARGET_NAME}_library DEPENDS ${OUTPUTS})
     add_library(${TARGET_NAME} INTERFACE)
-    add_dependencies(${TARGET_NAME} ${TARGET_NAME}_plcxx)
+    add_dependencies(${TARGET_NAME} ${TARGET_NAME}_library)
     target_link_libraries(${TARGET_NAME} INTERFACE ${DIRECTORY}/lib${NAME}.a)
-    target_sources(${TARGET_NAME} INTERFACE ${HEADER})
   else()
     add_library(${TARGET_NAME} STATIC ${UNITS} ${HEADER})
     target_compile_features(${TARGET_NAME} PUBLIC cxx_std_17)

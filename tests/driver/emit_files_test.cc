@@ -194,7 +194,7 @@ TEST(EmitFiles, OneFileIsCompleteInItself) {
   ASSERT_EQ(place.Run("emit first.plc --single-file -q").code, 0);
   ASSERT_EQ(place.Run("emit second-machine.plc --single-file -q").code, 0);
   EXPECT_FALSE(place.Has("first.cpp"));
-  EXPECT_THAT(place.Read("second-machine.hpp"), HasSubstr("#ifdef SECOND_MACHINE_IMPLEMENTATION\n"));
+  EXPECT_THAT(place.Read("second_machine.hpp"), HasSubstr("#ifdef SECOND_MACHINE_IMPLEMENTATION\n"));
   EXPECT_THAT(place.Read("first.hpp"), Not(HasSubstr("#include <plcxx/")));
 }
 

@@ -118,6 +118,13 @@ def cross_compiled(build, work):
     symbols = run("arm-none-eabi-nm", "-C", binary / "libcoolant.a")
     expect("a library for another processor holds the scan", "T coolant::period(" in symbols)
 
+    hosted = work / "hosted"
+    configure(EXAMPLE, hosted, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", hosted, "--target", "controller_library")
+    library = hosted / "controller.plcxx" / "libcoolant.a"
+    expect("one that plcxx build made and audited", "T coolant::period(" in run("arm-none-eabi-nm", "-C", library))
+    expect("nothing to do", "no work to do" in run("cmake", "--build", hosted, "--target", "controller_library"))
+
 
 def debian_package(build, work):
     need("dpkg-deb", "cpack")

@@ -19,6 +19,7 @@
 #include "transpiler/driver/build_limits.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
+#include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
@@ -46,6 +47,7 @@ struct BuildSettings {
   std::string target;
   std::string compiler;
   std::string level = "2";
+  std::string dependency_file;
   unsigned jobs = 0;
   std::string clock;
   BuildLimits limits;
@@ -159,8 +161,17 @@ class Build {
     output.files = std::move(files_);
     for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.directory, file.name);
     output.protected_paths = PathsRead(compilation_);
+    if (!settings_.dependency_file.empty()) AddDependencyFile(output);
     progress_.Show("writing");
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation_);
+  }
+
+  /// Its targets are what a build system waits for: header and library.
+  void AddDependencyFile(OutputRequest& output) const {
+    const std::string& name = compilation_.name;
+    const std::vector<std::string> targets = {PathIn(settings_.directory, name + ".hpp"),
+                                              PathIn(settings_.directory, "lib" + name + ".a")};
+    output.files.push_back({settings_.dependency_file, DependencyRule(targets, output.protected_paths)});
   }
 
   unsigned Jobs() const {
@@ -237,6 +248,9 @@ void AddBuild(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_option("-o", settings->directory, "Directory of the files, made when missing; else the current one")
       ->type_name("DIR")
+      ->group("Output");
+  command->add_option("--depfile", settings->dependency_file, "Also write the files read as a rule of Make")
+      ->type_name("FILE")
       ->group("Output");
   command
       ->add_option("--compiler", settings->compiler,
