@@ -4,6 +4,7 @@
 
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/preemption.h"
 #include "transpiler/driver/terminal.h"
 
 namespace plcxx::driver {
@@ -18,12 +19,19 @@ Text goes to standard error, JSON and SARIF to standard output. plcxx explain CO
 plcxx emit --help lists what --set takes.
 Exit codes: 0 no errors, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
 
-int RunCheck(const CommonOptions& options) {
+struct CheckSettings {
+  CommonOptions common;
+  bool preemptive = false;
+};
+
+int RunCheck(const CheckSettings& settings) {
+  const CommonOptions& options = settings.common;
   std::optional<CompilationRequest> request = MakeRequest(options);
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  const Compilation compilation = Compile(*request, Stage::kChecked);
+  Compilation compilation = Compile(*request, settings.preemptive ? Stage::kOptimized : Stage::kChecked);
+  if (settings.preemptive) CheckPreemptive(compilation);
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(options));
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.
@@ -37,10 +45,12 @@ int RunCheck(const CommonOptions& options) {
 
 void AddCheck(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("check", "Tell what is wrong or doubtful; write nothing");
-  const auto options = std::make_shared<CommonOptions>();
-  AddCommonOptions(*command, *options);
+  const auto settings = std::make_shared<CheckSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_flag("--preemptive", settings->preemptive,
+                    "Also refuse what is not safe when the fast part runs from an interrupt above the slow part");
   command->footer(kFooter);
-  command->callback([options, &run] { run = [options] { return RunCheck(*options); }; });
+  command->callback([settings, &run] { run = [settings] { return RunCheck(*settings); }; });
 }
 
 }  // namespace plcxx::driver

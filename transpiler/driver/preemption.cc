@@ -1,0 +1,59 @@
+#include "transpiler/driver/preemption.h"
+
+#include <vector>
+
+#include "transpiler/checks/preemption.h"
+#include "transpiler/emit/layout.h"
+
+namespace plcxx::driver {
+namespace {
+
+/// The widest load and store of every target that plcxx has.
+constexpr uint32_t kWordBytes = 4;
+
+checks::StoredPlace Stored(const ir::Place& place, const emit::PlaceStorage& storage, uint32_t whole_bytes) {
+  const uint32_t bytes = place.type == ir::Type::kBit ? 1 : ir::Bytes(place.type);
+  const uint32_t words = (bytes + kWordBytes - 1) / kWordBytes;
+  switch (storage.storage) {
+    case emit::Storage::kNone:
+    case emit::Storage::kLocal:
+      return {};
+    case emit::Storage::kBit:
+    case emit::Storage::kByte:
+    case emit::Storage::kRetentiveByte:
+    case emit::Storage::kPackedBit:
+    case emit::Storage::kRetentiveBit:
+      return {storage.offset, 1, 1};
+    case emit::Storage::kWord16:
+    case emit::Storage::kWord32:
+    case emit::Storage::kWord64:
+    case emit::Storage::kFloat32:
+    case emit::Storage::kFloat64:
+    case emit::Storage::kField:
+      return {storage.offset, bytes, words};
+    case emit::Storage::kWide:
+    case emit::Storage::kRetentiveWide:
+      return {storage.offset, bytes, bytes};  // byte by byte: its alignment and its order are any
+    case emit::Storage::kIndexed:
+    case emit::Storage::kRetentiveIndexed:
+      return {storage.offset, whole_bytes, bytes};
+  }
+  return {};
+}
+
+}  // namespace
+
+void CheckPreemptive(Compilation& compilation) {
+  if (!compilation.ok() || !compilation.has_program) return;
+  const ir::Program& program = compilation.program;
+  const emit::Layout layout = emit::MakeLayout(program);
+  std::vector<checks::StoredPlace> stored;
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    const ir::Place& place = program.places[ir::PlaceId(i)];
+    stored.push_back(Stored(place, layout.places[i], place.high - place.low));
+  }
+  checks::CheckPreemption(program, stored, compilation.diagnostics);
+  compilation.diagnostics.SortBySource();
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,14 @@
+// --preemptive of `plcxx check` and `plcxx emit`: the program as it is stored by generated code, and the check on it.
+//
+// In: a compilation without errors. Out: its diagnostics; with errors when the fast part may not interrupt the slow
+// part. Not its job: the rules (checks/preemption.h).
+#pragma once
+
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+/// Does nothing when the compilation has errors or holds data only. `compilation` was made to Stage::kOptimized.
+void CheckPreemptive(Compilation& compilation);
+
+}  // namespace plcxx::driver
