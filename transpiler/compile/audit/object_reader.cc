@@ -2,6 +2,7 @@
 
 #include <llvm/BinaryFormat/ELF.h>
 #include <llvm/Demangle/Demangle.h>
+#include <llvm/Support/Endian.h>
 #include <llvm/Support/MemoryBuffer.h>
 
 #include <algorithm>
@@ -26,6 +27,16 @@ SectionKind KindOf(llvm::StringRef name, uint64_t flags, uint32_t type) {
   return SectionKind::kConstants;
 }
 
+/// Clang marks every function of ARM that exceptions end at, which is 8 bytes each; they tell no way to unwind.
+bool EndsUnwindingOnly(llvm::StringRef table) {
+  constexpr uint32_t kCannotUnwind = 1;
+  constexpr size_t kEntry = 8;
+  for (size_t at = 0; at + kEntry <= table.size(); at += kEntry) {
+    if (llvm::support::endian::read32le(table.data() + at + kEntry / 2) != kCannotUnwind) return false;
+  }
+  return true;
+}
+
 template <class T>
 T ValueOr(llvm::Expected<T> value, T otherwise) {
   if (value) return *value;
@@ -42,7 +53,10 @@ void ObjectReader::ReadSections() {
     const bool content = type == elf::SHT_PROGBITS || type == elf::SHT_NOBITS || type == elf::SHT_INIT_ARRAY ||
                          type == elf::SHT_PREINIT_ARRAY || type == elf::SHT_ARM_EXIDX || type == elf::SHT_X86_64_UNWIND;
     if (!content || section.getSize() == 0) continue;
-    facts_.sections.push_back({name.str(), KindOf(name, section.getFlags(), type), section.getSize()});
+    SectionKind kind = KindOf(name, section.getFlags(), type);
+    const bool index = type == elf::SHT_ARM_EXIDX;
+    if (index && EndsUnwindingOnly(ValueOr<llvm::StringRef>(section.getContents(), ""))) kind = SectionKind::kConstants;
+    facts_.sections.push_back({name.str(), kind, section.getSize()});
   }
 }
 
