@@ -36,7 +36,27 @@ constexpr const char* kFooter = R"(Examples:
   plcxx build mill.cld --target rv32imac --compiler clang++-19 -O s
   plcxx build turret.plc --target host --name mill -j 4
 
+  plcxx build turret.plc --target cortex-m4f --clock 168MHz --max-fast-us 500 --max-stack 512
+      an error that names the costliest statements when the fast part takes longer, or any part more stack
+
 Compile your own code with -I out and link it with out/libturret.a.
+The audit refuses: heap, exceptions and unwinding, static constructors, recursion, indirect calls and jumps, floating-point
+routines where the program has no floats, and symbols that are neither host functions nor support routines of the compiler.
+The figures are bounds on the compiled code: each branch the dearer way, each loop as often as it may go round, all calls
+added. Host functions and support routines (memcpy, division) are not in them; what else is missing is told.
+The report, NAME.report.json, gets an object "build":
+  target, optimization   as asked for
+  compiler               "gcc" or "clang"
+  clock_hz               where --clock tells it
+  timing                 where the cycles come from
+  partitions             of each function that the header declares:
+    name, instructions, cycles, time_ns (with a clock)   on its longest path
+    stack_bytes          over its deepest path of calls, return addresses included
+    code_bytes           of all functions that it reaches
+    not_counted          host functions and support routines that it calls
+    not_whole            what is missing from the figures, in words
+  code_bytes, constant_bytes            of the library
+  retentive_bytes, volatile_bytes       of one State
 Files are written whole or not at all; a file that would not change keeps its time.
 Exit codes: 0 built, 1 the program has errors or the audit found some (nothing written), 2 wrong use, 3 a fault of plcxx.)";
 
