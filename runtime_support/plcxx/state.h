@@ -37,4 +37,11 @@ inline void Place(T (&array)[kSize], size_t first, const T (&values)[kCount]) no
   }
 }
 
+/// A place that the other part of the program uses, too, where the fast part runs from an interrupt: this access is
+/// made once, where it stands, and never repeated from a register or left out.
+template <class T>
+[[gnu::always_inline]] constexpr inline volatile T& Once(T& place) noexcept {
+  return place;
+}
+
 }  // namespace plcxx

@@ -22,6 +22,7 @@ constexpr std::string_view kAsking = R"(
   place PORT i8 M[1]
   place COPY i8 M[2]
   place STARTED i8 M[3]
+  place NUMBER f32 M[4]
   host exchange () writes_state routine_exchange
   host read_port (port : i8) -> i8
   routine init init {
@@ -78,6 +79,18 @@ TEST(Lockstep, TheOthersGetTheAnswersOfTheFirst) {
     EXPECT_EQ(bench.Get(2, engine), 2u) << "memory changes behind the call, not before the period";
     EXPECT_EQ(bench.Get(3, engine), 41u);
   }
+}
+
+TEST(Lockstep, OneNaNIsAsGoodAsAnother) {
+  Bench bench;
+  const ir::Place number = bench.program.places[ir::PlaceId(4)];
+  bench.lockstep->engines()[0]->Write(number, 0xFFC00000);
+  bench.lockstep->engines()[1]->Write(number, 0x7FC00001);
+  bench.lockstep->RunPeriod(10);
+  EXPECT_EQ(bench.Difference(), "none");
+  bench.lockstep->engines()[1]->Write(number, 0x7F800000);
+  bench.lockstep->RunPeriod(20);
+  EXPECT_EQ(bench.Difference(), "NUMBER");
 }
 
 TEST(Lockstep, CallsThatDifferAreTold) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "transpiler/checks/accesses.h"
 #include "transpiler/checks/part_uses.h"
@@ -31,14 +32,14 @@ class Check {
         slow_(CollectUses(program, {ir::RoutineKind::kSlow})),
         touched_(numbering_.count()),
         slow_reads_(numbering_.count()),
-        slow_writes_(numbering_.count()) {}
+        slow_writes_(numbering_.count()),
+        shared_(program.places.size()) {}
 
-  bool Run() {
-    if (fast_.empty() || slow_.empty()) return true;
+  std::vector<bool> Run() {
+    if (fast_.empty() || slow_.empty()) return std::move(shared_);
     for (const PartUses* const part : {&fast_, &slow_}) {
       for (const auto& [host, range] : part->state_calls) {
         diagnostics_.Report(range, diag::PreemptWholeState, program_.host_functions[ir::HostFunctionId(host)].name);
-        safe_ = false;
       }
     }
     MarkFast();
@@ -48,7 +49,7 @@ class Check {
       if (use.writes.count > 0) SlowWrites(ir::PlaceId(place), use.writes);
       if (use.reads.count > 0) SlowReads(ir::PlaceId(place), use.reads);
     }
-    return safe_;
+    return std::move(shared_);
   }
 
  private:
@@ -123,6 +124,7 @@ class Check {
     }
     const auto reader = std::find_if(first, last, [](const Touched& bit) { return bit.is_read(); });
     if (reader == last) return;
+    shared_[id.index] = true;
     if (stored.pieces > 1) {
       Refuse(diagnostics_.Report(writes.first, diag::PreemptPieces, place.name, stored.pieces), reader->read,
              kFastReads);
@@ -141,6 +143,7 @@ class Check {
     const auto writer = std::find_if(first, last, [](const Touched& bit) { return bit.is_written(); });
     const auto run = place.is_field() ? fast_.runs.find(place.state.index) : fast_.runs.end();
     if (writer == last && run == fast_.runs.end()) return;
+    shared_[id.index] = true;
     const source::Range other = writer != last ? writer->written : run->second.first;
     const char* const says = writer != last ? kFastWrites : "the fast part runs it here";
     const bool again = std::any_of(slow_reads_.begin() + span.first, slow_reads_.begin() + span.last,
@@ -153,9 +156,8 @@ class Check {
     }
   }
 
-  void Refuse(diag::Diagnostic& diagnostic, source::Range other, const char* says) {
+  static void Refuse(diag::Diagnostic& diagnostic, source::Range other, const char* says) {
     diagnostic.notes.push_back({other, says});
-    safe_ = false;
   }
 
   const ir::Program& program_;
@@ -166,12 +168,13 @@ class Check {
   std::vector<Touched> touched_;                   // by number of the bit
   std::vector<uint8_t> slow_reads_, slow_writes_;  // likewise: 0, 1, or 2 for more
   std::vector<uint32_t> fast_bytes_;               // by byte of State: a place that the fast part writes there
-  bool safe_ = true;
+  std::vector<bool> shared_;                       // by PlaceId
 };
 
 }  // namespace
 
-bool CheckPreemption(const ir::Program& program, const std::vector<StoredPlace>& stored, diag::Engine& diagnostics) {
+std::vector<bool> CheckPreemption(const ir::Program& program, const std::vector<StoredPlace>& stored,
+                                  diag::Engine& diagnostics) {
   return Check(program, stored, diagnostics).Run();
 }
 

@@ -27,7 +27,9 @@ struct StoredPlace {
   uint32_t pieces = 1;  // loads or stores of one access
 };
 
-/// `stored` by PlaceId. True when the program is safe.
-bool CheckPreemption(const ir::Program& program, const std::vector<StoredPlace>& stored, diag::Engine& diagnostics);
+/// `stored` by PlaceId. By PlaceId, too: whether both parts use the place, and one of them writes it. The program is
+/// safe when nothing was reported.
+std::vector<bool> CheckPreemption(const ir::Program& program, const std::vector<StoredPlace>& stored,
+                                  diag::Engine& diagnostics);
 
 }  // namespace plcxx::checks

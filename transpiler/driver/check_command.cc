@@ -31,7 +31,7 @@ int RunCheck(const CheckSettings& settings) {
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request, settings.preemptive ? Stage::kOptimized : Stage::kChecked);
-  if (settings.preemptive) CheckPreemptive(compilation);
+  if (settings.preemptive) static_cast<void>(CheckPreemptive(compilation));
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(options));
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.

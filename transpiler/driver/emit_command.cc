@@ -3,6 +3,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "transpiler/compile/amalgamate.h"
 #include "transpiler/driver/common_options.h"
@@ -10,6 +12,7 @@
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/preemption.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/cpp_printer.h"
@@ -37,10 +40,11 @@ struct EmitSettings {
   bool debug = false;
   bool quiet = false;
   bool single_file = false;
+  bool preemptive = false;
   uint32_t parts = 0;
 };
 
-OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation) {
+OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation, std::vector<bool> shared) {
   OutputRequest output;
   output.directory = settings.directory;
   if (compilation.has_program) {
@@ -49,6 +53,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
     options.flavour = settings.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease;
     options.line_directives = settings.line_directives;
     options.parts = settings.single_file ? 1 : settings.parts;
+    options.shared = std::move(shared);
     const emit::Emittable emittable = emit::Legalize(compilation.program, options);
     output.files = emit::PrintCpp(emittable, *compilation.sources);
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
@@ -83,9 +88,11 @@ int RunEmit(const EmitSettings& settings) {
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request);
+  std::vector<bool> shared;
+  if (settings.preemptive) shared = CheckPreemptive(compilation);
   if (compilation.ok()) {
     progress.Show("printing C++");
-    const OutputRequest output = MakeOutput(settings, compilation);
+    const OutputRequest output = MakeOutput(settings, compilation, std::move(shared));
     progress.Show("writing");
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
   }
@@ -125,7 +132,13 @@ void AddEmit(CLI::App& app, Run& run) {
                  "One NAME.hpp with runtime, program and, behind a macro that its first lines name, the code")
       ->excludes(parts)
       ->group("Output");
-  command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
+  CLI::Option* debug =
+      command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
+  command
+      ->add_flag("--preemptive", settings->preemptive,
+                 "For a fast part that runs from an interrupt above the slow part; refused where that is not safe")
+      ->excludes(debug)
+      ->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
   command->footer("");                                                    // not the one of the program
   command->footer([] { return DialectOptionsText() + "\n" + kFooter; });  // made only where it is shown

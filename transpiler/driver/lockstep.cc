@@ -1,6 +1,7 @@
 #include "transpiler/driver/lockstep.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -19,6 +20,13 @@ std::string ArgumentText(ir::Type type, uint64_t value) {
   constexpr uint64_t kSmallNegative = 0xFFFF'0000;
   const bool negative = type == ir::Type::kI32 && value >= kSmallNegative;
   return sim::ValueDigits(type, value, negative ? sim::Sign::kTwosComplement : sim::Sign::kNone);
+}
+
+/// One NaN is as good as another: which sign and payload an operation gives is the processor's matter.
+bool IsNaN(ir::Type type, uint64_t bits) {
+  constexpr uint64_t kInfinity32 = 0x7F80'0000, kInfinity64 = 0x7FF0'0000'0000'0000;
+  if (type == ir::Type::kF32) return (bits & 0x7FFF'FFFF) > kInfinity32;
+  return type == ir::Type::kF64 && (bits & 0x7FFF'FFFF'FFFF'FFFF) > kInfinity64;
 }
 
 }  // namespace
@@ -154,11 +162,19 @@ void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& exp
                    Named(other, std::to_string(found.size()) + " bytes"), now_ms};
     return;
   }
-  const auto at =
-      static_cast<size_t>(std::mismatch(expected.begin(), expected.end(), found.begin()).first - expected.begin());
-  const SnapshotCell cell = CellAt(program_, at, static_cast<uint8_t>(expected[at] ^ found[at]));
-  difference_ = {cell.name, cell.place, Named(first, ValueText(cell.type, CellValue(cell, expected))),
-                 Named(other, ValueText(cell.type, CellValue(cell, found))), now_ms};
+  for (size_t from = 0;;) {
+    const auto start = static_cast<std::ptrdiff_t>(from);
+    const auto differs = std::mismatch(expected.begin() + start, expected.end(), found.begin() + start).first;
+    if (differs == expected.end()) return;
+    const auto at = static_cast<size_t>(differs - expected.begin());
+    const SnapshotCell cell = CellAt(program_, at, static_cast<uint8_t>(expected[at] ^ found[at]));
+    const uint64_t left = CellValue(cell, expected), right = CellValue(cell, found);
+    from = at + 1;
+    if (IsNaN(cell.type, left) && IsNaN(cell.type, right)) continue;
+    difference_ = {cell.name, cell.place, Named(first, ValueText(cell.type, left)),
+                   Named(other, ValueText(cell.type, right)), now_ms};
+    return;
+  }
 }
 
 void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected) {

@@ -21,9 +21,10 @@ checks::StoredPlace Stored(const ir::Place& place, const emit::PlaceStorage& sto
     case emit::Storage::kBit:
     case emit::Storage::kByte:
     case emit::Storage::kRetentiveByte:
+      return {storage.offset, 1, 1};
     case emit::Storage::kPackedBit:
     case emit::Storage::kRetentiveBit:
-      return {storage.offset, 1, 1};
+      return {storage.offset, 1, 2};  // a write loads the byte and stores it
     case emit::Storage::kWord16:
     case emit::Storage::kWord32:
     case emit::Storage::kWord64:
@@ -36,15 +37,15 @@ checks::StoredPlace Stored(const ir::Place& place, const emit::PlaceStorage& sto
       return {storage.offset, bytes, bytes};  // byte by byte: its alignment and its order are any
     case emit::Storage::kIndexed:
     case emit::Storage::kRetentiveIndexed:
-      return {storage.offset, whole_bytes, bytes};
+      return {storage.offset, whole_bytes, 1 + bytes};  // and its index is looked at
   }
   return {};
 }
 
 }  // namespace
 
-void CheckPreemptive(Compilation& compilation) {
-  if (!compilation.ok() || !compilation.has_program) return;
+std::vector<bool> CheckPreemptive(Compilation& compilation) {
+  if (!compilation.ok() || !compilation.has_program) return {};
   const ir::Program& program = compilation.program;
   const emit::Layout layout = emit::MakeLayout(program);
   std::vector<checks::StoredPlace> stored;
@@ -52,8 +53,9 @@ void CheckPreemptive(Compilation& compilation) {
     const ir::Place& place = program.places[ir::PlaceId(i)];
     stored.push_back(Stored(place, layout.places[i], place.high - place.low));
   }
-  checks::CheckPreemption(program, stored, compilation.diagnostics);
+  std::vector<bool> shared = checks::CheckPreemption(program, stored, compilation.diagnostics);
   compilation.diagnostics.SortBySource();
+  return shared;
 }
 
 }  // namespace plcxx::driver

@@ -4,11 +4,14 @@
 // part. Not its job: the rules (checks/preemption.h).
 #pragma once
 
+#include <vector>
+
 #include "transpiler/driver/compilation.h"
 
 namespace plcxx::driver {
 
-/// Does nothing when the compilation has errors or holds data only. `compilation` was made to Stage::kOptimized.
-void CheckPreemptive(Compilation& compilation);
+/// By PlaceId: what both parts use (emit::EmitOptions::shared). Does nothing when the compilation has errors or holds
+/// data only. `compilation` was made to Stage::kOptimized.
+std::vector<bool> CheckPreemptive(Compilation& compilation);
 
 }  // namespace plcxx::driver

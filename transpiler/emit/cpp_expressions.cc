@@ -156,6 +156,8 @@ std::string ElementName(const Emittable& emittable, Storage storage, uint32_t in
 Spelling SpellPlace(const Emittable& emittable, const LocalNames& local_names, ir::PlaceId place, ir::ValueId index) {
   const std::string& name = emittable.place_names[place.index];
   if (emittable.layout.places[place.index].storage == Storage::kLocal) return {name, Precedence::kPrimary};
+  const std::vector<bool>& shared = emittable.options.shared;
+  if (!shared.empty() && shared[place.index]) return {"plcxx::Once(m[" + name + "])", Precedence::kPrimary};
   if (!emittable.program->places[place].indexed) return {"m[" + name + "]", Precedence::kPrimary};
   return {"m[At(" + name + ", " + Spell(emittable, local_names, index).text + ")]", Precedence::kPrimary};
 }
