@@ -27,7 +27,8 @@ struct EmitOptions {
   /// Files of the program's code, kMostParts at most; 0: as many as its size asks for, named by their content. A fixed
   /// number is for build systems that have to know their outputs before: name.cpp, name_2.cpp, ... name_N.cpp.
   uint32_t parts = 0;
-  /// By PlaceId: both parts use it, and the fast part may interrupt the slow part (plcxx emit --preemptive). Empty: none.
+  /// By PlaceId: both parts use it, and the fast part may interrupt the slow part (plcxx emit --preemptive). Empty:
+  /// none.
   std::vector<bool> shared;
 };
 inline constexpr uint32_t kMostParts = 64;
