@@ -19,6 +19,7 @@ constexpr const char* kFooter = R"(Examples:
   plcxx report turret.sym turret.plc --cross-reference    who reads and who writes, with file and line
   plcxx report turret.sym turret.plc --cost-listing       the estimated time of each statement
   plcxx report lathe.il --resources                       what the program uses of what the control has
+  plcxx report mill.cld --lists                           handlers, alarms, codes, cells, variables, limits
 
 Tables go to standard output. A page with ladder pictures comes with a later version.
 Exit codes: 0 done, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
@@ -164,19 +165,40 @@ void PrintResources(const Compilation& compilation) {
   }
 }
 
+/// What the specification of the dialect asks for beside the program.
+void PrintLists(const Compilation& compilation) {
+  if (compilation.summary.tables.empty()) std::cout << compilation.dialect->title << " has no further lists\n";
+  for (const dialects::SummaryTable& table : compilation.summary.tables) {
+    std::vector<size_t> widths;
+    for (size_t i = 0; i < table.columns.size(); ++i) {
+      widths.push_back(table.columns[i].size());
+      for (const auto& row : table.rows) widths[i] = std::max(widths[i], row[i].size());
+    }
+    const auto line = [&widths](const std::vector<std::string>& row) {
+      std::string text = " ";
+      for (size_t i = 0; i < row.size(); ++i) text += ' ' + Padded(row[i], widths[i] + 1);
+      std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
+    };
+    std::cout << table.title << (table.rows.empty() ? ": none\n" : "\n");
+    if (!table.rows.empty()) line(table.columns);
+    std::ranges::for_each(table.rows, line);
+  }
+}
+
 struct ReportOptions {
   CommonOptions common;
   bool symbols = false;
   bool cross_reference = false;
   bool costs = false;
   bool resources = false;
+  bool lists = false;
 };
 
 int RunReport(const ReportOptions& options) {
   std::optional<CompilationRequest> request = MakeRequest(options.common);
   if (!request) return kWrongUse;
-  if (!options.symbols && !options.cross_reference && !options.costs && !options.resources) {
-    PrintUsageError("report needs a table: --print-symbols, --cross-reference, --cost-listing or --resources");
+  if (!options.symbols && !options.cross_reference && !options.costs && !options.resources && !options.lists) {
+    PrintUsageError("report needs a table: --print-symbols, --cross-reference, --cost-listing, --resources or --lists");
     return kWrongUse;
   }
   const Compilation compilation = Compile(*request, Stage::kChecked);
@@ -188,6 +210,7 @@ int RunReport(const ReportOptions& options) {
   if (options.cross_reference) PrintCrossReference(compilation);
   if (options.costs) PrintCosts(compilation);
   if (options.resources) PrintResources(compilation);
+  if (options.lists) PrintLists(compilation);
   return kDone;
 }
 
@@ -201,6 +224,7 @@ void AddReport(CLI::App& app, Run& run) {
   command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");
   command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");
   command->add_flag("--resources", options->resources, "What the program uses of what the control has");
+  command->add_flag("--lists", options->lists, "Further lists of the dialect: handlers, alarms, codes, cells, limits");
   command->footer(kFooter);
   command->callback([options, &run] { run = [options] { return RunReport(*options); }; });
 }
