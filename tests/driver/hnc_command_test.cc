@@ -158,5 +158,41 @@ TEST(HncCommand, ReportNamesCellsAsTheMacrosDo) {
   EXPECT_THAT(work.Run("report mill.cld --cross-reference").out, HasSubstr("R[0]  mode_sel"));
 }
 
+// covers: HNC-349 HNC-350
+TEST(HncCommand, ListsForTheDocumentationOfTheMachine) {
+  const Workplace work;
+  work.Write(
+      "mill.cld",
+      "#include \"plc.h\"\n#define feed_limit P[30]\nint scans = 5;\n"
+      "void on_m(int ch) {\n    switch (mod_M_code(ch)) { case 3: Y[1] |= 8; break; case 0x1E: Y[1] &= ~8; }\n"
+      "    mod_M_code(ch) = -1;\n}\n"
+      "void off(void) { Y[1] = 0; *sys_ext_alm() &= ~4; }\n"
+      "void init() { plc1_time = 16; plc2_time = 32; set_mst_func(0, 'M', on_m);\n"
+      "    if (P[0]) set_mst_func(2, 'T', on_m); }\n"
+      "void plc1() {\n    int i;\n    for (i = 0; i < 12; i++) R[i] = X[i];\n"
+      "    if (X[0] & 0x81) *sys_ext_alm() |= 0x0204; /* air pressure */\n    if (feed_limit > scans++) off();\n}\n"
+      "void plc2() { R_ui[30] = G_ui[163][0] & 0x30; }\n");
+  const Ran report = work.Run("report mill.cld --lists -Wno-W20");
+  EXPECT_EQ(report.code, 0) << report;
+  const auto has_line = [&report](const std::string& pattern) {
+    EXPECT_THAT(report.out, ::testing::ContainsRegex(pattern));
+  };
+  has_line("0 +M +on_m +always +mill.cld:9");
+  has_line("2 +T +on_m +at run time +mill.cld:10");
+  has_line("3 +2 +mill.cld:14 +air pressure");
+  has_line("10 +9 +mill.cld:14 +air pressure");
+  has_line("M +3 +on_m +mill.cld:5");
+  has_line("M +30 +on_m +mill.cld:5");
+  has_line("Y1.2 +off +plc1");
+  has_line("Y1.3 +off on_m +plc1");
+  has_line("G251.9 +plc1 +plc1");
+  has_line("P.30. +feed_limit +plc1");
+  has_line("X.0. +0 7 +plc1");
+  has_line("G.163. +4 5 +plc2");
+  has_line("R_ui.30. +all +plc2 +plc2");
+  has_line("scans +int +5 +plc1 +plc1 +plc1");
+  has_line("plc1 +plc1 +12 +1");
+}
+
 }  // namespace
 }  // namespace plcxx::driver

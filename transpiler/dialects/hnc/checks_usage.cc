@@ -8,14 +8,11 @@
 
 #include "transpiler/dialects/hnc/checks.h"
 #include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/stores.h"
 #include "transpiler/dialects/hnc/walk.h"
 
 namespace plcxx::hnc {
 namespace {
-
-bool IsStore(const Expr& expr) {
-  return expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign || expr.kind == ExprKind::kIncrement;
-}
 
 /// How the program uses its variables.
 struct Usage {
@@ -105,29 +102,6 @@ void WarnOfUnused(const CheckContext& context) {
   }
 }
 
-/// Which bits of a byte a store changes; 0xFF where constants do not tell.
-struct ChangedBits {
-  ObjectId object;
-  int64_t offset = 0;
-  uint32_t size = 0;
-  uint64_t mask = 0;
-};
-
-std::optional<ChangedBits> ChangedBy(const CheckContext& context, const Expr& store) {
-  const std::optional<StaticAddress> at = context.facts.AddressOf(store.a);
-  if (!at) return std::nullopt;
-  const uint32_t size = context.unit.types[context.unit.expressions[store.a].type].size;
-  if (size == 0 || size > 8) return std::nullopt;
-  const uint64_t all = size == 8 ? ~uint64_t{0} : (uint64_t{1} << (8 * size)) - 1;
-  ChangedBits changed{at->object, at->offset, size, all};
-  const bool compound = store.kind == ExprKind::kCompoundAssign && context.unit.expressions[store.b].constant;
-  if (!compound) return changed;
-  const auto value = static_cast<uint64_t>(context.unit.expressions[store.b].constant->integer);
-  if (store.binary == BinaryOp::kBitOr || store.binary == BinaryOp::kBitXor) changed.mask = value & all;
-  if (store.binary == BinaryOp::kBitAnd) changed.mask = ~value & all;
-  return changed;
-}
-
 std::string TextOf(const CheckContext& context, ExprId id) {
   return std::string(context.sources.Text(context.unit.expressions[id].range));
 }
@@ -156,7 +130,7 @@ void WarnOfStores(const CheckContext& context) {
         context.diagnostics.Report(expr.range, diag::HncInputWritten, TextOf(context, expr.a));
       }
       if ((parts & (kPartFast | kPartSlow)) == 0) return;
-      const std::optional<ChangedBits> changed = ChangedBy(context, expr);
+      const std::optional<ChangedBits> changed = ChangedBy(unit, context.facts, expr);
       if (!changed) return;
       const Object& object = context.objects[changed->object];
       const bool output =
@@ -196,7 +170,7 @@ void WarnOfSecondStores(const CheckContext& context) {
       if (statement.kind != StatementKind::kExpression || !statement.expression.valid()) continue;
       const Expr& expr = unit.expressions[statement.expression];
       if (!IsStore(expr) || !unit.expressions[expr.a].type.valid()) continue;
-      const std::optional<ChangedBits> changed = ChangedBy(context, expr);
+      const std::optional<ChangedBits> changed = ChangedBy(unit, context.facts, expr);
       if (!changed || !context.objects.IsArea(changed->object, Area::kY)) continue;
       bool twice = false;
       for (uint32_t bit = 0; bit < 8 * changed->size; ++bit) {
@@ -230,44 +204,9 @@ void WarnOfPeriods(const CheckContext& context) {
   }
 }
 
-/// The word of G that an lvalue names for channel 0, and whether the channel is computed.
-struct ModWord {
-  int64_t word = 0;
-  bool computed = false;
-};
-std::optional<ModWord> WordOfG(const CheckContext& context, ExprId lvalue) {
-  const Unit& unit = context.unit;
-  if (const std::optional<StaticAddress> at = context.facts.AddressOf(lvalue)) {
-    if (!context.objects.IsArea(at->object, Area::kG)) return std::nullopt;
-    return ModWord{at->offset / 2, false};
-  }
-  const Expr& expr = unit.expressions[lvalue];
-  if (expr.kind != ExprKind::kDereference || unit.expressions[expr.a].kind != ExprKind::kLoad) return std::nullopt;
-  const Expr& element = unit.expressions[unit.expressions[expr.a].a];
-  if (element.kind != ExprKind::kIndex || unit.expressions[element.a].kind != ExprKind::kVariable) return std::nullopt;
-  const Variable& table = unit.variables[unit.expressions[element.a].variable];
-  if (!table.view || table.view->area != Area::kG) return std::nullopt;
-  ModWord found{0, true};
-  std::vector<ExprId> open = {element.b};
-  while (!open.empty()) {
-    const Expr& part = unit.expressions[open.back()];
-    open.pop_back();
-    if (part.constant) {
-      found.word += part.constant->integer;
-    } else if (part.kind == ExprKind::kConvert) {
-      open.push_back(part.a);
-    } else if (part.kind == ExprKind::kBinary && part.binary == BinaryOp::kAdd) {
-      open.push_back(part.a);
-      open.push_back(part.b);
-    }
-  }
-  return found;
-}
-
 void WarnOfHandlers(const CheckContext& context) {
   const Unit& unit = context.unit;
   constexpr std::string_view kNames[] = {"mod_M_code", "mod_S_code", "mod_T_code", "mod_B_code"};
-  constexpr uint32_t kFirstModWord = 170, kChannelWords = 20;
   std::set<std::pair<int64_t, bool>> completed;
   for (const FunctionId id : unit.definitions) {
     if ((context.facts.PartsOf(id) & (kPartFast | kPartSlow)) == 0) continue;
@@ -276,7 +215,8 @@ void WarnOfHandlers(const CheckContext& context) {
       if (expr.kind != ExprKind::kAssign || !unit.expressions[expr.b].constant) return;
       const int64_t value = unit.expressions[expr.b].constant->integer;
       if (value != -1 && value != 0xFFFF) return;
-      if (const std::optional<ModWord> word = WordOfG(context, expr.a)) completed.insert({word->word, word->computed});
+      if (const std::optional<ModWord> word = WordOfG(unit, context.objects, context.facts, expr.a))
+        completed.insert({word->word, word->computed});
     });
   }
   for (const Registration& registration : context.facts.registrations()) {

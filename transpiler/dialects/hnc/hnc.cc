@@ -9,6 +9,7 @@
 #include "transpiler/dialects/hnc/parser.h"
 #include "transpiler/dialects/hnc/recognize.h"
 #include "transpiler/dialects/hnc/stub.h"
+#include "transpiler/dialects/hnc/summary.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -28,6 +29,9 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   dialects::Lowered lowered;
   lowered.summary = {.lines = unit.line_count, .statements = unit.statement_count};
   lowered.program = Lower(unit, settings, *request.sources, *request.diagnostics);
+  if (!request.diagnostics->HasErrors()) {
+    lowered.summary.tables = SummaryTables(unit, lowered.program, *request.sources);
+  }
   request.diagnostics->LimitErrors(kMostErrors);
   return lowered;
 }
