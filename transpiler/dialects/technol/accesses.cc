@@ -65,4 +65,30 @@ bool Touches(const Operand& operand, Area area, uint32_t offset, uint32_t bytes,
   return operand.address.offset < offset + bytes && offset < operand.address.offset + operand.width / 8;
 }
 
+void TouchedMemory::Add(const Operand& operand) {
+  if (operand.is_activation_bit()) return;
+  const bool bit = operand.kind == OperandKind::kBit;
+  Bytes& area = areas_[operand.address.area];
+  if (!bit && operand.address.index != Register::kNone) {
+    area.anywhere = true;
+    return;
+  }
+  if (operand.address.offset < 0) return;
+  const auto first = static_cast<size_t>(operand.address.offset), end = first + (bit ? 1 : operand.width / 8);
+  if (area.bits.size() < end) area.bits.resize(end);
+  for (size_t i = first; i < end; ++i) area.bits[i] |= static_cast<uint8_t>(bit ? 1U << operand.bit : 0xFFU);
+}
+
+bool TouchedMemory::Holds(Area area, uint32_t offset, uint32_t bytes, uint8_t bit) const {
+  const auto found = areas_.find(area);
+  if (found == areas_.end()) return false;
+  if (found->second.anywhere) return true;
+  const std::vector<uint8_t>& bits = found->second.bits;
+  const uint32_t wanted = bit == 8 ? 0xFFU : 1U << bit;
+  for (size_t i = offset; i < bits.size() && i < size_t{offset} + bytes; ++i) {
+    if ((bits[i] & wanted) != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace plcxx::technol

@@ -26,4 +26,18 @@ std::vector<MemoryAccess> AccessesOf(const Program& program);
 /// from its first byte on, and what lies before by a negative index.
 bool Touches(const Operand& operand, Area area, uint32_t offset, uint32_t bytes, uint8_t bit);
 
+/// The same of many accesses at once: what is asked costs its own bytes, however many accesses there are.
+class TouchedMemory {
+ public:
+  void Add(const Operand& operand);
+  bool Holds(Area area, uint32_t offset, uint32_t bytes, uint8_t bit) const;
+
+ private:
+  struct Bytes {
+    std::vector<uint8_t> bits;  // of each byte up to the last one that is touched
+    bool anywhere = false;      // by an index
+  };
+  std::map<Area, Bytes> areas_;
+};
+
 }  // namespace plcxx::technol

@@ -1,8 +1,10 @@
 #include "transpiler/dialects/technol/warnings.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "transpiler/dialects/technol/accesses.h"
 #include "transpiler/dialects/technol/parser.h"
@@ -42,10 +44,6 @@ class Warner {
     if (!unit.valid() || program_.units[unit].kind == UnitKind::kSubprograms) return "the subprograms";
     return program_.units[unit].name;
   }
-  static bool SameBit(const Operand& a, const Operand& b) {
-    if (a.is_activation_bit() || b.is_activation_bit()) return a.mechanism.valid() && a.mechanism == b.mechanism;
-    return a.address.area == b.address.area && a.address.offset == b.address.offset && a.bit == b.bit;
-  }
 
   void DoubleCoils();
   void ReadsAndWrites();
@@ -53,7 +51,6 @@ class Warner {
   void ControlOwned();
   void Requests();
   void SharedByParts();
-  bool IsTouched(const Symbol& symbol, bool writes) const;
 
   const Flow& flow_;
   const Program& program_;
@@ -63,45 +60,46 @@ class Warner {
 
 /// TW006: by WR at two places of a module, or by WR and FL there.
 void Warner::DoubleCoils() {
-  for (size_t i = 0; i < accesses_.size(); ++i) {
-    const MemoryAccess& access = accesses_[i];
-    if (!Writes(access.kind) || access.kind == AccessKind::kStore || access.operand->kind != OperandKind::kBit)
-      continue;
-    for (size_t k = 0; k < i; ++k) {
-      const MemoryAccess& before = accesses_[k];
-      const bool bit = before.operand->kind == OperandKind::kBit && before.kind != AccessKind::kRead;
-      if (!bit || ModuleOf(before.at) != ModuleOf(access.at) || !SameBit(*before.operand, *access.operand)) continue;
-      const bool first = before.kind == AccessKind::kCoil, second = access.kind == AccessKind::kCoil;
-      if (!first && !second) continue;
-      const std::string unit = UnitName(ModuleOf(access.at));
-      if (first && second) {
-        At(access.at, diag::TechnolDoubleCoil, NameOf(*access.operand), unit);
-      } else {
-        At(access.at, diag::TechnolCoilAndFlag, NameOf(*access.operand), unit);
-      }
-      break;
+  struct Written {
+    bool first_is_coil = false, by_coil = false;
+  };
+  std::map<std::tuple<UnitId, UnitId, Area, int64_t, uint8_t>, Written> bits;  // by module, then mechanism or place
+  for (const MemoryAccess& access : accesses_) {
+    const Operand& operand = *access.operand;
+    if (!Writes(access.kind) || access.kind == AccessKind::kStore || operand.kind != OperandKind::kBit) continue;
+    const UnitId module = ModuleOf(access.at);
+    const bool coil = access.kind == AccessKind::kCoil;
+    const auto [found, is_first] =
+        operand.is_activation_bit()
+            ? bits.try_emplace({module, operand.mechanism, Area::kNone, 0, uint8_t{0}})
+            : bits.try_emplace({module, UnitId(), operand.address.area, operand.address.offset, operand.bit});
+    Written& before = found->second;
+    if (is_first) {
+      before.first_is_coil = coil;
+    } else if (coil && before.first_is_coil) {
+      At(access.at, diag::TechnolDoubleCoil, NameOf(operand), UnitName(module));
+    } else if (coil || before.by_coil) {
+      At(access.at, diag::TechnolCoilAndFlag, NameOf(operand), UnitName(module));
     }
+    before.by_coil |= coil;
   }
-}
-
-bool Warner::IsTouched(const Symbol& symbol, bool writes) const {
-  const bool bit = symbol.kind == SymbolKind::kBit;
-  return std::any_of(accesses_.begin(), accesses_.end(), [&](const MemoryAccess& access) {
-    return Writes(access.kind) == writes &&
-           Touches(*access.operand, symbol.area, symbol.offset, bit ? 1 : symbol.bytes, bit ? symbol.bit : kAnyBit);
-  });
 }
 
 /// TW007, TW008: cells and bits of the program's own data. A value that is declared counts as written.
 void Warner::ReadsAndWrites() {
+  TouchedMemory reads, writes;
+  for (const MemoryAccess& access : accesses_) (Writes(access.kind) ? writes : reads).Add(*access.operand);
   for (const Symbol& symbol : program_.symbols) {
     const bool bit = symbol.kind == SymbolKind::kBit;
     if (symbol.origin != SymbolOrigin::kSource || (!bit && symbol.kind != SymbolKind::kCell)) continue;
     if (symbol.area != Area::kUser && symbol.area != Area::kOut && symbol.area != Area::kIn) continue;
-    const bool read = IsTouched(symbol, false), written = IsTouched(symbol, true);
+    const uint32_t bytes = bit ? 1 : symbol.bytes;
+    const uint8_t which = bit ? symbol.bit : kAnyBit;
+    const bool read = reads.Holds(symbol.area, symbol.offset, bytes, which);
+    const bool written = writes.Holds(symbol.area, symbol.offset, bytes, which);
     const std::string kind = bit ? "bit" : "cell";
     if (read && !written && symbol.area != Area::kIn) {
-      const auto end = std::min<size_t>(symbol.offset + (bit ? 1 : symbol.bytes), program_.user_data.size());
+      const auto end = std::min<size_t>(symbol.offset + bytes, program_.user_data.size());
       const bool declared =
           symbol.area == Area::kUser &&
           std::any_of(program_.user_data.begin() + symbol.offset,
@@ -116,29 +114,36 @@ void Warner::ReadsAndWrites() {
 
 /// TW009.
 void Warner::Mechanisms() {
+  std::set<UnitId> started;
+  for (const MemoryAccess& access : accesses_) {
+    const bool sets = access.kind == AccessKind::kSet || access.kind == AccessKind::kCoil;
+    if (sets && access.operand->is_activation_bit()) started.insert(access.operand->mechanism);
+  }
   for (uint32_t i = 0; i < program_.units.size(); ++i) {
     const Unit& unit = program_.units[UnitId(i)];
-    if (unit.kind != UnitKind::kMechanism) continue;
-    const bool started = std::any_of(accesses_.begin(), accesses_.end(), [&](const MemoryAccess& access) {
-      return access.operand->is_activation_bit() && access.operand->mechanism == UnitId(i) &&
-             (access.kind == AccessKind::kSet || access.kind == AccessKind::kCoil);
-    });
-    if (!started) diagnostics_.Report(unit.open, diag::TechnolNeverActivated, unit.name);
+    if (unit.kind != UnitKind::kMechanism || started.contains(UnitId(i))) continue;
+    diagnostics_.Report(unit.open, diag::TechnolNeverActivated, unit.name);
   }
 }
 
 /// TW012: what the control or the machine writes.
 void Warner::ControlOwned() {
+  std::map<Area, std::vector<const Symbol*>> owned;
+  for (const Symbol& symbol : program_.symbols) {
+    const bool cell = symbol.kind == SymbolKind::kCell && symbol.bytes <= 4 && symbol.origin != SymbolOrigin::kSource;
+    if (!cell || (symbol.direction != Direction::kMachineIn && symbol.direction != Direction::kNcToPlc)) continue;
+    if (symbol.area == Area::kSys && symbol.name == "SYSNC") continue;  // its bits are the scheduler's
+    owned[symbol.area].push_back(&symbol);
+  }
   std::set<InstructionId> reported;
   for (const MemoryAccess& access : accesses_) {
     if (!Writes(access.kind) || access.operand->is_activation_bit()) continue;
     const Address& address = access.operand->address;
     const uint32_t bytes = access.operand->kind == OperandKind::kBit ? 1 : access.operand->width / 8U;
-    for (const Symbol& symbol : program_.symbols) {
-      if (symbol.origin == SymbolOrigin::kSource || symbol.area != address.area) continue;
-      const bool cell = symbol.kind == SymbolKind::kCell && symbol.bytes <= 4;
-      if (!cell || (symbol.direction != Direction::kMachineIn && symbol.direction != Direction::kNcToPlc)) continue;
-      if (address.area == Area::kSys && symbol.name == "SYSNC") continue;  // its bits are the scheduler's
+    const auto here = owned.find(address.area);
+    if (here == owned.end()) continue;
+    for (const Symbol* of_area : here->second) {
+      const Symbol& symbol = *of_area;
       const bool touches = address.index == Register::kNone
                                ? Touches(*access.operand, symbol.area, symbol.offset, symbol.bytes, kAnyBit)
                                : address.offset >= symbol.offset && address.offset < symbol.offset + symbol.bytes;
@@ -191,28 +196,27 @@ void Warner::Requests() {
 
 /// TW025: wider than a byte, written in both parts.
 void Warner::SharedByParts() {
-  std::set<std::tuple<Area, int64_t>> reported;
   const auto is_fast = [&](InstructionId id) {
     const UnitId unit = ModuleOf(id);
     return unit.valid() && program_.units[unit].kind == UnitKind::kModule &&
            program_.units[unit].module == ModuleKind::kFast;
   };
+  TouchedMemory slow;
+  for (const MemoryAccess& access : accesses_) {
+    const UnitId unit = ModuleOf(access.at);
+    const bool counts = unit.valid() && program_.units[unit].kind != UnitKind::kSubprograms &&
+                        program_.units[unit].module != ModuleKind::kInit;
+    if (Writes(access.kind) && counts && !is_fast(access.at)) slow.Add(*access.operand);
+  }
+  std::set<std::tuple<Area, int64_t>> reported;
   for (const MemoryAccess& fast : accesses_) {
     const Operand& operand = *fast.operand;
     if (!Writes(fast.kind) || !is_fast(fast.at) || operand.kind != OperandKind::kMemory || operand.width <= 8) continue;
-    for (const MemoryAccess& slow : accesses_) {
-      const UnitId unit = ModuleOf(slow.at);
-      const bool counts = unit.valid() && program_.units[unit].kind != UnitKind::kSubprograms &&
-                          program_.units[unit].module != ModuleKind::kInit;
-      if (!Writes(slow.kind) || !counts || is_fast(slow.at) || operand.address.index != Register::kNone) continue;
-      if (!Touches(*slow.operand, operand.address.area, static_cast<uint32_t>(operand.address.offset),
-                   operand.width / 8U, kAnyBit)) {
-        continue;
-      }
-      if (!reported.insert({operand.address.area, operand.address.offset}).second) break;
-      At(fast.at, diag::TechnolSharedByParts, operand.symbol.valid() ? NameOf(operand) : ToText(program_, operand));
-      break;
-    }
+    const Address& address = operand.address;
+    const auto offset = static_cast<uint32_t>(address.offset);
+    if (address.index != Register::kNone || !slow.Holds(address.area, offset, operand.width / 8U, kAnyBit)) continue;
+    if (!reported.insert({address.area, address.offset}).second) continue;
+    At(fast.at, diag::TechnolSharedByParts, operand.symbol.valid() ? NameOf(operand) : ToText(program_, operand));
   }
 }
 
