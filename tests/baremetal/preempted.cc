@@ -11,7 +11,7 @@ namespace {
 #define EXPECTS_MIXTURE 0
 #endif
 
-constexpr uint32_t kPasses = 20'000;
+constexpr uint32_t kPasses = 4'000;
 constexpr uint32_t kTickUs = 20;  // some thousand instructions: it meets many passes in their middle
 
 }  // namespace
