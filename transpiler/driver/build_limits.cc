@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include "transpiler/cost/cost_model.h"
@@ -99,7 +100,7 @@ std::optional<uint64_t> ParseClock(std::string_view text) {
   const double hz = number * known->hz;
   constexpr double kMostHz = 1e12;
   if (!(hz >= 1 && hz <= kMostHz)) return std::nullopt;
-  return static_cast<uint64_t>(hz + 0.5);
+  return static_cast<uint64_t>(std::llround(hz));
 }
 
 void CheckLimits(const BuildFigures& figures, const BuildLimits& limits, uint64_t clock_hz, Compilation& compilation) {

@@ -6,6 +6,7 @@
 #include <llvm/Support/MemoryBuffer.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "transpiler/compile/audit_module.h"
 
@@ -135,9 +136,9 @@ void ObjectReader::ReadReferences() {
       const CodeSymbol& symbol = facts_.symbols[reference.symbol];
       if (symbol.defined || symbol.name.empty()) continue;
       SymbolUse use{section_names[section], reference.symbol};
-      auto function = function_at_.upper_bound({section, offset});
-      if (function != function_at_.begin() && (--function)->first.first == section) {
-        use.user = facts_.symbols[function->second].text;
+      const auto behind = function_at_.upper_bound({section, offset});
+      if (behind != function_at_.begin() && std::prev(behind)->first.first == section) {
+        use.user = facts_.symbols[std::prev(behind)->second].text;
       }
       const auto same = [&](const SymbolUse& other) { return other.user == use.user && other.symbol == use.symbol; };
       if (std::ranges::none_of(facts_.uses, same)) facts_.uses.push_back(std::move(use));
