@@ -153,9 +153,10 @@ class Summary {
 
   /// Bits that a constant raises; what clears them is no alarm.
   void NoteAlarms(const ChangedBits& changed, const Expr& store) {
+    if (store.kind == ExprKind::kIncrement) return;
     const std::optional<Constant>& constant = unit_.expressions[store.b].constant;
     const bool clears = store.kind == ExprKind::kCompoundAssign && store.binary == BinaryOp::kBitAnd;
-    if (store.kind == ExprKind::kIncrement || !constant || clears) return;
+    if (!constant || clears) return;
     const uint64_t bits = static_cast<uint64_t>(constant->integer) & changed.mask;
     for (uint32_t bit = 0; bit < kAlarms; ++bit) {
       const int64_t byte = kAlarmOffset + bit / 8;
