@@ -21,7 +21,8 @@ struct Temporaries {
 
   void CountUses();
   void Region(ir::RegionId region);
-  void Consume(ir::ValueId value, bool only_unary);
+  void Consume(ir::ValueId value, bool only_unary, uint32_t at);
+  void MakeLocal(ir::ValueId value);
 };
 
 void Temporaries::CountUses() {
@@ -33,21 +34,33 @@ void Temporaries::CountUses() {
   }
 }
 
-/// `value` is about to be spelled inside the instruction that runs at epoch `now`.
-void Temporaries::Consume(ir::ValueId value, bool only_unary) {
+/// A local is spelled where it is computed, and what it is made of inside it.
+void Temporaries::MakeLocal(ir::ValueId value) {
+  if (local[value.index]) return;
+  local[value.index] = true;
+  const ir::Inst& inst = program[value];
+  const ir::Shape shape = ir::Info(inst.op).shape;
+  if (shape != ir::Shape::kPure && shape != ir::Shape::kLoad) return;  // its operands were consumed when it was met
+  for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
+    Consume(operand, ir::Info(inst.op).operand_count == 1, epoch[value.index]);
+  }
+}
+
+/// `value` is about to be spelled inside an instruction that runs at the epoch `at`.
+void Temporaries::Consume(ir::ValueId value, bool only_unary, uint32_t at) {
   const ir::Inst& inst = program[value];
   if (local[value.index] || inst.op == ir::OpKind::kConst || inst.op == ir::OpKind::kPoison) return;
   const ir::Shape shape = ir::Info(inst.op).shape;
   const bool step = shape != ir::Shape::kPure && shape != ir::Shape::kLoad;
-  const bool stale = reads[value.index] && epoch[value.index] != now;
+  const bool stale = reads[value.index] && epoch[value.index] != at;
   // A step's result may only be spelled where it is all that is evaluated: C++ leaves the order of operands open.
   if (uses[value.index] > 1 || stale || (step && !only_unary)) {
-    local[value.index] = true;
+    MakeLocal(value);
     return;
   }
   if (step) return;  // its operands were consumed when it was met
   for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
-    Consume(operand, only_unary && ir::Info(inst.op).operand_count == 1);
+    Consume(operand, only_unary && ir::Info(inst.op).operand_count == 1, at);
   }
 }
 
@@ -67,8 +80,7 @@ void Temporaries::Region(ir::RegionId region) {
         epoch[id.index] = now;
         for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
           const bool stale = reads[operand.index] && epoch[operand.index] != now;
-          if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst))
-            local[operand.index] = true;
+          if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst)) MakeLocal(operand);
           if (!local[operand.index] && reads[operand.index]) reads[id.index] = true;
         }
         break;
@@ -87,7 +99,7 @@ void Temporaries::Region(ir::RegionId region) {
       case ir::Shape::kJump:
       case ir::Shape::kLabel: {
         const std::vector<ir::ValueId> operands = ir::UsedValues(program, inst);
-        for (const ir::ValueId operand : operands) Consume(operand, operands.size() == 1);
+        for (const ir::ValueId operand : operands) Consume(operand, operands.size() == 1, now);
         if (shape != ir::Shape::kBlock) ++now;  // to enter a block does nothing
         epoch[id.index] = now;
         reads[id.index] = true;
