@@ -813,12 +813,13 @@ void spindle(State& m, Host& host) noexcept {
       if (S16(m[top_speed]) > 0) {
         // dac = (long) spindle_speed * speed_percent() / 100 * DAC_FULL / top_speed;
         const uint32_t t1 = SignExtend16To32(m[spindle_speed]);
-        const uint32_t t2 = Mul32(SignedDiv32(Mul32(t1, speed_percent(m, host)), 100), 4095);
-        const uint32_t t3 = SignExtend16To32(m[top_speed]);
-        if (t3 == 0) {
+        const uint16_t t2 = speed_percent(m, host);
+        const uint32_t t3 = Mul32(SignedDiv32(Mul32(t1, t2), 100), 4095);
+        const uint32_t t4 = SignExtend16To32(m[top_speed]);
+        if (t4 == 0) {
           record_fault(m, 1, 0x20A46D02, host);
         }
-        dac = SignedDiv32(t2, t3);
+        dac = SignedDiv32(t3, t4);
       }
       // if (dac > DAC_FULL)
       if (S32(dac) > 4095) {

@@ -491,12 +491,13 @@ void SR20(State& m, Host& host) noexcept {
   // OPRT TUR_TGT = TUR_POS + 1
   // GT   TUR_TGT, 8
   // MOV  1, TUR_TGT
-  const bool t2 = m[MODE_JOG] & Rising(m[KEY_TURRET_edge], m[KEY_TURRET]) & (m[TUR_STEP] == 0);
-  if (t2) {
+  const bool t2 = Rising(m[KEY_TURRET_edge], m[KEY_TURRET]);
+  const bool t3 = m[MODE_JOG] & t2 & (m[TUR_STEP] == 0);
+  if (t3) {
     m[TUR_STEP] = 1;
     m[TUR_TGT] = Add32(m[TUR_POS], 1);
   }
-  if (t2 & (S32(m[TUR_TGT]) > 8)) {
+  if (t3 & (S32(m[TUR_TGT]) > 8)) {
     m[TUR_TGT] = 1;
   }
 
@@ -511,11 +512,11 @@ void SR20(State& m, Host& host) noexcept {
   // MPP
   // ANI  TUR_THERMAL
   // MOV  9, TUR_STEP
-  const bool t3 = (S32(m[TUR_STEP]) >= 1) & (S32(m[TUR_STEP]) <= 3);
-  if (TONS(m[T_TURRET], t3, 8, 8)) {
+  const bool t4 = (S32(m[TUR_STEP]) >= 1) & (S32(m[TUR_STEP]) <= 3);
+  if (TONS(m[T_TURRET], t4, 8, 8)) {
     m[TUR_STEP] = 9;
   }
-  if (t3 & !m[TUR_THERMAL]) {
+  if (t4 & !m[TUR_THERMAL]) {
     m[TUR_STEP] = 9;
   }
 
@@ -548,22 +549,22 @@ void SR20(State& m, Host& host) noexcept {
     // RST  TUR_FORWARD
     // ROT  8, TUR_POS, TUR_TGT, TUR_PRE, M=0
     // SET  TUR_FORWARD          ; Q = 1: 正转
-    const bool t4 = (!m[TUR_LOCKED]) & (m[TUR_STEP] == 1);
-    if (t4) {
+    const bool t5 = (!m[TUR_LOCKED]) & (m[TUR_STEP] == 1);
+    if (t5) {
       m[TUR_STEP] = 2;
       m[TUR_FORWARD] = false;
     }
-    const uint32_t t5 = Sub32(m[TUR_POS], 1);
-    const uint32_t t6 = Sub32(m[TUR_TGT], 1);
-    const bool t7 = OnRing(8, t5, t6);
-    if (t4) {
-      if (t7) {
-        m[TUR_PRE] = Add32(RingBefore(8, t5, t6), 1);
+    const uint32_t t6 = Sub32(m[TUR_POS], 1);
+    const uint32_t t7 = Sub32(m[TUR_TGT], 1);
+    const bool t8 = OnRing(8, t6, t7);
+    if (t5) {
+      if (t8) {
+        m[TUR_PRE] = Add32(RingBefore(8, t6, t7), 1);
       } else {
         fault(host, fault_code::ROT_RANGE, 20, 7);
       }
     }
-    if (t4 & t7 & RingForward(8, t5, t6)) {
+    if (t5 & t8 & RingForward(8, t6, t7)) {
       m[TUR_FORWARD] = true;
     }
     // NETWORK L0008 "到位停止 / stop at the target"
@@ -580,11 +581,11 @@ void SR20(State& m, Host& host) noexcept {
     // MOV  TUR_POS, TOOL_POS
     // ANI  T_STROBE
     // MOV  0, TUR_STEP
-    const bool t8 = m[TUR_STEP] == 4;
-    if (t8) {
+    const bool t9 = m[TUR_STEP] == 4;
+    if (t9) {
       m[TOOL_POS] = m[TUR_POS];
     }
-    if (t8 & !m[T_STROBE]) {
+    if (t9 & !m[T_STROBE]) {
       m[TUR_STEP] = 0;
     }
   }
@@ -600,9 +601,9 @@ void SR20(State& m, Host& host) noexcept {
   // ANI  TUR_FORWARD
   // ANI  TUR_FWD
   // OUT  TUR_REV
-  const bool t9 = m[TUR_STEP] == 2;
-  m[TUR_FWD] = t9 & m[TUR_FORWARD] & !m[TUR_REV];
-  m[TUR_REV] = t9 & !m[TUR_FORWARD] & !m[TUR_FWD];
+  const bool t10 = m[TUR_STEP] == 2;
+  m[TUR_FWD] = t10 & m[TUR_FORWARD] & !m[TUR_REV];
+  m[TUR_REV] = t10 & !m[TUR_FORWARD] & !m[TUR_FWD];
 
   // LD   1
   // EQ   TUR_STEP, 1
@@ -618,11 +619,11 @@ void SR20(State& m, Host& host) noexcept {
   // AND  T_STROBE
   // OUT  T_DONE
   // OUT  TOOL_DONE
-  const bool t10 = m[TUR_STEP] == 4;
-  m[TOOL_UPDATE] = t10;
-  const bool t11 = t10 & m[T_STROBE];
-  m[T_DONE] = t11;
-  m[TOOL_DONE] = t11;
+  const bool t11 = m[TUR_STEP] == 4;
+  m[TOOL_UPDATE] = t11;
+  const bool t12 = t11 & m[T_STROBE];
+  m[T_DONE] = t12;
+  m[TOOL_DONE] = t12;
 }
 
 // SUB SR30: 冷却
@@ -754,9 +755,10 @@ void SR33(State& m, Host&) noexcept {
   // MPP
   // AND  CHUCK_CMD
   // RST  CHUCK_CMD
-  const bool t1 = Rising(m[PEDAL_edge], m[PEDAL]) & m[SPEED_ZERO] & !m[SP_RUN] & !m[NC_RUNNING];
-  m[CHUCK_ON] = t1 & !m[CHUCK_CMD];
-  if (t1 & m[CHUCK_CMD]) {
+  const bool t1 = Rising(m[PEDAL_edge], m[PEDAL]);
+  const bool t2 = t1 & m[SPEED_ZERO] & !m[SP_RUN] & !m[NC_RUNNING];
+  m[CHUCK_ON] = t2 & !m[CHUCK_CMD];
+  if (t2 & m[CHUCK_CMD]) {
     m[CHUCK_CMD] = false;
   }
 
