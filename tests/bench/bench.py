@@ -19,6 +19,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import emulated  # noqa: E402
 import generate_accumulator  # noqa: E402
+import generate_hnc  # noqa: E402
 import generate_nc110  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -28,6 +29,7 @@ QUIET = {
     "prostep": generate_accumulator.ProStep.warnings,
     "host50": generate_accumulator.Host50.warnings,
     "technol": generate_accumulator.Technol.warnings,
+    "hnc": ["W1"],
 }
 RUNTIME = ROOT / "runtime_support"
 
@@ -63,6 +65,10 @@ def write_sources(dialect, count, directory):
     if dialect == "nc110":
         generate_nc110.write(count, directory)
         return "program.plc", 10, lambda: None
+    if dialect == "hnc":
+        program = generate_hnc.write(count, directory)
+        (directory / "compare.cpp").write_text(f"#define STATEMENTS {count}\n" + generate_nc110.COMPARE)
+        return "program.cld", 16, lambda: generate_hnc.write_glue(program, directory)
     machine = generate_accumulator.machine_of(dialect)
     program = generate_accumulator.write(machine, count, directory)
     (directory / "compare.cpp").write_text(f"#define STATEMENTS {count}\n#define PERIOD {machine.period_ms}\n" + generate_nc110.COMPARE)
