@@ -5,9 +5,11 @@
 
 Times are processor seconds of one core. Columns: transpiling (time, time per statement, peak memory), g++ -O2 of the generated code, cost of a scan against the
 same program written by hand with one byte per bit and 250 statements a function; code size on x86-64, Cortex-M4, RV32, and
-on the latter two the instructions of a scan in the emulator, their ratio, the worst scan against the mean.
+on the latter two the instructions of a scan in the emulator, their ratio, the worst scan against the mean, and the longest path of
+`plcxx build` against the worst scan.
 """
 import argparse
+import json
 import os
 import pathlib
 import resource
@@ -80,6 +82,16 @@ def emit_command(plcxx, dialect, source):
     return [plcxx, "emit", source, "--dialect", dialect, "--name", "program", "-o", ".", *quiet]
 
 
+def longest_path(plcxx, source, target, directory):
+    """What `plcxx build` says that a period of an NC-110 program takes at most, in instructions."""
+    command = emit_command(plcxx, "nc110", source)
+    command[command.index("emit")] = "build"
+    command[command.index("-o") + 1] = target
+    subprocess.run([*command, "--target", target], cwd=directory, check=True, capture_output=True)
+    report = json.loads((directory / target / "program.report.json").read_text())
+    return next(part["instructions"] for part in report["build"]["partitions"] if part["name"] == "period")
+
+
 def measure(plcxx, dialect, count, base):
     directory = base / f"{dialect}{count}"
     source, period, write_glue = write_sources(dialect, count, directory)
@@ -115,6 +127,9 @@ def measure(plcxx, dialect, count, base):
         glue = directory / "glue.cpp"
         compile_all([tool + "g++"], flags, [glue], directory)
         row |= emulated.instructions(name, directory, [*generated, reference, glue], count, period)
+        if dialect == "nc110" and f"{name} worst instr" in row:
+            target = {"M4": "cortex-m4", "RV32": "rv32imac"}[name]
+            row[f"{name} bound/worst"] = longest_path(plcxx, source, target, directory) / row[f"{name} worst instr"]
     return row
 
 

@@ -152,4 +152,5 @@ def instructions(name, directory, sources, count, period):
     if len(numbers) != 4:
         raise SystemExit(f"{name}: no figures from the emulator: {text}")
     by_hand, _, mean, worst = map(int, numbers)
-    return {f"{name} instr/stmt": mean / count, f"{name} instr ratio": mean / by_hand, f"{name} worst/mean": worst / mean}
+    return {f"{name} instr/stmt": mean / count, f"{name} instr ratio": mean / by_hand, f"{name} worst/mean": worst / mean,
+            f"{name} worst instr": worst}
