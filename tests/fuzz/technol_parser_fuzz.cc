@@ -27,6 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         sources.AddBytes(table ? "/nowhere/TAB1.TCH" : "/nowhere/a.plc", bytes, technol::SourceOptions());
     if (const auto* file = std::get_if<plcxx::source::FileId>(&loaded)) request.files.push_back(*file);
   }
+  if (request.files.empty()) return 0;  // the command line asks for one
   technol::Settings settings;
   settings.evidence = technol::EvidenceRule::kStrict;
   const technol::Program program = technol::Parse(request, settings);

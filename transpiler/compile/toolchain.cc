@@ -13,24 +13,26 @@ constexpr int kVersionSeconds = 20;
 
 /// What all code is compiled with. No jump tables: an indirect jump would hide where the longest path goes, and a
 /// switch of a machine program is a few comparisons.
-constexpr std::string_view kFlags[] = {"-std=c++17",
-                                       "-ffreestanding",
-                                       "-fno-exceptions",
-                                       "-fno-rtti",
-                                       "-fno-unwind-tables",
-                                       "-fno-asynchronous-unwind-tables",
-                                       "-fno-threadsafe-statics",
-                                       "-fno-stack-protector",
-                                       "-fno-jump-tables",
-                                       "-fomit-frame-pointer",
-                                       "-ffunction-sections",
-                                       "-fdata-sections",
-                                       "-Wall",
-                                       "-Wextra",
-                                       "-Wconversion",
-                                       "-Wshadow",
-                                       "-Werror",
-                                       "-g1"};
+constexpr std::string_view kFlags[] = {
+    "-std=c++17",
+    "-ffreestanding",
+    "-fno-exceptions",
+    "-fno-rtti",
+    "-fno-unwind-tables",
+    "-fno-asynchronous-unwind-tables",
+    "-fno-threadsafe-statics",
+    "-fno-stack-protector",
+    "-fno-jump-tables",
+    "-fomit-frame-pointer",
+    "-ffunction-sections",
+    "-fdata-sections",
+    "-ffp-contract=off",  // a product is rounded before it is added, as in the simulator
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Wshadow",
+    "-Werror",
+    "-g1"};
 
 struct PackageRow {
   std::string_view prefix;
