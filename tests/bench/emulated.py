@@ -67,7 +67,7 @@ static intptr_t Semihost(uint32_t call, const void* argument) {
 static void StartTicks() {}
 static uint32_t Ticks() { uintptr_t count; asm volatile("csrr %0, 0xC02" : "=r"(count)); return static_cast<uint32_t>(count); }
 static const uint32_t kInstructions = 1;
-asm(".section .start,\"ax\"\n.globl start\nstart:\nla sp, stack_top\nj run\n");
+asm(".section .start,\"ax\"\n.globl start\nstart:\nla sp, stack_top\ntail run\n");
 #endif
 static void Print(const char* text) { Semihost(4, text); }
 static void Print(uint64_t value) {
