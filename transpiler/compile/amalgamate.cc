@@ -6,15 +6,15 @@
 #include <string_view>
 #include <utility>
 
-#include "transpiler/compile/embedded_runtime.h"
+#include "transpiler/compile/runtime_files.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::compile {
 namespace {
 
 std::string_view RuntimeHeader(std::string_view name) {
-  for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
-    if (kRuntimeHeaders[i].name == name) return {kRuntimeHeaders[i].text, kRuntimeHeaders[i].size};
+  for (const RuntimeFile& header : RuntimeFiles()) {
+    if (header.name == name) return header.text;
   }
   PLCXX_UNREACHABLE();  // the printer includes what is embedded
 }
@@ -58,7 +58,7 @@ class Joiner {
       // A source may include several programs.
       const std::string guard = "PLCXX_RUNTIME_" + InCapitals(name.substr(kRuntime.size()));
       out_ += "#ifndef " + guard + "\n#define " + guard + "\n";
-      Add(RuntimeHeader(name.substr(kRuntime.size())));
+      Add(RuntimeHeader(name));
       out_ += "#endif  // " + guard + "\n\n";
     } else if (line.find('<') != std::string_view::npos) {
       out_ += std::string(line) + "\n";

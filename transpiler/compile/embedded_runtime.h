@@ -1,13 +1,11 @@
 // The headers of runtime_support inside the tool, so that a moved binary can still compile what it generated.
 #pragma once
 
+#include "transpiler/support/embedded_file.h"
+
 namespace plcxx::compile {
 
-struct EmbeddedFile {
-  const char* name;  // "timers.h"
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
 
 extern const EmbeddedFile kRuntimeHeaders[];
 extern const unsigned kRuntimeHeadersCount;

@@ -1,13 +1,11 @@
 // What the build generates from explain/*.md (plcxx_embed in cmake/PlcxxTargets.cmake).
 #pragma once
 
+#include "transpiler/support/embedded_file.h"
+
 namespace plcxx::diag {
 
-struct EmbeddedFile {
-  const char* name;  // "nc110-41.md"
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
 
 extern const EmbeddedFile kExplainPages[];  // sorted by name
 extern const unsigned kExplainPagesCount;

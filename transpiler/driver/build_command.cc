@@ -62,12 +62,10 @@ Exit codes: 0 built, 1 the program has errors or the audit found some (nothing w
 
 struct BuildSettings {
   CommonOptions common;
-  std::string name;
-  std::string directory;
+  OutputOptions output;
   std::string target;
   std::string compiler;
   std::string level = "2";
-  std::string dependency_file;
   unsigned jobs = 0;
   std::string clock;
   BuildLimits limits;
@@ -177,11 +175,12 @@ class Build {
     }
     OutputRequest output;
     // The deeper directory, so that both are made.
-    output.directory = compilation_.has_program ? PathIn(settings_.directory, "plcxx") : settings_.directory;
+    output.directory =
+        compilation_.has_program ? PathIn(settings_.output.directory, "plcxx") : settings_.output.directory;
     output.files = std::move(files_);
-    for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.directory, file.name);
+    for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.output.directory, file.name);
     output.protected_paths = PathsRead(compilation_);
-    if (!settings_.dependency_file.empty()) AddDependencyFile(output);
+    if (!settings_.output.dependency_file.empty()) AddDependencyFile(output);
     progress_.Show("writing");
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation_);
   }
@@ -189,9 +188,9 @@ class Build {
   /// Its targets are what a build system waits for: header and library.
   void AddDependencyFile(OutputRequest& output) const {
     const std::string& name = compilation_.name;
-    const std::vector<std::string> targets = {PathIn(settings_.directory, name + ".hpp"),
-                                              PathIn(settings_.directory, "lib" + name + ".a")};
-    output.files.push_back({settings_.dependency_file, DependencyRule(targets, output.protected_paths)});
+    const std::vector<std::string> targets = {PathIn(settings_.output.directory, name + ".hpp"),
+                                              PathIn(settings_.output.directory, "lib" + name + ".a")};
+    output.files.push_back({settings_.output.dependency_file, DependencyRule(targets, output.protected_paths)});
   }
 
   unsigned Jobs() const {
@@ -209,7 +208,7 @@ class Build {
 };
 
 int RunBuild(const BuildSettings& settings) {
-  std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
@@ -218,10 +217,6 @@ int RunBuild(const BuildSettings& settings) {
       names += (names.empty() ? "" : ", ") + std::string(known.name);
     PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names
                                             : "'" + settings.target + "' is no target; there are: " + names);
-    return kWrongUse;
-  }
-  if (!settings.name.empty() && !IsFileName(settings.name)) {
-    PrintUsageError("'--name " + settings.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
     return kWrongUse;
   }
   uint64_t clock_hz = 0;
@@ -243,7 +238,6 @@ int RunBuild(const BuildSettings& settings) {
     PrintUsageError("limits are compared with measured figures, which --no-audit leaves out");
     return kWrongUse;
   }
-  request->name = settings.name;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
@@ -263,15 +257,7 @@ void AddBuild(CLI::App& app, Run& run) {
   const auto settings = std::make_shared<BuildSettings>();
   AddCommonOptions(*command, settings->common);
   command->add_option("--target", settings->target, "What to compile for, see below")->type_name("T")->group("Output");
-  command->add_option("--name", settings->name, "Name of the program and its files; else from the first logic source")
-      ->type_name("NAME")
-      ->group("Output");
-  command->add_option("-o", settings->directory, "Directory of the files, made when missing; else the current one")
-      ->type_name("DIR")
-      ->group("Output");
-  command->add_option("--depfile", settings->dependency_file, "Also write the files read as a rule of Make")
-      ->type_name("FILE")
-      ->group("Output");
+  AddOutputOptions(*command, settings->output);
   command
       ->add_option("--compiler", settings->compiler,
                    "GCC or Clang, also behind a launcher ('ccache g++'); else the target's own GCC")

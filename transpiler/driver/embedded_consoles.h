@@ -1,13 +1,11 @@
 // The files of consoles/ inside the tool, so that a moved binary can still build harnesses.
 #pragma once
 
+#include "transpiler/support/embedded_file.h"
+
 namespace plcxx::driver {
 
-struct EmbeddedFile {
-  const char* name;  // "host.h"
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
 
 extern const EmbeddedFile kConsoleFiles[];
 extern const unsigned kConsoleFilesCount;

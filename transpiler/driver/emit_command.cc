@@ -33,9 +33,7 @@ Exit codes: 0 written, 1 the program has errors (nothing written), 2 wrong use, 
 
 struct EmitSettings {
   CommonOptions common;
-  std::string name;
-  std::string directory;
-  std::string dependency_file;
+  OutputOptions output;
   bool line_directives = false;
   bool debug = false;
   bool quiet = false;
@@ -46,7 +44,7 @@ struct EmitSettings {
 
 OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation, std::vector<bool> shared) {
   OutputRequest output;
-  output.directory = settings.directory;
+  output.directory = settings.output.directory;
   if (compilation.has_program) {
     emit::EmitOptions options;
     options.name = compilation.name;
@@ -65,25 +63,20 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
     for (const emit::OutputFile& file : output.files) names.push_back(file.name);
     output.files.push_back({compilation.name + ".report.json", ReportJson(compilation, names, {})});
   }
-  for (emit::OutputFile& file : output.files) file.name = PathIn(settings.directory, file.name);
+  for (emit::OutputFile& file : output.files) file.name = PathIn(settings.output.directory, file.name);
 
   output.protected_paths = PathsRead(compilation);
-  if (!settings.dependency_file.empty()) {
+  if (!settings.output.dependency_file.empty()) {
     std::vector<std::string> targets;
     for (const emit::OutputFile& file : output.files) targets.push_back(file.name);
-    output.files.push_back({settings.dependency_file, DependencyRule(targets, output.protected_paths)});
+    output.files.push_back({settings.output.dependency_file, DependencyRule(targets, output.protected_paths)});
   }
   return output;
 }
 
 int RunEmit(const EmitSettings& settings) {
-  std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
-  if (!settings.name.empty() && !IsFileName(settings.name)) {
-    PrintUsageError("'--name " + settings.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
-    return kWrongUse;
-  }
-  request->name = settings.name;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
@@ -108,15 +101,7 @@ void AddEmit(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("emit", "Write C++, symbol map, line map and report");
   const auto settings = std::make_shared<EmitSettings>();
   AddCommonOptions(*command, settings->common);
-  command->add_option("--name", settings->name, "Name of the program and its files; else from the first logic source")
-      ->type_name("NAME")
-      ->group("Output");
-  command->add_option("-o", settings->directory, "Directory of the files, made when missing; else the current one")
-      ->type_name("DIR")
-      ->group("Output");
-  command->add_option("--depfile", settings->dependency_file, "Also write the files read as a rule of Make")
-      ->type_name("FILE")
-      ->group("Output");
+  AddOutputOptions(*command, settings->output);
   command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")
       ->group("Output");
   CLI::Option* parts =

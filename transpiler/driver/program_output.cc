@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "transpiler/driver/terminal.h"
+
 namespace plcxx::driver {
 namespace {
 
@@ -13,6 +15,26 @@ struct CannotWriteRow {
 constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
 
 }  // namespace
+
+void AddOutputOptions(CLI::App& command, OutputOptions& options) {
+  const auto add = [&command](const char* option, std::string& value, const char* type, const char* meaning) {
+    command.add_option(option, value, meaning)->type_name(type)->group("Output");
+  };
+  add("--name", options.name, "NAME", "Name of the program and its files; else from the first logic source");
+  add("-o", options.directory, "DIR", "Directory of the files, made when missing; else the current one");
+  add("--depfile", options.dependency_file, "FILE", "Also write the files read as a rule of Make");
+}
+
+std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, const OutputOptions& options) {
+  std::optional<CompilationRequest> request = MakeRequest(common);
+  if (!request) return std::nullopt;
+  if (!options.name.empty() && !IsFileName(options.name)) {
+    PrintUsageError("'--name " + options.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
+    return std::nullopt;
+  }
+  request->name = options.name;
+  return request;
+}
 
 std::vector<std::string> PathsRead(const Compilation& compilation) {
   std::vector<std::string> paths;

@@ -1,13 +1,27 @@
 // What emit and build share of writing the files of a program.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/driver/output_files.h"
 
 namespace plcxx::driver {
+
+struct OutputOptions {
+  std::string name;             // of the program and its files; empty: from the first logic source
+  std::string directory;        // empty: the current one
+  std::string dependency_file;  // empty: none
+};
+
+/// --name, -o, --depfile.
+void AddOutputOptions(CLI::App& command, OutputOptions& options);
+
+/// MakeRequest with the name among the options; none when that cannot name files, either.
+std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, const OutputOptions& options);
 
 /// The files that were read: no output may overwrite them.
 std::vector<std::string> PathsRead(const Compilation& compilation);

@@ -8,14 +8,12 @@
 #include <string_view>
 
 #include "transpiler/dialects/host50/machine.h"
+#include "transpiler/support/embedded_file.h"
 
 namespace plcxx::host50 {
 
-struct EmbeddedFile {
-  const char* name;
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
+
 extern const EmbeddedFile kSignalTable[];
 extern const unsigned kSignalTableCount;
 

@@ -11,14 +11,12 @@
 #include <vector>
 
 #include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/support/embedded_file.h"
 
 namespace plcxx::nc110 {
 
-struct EmbeddedFile {
-  const char* name;
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
+
 extern const EmbeddedFile kSignalTable[];
 extern const unsigned kSignalTableCount;
 

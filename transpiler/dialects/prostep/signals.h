@@ -9,14 +9,12 @@
 #include <string>
 
 #include "transpiler/dialects/prostep/machine.h"
+#include "transpiler/support/embedded_file.h"
 
 namespace plcxx::prostep {
 
-struct EmbeddedFile {
-  const char* name;
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
+
 extern const EmbeddedFile kSignalTable[];
 extern const unsigned kSignalTableCount;
 

@@ -12,14 +12,12 @@
 
 #include "transpiler/dialects/technol/machine.h"
 #include "transpiler/dialects/technol/symbols.h"
+#include "transpiler/support/embedded_file.h"
 
 namespace plcxx::technol {
 
-struct EmbeddedFile {
-  const char* name;
-  unsigned size;
-  const char* text;
-};
+using support::EmbeddedFile;
+
 extern const EmbeddedFile kSignalTable[];
 extern const unsigned kSignalTableCount;
 

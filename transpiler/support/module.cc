@@ -1,0 +1,21 @@
+#include "transpiler/support/module.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace plcxx::support {
+
+ModuleFunction LoadFunction(const std::string& module, const char* symbol) {
+  std::error_code error;
+  const std::filesystem::path tool = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return {nullptr, "the tool's own place is not known"};
+  const std::filesystem::path path = tool.parent_path().parent_path() / "lib" / module;
+  void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) return {nullptr, module + " cannot be loaded from ../lib beside the tool"};
+  void* const address = dlsym(handle, symbol);
+  return {address, address == nullptr ? module + " belongs to another version" : std::string()};
+}
+
+}  // namespace plcxx::support
