@@ -1,0 +1,51 @@
+// The state of a program as one row of cells: what symbolic execution reads and writes.
+//
+// Memory is one cell of width 1 for each bit, so that bits, bytes and words of any byte order share it; a field of an
+// instance is one cell of its own width (arrays: one for each element); and of each host function the calls so far are
+// one cell of 64 bits, see execute.h. Cells are numbered in this order. In: a program. Not its job: values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+
+namespace plcxx::prove {
+
+/// Number of a cell.
+using CellId = support::Id<struct CellTag>;
+
+enum class CellKind : uint8_t { kBit, kField, kCalls };
+
+struct Cell {
+  CellKind kind{};
+  ir::SpaceId space;        // of kBit
+  uint32_t offset = 0;      // byte
+  uint8_t bit = 0;          // 0 is the least significant
+  ir::StateId state;        // of kField
+  uint8_t field = 0;        // index of ir::Info(kind).fields
+  uint8_t element = 0;      // of an array
+  ir::HostFunctionId host;  // of kCalls
+};
+
+struct Cells {
+  std::vector<uint32_t> spaces;  // by SpaceId: cell of bit 0 of byte 0
+  std::vector<uint32_t> states;  // by StateId: first cell
+  uint32_t calls = 0;            // cell of host function 0
+  uint32_t count = 0;
+
+  CellId OfBit(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
+    return CellId(spaces[space.index] + 8 * offset + bit);
+  }
+  CellId OfCalls(ir::HostFunctionId host) const { return CellId(calls + host.index); }
+};
+
+Cells MakeCells(const ir::Program& program);
+Cell CellAt(const ir::Program& program, const Cells& cells, CellId id);
+/// Bits of the cell's value.
+uint8_t CellWidth(const ir::Program& program, const Cell& cell);
+/// The same for the same cell of two versions of a program: "U.10.3", "T5.elapsed_ms", "calls of fault".
+std::string CellName(const ir::Program& program, const Cell& cell);
+
+}  // namespace plcxx::prove

@@ -1,0 +1,104 @@
+// Executes routines of the typed IR on terms: after it every cell is a term over what the cells were before.
+//
+// In: a structured program (slices cut or not, as the simulator takes it), a routine. Out: the memory. The semantics is
+// that of sim/simulator.h, written down a second time and without runtime_support. Branches are joined with Ite, an
+// exit makes what follows conditional, loops are unrolled as far as their conditions are not known to be false.
+// Host calls: what a function has been told is one term, calls' = told(calls, arguments); what it answers depends on
+// that term alone, so two programs that call a function alike get the same answers (and a program may not learn from
+// one function what it has told another one). Not its job: whether states are reachable (compare/).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/prove/execute/cells.h"
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+/// What surrounds an execution.
+struct Environment {
+  /// The value of a cell that nothing has written yet; asked once for each cell that is read.
+  std::function<TermId(CellId cell)> initial;
+  /// The answer to the schedule's `now`.
+  TermId now;
+  /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.
+  uint32_t most_rounds = 4096;
+  uint32_t most_terms = 20'000'000;
+};
+
+/// The cells of one program in the middle of an execution.
+class Memory {
+ public:
+  Memory(Terms& terms, const ir::Program& program, const Cells& cells, Environment environment);
+
+  TermId Read(CellId cell);
+  void Write(CellId cell, TermId value);
+  /// Whether the execution has written the cell since the memory was made; Read of others gives the initial value.
+  bool IsWritten(CellId cell) const { return written_[cell.index]; }
+
+  /// A place that is not indexed; width of its type.
+  TermId ReadPlace(const ir::Place& place);
+  void WritePlace(const ir::Place& place, TermId value);
+
+  /// From here on changed cells are remembered; TakeChanges ends the innermost Begin: it gives the changed cells with
+  /// their values, ascending, and puts the values before it back.
+  struct Change {
+    CellId cell;
+    TermId value;
+  };
+  void BeginChanges();
+  std::vector<Change> TakeChanges();
+
+  Terms& terms() { return *terms_; }
+  const ir::Program& program() const { return *program_; }
+  const Cells& cells() const { return *cells_; }
+  const Environment& environment() const { return environment_; }
+  Environment& environment() { return environment_; }
+
+ private:
+  struct Undo {
+    CellId cell;
+    TermId before;
+    bool was_written;
+    uint32_t stamp;
+  };
+
+  Terms* terms_;
+  const ir::Program* program_;
+  const Cells* cells_;
+  Environment environment_;
+  std::vector<TermId> values_;  // invalid: not asked for yet
+  std::vector<bool> written_;
+  std::vector<uint32_t> stamps_;  // the Begin during which the cell's value was noted last
+  std::vector<std::vector<Undo>> undo_;
+  std::vector<uint32_t> open_stamps_;
+  uint32_t next_stamp_ = 1;
+};
+
+/// Why an execution was given up; empty: it was not. The memory is of no use then.
+using Refusal = std::string;
+
+/// Executes a routine whose parameters get `arguments`, as a call of it from outside does: named locals are 0.
+Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> arguments = {});
+
+/// The functions that stand for host calls; compiled code is executed with the same ones. `function` is the name of
+/// the host function.
+TermId CallsAfter(Terms& terms, std::string_view function, TermId calls, std::span<const TermId> arguments);
+/// Its result after that call.
+TermId AnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
+/// Whether it gave a second result, and which.
+TermId GivesSecond(Terms& terms, std::string_view function, TermId calls);
+TermId SecondAnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
+/// A byte of a space after a call that writes the state: of `space` by its name.
+TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::string_view space, uint32_t offset);
+/// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState (all
+/// of a space that is not divided into zones), all of a retentive space by kWritesRetentive.
+bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
+
+}  // namespace plcxx::prove

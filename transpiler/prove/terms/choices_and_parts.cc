@@ -1,0 +1,227 @@
+// Comparisons, choices, and parts of terms: what memory, bits in words and joins of branches are made of.
+#include <bit>
+#include <utility>
+
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+TermId Terms::EqOfConst(TermId a, TermId constant) {
+  const Term term = terms_[a.index];
+  const uint64_t value = Value(constant);
+  if (term.width == 1) return value == 1 ? a : Not(a);
+  switch (term.kind) {
+    case TermKind::kNot:
+      return Eq(TermId(term.a), Const(~value, term.width));
+    case TermKind::kConcat: {
+      const uint8_t low = Width(TermId(term.b));
+      return And(Eq(TermId(term.a), Const(value >> low, Width(TermId(term.a)))), Eq(TermId(term.b), Const(value, low)));
+    }
+    case TermKind::kIte:
+      // A choice between constants is a question about its condition.
+      if (IsConst(TermId(term.b)) && IsConst(TermId(term.c))) {
+        return Ite(TermId(term.a), Bit(Value(TermId(term.b)) == value), Bit(Value(TermId(term.c)) == value));
+      }
+      break;
+    case TermKind::kAdd:
+      if (IsConst(TermId(term.a))) return Eq(TermId(term.b), Const(value - Value(TermId(term.a)), term.width));
+      if (IsConst(TermId(term.b))) return Eq(TermId(term.a), Const(value - Value(TermId(term.b)), term.width));
+      break;
+    case TermKind::kXor:
+      if (IsConst(TermId(term.a))) return Eq(TermId(term.b), Const(value ^ Value(TermId(term.a)), term.width));
+      if (IsConst(TermId(term.b))) return Eq(TermId(term.a), Const(value ^ Value(TermId(term.b)), term.width));
+      break;
+    case TermKind::kConst:
+    case TermKind::kVariable:
+    case TermKind::kAnd:
+    case TermKind::kOr:
+    case TermKind::kSub:
+    case TermKind::kMul:
+    case TermKind::kUdiv:
+    case TermKind::kUrem:
+    case TermKind::kSdiv:
+    case TermKind::kSrem:
+    case TermKind::kShl:
+    case TermKind::kLshr:
+    case TermKind::kAshr:
+    case TermKind::kEq:
+    case TermKind::kUlt:
+    case TermKind::kSlt:
+    case TermKind::kExtract:
+    case TermKind::kApply:
+      break;
+  }
+  return Binary(TermKind::kEq, a, constant, 1);
+}
+
+TermId Terms::Eq(TermId a, TermId b) {
+  PLCXX_CHECK(Width(a) == Width(b));
+  if (a == b) return one_;
+  if (IsConst(a) && IsConst(b)) return zero_;
+  if (IsConst(a)) return EqOfConst(b, a);
+  if (IsConst(b)) return EqOfConst(a, b);
+  if (Width(a) == 1) return Not(Xor(a, b));
+  if (IsNotOf(a, b) || IsNotOf(b, a)) return zero_;
+  const Term one = terms_[a.index], other = terms_[b.index];
+  if (one.kind == TermKind::kConcat && other.kind == TermKind::kConcat &&
+      Width(TermId(one.b)) == Width(TermId(other.b))) {
+    return And(Eq(TermId(one.a), TermId(other.a)), Eq(TermId(one.b), TermId(other.b)));
+  }
+  if (b < a) std::swap(a, b);
+  return Binary(TermKind::kEq, a, b, 1);
+}
+
+TermId Terms::Ult(TermId a, TermId b) {
+  if (a == b || IsZero(b)) return zero_;
+  if (Width(a) == 1) return And(Not(a), b);
+  if (IsZero(a)) return Ne(a, b);
+  const uint64_t ones = Masked(~uint64_t{0}, Width(a));
+  if (IsConst(a) && Value(a) == ones) return zero_;
+  if (IsConst(b) && Value(b) == 1) return Eq(a, Const(0, Width(a)));
+  // Zeros above both: compare what is below them.
+  const Term one = terms_[a.index], other = terms_[b.index];
+  if (one.kind == TermKind::kConcat && IsZero(TermId(one.a))) {
+    const uint8_t low = Width(TermId(one.b));
+    if (other.kind == TermKind::kConcat && IsZero(TermId(other.a)) && Width(TermId(other.b)) == low) {
+      return Ult(TermId(one.b), TermId(other.b));
+    }
+    if (IsConst(b)) {
+      return Value(b) > Masked(~uint64_t{0}, low) ? one_ : Ult(TermId(one.b), Const(Value(b), low));
+    }
+  }
+  if (other.kind == TermKind::kConcat && IsZero(TermId(other.a)) && IsConst(a)) {
+    const uint8_t low = Width(TermId(other.b));
+    return Value(a) >= Masked(~uint64_t{0}, low) ? zero_ : Ult(Const(Value(a), low), TermId(other.b));
+  }
+  return Binary(TermKind::kUlt, a, b, 1);
+}
+
+TermId Terms::Slt(TermId a, TermId b) {
+  if (a == b) return zero_;
+  const uint8_t width = Width(a);
+  if (width == 1) return And(a, Not(b));
+  // Numbers that cannot be negative compare alike in both readings.
+  const auto is_positive = [this, width](TermId id) {
+    const Term term = terms_[id.index];
+    if (term.kind == TermKind::kConst) return (Value(id) >> (width - 1)) == 0;
+    return term.kind == TermKind::kConcat && IsZero(TermId(term.a));
+  };
+  if (is_positive(a) && is_positive(b)) return Ult(a, b);
+  if (IsZero(b)) return Extract(a, static_cast<uint8_t>(width - 1), 1);
+  return Binary(TermKind::kSlt, a, b, 1);
+}
+
+TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
+  PLCXX_CHECK(Width(condition) == 1 && Width(then) == Width(otherwise));
+  if (IsTrue(condition) || then == otherwise) return then;
+  if (IsFalse(condition)) return otherwise;
+  if (terms_[condition.index].kind == TermKind::kNot) {
+    return Ite(TermId(terms_[condition.index].a), otherwise, then);
+  }
+  // What a branch knows of its own condition.
+  if (const Term term = terms_[then.index]; term.kind == TermKind::kIte && term.a == condition.index) {
+    return Ite(condition, TermId(term.b), otherwise);
+  }
+  if (const Term term = terms_[otherwise.index]; term.kind == TermKind::kIte && term.a == condition.index) {
+    return Ite(condition, then, TermId(term.c));
+  }
+  if (Width(then) == 1) {
+    if (then == condition || IsTrue(then)) return Or(condition, otherwise);
+    if (otherwise == condition || IsFalse(otherwise)) return And(condition, then);
+    if (IsFalse(then)) return And(Not(condition), otherwise);
+    if (IsTrue(otherwise)) return Or(Not(condition), then);
+    if (IsNotOf(then, otherwise) || IsNotOf(otherwise, then)) return Xor(Not(condition), then);
+  }
+  // Parts that both sides share, as when one bit of a word is written.
+  const Term one = terms_[then.index], other = terms_[otherwise.index];
+  if (one.kind == TermKind::kConcat && other.kind == TermKind::kConcat &&
+      Width(TermId(one.b)) == Width(TermId(other.b)) && (one.a == other.a || one.b == other.b)) {
+    return Concat(Ite(condition, TermId(one.a), TermId(other.a)), Ite(condition, TermId(one.b), TermId(other.b)));
+  }
+  return Add({TermKind::kIte, one.width, condition.index, then.index, otherwise.index});
+}
+
+TermId Terms::Concat(TermId high, TermId low) {
+  const auto width = static_cast<uint8_t>(Width(high) + Width(low));
+  PLCXX_CHECK(width <= 64);
+  if (IsConst(high) && IsConst(low)) return Const((Value(high) << Width(low)) | Value(low), width);
+  const Term top = terms_[high.index];
+  // Nested to the right, so that equal rows of parts are one term.
+  if (top.kind == TermKind::kConcat) return Concat(TermId(top.a), Concat(TermId(top.b), low));
+  const Term rest = terms_[low.index];
+  const bool nested = rest.kind == TermKind::kConcat;
+  const TermId next = nested ? TermId(rest.a) : low;  // the part right below `high`
+  const auto join = [&](TermId joined) { return nested ? Concat(joined, TermId(rest.b)) : joined; };
+  if (nested && IsConst(high) && IsConst(next)) return join(Concat(high, next));
+  if (const Term below = terms_[next.index]; top.kind == TermKind::kExtract && below.kind == TermKind::kExtract &&
+                                             top.a == below.a && below.b + below.width == top.b) {
+    return join(Extract(TermId(top.a), static_cast<uint8_t>(below.b), static_cast<uint8_t>(top.width + below.width)));
+  }
+  return Add({TermKind::kConcat, width, high.index, low.index});
+}
+
+TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
+  const Term term = terms_[a.index];
+  PLCXX_CHECK(width >= 1 && low + width <= term.width);
+  if (width == term.width) return a;
+  // Parts of a part are found once: without it the work would double with every shared operand.
+  const Term asked{TermKind::kExtract, width, a.index, low};
+  if (const auto found = extracts_.find(asked); found != extracts_.end()) return TermId(found->second);
+  const TermId result = ExtractNew(term, a, low, width);
+  extracts_.emplace(asked, result.index);
+  return result;
+}
+
+TermId Terms::ExtractNew(const Term& term, TermId a, uint8_t low, uint8_t width) {
+  switch (term.kind) {
+    case TermKind::kConst:
+      return Const(Value(a) >> low, width);
+    case TermKind::kExtract:
+      return Extract(TermId(term.a), static_cast<uint8_t>(term.b + low), width);
+    case TermKind::kConcat: {
+      const TermId high(term.a), rest(term.b);
+      const uint8_t border = Width(rest);
+      if (low >= border) return Extract(high, static_cast<uint8_t>(low - border), width);
+      if (low + width <= border) return Extract(rest, low, width);
+      return Concat(Extract(high, 0, static_cast<uint8_t>(low + width - border)),
+                    Extract(rest, low, static_cast<uint8_t>(border - low)));
+    }
+    // Bit by bit: the bits of a word that is masked or chosen are terms of their own.
+    case TermKind::kNot:
+      return Not(Extract(TermId(term.a), low, width));
+    case TermKind::kAnd:
+      return And(Extract(TermId(term.a), low, width), Extract(TermId(term.b), low, width));
+    case TermKind::kOr:
+      return Or(Extract(TermId(term.a), low, width), Extract(TermId(term.b), low, width));
+    case TermKind::kXor:
+      return Xor(Extract(TermId(term.a), low, width), Extract(TermId(term.b), low, width));
+    case TermKind::kIte:
+      return Ite(TermId(term.a), Extract(TermId(term.b), low, width), Extract(TermId(term.c), low, width));
+    // The low bits of a sum are the sum of the low bits.
+    case TermKind::kAdd:
+      if (low == 0) return Add(Extract(TermId(term.a), 0, width), Extract(TermId(term.b), 0, width));
+      break;
+    case TermKind::kSub:
+      if (low == 0) return Sub(Extract(TermId(term.a), 0, width), Extract(TermId(term.b), 0, width));
+      break;
+    case TermKind::kMul:
+      if (low == 0) return Mul(Extract(TermId(term.a), 0, width), Extract(TermId(term.b), 0, width));
+      break;
+    case TermKind::kVariable:
+    case TermKind::kUdiv:
+    case TermKind::kUrem:
+    case TermKind::kSdiv:
+    case TermKind::kSrem:
+    case TermKind::kShl:
+    case TermKind::kLshr:
+    case TermKind::kAshr:
+    case TermKind::kEq:
+    case TermKind::kUlt:
+    case TermKind::kSlt:
+    case TermKind::kApply:
+      break;
+  }
+  return Add({TermKind::kExtract, width, a.index, low});
+}
+
+}  // namespace plcxx::prove
