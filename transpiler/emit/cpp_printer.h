@@ -20,10 +20,22 @@ struct PrintedLoop {
   std::optional<uint64_t> rounds;  // the most that it makes; none: only a budget that others share bounds it
 };
 
+/// Whose the lines of a generated file are, from `line` (from 1) up to the next one's.
+struct LineOwner {
+  uint32_t line = 0;
+  ir::StatementId statement;  // none: no statement's
+};
+
+/// Names of the locals declared so far, by InstId.
+using LocalNames = std::unordered_map<uint32_t, std::string>;
+
 struct OutputFile {
   std::string name;  // without directory
   std::string text;
-  std::vector<PrintedLoop> loops = {};  // of a .cpp file, in the order of the text
+  // Of a .cpp file, in the order of the text:
+  std::vector<PrintedLoop> loops = {};
+  std::vector<LineOwner> owners = {};
+  LocalNames locals = {};
 };
 
 /// <name>.hpp, <name>.cpp and, for large programs, <name>_<part>.cpp.
@@ -44,9 +56,6 @@ std::string PrintHeader(const Emittable& emittable);
 std::string PrintTags(const Emittable& emittable);
 std::string PrintState(const Emittable& emittable);
 OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
-
-/// Names of the locals declared so far, by InstId.
-using LocalNames = std::unordered_map<uint32_t, std::string>;
 
 /// The C++ expression of a value; locals by their names.
 struct Spelling {

@@ -45,7 +45,12 @@ void PartPrinter::CloseFunction() {
     head += (i == 0 ? "" : ", ") +
             (named(parameters_[i].substr(blank + 1)) ? parameters_[i] : parameters_[i].substr(0, blank));
   }
-  out_.insert(body_begin_, head + ") noexcept {\n");
+  head += ") noexcept {\n";
+  out_.insert(body_begin_, head);
+  for (auto owner = owners_.rbegin(); owner != owners_.rend() && owner->offset >= body_begin_; ++owner) {
+    owner->offset += head.size();
+  }
+  Own({});
   out_ += "}\n\n";
   indent_ = 0;
 }
@@ -232,10 +237,24 @@ std::vector<PrintedLoop> PartPrinter::FindLoops(std::string_view text) const {
   return found;
 }
 
+std::vector<LineOwner> PartPrinter::FindOwners(std::string_view text) const {
+  std::vector<LineOwner> found;
+  uint32_t line = 1;
+  size_t at = 0;
+  for (const Owner& owner : owners_) {
+    line += static_cast<uint32_t>(std::count(text.begin() + at, text.begin() + owner.offset, '\n'));
+    at = owner.offset;
+    found.push_back({line, owner.statement});
+  }
+  return found;
+}
+
 OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part) {
   PartPrinter printer(emittable, sources, part);
   OutputFile file{emittable.options.name + emittable.parts[part].suffix + ".cpp", printer.Run()};
   file.loops = printer.FindLoops(file.text);
+  file.owners = printer.FindOwners(file.text);
+  file.locals = printer.locals();
   return file;
 }
 

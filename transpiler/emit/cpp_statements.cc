@@ -17,7 +17,13 @@ bool IsInside(const source::Range& inner, const source::Range& outer) {
 
 }  // namespace
 
+void PartPrinter::Own(ir::StatementId statement) {
+  const ir::StatementId before = owners_.empty() ? ir::StatementId() : owners_.back().statement;
+  if (statement != before) owners_.push_back({out_.size(), statement});
+}
+
 void PartPrinter::Comment(std::string_view text) {
+  Own();
   out_.append(static_cast<size_t>(indent_) * 2, ' ');
   out_ += "//";
   const std::string safe = CommentText(text);
@@ -30,6 +36,7 @@ void PartPrinter::Comment(std::string_view text) {
 
 /// Writes a line; a long one is broken before operators.
 void PartPrinter::Line(std::string text) {
+  Own();
   const size_t margin = static_cast<size_t>(indent_) * 2;
   if (margin + text.size() <= kLineWidth) {
     std::replace(text.begin(), text.end(), kBreak, ' ');

@@ -23,6 +23,8 @@ class PartPrinter {
   std::string Run();
   /// Behind Run: the loops with their lines.
   std::vector<PrintedLoop> FindLoops(std::string_view text) const;
+  std::vector<LineOwner> FindOwners(std::string_view text) const;
+  const LocalNames& locals() const { return local_names_; }
 
  private:
   // cpp_routines.cc
@@ -62,6 +64,9 @@ class PartPrinter {
   void StatementComments(const ir::Statement& statement);
   void Line(std::string text);
   void Comment(std::string_view text);
+  /// What follows in the text is the current statement's.
+  void Own() { Own(statement_); }
+  void Own(ir::StatementId statement);
   std::string Value(uint32_t word) { return Spell(emittable_, local_names_, ir::ValueId(word)).text; }
   std::string On() const { return "m.on(" + std::to_string(statement_.index) + ")"; }
 
@@ -103,6 +108,11 @@ class PartPrinter {
   ir::StatementId statement_;      // the one being printed
   std::vector<ir::LoopId> loops_;  // printed so far
   bool switched_ = false;          // inside of its `if (m.on(...))`
+  struct Owner {
+    size_t offset = 0;
+    ir::StatementId statement;
+  };
+  std::vector<Owner> owners_;  // of the text from there on
 };
 
 }  // namespace plcxx::emit
