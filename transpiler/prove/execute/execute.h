@@ -21,10 +21,15 @@
 
 namespace plcxx::prove {
 
+class Memory;
+
 /// What surrounds an execution.
 struct Environment {
   /// The value of a cell that nothing has written yet; asked once for each cell that is read.
   std::function<TermId(CellId cell)> initial;
+  /// Called at a call of a host function that reads the state, with the memory then and when it comes there; may be
+  /// empty.
+  std::function<void(Memory& memory, ir::HostFunctionId function, TermId when)> observe;
   /// The answer to the schedule's `now`.
   TermId now;
   /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.

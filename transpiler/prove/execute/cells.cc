@@ -1,0 +1,80 @@
+#include "transpiler/prove/execute/cells.h"
+
+#include <algorithm>
+
+#include "transpiler/prove/meaning/meaning.h"
+
+namespace plcxx::prove {
+
+Cells MakeCells(const ir::Program& program) {
+  Cells cells;
+  for (const ir::Space& space : program.spaces) {
+    cells.spaces.push_back(cells.count);
+    cells.count += 8 * space.bytes;
+  }
+  for (const ir::StateInstance& state : program.states) {
+    cells.states.push_back(cells.count);
+    cells.count += FieldTerms(state.kind);
+  }
+  cells.calls = cells.count;
+  cells.count += program.host_functions.size();
+  return cells;
+}
+
+Cell CellAt(const ir::Program& program, const Cells& cells, CellId id) {
+  PLCXX_CHECK(id.index < cells.count);
+  if (id.index >= cells.calls) {
+    return {.kind = CellKind::kCalls, .host = ir::HostFunctionId(id.index - cells.calls)};
+  }
+  // The last owner that begins at or before the cell; owners without cells share their begin with the next one.
+  const auto owner_of = [id](const std::vector<uint32_t>& begins) {
+    return static_cast<uint32_t>(std::ranges::upper_bound(begins, id.index) - begins.begin() - 1);
+  };
+  if (!cells.states.empty() && id.index >= cells.states.front()) {
+    const uint32_t state = owner_of(cells.states);
+    uint32_t rest = id.index - cells.states[state];
+    Cell cell{.kind = CellKind::kField, .state = ir::StateId(state)};
+    for (const ir::FieldInfo& field : ir::Info(program.states[cell.state].kind).fields) {
+      if (rest < field.count) break;
+      rest -= field.count;
+      ++cell.field;
+    }
+    cell.element = static_cast<uint8_t>(rest);
+    return cell;
+  }
+  const uint32_t space = owner_of(cells.spaces);
+  const uint32_t rest = id.index - cells.spaces[space];
+  return {
+      .kind = CellKind::kBit, .space = ir::SpaceId(space), .offset = rest / 8, .bit = static_cast<uint8_t>(rest % 8)};
+}
+
+uint8_t CellWidth(const ir::Program& program, const Cell& cell) {
+  switch (cell.kind) {
+    case CellKind::kBit:
+      return 1;
+    case CellKind::kField:
+      return WidthOf(ir::Info(program.states[cell.state].kind).fields[cell.field].type);
+    case CellKind::kCalls:
+      return 64;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+std::string CellName(const ir::Program& program, const Cell& cell) {
+  switch (cell.kind) {
+    case CellKind::kBit:
+      return program.spaces[cell.space].name + "." + std::to_string(cell.offset) + "." + std::to_string(cell.bit);
+    case CellKind::kField: {
+      const ir::StateInstance& state = program.states[cell.state];
+      const ir::FieldInfo& field = ir::Info(state.kind).fields[cell.field];
+      std::string name = state.name + "." + std::string(field.name);
+      if (field.count > 1) name += "[" + std::to_string(cell.element) + "]";
+      return name;
+    }
+    case CellKind::kCalls:
+      return "calls of " + program.host_functions[cell.host].name;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+}  // namespace plcxx::prove

@@ -1,0 +1,204 @@
+#include "transpiler/prove/execute/execute.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/prove/execute/executor.h"
+#include "transpiler/prove/meaning/meaning.h"
+
+namespace plcxx::prove {
+
+Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> arguments) {
+  return Executor(memory).Run(routine, arguments);
+}
+
+Executor::Executor(Memory& memory)
+    : memory_(memory),
+      terms_(memory.terms()),
+      program_(memory.program()),
+      values_(memory.program().insts.size()),
+      first_term_(memory.terms().size()) {}
+
+void Executor::Refuse(std::string reason) {
+  if (refusal_.empty()) refusal_ = std::move(reason);
+  // Nothing is executed any more.
+  flow_.active = terms_.Bit(false);
+}
+
+Refusal Executor::Run(ir::RoutineId id, std::span<const TermId> arguments) {
+  if (!id.valid()) return {};
+  flow_ = {.active = terms_.Bit(true), .leaving = {}};
+  ClearLocals();
+  const ir::Routine& routine = program_.routines[id];
+  for (size_t i = 0; i < arguments.size() && i < routine.parameter_places.size(); ++i) {
+    WritePlace(program_.places[routine.parameter_places[i]], arguments[i]);
+  }
+  ExecuteRoutine(routine);
+  return std::move(refusal_);
+}
+
+void Executor::ExecuteRoutine(const ir::Routine& routine) {
+  for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) ExecuteRegion(region);
+}
+
+void Executor::ClearLocals() {
+  for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
+    const ir::SpaceId space(i);
+    if (program_.spaces[space].lifetime != ir::Lifetime::kRoutine) continue;
+    for (uint32_t bit = 0; bit < 8 * program_.spaces[space].bytes; ++bit) {
+      WriteCell(memory_.cells().OfBit(space, bit / 8, static_cast<uint8_t>(bit % 8)), terms_.Bit(false));
+    }
+  }
+}
+
+void Executor::ExecuteRegion(ir::RegionId region) {
+  if (!region.valid()) return;
+  for (const ir::InstId id : program_.regions[region].insts) {
+    if (terms_.IsFalse(flow_.active)) return;
+    ExecuteInst(id, program_[id]);
+  }
+}
+
+void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
+  const auto operands = [&] {
+    std::vector<TermId> terms;
+    for (const uint32_t operand : {inst.a, inst.b, inst.c}) {
+      if (terms.size() < ir::Info(inst.op).operand_count) terms.push_back(ValueOf(operand));
+    }
+    return terms;
+  };
+  switch (inst.op) {
+#define PLCXX_PURE(Kind, ...) case ir::OpKind::k##Kind:
+#define PLCXX_STEP(...)
+#define PLCXX_CORE(...)
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+    values_[id.index] = MeaningOf(terms_, inst.op, operands());
+    break;
+#define PLCXX_PURE(...)
+#define PLCXX_STEP(Kind, ...) case ir::OpKind::k##Kind:
+#define PLCXX_CORE(...)
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+    {
+      std::vector<TermId> fields = Fields(ir::StateId(inst.payload));
+      values_[id.index] = StepMeaning(terms_, inst.op, fields, operands());
+      StepInstance(ir::StateId(inst.payload), fields);
+      break;
+    }
+#define PLCXX_PURE(...)
+#define PLCXX_STEP(...)
+#define PLCXX_CORE(Kind, ...) \
+  case ir::OpKind::k##Kind:   \
+    Execute##Kind(id, inst);  \
+    break;
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+  }
+}
+
+void Executor::ExecuteConst(ir::InstId id, const ir::Inst& inst) {
+  values_[id.index] = terms_.Const(ir::ConstantValue(inst), WidthOf(inst.type));
+}
+
+void Executor::ExecutePoison(ir::InstId id, const ir::Inst& inst) {
+  if (inst.type != ir::Type::kNone) values_[id.index] = terms_.Const(0, WidthOf(inst.type));
+}
+
+void Executor::ExecuteStatement(ir::InstId, const ir::Inst&) {
+  if (terms_.size() - first_term_ > memory_.environment().most_terms) {
+    Refuse("the program takes more than " + std::to_string(memory_.environment().most_terms) + " terms");
+  }
+}
+
+void Executor::ExecuteLoad(ir::InstId id, const ir::Inst& inst) {
+  const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
+  values_[id.index] = place.indexed ? ReadAt(place, ValueOf(inst.a)) : ReadPlace(place);
+}
+
+void Executor::ExecuteStore(ir::InstId, const ir::Inst& inst) {
+  const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
+  if (place.indexed) {
+    WriteAt(place, ValueOf(inst.b), ValueOf(inst.a));
+  } else {
+    WritePlace(place, ValueOf(inst.a));
+  }
+}
+
+void Executor::ExecuteUpdateText(ir::InstId, const ir::Inst& inst) {
+  const ir::StateId flag_id(inst.payload), inbox_id(inst.a);
+  std::vector<TermId> flag = Fields(flag_id), inbox = Fields(inbox_id);
+  UpdateTextMeaning(terms_, flag, inbox, program_.texts[ir::TextId(inst.b)]);
+  StepInstance(flag_id, flag);
+  StepInstance(inbox_id, inbox);
+}
+
+void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
+  const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+  const ir::Routine& routine = program_.routines[call.routine];
+  // A partition has named locals of its own; those of its caller come back behind it.
+  std::vector<std::pair<CellId, TermId>> callers;
+  if (routine.kind != ir::RoutineKind::kSubroutine) {
+    for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
+      const ir::Space& space = program_.spaces[ir::SpaceId(i)];
+      if (space.lifetime != ir::Lifetime::kRoutine) continue;
+      for (uint32_t bit = 0; bit < 8 * space.bytes; ++bit) {
+        const CellId cell(memory_.cells().spaces[i] + bit);
+        callers.emplace_back(cell, memory_.Read(cell));
+      }
+    }
+    ClearLocals();
+  }
+  for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
+    WritePlace(program_.places[routine.parameter_places[i]], ValueOf(call.arguments[i].index));
+  }
+  ExecuteRoutine(routine);
+  if (routine.result_place.valid()) values_[id.index] = ReadPlace(program_.places[routine.result_place]);
+  for (const auto& [cell, value] : callers) WriteCell(cell, value);
+}
+
+void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
+  const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+  const ir::HostFunction& host = program_.host_functions[call.host];
+  if (call.host == program_.schedule.now) {
+    values_[id.index] = memory_.environment().now;
+    return;
+  }
+  std::vector<TermId> arguments;
+  for (const ir::ValueId argument : call.arguments) arguments.push_back(ValueOf(argument.index));
+  const TermId calls = CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
+  WriteCell(memory_.cells().OfCalls(call.host), calls);
+  if (host.result != ir::Type::kNone) values_[id.index] = AnswerOf(terms_, host.name, calls, WidthOf(host.result));
+  if (call.out.valid()) {
+    const ir::Place& out = program_.places[call.out];
+    WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, calls),
+                               SecondAnswerOf(terms_, host.name, calls, WidthOf(out.type)), ReadPlace(out)));
+  }
+  if (host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive) {
+    if (memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
+    return;
+  }
+  if (host.access == ir::HostAccess::kNone) return;
+  for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
+    const ir::SpaceId space(i);
+    for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
+      if (!HostWrites(program_, host.access, space, offset)) continue;
+      const TermId byte = ByteFromHost(terms_, host.name, calls, program_.spaces[space].name, offset);
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        WriteCell(memory_.cells().OfBit(space, offset, bit), terms_.Extract(byte, bit, 1));
+      }
+    }
+  }
+}
+
+// Structuring has replaced both; the verifier refuses them in what comes here.
+void Executor::ExecuteJump(ir::InstId, const ir::Inst&) { PLCXX_UNREACHABLE(); }
+void Executor::ExecuteLabel(ir::InstId, const ir::Inst&) { PLCXX_UNREACHABLE(); }
+
+}  // namespace plcxx::prove
