@@ -1,0 +1,13 @@
+#include "transpiler/prove/solver/solver.h"
+#include "transpiler/support/module.h"
+
+namespace plcxx::prove {
+
+LoadedSolver LoadSolver(const Terms& terms) {
+  const support::ModuleFunction function = support::LoadFunction(kSolverModule, kMakeSolver);
+  if (function.address == nullptr) return {.solver = nullptr, .reason = function.reason};
+  auto* const make = reinterpret_cast<MakeSolverFunction*>(function.address);
+  return {.solver = std::unique_ptr<Solver>(make(terms)), .reason = {}};
+}
+
+}  // namespace plcxx::prove
