@@ -20,7 +20,14 @@ HEAD = """#include <stdint.h>
 """
 
 
-class ProStep:
+class Machine:
+    """A language: `pieces` gives (number of the statement, its lines), and (None, lines) for what stands around them."""
+
+    def source(self, statements):
+        return "\n".join(line for _, lines in self.pieces(statements) for line in lines) + "\n"
+
+
+class ProStep(Machine):
     """Sequences in the loop modules PM 9 to PM 16; the timers' time passes once a tick."""
 
     name, extension, options = "prostep", "plc", []
@@ -38,30 +45,31 @@ class ProStep:
     def counter_contact(self, n):
         return f"C {n}"
 
-    def source(self, statements):
-        lines = [":MOD PM 0", ":L", ": K 255", ":T FB 251", ":END PM 0"]
+    def statement(self, number, statement):
+        kind, target, terms, extra = statement
+        lines = [f":L {extra[0]}"] if kind == "compare" else []
+        for op, negated, operand in terms:
+            lines.append(f":{'O' if op == '+' else 'A'}{'N' if negated else ''} {operand}")
+        if kind == "compare":
+            lines += [":A(", f":{self.compares[extra[1]]}", f": K {extra[2]}", ":)"]
+        if kind in ("coil", "compare"):
+            lines.append(f":= {target}")
+        elif kind in ("set", "reset"):
+            lines.append(f":{'S' if kind == 'set' else 'R'} {target}")
+        elif kind == "timer":
+            lines += [f":SR T {target}", f": K 2{extra:03d}D"]
+        else:
+            lines.append(f":CU C {target}")
+        return lines
+
+    def pieces(self, statements):
+        yield None, [":MOD PM 0", ":L", ": K 255", ":T FB 251", ":END PM 0"]
         per_module = -(-len(statements) // 8)
         for k in range(8):
-            lines.append(f":MOD PM {9 + k}")
-            for kind, target, terms, extra in statements[k * per_module : (k + 1) * per_module]:
-                if kind == "compare":
-                    lines.append(f":L {extra[0]}")
-                for op, negated, operand in terms:
-                    lines.append(f":{'O' if op == '+' else 'A'}{'N' if negated else ''} {operand}")
-                if kind == "compare":
-                    lines += [":A(", f":{self.compares[extra[1]]}", f": K {extra[2]}", ":)"]
-                if kind in ("coil", "compare"):
-                    lines.append(f":= {target}")
-                elif kind == "set":
-                    lines.append(f":S {target}")
-                elif kind == "reset":
-                    lines.append(f":R {target}")
-                elif kind == "timer":
-                    lines += [f":SR T {target}", f": K 2{extra:03d}D"]
-                else:
-                    lines.append(f":CU C {target}")
-            lines.append(f":END PM {9 + k}")
-        return "\n".join(lines) + "\n"
+            yield None, [f":MOD PM {9 + k}"]
+            for number in range(k * per_module, min((k + 1) * per_module, len(statements))):
+                yield number, self.statement(number, statements[number])
+            yield None, [f":END PM {9 + k}"]
 
     types = """
 struct Timer { uint32_t left; bool running, edge, output; };
@@ -108,7 +116,7 @@ static inline void Count(Counter& c, bool v) {
         return [f"  Pass(T{n}, 12);" for n in timers]
 
 
-class Host50:
+class Host50(Machine):
     """Rungs of the slow section, 100 a network or more; one slow cycle is one tick."""
 
     name, extension = "host50", "il"
@@ -129,26 +137,32 @@ class Host50:
     def counter_contact(self, n):
         return f"%C{n}"
 
-    def source(self, statements):
-        lines = [f"SLOWDIV {self.slow_div}"] + (["OPTION SLICES=SLICED"] if self.sliced else []) + ["SLOW"]
+    def statement(self, number, statement):
+        kind, target, terms, extra = statement
+        lines = []
+        for k, (op, negated, operand) in enumerate(terms):
+            word = "LD" if k == 0 else "OR" if op == "+" else "AND"
+            lines.append(f"{word}{'I' if negated else ''} {operand}")
+        if kind == "compare":
+            lines.append(f"{self.compares[extra[1]]} {extra[0]}, {extra[2]}")
+        if kind in ("coil", "compare"):
+            lines.append(f"OUT {target}")
+        elif kind in ("set", "reset"):
+            lines.append(f"{'SET' if kind == 'set' else 'RST'} {target}")
+        elif kind == "timer":
+            lines += [f"TONMS %TM{target}, {extra}", "RUNG"]
+        else:
+            lines += [f"CNUD %C{target}, {extra}, P=0, M=0, N=0", "RUNG"]
+        return lines
+
+    def pieces(self, statements):
+        yield None, [f"SLOWDIV {self.slow_div}"] + (["OPTION SLICES=SLICED"] if self.sliced else []) + ["SLOW"]
         per_network = max(20, -(-len(statements) // 450))
-        for i, (kind, target, terms, extra) in enumerate(statements):
-            if i % per_network == 0:
-                lines.append("NETWORK")
-            for k, (op, negated, operand) in enumerate(terms):
-                word = "LD" if k == 0 else "OR" if op == "+" else "AND"
-                lines.append(f"{word}{'I' if negated else ''} {operand}")
-            if kind == "compare":
-                lines.append(f"{self.compares[extra[1]]} {extra[0]}, {extra[2]}")
-            if kind in ("coil", "compare"):
-                lines.append(f"OUT {target}")
-            elif kind in ("set", "reset"):
-                lines.append(f"{'SET' if kind == 'set' else 'RST'} {target}")
-            elif kind == "timer":
-                lines += [f"TONMS %TM{target}, {extra}", "RUNG"]
-            else:
-                lines += [f"CNUD %C{target}, {extra}, P=0, M=0, N=0", "RUNG"]
-        return "\n".join([*lines, "END_SLOW"]) + "\n"
+        for number, statement in enumerate(statements):
+            if number % per_network == 0:
+                yield None, ["NETWORK"]
+            yield number, self.statement(number, statement)
+        yield None, ["END_SLOW"]
 
     types = """
 struct Timer { uint64_t elapsed; uint32_t value, preset; bool previous, output; };
@@ -197,7 +211,7 @@ static inline void Count(Counter& c, bool v, int32_t preset) {
         return []
 
 
-class Technol:
+class Technol(Machine):
     """The main module; timers and counters are words that the program counts, as the language has none."""
 
     name, extension = "technol", "plc"
@@ -220,29 +234,36 @@ class Technol:
         rows = [f"F{i}: DFM {','.join(flags[i : i + 8])}" for i in range(0, len(flags), 8)]
         return ["DATA", *rows, *(f"{k}: DW 0" for k in [*self.words, *(f"{k}{n}" for k in ("TC", "CC") for n in range(64))]), "DATA_END"]
 
-    def source(self, statements):
-        lines = [*self.data(), "MODULE_INIT", "MODULE_INIT_END", "MODULE_MAIN"]
-        for i, (kind, target, terms, extra) in enumerate(statements):
-            if kind == "compare":
-                lines += [f"LOD WORD.{extra[0]}", f"{self.compares[extra[1]]} CNST.{extra[2]}", "WR HELP"]
-            for k, (op, negated, operand) in enumerate(terms):
-                lines.append(f"{'LDR' if k == 0 else 'LO' if op == '+' else 'LA'} {'-' if negated else ''}{operand}")
-            if kind == "compare":
-                lines.append("LA HELP")
-            if kind in ("coil", "compare"):
-                lines.append(f"WR {target}")
-            elif kind in ("set", "reset"):
-                lines.append(f"FL1 {1 if kind == 'set' else 0},{target}")
-            elif kind == "timer":
-                lines += [f"JL0 Z{i}", f"LOD TC{target}", "AD CNST.1", f"STO TC{target}", f"JUM K{i}"]
-                lines += [f"Z{i}: LOD CNST.0", f"STO TC{target}", f"K{i}: LOD TC{target}", f"GE CNST.{extra}", f"WR TO{target}"]
-            else:
-                lines += ["WR HELP", f"LA -CE{target}", f"JL0 Z{i}", f"LOD CC{target}", "AD CNST.1", f"STO CC{target}"]
-                lines += [f"Z{i}: LDR HELP", f"WR CE{target}", f"LOD CC{target}", f"GE CNST.{extra}", f"WR CO{target}"]
-        lines.append("MODULE_MAIN_END")
+    def statement(self, number, statement):
+        kind, target, terms, extra = statement
+        lines = []
+        if kind == "compare":
+            lines += [f"LOD WORD.{extra[0]}", f"{self.compares[extra[1]]} CNST.{extra[2]}", "WR HELP"]
+        for k, (op, negated, operand) in enumerate(terms):
+            lines.append(f"{'LDR' if k == 0 else 'LO' if op == '+' else 'LA'} {'-' if negated else ''}{operand}")
+        if kind == "compare":
+            lines.append("LA HELP")
+        zero, go_on = f"Z{number}", f"K{number}"
+        if kind in ("coil", "compare"):
+            lines.append(f"WR {target}")
+        elif kind in ("set", "reset"):
+            lines.append(f"FL1 {1 if kind == 'set' else 0},{target}")
+        elif kind == "timer":
+            lines += [f"JL0 {zero}", f"LOD TC{target}", "AD CNST.1", f"STO TC{target}", f"JUM {go_on}"]
+            lines += [f"{zero}: LOD CNST.0", f"STO TC{target}", f"{go_on}: LOD TC{target}", f"GE CNST.{extra}", f"WR TO{target}"]
+        else:
+            lines += ["WR HELP", f"LA -CE{target}", f"JL0 {zero}", f"LOD CC{target}", "AD CNST.1", f"STO CC{target}"]
+            lines += [f"{zero}: LDR HELP", f"WR CE{target}", f"LOD CC{target}", f"GE CNST.{extra}", f"WR CO{target}"]
+        return lines
+
+    def pieces(self, statements):
+        yield None, [*self.data(), "MODULE_INIT", "MODULE_INIT_END", "MODULE_MAIN"]
+        for number, statement in enumerate(statements):
+            yield number, self.statement(number, statement)
+        tail = ["MODULE_MAIN_END"]
         for module in ("MODULE_FAST", "MODULE_CLEAR", "MODULE_HALT", "PRIPRAVNE_FUNKCE", "ZAVERECNE_FUNKCE"):
-            lines += [module, module + "_END"]
-        return "\n".join([*lines, "STOP"]) + "\n"
+            tail += [module, module + "_END"]
+        yield None, [*tail, "STOP"]
 
     types = """
 struct Timer { uint16_t value; bool output; };

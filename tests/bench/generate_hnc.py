@@ -40,9 +40,10 @@ static BYTE X[128], R[768];
 class Program:
     def __init__(self, count):
         self.random = random.Random(count)
-        self.lines = []
-        while len(self.lines) < count:
-            self.lines += self.statement()
+        self.statements, lines = [], 0  # each is its lines
+        while lines < count:
+            self.statements.append(self.statement())
+            lines += len(self.statements[-1])
         self.names = [f"R[{i}]" for i in range(BYTES)]
         for letter, number in (("t", COUNTERS), ("w", WORDS), ("i", INTS), ("l", LONGS)):
             self.names += [f"{letter}{i}" for i in range(number)]
@@ -99,18 +100,25 @@ class Program:
             "}",
         ]
 
+    def pieces(self):
+        """(Number of the statement, its lines), and (None, lines) around functions of some PER_FUNCTION lines."""
+        inside, parts = 0, 0
+        for number, statement in enumerate(self.statements):
+            if inside == 0:
+                yield None, [f"void part{parts}(void)", "{"]
+                parts += 1
+            yield number, ["    " + line for line in statement]
+            inside += len(statement)
+            if inside >= PER_FUNCTION or number + 1 == len(self.statements):
+                yield None, ["}"]
+                inside = 0
+
     def parts(self):
-        """Functions of some PER_FUNCTION lines; a switch stays whole."""
-        out, inside, calls = [], [], []
-        for number, line in enumerate(self.lines):
-            inside.append("    " + line)
-            closed = not line.startswith(("switch", "case", "default"))
-            if (closed and len(inside) >= PER_FUNCTION) or number + 1 == len(self.lines):
-                name = f"part{len(calls)}"
-                out += [f"void {name}(void)", "{", *inside, "}"]
-                calls.append(f"    {name}();")
-                inside = []
-        return out, calls
+        return [line for _, lines in self.pieces() for line in lines]
+
+    @staticmethod
+    def calls(parts):
+        return [f"    {line[len('void ') : -len('(void)')]}();" for line in parts if line.startswith("void ")]
 
     def variables(self):
         kinds = [("WORD", "t", COUNTERS), ("WORD", "w", WORDS), ("INT", "i", INTS), ("LONG", "l", LONGS), ("BYTE", "s", STATES)]
@@ -120,12 +128,15 @@ class Program:
         return [*out, "INT table[32];", "INT limited(INT v, INT most) { return v > most ? most : v < 0 ? 0 : v; }"]
 
     def plc(self):
-        parts, calls = self.parts()
-        tail = ["void init() { plc1_time = 16; plc2_time = 32; }", "void plc1()", "{", *calls, "}", "void plc2() { }"]
+        return self.plc_around(self.parts())
+
+    def plc_around(self, parts):
+        tail = ["void init() { plc1_time = 16; plc2_time = 32; }", "void plc1()", "{", *self.calls(parts), "}", "void plc2() { }"]
         return PLC_HEAD + MACROS + "\n".join([*self.variables(), *parts, *tail]) + "\n"
 
     def reference(self):
-        parts, calls = self.parts()
+        parts = self.parts()
+        calls = self.calls(parts)
         parts = [f"__attribute__((noinline)) static {line}" if line.startswith("void ") else line for line in parts]
         variables = ["static " + line for line in self.variables()]
         scan = ['extern "C" void reference_scan(uint32_t)', "{", *calls, "}"]

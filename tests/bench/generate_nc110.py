@@ -46,21 +46,22 @@ class Program:
                 target, extra = f"C{rng.randrange(COUNTERS)}", rng.randrange(2, 256)
             self.statements.append((kind, target, terms, extra))
 
+    @staticmethod
+    def statement(kind, target, terms, extra):
+        text = "".join(f"{op}{'/' if neg else ''}{name}" for op, neg, name in terms)
+        if kind == "coil":
+            return f"{target}={text}"
+        if kind == "compare":
+            word, sign, value = extra
+            return f"{target}=[{word}{sign}{value}]*({text})"
+        if kind == "set":
+            return f"{target}={target}+{text}"
+        if kind == "reset":
+            return f"{target}={target}*/({text})"
+        return f"{target}I({extra})={text}"
+
     def plc(self):
-        lines = ["; a program for measurements", "$ slow part"]
-        for kind, target, terms, extra in self.statements:
-            text = "".join(f"{op}{'/' if neg else ''}{name}" for op, neg, name in terms)
-            if kind == "coil":
-                lines.append(f"{target}={text}")
-            elif kind == "compare":
-                word, sign, value = extra
-                lines.append(f"{target}=[{word}{sign}{value}]*({text})")
-            elif kind == "set":
-                lines.append(f"{target}={target}+{text}")
-            elif kind == "reset":
-                lines.append(f"{target}={target}*/({text})")
-            else:
-                lines.append(f"{target}I({extra})={text}")
+        lines = ["; a program for measurements", "$ slow part", *(self.statement(*s) for s in self.statements)]
         return "\n".join(lines) + "\n"
 
     @staticmethod
