@@ -174,8 +174,12 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   for (const ir::ValueId argument : call.arguments) arguments.push_back(ValueOf(argument.index));
   const TermId calls = CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
   WriteCell(memory_.cells().OfCalls(call.host), calls);
-  if (host.result != ir::Type::kNone) values_[id.index] = AnswerOf(terms_, host.name, calls, WidthOf(host.result));
-  if (call.out.valid()) {
+  const bool answers = memory_.environment().host_answers;
+  if (host.result != ir::Type::kNone) {
+    values_[id.index] = answers ? AnswerOf(terms_, host.name, calls, WidthOf(host.result))
+                                : terms_.Const(0, WidthOf(host.result));
+  }
+  if (call.out.valid() && answers) {
     const ir::Place& out = program_.places[call.out];
     WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, calls),
                                SecondAnswerOf(terms_, host.name, calls, WidthOf(out.type)), ReadPlace(out)));
@@ -184,7 +188,7 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
     if (memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
     return;
   }
-  if (host.access == ir::HostAccess::kNone) return;
+  if (host.access == ir::HostAccess::kNone || !answers) return;
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {

@@ -32,6 +32,8 @@ struct Environment {
   std::function<void(Memory& memory, ir::HostFunctionId function, TermId when)> observe;
   /// The answer to the schedule's `now`.
   TermId now;
+  /// false: the host answers 0, gives no second result, and writes nothing.
+  bool host_answers = true;
   /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.
   uint32_t most_rounds = 4096;
   uint32_t most_terms = 20'000'000;

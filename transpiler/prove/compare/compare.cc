@@ -1,0 +1,163 @@
+#include "transpiler/prove/compare/compare.h"
+
+#include <algorithm>
+
+#include "transpiler/prove/compare/comparison.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr uint32_t kNone = 0xFFFFFFFF;
+
+/// Whether a version of its own does anything with the cell.
+bool IsUsed(const Uses& uses, CellId cell) { return uses.reads[cell.index] || uses.writes[cell.index]; }
+
+void AddMatched(Comparison& comparison) {
+  comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
+  for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
+    const CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
+    if (!new_cell.valid() || !IsState(comparison.old_version, old_cell)) continue;
+    if (!IsUsed(comparison.old_uses, old_cell) && !IsUsed(comparison.new_uses, new_cell)) continue;
+    comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
+    comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
+    const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
+    if (written && DirectionOf(comparison.old_version, old_cell) == ir::Direction::kOutput &&
+        CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell).kind == CellKind::kBit) {
+      comparison.old_outputs.push_back(old_cell);
+      comparison.new_outputs.push_back(new_cell);
+    }
+  }
+}
+
+/// What only one version has: a difference where the host sees it.
+void AddUnmatched(const Comparison& comparison, std::vector<PairResult>& results) {
+  const auto add = [&](const Version& version, const Uses& uses, CellId cell, PairResult result) {
+    if (!IsState(version, cell) || !uses.writes[cell.index]) return;
+    const bool visible = DirectionOf(version, cell) == ir::Direction::kOutput;
+    result.verdict = visible ? PairVerdict::kDifferent : PairVerdict::kUndecided;
+    result.changed_itself = true;
+    result.reason = "only one version has it";
+    results.push_back(std::move(result));
+  };
+  for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
+    if (comparison.match.new_of_old[i].valid()) continue;
+    add(comparison.old_version, comparison.old_uses, CellId(i), {.old_cell = CellId(i), .reason = {}});
+  }
+  for (uint32_t i = 0; i < comparison.new_version.cells.count; ++i) {
+    if (comparison.match.old_of_new[i].valid()) continue;
+    add(comparison.new_version, comparison.new_uses, CellId(i), {.new_cell = CellId(i), .reason = {}});
+  }
+}
+
+void SetVerdicts(Comparison& comparison) {
+  for (PairResult& result : comparison.results) {
+    if (result.verdict != PairVerdict::kUndecided) continue;
+    const bool written =
+        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    result.verdict = !comparison.pairing.IsEqual(result.old_cell) ? PairVerdict::kUndecided
+                     : written                                    ? PairVerdict::kEqual
+                                                                  : PairVerdict::kUntouched;
+  }
+}
+
+bool HasUndecided(const Comparison& comparison) {
+  return std::ranges::any_of(comparison.results,
+                             [](const PairResult& result) { return result.verdict == PairVerdict::kUndecided; });
+}
+
+/// What is different for certain is not taken for equal; the rest is tried again.
+void JoinAllButDifferent(Comparison& comparison) {
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kDifferent) {
+      comparison.pairing.Separate(result.old_cell);
+    } else {
+      comparison.pairing.Join(result.old_cell);
+    }
+  }
+}
+
+CompareResult Finish(Comparison& comparison, uint32_t invariants) {
+  CompareResult result{.pairs = std::move(comparison.results), .refusal = comparison.refusal, .invariants = invariants};
+  for (PairResult& pair : result.pairs) {
+    if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
+    pair.reason = comparison.Late() ? "the time was not enough"
+                                    : "no run of " + std::to_string(comparison.limits.most_periods) +
+                                          " periods from power-on shows a difference, and equality is not proved";
+  }
+  if (result.refusal.empty()) AddUnmatched(comparison, result.pairs);
+  return result;
+}
+
+}  // namespace
+
+Comparison::Comparison(const Version& old_side, const Version& new_side, const Match& matching,
+                       const CompareLimits& compare_limits)
+    : old_version(old_side),
+      new_version(new_side),
+      match(matching),
+      limits(compare_limits),
+      pairing(terms, old_side, new_side, matching),
+      old_uses(UsesOf(old_side)),
+      new_uses(UsesOf(new_side)),
+      now(terms.Variable("now", 32)),
+      deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
+  LoadedSolver loaded = LoadSolver(terms);
+  solver = std::move(loaded.solver);
+  refusal = std::move(loaded.reason);
+}
+
+uint64_t Comparison::RestMs() const {
+  const auto rest = deadline - std::chrono::steady_clock::now();
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(rest).count();
+  return ms > 0 ? static_cast<uint64_t>(ms) : 0;
+}
+
+bool Comparison::IsInput(CellId old_cell) const {
+  const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
+  if (cell.kind != CellKind::kBit) return false;
+  const CellId new_cell = match.new_of_old[old_cell.index];
+  if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
+  return old_version.program->spaces[cell.space].host_visible && !old_uses.writes[old_cell.index] &&
+         !(new_cell.valid() && new_uses.writes[new_cell.index]);
+}
+
+TermId Comparison::NextOld(CellId cell) {
+  const TermId next = old_next.next[cell.index];
+  return next.valid() ? next : pairing.Initial(Which::kOld, cell);
+}
+
+TermId Comparison::NextNew(CellId cell) {
+  const TermId next = new_next.next[cell.index];
+  return next.valid() ? next : pairing.Initial(Which::kNew, cell);
+}
+
+CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
+                              const KnownDifferent& known_different, const CompareLimits& limits) {
+  Comparison comparison(old_version, new_version, match, limits);
+  if (!comparison.refusal.empty()) return Finish(comparison, 0);
+  AddMatched(comparison);
+  // With everything taken for equal: which functions differ by themselves.
+  if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison)) return Finish(comparison, 0);
+  SetVerdicts(comparison);
+  for (PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kUndecided && known_different &&
+        known_different(result.old_cell, result.new_cell)) {
+      result.verdict = PairVerdict::kDifferent;
+    }
+  }
+  uint32_t invariants = 0;
+  if (HasUndecided(comparison)) SearchRuns(comparison);
+  if (HasUndecided(comparison) && !comparison.Late()) {
+    // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
+    // be reached.
+    JoinAllButDifferent(comparison);
+    if (ExecutePeriods(comparison)) {
+      AddInvariants(comparison);
+      invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
+      if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
+    }
+  }
+  return Finish(comparison, invariants);
+}
+
+}  // namespace plcxx::prove

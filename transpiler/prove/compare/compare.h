@@ -1,0 +1,69 @@
+// Do two versions of a program behave alike, cell by cell, for all inputs and all scans?
+//
+// A set of matched cells is equal in every scan when it is equal after power-on and when, from any state in which the
+// set is equal, one more period leaves it equal; the rest of the state may be anything, but for invariants that are
+// proved the same way. The greatest such set is found by taking out what fails until nothing does. For what is left,
+// runs from power-on are searched for a difference. The slow part is one piece here, however it is sliced. In: two
+// structured programs, what matches. Out: a verdict for each pair. Not its job: words about it, replaying runs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/solver/solver.h"
+
+namespace plcxx::prove {
+
+struct CompareLimits {
+  uint32_t question_ms = 2000;  // for one question to the solver
+  uint64_t total_ms = 60'000;   // for everything; what is not decided then stays so
+  uint32_t most_periods = 6;    // of the runs from power-on that the solver searches
+  /// Told what is being done, for a progress line; may be empty.
+  std::function<void(const std::string& what)> progress;
+};
+
+/// An input as the host sets it before a period.
+struct SetCell {
+  CellId old_cell, new_cell;  // either may be none
+  bool value = false;
+};
+
+/// A run from power-on with all memory 0: what is set before each period; after the last one the pair differs.
+struct Run {
+  std::vector<std::vector<SetCell>> periods;
+};
+
+enum class PairVerdict : uint8_t {
+  kUntouched,  // neither version writes it
+  kEqual,      // proved, for every run
+  kDifferent,  // see `run`, when there is one
+  kUndecided
+};
+
+struct PairResult {
+  CellId old_cell, new_cell;  // one of them none: the other version has no such cell
+  PairVerdict verdict = PairVerdict::kUndecided;
+  /// The one-period function itself differs, with all else equal: the change is in its own statements.
+  bool changed_itself = false;
+  std::optional<Run> run;
+  std::string reason;  // of kUndecided
+};
+
+struct CompareResult {
+  std::vector<PairResult> pairs;  // of all state, ascending by old cell, then those of the new version only
+  std::string refusal;            // not empty: nothing was compared, and why
+  uint32_t invariants = 0;        // that were proved on the way and needed
+};
+
+/// A predicate for pairs of which a difference is known already (by running both versions): they are not proved.
+using KnownDifferent = std::function<bool(CellId old_cell, CellId new_cell)>;
+
+CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
+                              const KnownDifferent& known_different, const CompareLimits& limits);
+
+}  // namespace plcxx::prove

@@ -1,0 +1,61 @@
+// The inner part of CompareVersions: which pairs are still taken for equal, and why others are not.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/compare/compare.h"
+#include "transpiler/prove/compare/invariants.h"
+#include "transpiler/prove/compare/pairing.h"
+#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/solver/sweep.h"
+
+namespace plcxx::prove {
+
+struct Comparison {
+  Comparison(const Version& old_version, const Version& new_version, const Match& match, const CompareLimits& limits);
+
+  const Version& old_version;
+  const Version& new_version;
+  const Match& match;
+  const CompareLimits& limits;
+  Terms terms;
+  std::unique_ptr<Solver> solver;
+  std::string refusal;
+  Pairing pairing;
+  Uses old_uses, new_uses;
+  std::vector<CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
+  TermId now;
+  std::vector<PairResult> results;      // of matched state, ascending by old cell
+  std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
+  Transition old_next, new_next;        // of the last period, over the pairing's variables
+  std::vector<Invariant> old_invariants, new_invariants;
+  std::chrono::steady_clock::time_point deadline;
+
+  uint64_t RestMs() const;
+  bool Late() const { return RestMs() == 0; }
+  void Report(const std::string& what) const {
+    if (limits.progress) limits.progress(what);
+  }
+  /// An input: the host writes it and no version does.
+  bool IsInput(CellId old_cell) const;
+
+  TermId NextOld(CellId cell);
+  TermId NextNew(CellId cell);
+};
+
+/// Executes a period of both over the pairing; false: comparison.refusal says why not.
+bool ExecutePeriods(Comparison& comparison);
+/// Takes pairs that differ after power-on out of what is equal. False as above.
+bool CheckPowerOn(Comparison& comparison);
+/// Takes out what fails until nothing does. False as above.
+bool FindInductiveSet(Comparison& comparison);
+/// For the pairs that are undecided: runs from power-on that end with a difference.
+void SearchRuns(Comparison& comparison);
+/// Finds and proves invariants of both versions around the pairs that are undecided; questions assume them from then
+/// on.
+void AddInvariants(Comparison& comparison);
+
+}  // namespace plcxx::prove

@@ -1,0 +1,168 @@
+// From any state in which the set is equal, one more period leaves it equal.
+#include <algorithm>
+
+#include "transpiler/prove/compare/comparison.h"
+
+namespace plcxx::prove {
+namespace {
+
+struct Question {
+  TermPair pair;
+  uint32_t result;  // index of Comparison::results
+};
+
+SweepLimits LimitsOf(const Comparison& comparison) {
+  return {.pair_ms = comparison.limits.question_ms, .total_ms = comparison.RestMs(), .progress = {}};
+}
+
+/// Separates the pairs of which a question is not answered by "equal"; gives their number.
+uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
+  std::vector<TermPair> pairs;
+  for (const Question& question : questions) pairs.push_back(question.pair);
+  comparison.solver->Push();
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const bool is_old = which == Which::kOld;
+    for (const Invariant& invariant : is_old ? comparison.old_invariants : comparison.new_invariants) {
+      const auto value = [&](CellId cell) { return comparison.pairing.Initial(which, cell); };
+      comparison.solver->Assume(ConditionOf(comparison.terms, invariant, value));
+    }
+  }
+  const std::vector<Verdict> verdicts = Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
+  comparison.solver->Pop();
+  uint32_t separated = 0;
+  for (size_t i = 0; i < questions.size(); ++i) {
+    const PairResult& result = comparison.results[questions[i].result];
+    if (verdicts[i] == Verdict::kEqual || !comparison.pairing.IsEqual(result.old_cell)) continue;
+    comparison.pairing.Separate(result.old_cell);
+    ++separated;
+  }
+  return separated;
+}
+
+Surroundings SurroundingsOf(Comparison& comparison, Which which) {
+  return {.initial = [&comparison, which](CellId cell) { return comparison.pairing.Initial(which, cell); },
+          .now = comparison.now,
+          .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs};
+}
+
+bool TakeRefusal(Comparison& comparison, const Transition& transition, const char* which) {
+  if (transition.refusal.empty()) return false;
+  comparison.refusal = std::string(which) + " version: " + transition.refusal;
+  return true;
+}
+
+/// What the host sees in the middle of a period: the same functions in the same order, at the same time, with the same
+/// outputs. A call that only one of them makes counts as a difference of the calls.
+void AddObservations(Comparison& comparison, const Transition& old_next, const Transition& new_next,
+                     std::vector<Question>& questions) {
+  Terms& terms = comparison.terms;
+  for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
+    const Observation& one = old_next.observations[i];
+    const Observation& other = new_next.observations[i];
+    for (size_t output = 0; output < one.outputs.size(); ++output) {
+      const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
+      if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
+      const TermId a = terms.And(one.when, one.outputs[output]), b = terms.And(other.when, other.outputs[output]);
+      if (a != b) questions.push_back({{a, b}, result});
+    }
+  }
+}
+
+/// The cells of one version from whose values the next ones of the undecided pairs are computed.
+std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
+  const bool is_old = which == Which::kOld;
+  const Version& version = is_old ? comparison.old_version : comparison.new_version;
+  std::vector<TermId> open;
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict != PairVerdict::kUndecided) continue;
+    open.push_back(is_old ? comparison.NextOld(result.old_cell) : comparison.NextNew(result.new_cell));
+  }
+  std::vector<bool> seen(comparison.terms.size());
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (seen[id.index]) continue;
+    seen[id.index] = true;
+    comparison.terms.ForEachOperand(comparison.terms[id], [&open](TermId operand) { open.push_back(operand); });
+  }
+  std::vector<CellId> cells;
+  const Uses& uses = is_old ? comparison.old_uses : comparison.new_uses;
+  for (uint32_t i = 0; i < version.cells.calls; ++i) {
+    const CellId cell(i);
+    if (!uses.reads[i] || !IsState(version, cell)) continue;
+    const TermId initial = comparison.pairing.Initial(which, cell);
+    if (initial.index < seen.size() && seen[initial.index]) cells.push_back(cell);
+  }
+  return cells;
+}
+
+}  // namespace
+
+void AddInvariants(Comparison& comparison) {
+  comparison.Report("invariants");
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const bool is_old = which == Which::kOld;
+    const auto is_input = [&](CellId cell) {
+      const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+      return old_cell.valid() && comparison.IsInput(old_cell);
+    };
+    const std::vector<CellId> cells = SupportOfUndecided(comparison, which);
+    (is_old ? comparison.old_invariants : comparison.new_invariants) =
+        FindInvariants(comparison.terms, *comparison.solver, is_old ? comparison.old_version : comparison.new_version,
+                       cells, is_input, comparison.RestMs() / 3);
+  }
+}
+
+bool ExecutePeriods(Comparison& comparison) {
+  comparison.old_next = RunPeriod(comparison.terms, comparison.old_version, SurroundingsOf(comparison, Which::kOld));
+  if (TakeRefusal(comparison, comparison.old_next, "old")) return false;
+  comparison.new_next = RunPeriod(comparison.terms, comparison.new_version, SurroundingsOf(comparison, Which::kNew));
+  return !TakeRefusal(comparison, comparison.new_next, "new");
+}
+
+bool CheckPowerOn(Comparison& comparison) {
+  comparison.Report("power-on");
+  const Transition old_init =
+      RunInit(comparison.terms, comparison.old_version, SurroundingsOf(comparison, Which::kOld));
+  const Transition new_init =
+      RunInit(comparison.terms, comparison.new_version, SurroundingsOf(comparison, Which::kNew));
+  if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return false;
+  std::vector<Question> questions;
+  for (uint32_t i = 0; i < comparison.results.size(); ++i) {
+    const PairResult& result = comparison.results[i];
+    const TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
+    if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
+  }
+  SeparateFailing(comparison, questions);
+  return true;
+}
+
+bool FindInductiveSet(Comparison& comparison) {
+  for (uint32_t round = 1;; ++round) {
+    comparison.Report("round " + std::to_string(round));
+    if (!ExecutePeriods(comparison)) return false;
+    std::vector<Question> questions;
+    for (uint32_t i = 0; i < comparison.results.size(); ++i) {
+      PairResult& result = comparison.results[i];
+      if (!comparison.pairing.IsEqual(result.old_cell)) continue;
+      const TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
+      if (pair.a != pair.b) questions.push_back({pair, i});
+    }
+    AddObservations(comparison, comparison.old_next, comparison.new_next, questions);
+    const uint32_t separated = SeparateFailing(comparison, questions);
+    if (round == 1) {
+      for (const Question& question : questions) {
+        PairResult& result = comparison.results[question.result];
+        result.changed_itself = result.changed_itself || !comparison.pairing.IsEqual(result.old_cell);
+      }
+    }
+    if (separated == 0) return true;
+    if (comparison.Late()) {
+      // The set is not inductive: nothing is proved.
+      for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
+      return true;
+    }
+  }
+}
+
+}  // namespace plcxx::prove

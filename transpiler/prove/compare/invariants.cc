@@ -1,0 +1,286 @@
+#include "transpiler/prove/compare/invariants.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/evaluate.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr size_t kMostBits = 96;    // that are looked at two by two
+constexpr size_t kMostValues = 12;  // of a byte or field that is said to take few
+constexpr int kRuns = 12, kPeriods = 150;
+
+class Finder {
+ public:
+  Finder(Terms& terms, Solver& solver, const Version& version, std::function<bool(CellId)> is_input)
+      : terms_(terms), solver_(solver), version_(version), is_input_(std::move(is_input)) {}
+
+  std::vector<Invariant> Find(std::span<const CellId> cells, uint64_t milliseconds);
+
+ private:
+  TermId Current(CellId cell);
+  TermId Next(CellId cell);
+  /// The state cells on which the next values of `cells` depend; all of them at last, closed under this.
+  void CloseOver(std::span<const CellId> cells);
+  void Simulate();
+  void RecordSample(const std::map<CellId, uint64_t>& state);
+  void Guess();
+  void DropWrongAtPowerOn();
+  bool Prove();
+  uint64_t Random() {
+    seed_ ^= seed_ << 13;
+    seed_ ^= seed_ >> 7;
+    seed_ ^= seed_ << 17;
+    return seed_;
+  }
+
+  Terms& terms_;
+  Solver& solver_;
+  const Version& version_;
+  std::function<bool(CellId)> is_input_;
+  std::map<CellId, TermId> current_;
+  Transition next_, init_;
+  TermId now_;
+  std::vector<CellId> state_;               // closed: what the cells of interest depend on in any number of periods
+  std::vector<CellId> inputs_;              // that these depend on
+  std::vector<CellId> bits_, fields_;       // of interest
+  std::vector<std::vector<CellId>> bytes_;  // of interest, from bit 7 down
+  std::vector<uint8_t> seen_pairs_;         // by two bits of interest: which of the four combinations occurred
+  std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
+  std::vector<Invariant> guesses_;
+  uint64_t seed_ = 0x2545F4914F6CDD1D;
+  std::chrono::steady_clock::time_point deadline_;
+};
+
+TermId Finder::Current(CellId cell) {
+  TermId& term = current_[cell];
+  if (!term.valid()) {
+    const Cell what = CellAt(*version_.program, version_.cells, cell);
+    term = terms_.Variable("alone " + CellName(*version_.program, what), CellWidth(*version_.program, what));
+  }
+  return term;
+}
+
+TermId Finder::Next(CellId cell) {
+  const TermId next = next_.next[cell.index];
+  return next.valid() ? next : Current(cell);
+}
+
+void Finder::CloseOver(std::span<const CellId> cells) {
+  std::vector<bool> seen_terms(terms_.size());
+  std::set<CellId> closed(cells.begin(), cells.end());
+  std::map<uint32_t, CellId> cell_of;  // by variable term
+  for (const auto& [cell, term] : current_) cell_of[term.index] = cell;
+  std::vector<CellId> open(closed.begin(), closed.end());
+  while (!open.empty()) {
+    const CellId cell = open.back();
+    open.pop_back();
+    std::vector<TermId> terms{Next(cell)};
+    while (!terms.empty()) {
+      const TermId id = terms.back();
+      terms.pop_back();
+      if (id.index >= seen_terms.size()) seen_terms.resize(terms_.size());
+      if (seen_terms[id.index]) continue;
+      seen_terms[id.index] = true;
+      const auto found = cell_of.find(id.index);
+      if (found != cell_of.end() && closed.insert(found->second).second) open.push_back(found->second);
+      terms_.ForEachOperand(terms_[id], [&terms](TermId operand) { terms.push_back(operand); });
+    }
+  }
+  for (const CellId cell : closed) (is_input_(cell) ? inputs_ : state_).push_back(cell);
+}
+
+void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
+  const auto bit = [&state](CellId cell) { return state.at(cell) & 1; };
+  for (size_t i = 0; i < bits_.size(); ++i) {
+    for (size_t j = i; j < bits_.size(); ++j) {
+      seen_pairs_[i * bits_.size() + j] |= static_cast<uint8_t>(1U << (2 * bit(bits_[i]) + bit(bits_[j])));
+    }
+  }
+  for (size_t i = 0; i < fields_.size(); ++i) {
+    if (seen_fields_[i].size() <= kMostValues) seen_fields_[i].insert(state.at(fields_[i]));
+  }
+  for (size_t i = 0; i < bytes_.size(); ++i) {
+    uint64_t value = 0;
+    for (const CellId cell : bytes_[i]) value = value << 1 | bit(cell);
+    if (seen_bytes_[i].size() <= kMostValues) seen_bytes_[i].insert(value);
+  }
+}
+
+void Finder::Simulate() {
+  std::vector<TermId> cone;
+  std::vector<bool> seen(terms_.size());
+  std::vector<TermId> open;
+  for (const CellId cell : state_) open.push_back(Next(cell));
+  for (const CellId cell : state_) open.push_back(init_.next[cell.index]);
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (id.index >= seen.size()) seen.resize(terms_.size());
+    if (seen[id.index]) continue;
+    seen[id.index] = true;
+    cone.push_back(id);
+    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+  }
+  std::ranges::sort(cone);
+  std::vector<uint64_t> values(terms_.size());
+  std::map<uint32_t, CellId> cell_of;  // by variable
+  for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;
+  const uint32_t period_ms = version_.program->schedule.period_ms;
+  for (int run = 0; run < kRuns && std::chrono::steady_clock::now() < deadline_; ++run) {
+    std::map<CellId, uint64_t> state, inputs;
+    uint64_t now = 0;
+    const auto evaluate = [&] {
+      for (const TermId id : cone) {
+        values[id.index] = EvaluateTerm(
+            terms_, terms_[id], [&values](TermId operand) { return values[operand.index]; },
+            [&](uint32_t variable) -> uint64_t {
+              if (variable == terms_[now_].a) return now;
+              const auto cell = cell_of.find(variable);
+              if (cell == cell_of.end()) return 0;
+              const auto of_state = state.find(cell->second);
+              if (of_state != state.end()) return of_state->second;
+              const auto of_input = inputs.find(cell->second);
+              return of_input != inputs.end() ? of_input->second : 0;
+            });
+      }
+    };
+    evaluate();
+    for (const CellId cell : state_) state[cell] = values[init_.next[cell.index].index];
+    RecordSample(state);
+    // Inputs change seldom in some runs and often in others, as a machine's do.
+    const uint64_t one_in = uint64_t{2} << (run % 5);
+    for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_;
+         ++period, now += period_ms) {
+      for (const CellId cell : inputs_) {
+        if (period == 0 || Random() % one_in == 0) inputs[cell] = Random() & 1;
+      }
+      evaluate();
+      for (const CellId cell : state_) state[cell] = values[Next(cell).index];
+      RecordSample(state);
+    }
+  }
+}
+
+void Finder::Guess() {
+  for (size_t i = 0; i < bits_.size(); ++i) {
+    const uint8_t own = seen_pairs_[i * bits_.size() + i];  // combination 0 and 3 only
+    if (own == 1 || own == 8) {
+      guesses_.push_back({.cells = {bits_[i]}, .values = {own == 1 ? uint64_t{0} : uint64_t{1}}});
+      continue;
+    }
+    for (size_t j = i + 1; j < bits_.size(); ++j) {
+      const uint8_t other = seen_pairs_[j * bits_.size() + j];
+      if (other == 1 || other == 8) continue;
+      for (uint64_t combination = 0; combination < 4; ++combination) {
+        if ((seen_pairs_[i * bits_.size() + j] >> combination & 1) != 0) continue;
+        guesses_.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .never = true});
+      }
+    }
+  }
+  for (size_t i = 0; i < fields_.size(); ++i) {
+    if (seen_fields_[i].size() > kMostValues) continue;
+    guesses_.push_back({.cells = {fields_[i]}, .values = {seen_fields_[i].begin(), seen_fields_[i].end()}});
+  }
+  for (size_t i = 0; i < bytes_.size(); ++i) {
+    if (seen_bytes_[i].size() > kMostValues) continue;
+    guesses_.push_back({.cells = bytes_[i], .values = {seen_bytes_[i].begin(), seen_bytes_[i].end()}});
+  }
+}
+
+void Finder::DropWrongAtPowerOn() {
+  std::erase_if(guesses_, [this](const Invariant& guess) {
+    const TermId wrong = terms_.Not(ConditionOf(terms_, guess, [this](CellId cell) { return init_.next[cell.index]; }));
+    if (terms_.IsFalse(wrong)) return false;
+    return solver_.Check({&wrong, 1}, 1000) != Answer::kNever;
+  });
+}
+
+bool Finder::Prove() {
+  for (;;) {
+    if (guesses_.empty()) return true;
+    const auto rest =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
+    if (rest.count() <= 0) return false;
+    std::vector<TermId> conditions, fails;
+    TermId any = terms_.Bit(false);
+    for (const Invariant& guess : guesses_) {
+      conditions.push_back(ConditionOf(terms_, guess, [this](CellId cell) { return Current(cell); }));
+      fails.push_back(terms_.Not(ConditionOf(terms_, guess, [this](CellId cell) { return Next(cell); })));
+      any = terms_.Or(any, fails.back());
+    }
+    if (terms_.IsFalse(any)) return true;
+    conditions.push_back(any);
+    const Answer answer = solver_.Check(conditions, static_cast<uint32_t>(rest.count()));
+    if (answer == Answer::kNever) return true;
+    if (answer == Answer::kUnknown) return false;
+    std::vector<Invariant> kept;
+    for (size_t i = 0; i < guesses_.size(); ++i) {
+      if (solver_.ValueOf(fails[i]) == 0) kept.push_back(std::move(guesses_[i]));
+    }
+    guesses_ = std::move(kept);
+  }
+}
+
+std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t milliseconds) {
+  deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  now_ = terms_.Variable("alone now", 32);
+  const auto initial = [this](CellId cell) { return Current(cell); };
+  next_ = RunPeriod(terms_, version_, {.initial = initial, .now = now_, .outputs = {}});
+  init_ = RunInit(terms_, version_, {.initial = initial, .now = now_, .outputs = {}});
+  if (!next_.refusal.empty() || !init_.refusal.empty()) return {};
+  CloseOver(cells);
+  const std::set<CellId> interesting(cells.begin(), cells.end());
+  std::set<uint32_t> bytes_taken;
+  for (const CellId id : interesting) {
+    const Cell cell = CellAt(*version_.program, version_.cells, id);
+    if (is_input_(id) || cell.kind == CellKind::kCalls) continue;
+    if (cell.kind == CellKind::kField && CellWidth(*version_.program, cell) > 1) {
+      fields_.push_back(id);
+      continue;
+    }
+    if (bits_.size() < kMostBits) bits_.push_back(id);
+    if (cell.kind != CellKind::kBit || !bytes_taken.insert(id.index - cell.bit).second) continue;
+    std::vector<CellId> byte;
+    for (uint32_t bit = 8; bit-- > 0;) byte.emplace_back(id.index - cell.bit + bit);
+    if (std::ranges::all_of(byte, [&](CellId bit) { return std::ranges::binary_search(state_, bit); })) {
+      bytes_.push_back(byte);
+    }
+  }
+  seen_pairs_.assign(bits_.size() * bits_.size(), 0);
+  seen_fields_.resize(fields_.size());
+  seen_bytes_.resize(bytes_.size());
+  Simulate();
+  Guess();
+  DropWrongAtPowerOn();
+  if (!Prove()) guesses_.clear();
+  return std::move(guesses_);
+}
+
+}  // namespace
+
+TermId ConditionOf(Terms& terms, const Invariant& invariant, const std::function<TermId(CellId)>& value) {
+  TermId number;
+  for (const CellId cell : invariant.cells) {
+    const TermId part = value(cell);
+    number = number.valid() ? terms.Concat(number, part) : part;
+  }
+  TermId any = terms.Bit(false);
+  for (const uint64_t one : invariant.values)
+    any = terms.Or(any, terms.Eq(number, terms.Const(one, terms.Width(number))));
+  return invariant.never ? terms.Not(any) : any;
+}
+
+std::vector<Invariant> FindInvariants(Terms& terms, Solver& solver, const Version& version,
+                                      std::span<const CellId> cells, const std::function<bool(CellId)>& is_input,
+                                      uint64_t milliseconds) {
+  return Finder(terms, solver, version, is_input).Find(cells, milliseconds);
+}
+
+}  // namespace plcxx::prove

@@ -1,0 +1,244 @@
+#include "transpiler/prove/compare/match.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "transpiler/ir/op.h"
+#include "transpiler/prove/meaning/meaning.h"
+
+namespace plcxx::prove {
+namespace {
+
+class Matcher {
+ public:
+  Matcher(const Version& old_version, const Version& new_version)
+      : old_(old_version),
+        new_(new_version),
+        match_{.new_of_old = std::vector<CellId>(old_version.cells.count),
+               .old_of_new = std::vector<CellId>(new_version.cells.count)} {}
+
+  void Places(const ir::Place& one, const ir::Place& other);
+  void InputsAndOutputs();
+  void InternalByName();
+  void ByAddress();
+  void Instances();
+  void HostFunctions();
+  Match Take() { return std::move(match_); }
+
+ private:
+  bool IsFree(CellId one, CellId other) const {
+    return !match_.new_of_old[one.index].valid() && !match_.old_of_new[other.index].valid();
+  }
+  void Pair(CellId one, CellId other) {
+    if (!IsFree(one, other)) return;
+    match_.new_of_old[one.index] = other;
+    match_.old_of_new[other.index] = one;
+  }
+  void Instance(ir::StateId one, ir::StateId other);
+  template <class Accept>
+  void Spaces(Accept&& accept);
+
+  const Version& old_;
+  const Version& new_;
+  Match match_;
+};
+
+/// Of a place that is not indexed: first cell and number.
+std::pair<CellId, uint32_t> CellsOf(const Version& version, const ir::Place& place) {
+  if (place.is_field()) {
+    const ir::StateKind kind = version.program->states[place.state].kind;
+    return {CellId(version.cells.states[place.state.index] + FieldTermIndex(kind, place.field)), 1};
+  }
+  if (place.type == ir::Type::kBit) return {version.cells.OfBit(place.space, place.offset, place.bit), 1};
+  return {version.cells.OfBit(place.space, place.offset, 0), 8 * ir::Bytes(place.type)};
+}
+
+bool IsInside(const Version& version, const ir::Place& place) {
+  if (place.is_field()) return true;
+  return place.space.valid() &&
+         uint64_t{place.offset} + ir::Bytes(place.type) <= version.program->spaces[place.space].bytes;
+}
+
+void Matcher::Places(const ir::Place& one, const ir::Place& other) {
+  if (one.type != other.type || one.indexed || other.indexed) return;
+  if (!IsInside(old_, one) || !IsInside(new_, other)) return;
+  const auto [from, count] = CellsOf(old_, one);
+  const auto [to, same_count] = CellsOf(new_, other);
+  for (uint32_t i = 0; i < std::min(count, same_count); ++i) {
+    if (!IsFree(CellId(from.index + i), CellId(to.index + i))) return;
+  }
+  for (uint32_t i = 0; i < std::min(count, same_count); ++i) Pair(CellId(from.index + i), CellId(to.index + i));
+}
+
+template <class Accept>
+void Matcher::Spaces(Accept&& accept) {
+  for (uint32_t i = 0; i < old_.program->spaces.size(); ++i) {
+    const ir::Space& space = old_.program->spaces[ir::SpaceId(i)];
+    if (space.lifetime == ir::Lifetime::kRoutine) continue;
+    for (uint32_t j = 0; j < new_.program->spaces.size(); ++j) {
+      const ir::Space& other = new_.program->spaces[ir::SpaceId(j)];
+      if (other.name != space.name || other.lifetime == ir::Lifetime::kRoutine) continue;
+      for (uint32_t bit = 0; bit < 8 * std::min(space.bytes, other.bytes); ++bit) {
+        const CellId one(old_.cells.spaces[i] + bit), same(new_.cells.spaces[j] + bit);
+        if (accept(one, same)) Pair(one, same);
+      }
+    }
+  }
+}
+
+void Matcher::InputsAndOutputs() {
+  Spaces([this](CellId one, CellId other) {
+    return DirectionOf(old_, one) != ir::Direction::kInternal || DirectionOf(new_, other) != ir::Direction::kInternal;
+  });
+}
+
+void Matcher::ByAddress() {
+  Spaces([](CellId, CellId) { return true; });
+}
+
+void Matcher::InternalByName() {
+  std::map<std::string, const ir::Place*> by_name;
+  const auto is_candidate = [](const Version& version, const ir::Place& place) {
+    return !place.is_field() && !place.indexed && !place.name.empty() && IsInside(version, place) &&
+           version.program->spaces[place.space].lifetime != ir::Lifetime::kRoutine;
+  };
+  for (const ir::Place& place : new_.program->places) {
+    if (is_candidate(new_, place)) by_name.emplace(place.name, &place);
+  }
+  for (const ir::Place& place : old_.program->places) {
+    if (!is_candidate(old_, place)) continue;
+    const auto found = by_name.find(place.name);
+    if (found == by_name.end()) continue;
+    const ir::Place& other = *found->second;
+    if (old_.program->spaces[place.space].name == new_.program->spaces[other.space].name) Places(place, other);
+  }
+}
+
+void Matcher::Instance(ir::StateId one, ir::StateId other) {
+  const uint32_t from = old_.cells.states[one.index], to = new_.cells.states[other.index];
+  for (uint32_t i = 0; i < FieldTerms(old_.program->states[one].kind); ++i) Pair(CellId(from + i), CellId(to + i));
+}
+
+void Matcher::Instances() {
+  std::map<std::pair<ir::StateKind, std::string>, ir::StateId> by_name;
+  for (uint32_t i = 0; i < new_.program->states.size(); ++i) {
+    const ir::StateInstance& state = new_.program->states[ir::StateId(i)];
+    by_name.emplace(std::pair(state.kind, state.name), ir::StateId(i));
+  }
+  std::map<ir::StateKind, std::vector<ir::StateId>> rest;
+  for (uint32_t i = 0; i < old_.program->states.size(); ++i) {
+    const ir::StateInstance& state = old_.program->states[ir::StateId(i)];
+    const auto found = by_name.find(std::pair(state.kind, state.name));
+    if (found == by_name.end()) {
+      rest[state.kind].emplace_back(i);
+    } else {
+      Instance(ir::StateId(i), found->second);
+    }
+  }
+  std::map<ir::StateKind, size_t> next;
+  for (uint32_t i = 0; i < new_.program->states.size(); ++i) {
+    const ir::StateKind kind = new_.program->states[ir::StateId(i)].kind;
+    if (match_.old_of_new[new_.cells.states[i]].valid()) continue;
+    if (next[kind] < rest[kind].size()) Instance(rest[kind][next[kind]++], ir::StateId(i));
+  }
+}
+
+void Matcher::HostFunctions() {
+  for (uint32_t i = 0; i < old_.program->host_functions.size(); ++i) {
+    for (uint32_t j = 0; j < new_.program->host_functions.size(); ++j) {
+      if (old_.program->host_functions[ir::HostFunctionId(i)].name ==
+          new_.program->host_functions[ir::HostFunctionId(j)].name) {
+        Pair(CellId(old_.cells.calls + i), CellId(new_.cells.calls + j));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Version MakeVersion(const ir::Program& program) { return {.program = &program, .cells = MakeCells(program)}; }
+
+Match MatchCells(const Version& old_version, const Version& new_version,
+                 const std::vector<std::pair<ir::Place, ir::Place>>& same) {
+  Matcher matcher(old_version, new_version);
+  for (const auto& [one, other] : same) matcher.Places(one, other);  // before everything that plcxx guesses
+  matcher.InputsAndOutputs();
+  matcher.InternalByName();
+  matcher.ByAddress();
+  matcher.Instances();
+  matcher.HostFunctions();
+  return matcher.Take();
+}
+
+ir::Direction DirectionOf(const Version& version, CellId id) {
+  const Cell cell = CellAt(*version.program, version.cells, id);
+  if (cell.kind == CellKind::kCalls) return ir::Direction::kOutput;
+  if (cell.kind == CellKind::kField) return ir::Direction::kInternal;
+  for (const ir::Zone& zone : version.program->spaces[cell.space].zones) {
+    if (zone.begin <= cell.offset && cell.offset < zone.end) return zone.direction;
+  }
+  return ir::Direction::kInternal;
+}
+
+bool IsState(const Version& version, CellId id) {
+  const Cell cell = CellAt(*version.program, version.cells, id);
+  return cell.kind != CellKind::kBit || version.program->spaces[cell.space].lifetime != ir::Lifetime::kRoutine;
+}
+
+bool IsRetentive(const Version& version, CellId id) {
+  const Cell cell = CellAt(*version.program, version.cells, id);
+  return cell.kind == CellKind::kBit && version.program->spaces[cell.space].lifetime == ir::Lifetime::kRetentive;
+}
+
+Uses UsesOf(const Version& version) {
+  const ir::Program& program = *version.program;
+  Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
+  const auto note = [&](std::vector<bool>& what, const ir::Place& place) {
+    if (place.is_field()) {
+      what[CellsOf(version, place).first.index] = true;
+      return;
+    }
+    const uint32_t size = program.spaces[place.space].bytes;
+    const uint32_t begin = place.indexed ? place.low : place.offset;
+    const uint32_t end = std::min(size, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
+    for (uint32_t offset = begin; offset < end; ++offset) {
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        if (place.type != ir::Type::kBit || bit == place.bit)
+          what[version.cells.OfBit(place.space, offset, bit).index] = true;
+      }
+    }
+  };
+  const auto note_instance = [&](uint32_t state) {
+    for (uint32_t i = 0; i < FieldTerms(program.states[ir::StateId(state)].kind); ++i) {
+      uses.reads[version.cells.states[state] + i] = true;
+      uses.writes[version.cells.states[state] + i] = true;
+    }
+  };
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      const ir::Shape shape = ir::Info(inst.op).shape;
+      if (shape == ir::Shape::kLoad) note(uses.reads, program.places[ir::PlaceId(inst.payload)]);
+      if (shape == ir::Shape::kStore) note(uses.writes, program.places[ir::PlaceId(inst.payload)]);
+      if (shape == ir::Shape::kStep) note_instance(inst.payload);
+      if (shape == ir::Shape::kText) {
+        note_instance(inst.payload);
+        note_instance(inst.a);
+      }
+      if (shape == ir::Shape::kHostCall) {
+        const ir::Call& call = program.calls[ir::CallId(inst.payload)];
+        uses.writes[version.cells.OfCalls(call.host).index] = true;
+        if (call.out.valid()) note(uses.writes, program.places[call.out]);
+      }
+      if (shape == ir::Shape::kRepeat) {
+        const ir::Loop& loop = program.loops[ir::LoopId(program[ir::InstId(inst.payload)].payload)];
+        note(uses.reads, program.places[loop.budget]);
+        note(uses.writes, program.places[loop.budget]);
+      }
+    }
+  }
+  return uses;
+}
+
+}  // namespace plcxx::prove

@@ -1,0 +1,45 @@
+// Which cell of one version of a program is which of the other one.
+//
+// Inputs and outputs are the same when their addresses are. Internal memory is matched by its names first, so that a
+// flag or variable may move, then by address, so that it may be renamed; instances by kind and name, then by kind and
+// order. A wrong guess makes nothing wrong: what is matched is compared, it only may come out as different. In: two
+// programs, and what the user says is the same. Not its job: whether matched cells behave alike.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/prove/execute/cells.h"
+
+namespace plcxx::prove {
+
+/// One version of a program with its cells.
+struct Version {
+  const ir::Program* program = nullptr;
+  Cells cells;
+};
+Version MakeVersion(const ir::Program& program);
+
+struct Match {
+  std::vector<CellId> new_of_old;  // by cell of the old version; none: it is not in the new one
+  std::vector<CellId> old_of_new;
+};
+
+/// `same`: places of the old and the new version that the user says are one (--map).
+Match MatchCells(const Version& old_version, const Version& new_version,
+                 const std::vector<std::pair<ir::Place, ir::Place>>& same);
+
+/// How the host uses a cell: bits by the zone of their byte; fields are internal, calls go out.
+ir::Direction DirectionOf(const Version& version, CellId cell);
+/// Whether a cell lives from scan to scan.
+bool IsState(const Version& version, CellId cell);
+bool IsRetentive(const Version& version, CellId cell);
+
+/// What a program does to each cell, by CellId.
+struct Uses {
+  std::vector<bool> reads, writes;
+};
+Uses UsesOf(const Version& version);
+
+}  // namespace plcxx::prove

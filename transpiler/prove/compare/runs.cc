@@ -1,0 +1,92 @@
+// Runs from power-on, period by period, until a pair differs.
+#include <algorithm>
+#include <map>
+
+#include "transpiler/prove/compare/comparison.h"
+
+namespace plcxx::prove {
+namespace {
+
+/// The state of both versions after some periods, over the inputs so far.
+struct Unrolled {
+  std::vector<TermId> old_state, new_state;        // by cell
+  std::vector<std::map<uint32_t, TermId>> inputs;  // by period: what each input (an old cell) is
+};
+
+void SetInput(Comparison& comparison, Unrolled& state, uint32_t old_cell) {
+  std::map<uint32_t, TermId>& inputs = state.inputs.back();
+  if (inputs.contains(old_cell)) return;
+  const Cell cell = CellAt(*comparison.old_version.program, comparison.old_version.cells, CellId(old_cell));
+  inputs[old_cell] = comparison.terms.Variable(
+      "period " + std::to_string(state.inputs.size()) + " " + CellName(*comparison.old_version.program, cell), 1);
+}
+
+bool Advance(Comparison& comparison, Unrolled& state) {
+  const uint32_t period_ms = comparison.old_version.program->schedule.period_ms;
+  const bool ends = comparison.old_version.program->schedule.period_ends_its_time;
+  state.inputs.emplace_back();
+  const auto now = comparison.terms.Const((state.inputs.size() - (ends ? 0 : 1)) * period_ms, 32);
+  const auto run = [&](Which which) {
+    const bool is_old = which == Which::kOld;
+    std::vector<TermId>& values = is_old ? state.old_state : state.new_state;
+    const Version& version = is_old ? comparison.old_version : comparison.new_version;
+    // Inputs have a new value in every period, the same for both; they keep it until the next one.
+    const auto initial = [&](CellId cell) {
+      const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+      if (!old_cell.valid() || !comparison.IsInput(old_cell)) return values[cell.index];
+      SetInput(comparison, state, old_cell.index);
+      return state.inputs.back()[old_cell.index];
+    };
+    const Transition next = RunPeriod(
+        comparison.terms, version, {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
+    for (uint32_t i = 0; i < values.size(); ++i) {
+      if (next.next[i].valid()) values[i] = next.next[i];
+    }
+    return next.refusal.empty();
+  };
+  return run(Which::kOld) && run(Which::kNew);
+}
+
+Unrolled PowerOn(Comparison& comparison) {
+  const Surroundings surroundings{.initial = [&](CellId) { return comparison.terms.Const(0, 64); },
+                                  .now = comparison.terms.Const(0, 32),
+                                  .answers = HostAnswers::kNothing,
+                                  .outputs = {}};
+  return {.old_state = RunInit(comparison.terms, comparison.old_version, surroundings).next,
+          .new_state = RunInit(comparison.terms, comparison.new_version, surroundings).next,
+          .inputs = {}};
+}
+
+Run RunOf(Comparison& comparison, const Unrolled& state) {
+  Run run;
+  for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
+    run.periods.emplace_back();
+    for (const auto& [old_cell, variable] : inputs) {
+      run.periods.back().push_back({.old_cell = CellId(old_cell),
+                                    .new_cell = comparison.match.new_of_old[old_cell],
+                                    .value = comparison.solver->ValueOf(variable) != 0});
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+void SearchRuns(Comparison& comparison) {
+  Unrolled state = PowerOn(comparison);
+  for (uint32_t period = 1; period <= comparison.limits.most_periods && !comparison.Late(); ++period) {
+    comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
+    if (!Advance(comparison, state)) return;
+    for (PairResult& result : comparison.results) {
+      if (result.verdict != PairVerdict::kUndecided || comparison.Late()) continue;
+      const TermId differ =
+          comparison.terms.Ne(state.old_state[result.old_cell.index], state.new_state[result.new_cell.index]);
+      if (comparison.terms.IsFalse(differ)) continue;
+      if (comparison.solver->Check({&differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
+      result.verdict = PairVerdict::kDifferent;
+      result.run = RunOf(comparison, state);
+    }
+  }
+}
+
+}  // namespace plcxx::prove

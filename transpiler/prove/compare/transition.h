@@ -1,0 +1,45 @@
+// One period, or power-on, of one version as a function of the state before it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/execute/execute.h"
+
+namespace plcxx::prove {
+
+/// What the host sees at a call that reads the state.
+struct Observation {
+  ir::HostFunctionId function;
+  TermId when;
+  std::vector<TermId> outputs;  // by index of Surroundings::outputs
+};
+
+struct Transition {
+  std::vector<TermId> next;  // by cell; none: the cell keeps its value
+  std::vector<Observation> observations;
+  Refusal refusal;
+};
+
+enum class HostAnswers : uint8_t {
+  kAny,     // whatever a host may answer and write
+  kNothing  // 0, no second result, and nothing is written: a simulation without a stub
+};
+
+struct Surroundings {
+  std::function<TermId(CellId)> initial;
+  TermId now;
+  HostAnswers answers = HostAnswers::kAny;
+  std::vector<CellId> outputs;  // what observations look at
+};
+
+/// The schedule's period.
+Transition RunPeriod(Terms& terms, const Version& version, const Surroundings& surroundings);
+/// Power-on: `initial` is asked for the calls only, memory is as the program says.
+Transition RunInit(Terms& terms, const Version& version, const Surroundings& surroundings);
+
+/// The value of a cell when power comes: 0, or the program's initial byte.
+bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit);
+
+}  // namespace plcxx::prove

@@ -1,0 +1,30 @@
+// Which values a term can have, roughly: an arithmetic progression. It says which bytes an index can reach.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove::llvm_ir {
+
+/// low, low + step, ..., high, as unsigned numbers; step 0: one value.
+struct ValueRange {
+  uint64_t low = 0, high = 0, step = 0;
+};
+
+class ValueRanges {
+ public:
+  explicit ValueRanges(const Terms& terms) : terms_(terms) {}
+  ValueRange Of(TermId term);
+
+ private:
+  ValueRange Compute(const Term& term);
+  ValueRange OfProduct(const Term& term, ValueRange a, ValueRange b) const;
+  ValueRange OfMask(const Term& term, ValueRange a, ValueRange b) const;
+
+  const Terms& terms_;
+  std::unordered_map<uint32_t, ValueRange> known_;  // looked up only
+};
+
+}  // namespace plcxx::prove::llvm_ir

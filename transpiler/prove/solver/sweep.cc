@@ -1,0 +1,201 @@
+#include "transpiler/prove/solver/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <unordered_map>
+
+#include "transpiler/prove/terms/evaluate.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr int kVectors = 24;
+constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
+constexpr size_t kMostTermsToRefine = 50'000;  // a counterexample is evaluated on cones up to this size
+
+enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
+
+class Sweeper {
+ public:
+  Sweeper(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits)
+      : terms_(terms), solver_(solver), pairs_(pairs), limits_(limits) {}
+
+  std::vector<Verdict> Run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void MarkCones();
+  void Simulate();
+  void Refine();
+  void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
+  uint64_t Random() {
+    seed_ ^= seed_ << 13;
+    seed_ ^= seed_ >> 7;
+    seed_ ^= seed_ << 17;
+    return seed_;
+  }
+  void SweepTerm(TermId id);
+  Answer Differ(TermId a, TermId b, uint32_t milliseconds);
+  bool Late() const { return Clock::now() >= deadline_; }
+  TermId Representative(TermId id) const {
+    return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
+  }
+
+  Terms& terms_;
+  Solver& solver_;
+  std::span<const TermPair> pairs_;
+  const SweepLimits& limits_;
+  Clock::time_point deadline_;
+  std::vector<uint8_t> sides_;  // by TermId
+  std::vector<TermId> cone_;    // of the pairs that are not one term, operands first
+  std::vector<uint64_t> signatures_, values_;
+  std::vector<TermId> representative_;
+  std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
+  uint64_t seed_ = 0x9E3779B97F4A7C15;
+};
+
+void Sweeper::MarkCones() {
+  sides_.assign(terms_.size(), kNone);
+  for (const Side side : {kSideA, kSideB}) {
+    std::vector<TermId> open;
+    for (const TermPair& pair : pairs_) {
+      if (pair.a != pair.b) open.push_back(side == kSideA ? pair.a : pair.b);
+    }
+    while (!open.empty()) {
+      const TermId id = open.back();
+      open.pop_back();
+      if ((sides_[id.index] & side) != 0) continue;
+      sides_[id.index] |= side;
+      terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+    }
+  }
+  for (uint32_t i = 0; i < sides_.size(); ++i) {
+    if (sides_[i] != kNone) cone_.emplace_back(i);
+  }
+}
+
+void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable) {
+  for (const TermId id : cone_) {
+    const Term& term = terms_[id];
+    const uint64_t value = EvaluateTerm(
+        terms_, term, [this](TermId operand) { return values_[operand.index]; },
+        [&](uint32_t number) { return variable(number, term.width); });
+    values_[id.index] = value;
+    uint64_t& signature = signatures_[id.index];
+    signature = (signature ^ value) * 0x9E3779B97F4A7C15;
+    signature ^= signature >> 32;
+  }
+}
+
+/// Values as programs have them: bits of every density, and numbers that are small, large or anything.
+void Sweeper::Simulate() {
+  values_.assign(terms_.size(), 0);
+  signatures_.assign(terms_.size(), 0);
+  for (int vector = 0; vector < kVectors; ++vector) {
+    const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
+    EvaluateVector([&](uint32_t, uint8_t width) -> uint64_t {
+      if (width == 1) return (Random() & 255) < density ? 1 : 0;
+      switch (Random() % 4) {
+        case 0:
+          return 0;
+        case 1:
+          return Random() % 5;
+        case 2:
+          return ~uint64_t{0} - Random() % 3;
+        default:
+          return Random();
+      }
+    });
+  }
+}
+
+/// The values by which the solver told two terms apart tell others apart, too.
+void Sweeper::Refine() {
+  if (cone_.size() > kMostTermsToRefine) return;
+  std::vector<std::pair<uint32_t, uint64_t>> variables;
+  for (const TermId id : cone_) {
+    if (terms_[id].kind == TermKind::kVariable) variables.emplace_back(terms_[id].a, solver_.ValueOf(id));
+  }
+  std::ranges::sort(variables);
+  EvaluateVector([&](uint32_t number, uint8_t) {
+    const auto at = std::ranges::lower_bound(variables, std::pair(number, uint64_t{0}));
+    return at != variables.end() && at->first == number ? at->second : 0;
+  });
+  std::unordered_map<uint64_t, std::vector<TermId>> classes;
+  for (const auto& [old_signature, members] : classes_) {
+    for (const TermId member : members) classes[signatures_[member.index]].push_back(member);
+  }
+  for (auto& [signature, members] : classes) std::ranges::sort(members);
+  classes_ = std::move(classes);
+}
+
+Answer Sweeper::Differ(TermId a, TermId b, uint32_t milliseconds) {
+  const TermId differ = terms_.Ne(a, b);
+  if (terms_.IsFalse(differ)) return Answer::kNever;
+  return solver_.Check({&differ, 1}, milliseconds);
+}
+
+void Sweeper::SweepTerm(TermId id) {
+  const Term term = terms_[id];
+  std::vector<TermId> operands;
+  bool changed = false;
+  terms_.ForEachOperand(term, [&](TermId operand) {
+    operands.push_back(Representative(operand));
+    changed = changed || operands.back() != operand;
+  });
+  TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  // A constant is its own best form; what both sides have in common needs no question.
+  const bool asks = sides_[id.index] != kBoth && !terms_.IsConst(now) && !Late();
+  if (asks) {
+    size_t tried = 0;
+    for (const TermId member : std::vector<TermId>(classes_[signatures_[id.index]])) {
+      const TermId other = Representative(member);
+      if (other == now) break;
+      // An answer to the question before may have told them apart.
+      if (signatures_[member.index] != signatures_[id.index]) continue;
+      if (terms_.Width(other) != term.width || ++tried > kMostCandidates) continue;
+      // Two terms of one side are rarely worth a question.
+      if (sides_[member.index] == sides_[id.index]) continue;
+      const Answer answer = Differ(now, other, limits_.inner_ms);
+      if (answer == Answer::kNever) {
+        now = other;
+        break;
+      }
+      if (answer == Answer::kPossible) Refine();
+    }
+  }
+  representative_[id.index] = now;
+  classes_[signatures_[id.index]].push_back(id);
+}
+
+std::vector<Verdict> Sweeper::Run() {
+  deadline_ = Clock::now() + std::chrono::milliseconds(limits_.total_ms);
+  std::vector<Verdict> verdicts(pairs_.size(), Verdict::kEqual);
+  const auto open = static_cast<size_t>(std::ranges::count_if(pairs_, [](const TermPair& p) { return p.a != p.b; }));
+  if (open == 0) return verdicts;
+  MarkCones();
+  Simulate();
+  representative_.assign(terms_.size(), TermId());
+  for (const TermId id : cone_) SweepTerm(id);
+  size_t done = 0;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].a == pairs_[i].b) continue;
+    if (limits_.progress) limits_.progress(++done, open);
+    const TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
+    if (a == b) continue;
+    const Answer answer = Late() ? Answer::kUnknown : Differ(a, b, limits_.pair_ms);
+    verdicts[i] = answer == Answer::kNever      ? Verdict::kEqual
+                  : answer == Answer::kPossible ? Verdict::kDifferent
+                                                : Verdict::kUndecided;
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<Verdict> Compare(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits) {
+  return Sweeper(terms, solver, pairs, limits).Run();
+}
+
+}  // namespace plcxx::prove

@@ -1,0 +1,39 @@
+// Which of many pairs of terms are equal for all values of their variables: found from the operands up.
+//
+// Two versions of a program differ in few places, so most of both sides is one and the same term. Of what is left,
+// terms that agree on random values are asked about in the order of their making; what is proved equal is made one, so
+// that the next question is as small as the statement it comes from (SAT sweeping with cut points).
+// In: pairs and a solver with its assumptions. Out: a verdict for each pair. Not its job: what the terms stand for.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "transpiler/prove/solver/solver.h"
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+enum class Verdict : uint8_t {
+  kEqual,
+  kDifferent,  // there are values of the variables that show it
+  kUndecided   // not within the time
+};
+
+struct TermPair {
+  TermId a, b;
+};
+
+struct SweepLimits {
+  uint32_t inner_ms = 100;                                // for a question about two terms inside
+  uint32_t pair_ms = 2000;                                // for the question about a pair
+  uint64_t total_ms = 60'000;                             // for all; later pairs are undecided
+  std::function<void(size_t done, size_t all)> progress;  // of the pairs that are not one term; may be empty
+};
+
+/// A verdict for each pair, under what `solver` assumes.
+std::vector<Verdict> Compare(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits);
+
+}  // namespace plcxx::prove
