@@ -1,4 +1,4 @@
-// plcxx report: tables about a program. The page with pictures comes with a later version.
+// plcxx report: a page about a program, its ladder pictures, or one of its tables.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -8,20 +8,30 @@
 #include "transpiler/cost/cost_model.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/report_page.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/report/ladder_pictures.h"
+#include "transpiler/report/page.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr const char* kFooter = R"(Examples:
+  plcxx report turret.sym turret.plc -o review            writes review/turret.html: source, C++ and ladder side by side,
+                                                          cross reference, memory map, budget
+  plcxx report turret.sym turret.plc --ladder -o pictures writes pictures/turret.slow.svg ..., one for each routine
+  plcxx report turret.sym turret.plc --ladder -o -        all of them as one picture, to standard output
   plcxx report turret.sym turret.plc --print-symbols      names, addresses, number of reads and writes
   plcxx report turret.sym turret.plc --cross-reference    who reads and who writes, with file and line
   plcxx report turret.sym turret.plc --cost-listing       the estimated time of each statement
   plcxx report lathe.il --resources                       what the program uses of what the control has
   plcxx report mill.cld --lists                           handlers, alarms, codes, cells, variables, limits
 
-Tables go to standard output. A page with ladder pictures comes with a later version.
+The page is one file that needs no network; '-o -' writes it to standard output. Tables go to standard output.
 Exit codes: 0 done, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
 
 struct Uses {
@@ -187,20 +197,61 @@ void PrintLists(const Compilation& compilation) {
 
 struct ReportOptions {
   CommonOptions common;
+  OutputOptions output;
+  bool ladder = false;
   bool symbols = false;
   bool cross_reference = false;
   bool costs = false;
   bool resources = false;
   bool lists = false;
+
+  bool wants_table() const { return symbols || cross_reference || costs || resources || lists; }
 };
 
-int RunReport(const ReportOptions& options) {
-  std::optional<CompilationRequest> request = MakeRequest(options.common);
-  if (!request) return kWrongUse;
-  if (!options.symbols && !options.cross_reference && !options.costs && !options.resources && !options.lists) {
-    PrintUsageError("report needs a table: --print-symbols, --cross-reference, --cost-listing, --resources or --lists");
+/// The page, or the pictures: each a file, or all of it to standard output.
+int WritePage(const ReportOptions& options, const CompilationRequest& request) {
+  Compilation compilation = Compile(request);
+  if (compilation.ok() && !compilation.has_program) {
+    PrintUsageError("the sources are data only: there is no program to report of");
     return kWrongUse;
   }
+  std::string text;
+  if (compilation.ok()) {
+    const report::ProgramInput input = PageInput(compilation);
+    OutputRequest output;
+    output.directory = options.output.directory;
+    if (options.output.directory == "-") {
+      text = options.ladder ? report::LadderPicture(input) : report::Page(input);
+    } else if (options.ladder) {
+      for (report::Picture& picture : report::LadderPictures(input)) {
+        const std::string name = compilation.name + "." + emit::SafeIdentifier(picture.name) + ".svg";
+        output.files.push_back({PathIn(output.directory, name), std::move(picture.svg)});
+      }
+    } else {
+      output.files.push_back({PathIn(output.directory, compilation.name + ".html"), report::Page(input)});
+    }
+    output.protected_paths = PathsRead(compilation);
+    if (!output.files.empty()) {
+      if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
+    }
+  }
+  if (options.output.directory == "-") {
+    PrintDiagnosticsBeside(compilation, FormatOf(options.common));
+    std::cout << text;
+  } else {
+    PrintDiagnostics(compilation, FormatOf(options.common));
+  }
+  return ExitCodeOf(compilation);
+}
+
+int RunReport(const ReportOptions& options) {
+  std::optional<CompilationRequest> request = MakeNamedRequest(options.common, options.output);
+  if (!request) return kWrongUse;
+  if (options.wants_table() && options.ladder) {
+    PrintUsageError("--ladder writes pictures: not together with a table");
+    return kWrongUse;
+  }
+  if (!options.wants_table()) return WritePage(options, *request);
   const Compilation compilation = Compile(*request, Stage::kChecked);
   if (!compilation.ok()) {
     PrintDiagnosticsBeside(compilation, FormatOf(options.common));
@@ -217,9 +268,15 @@ int RunReport(const ReportOptions& options) {
 }  // namespace
 
 void AddReport(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("report", "Symbols, cross reference, costs of the statements");
+  CLI::App* command = app.add_subcommand("report", "A page about the program, ladder pictures, tables");
   const auto options = std::make_shared<ReportOptions>();
   AddCommonOptions(*command, options->common);
+  const auto add = [&command](const char* option, std::string& value, const char* type, const char* meaning) {
+    command->add_option(option, value, meaning)->type_name(type)->group("Output");
+  };
+  add("--name", options->output.name, "NAME", "Name of the program and its files; else from the first logic source");
+  add("-o", options->output.directory, "DIR", "Directory of the files; else the current one; '-': standard output");
+  command->add_flag("--ladder", options->ladder, "Only the ladder pictures, as SVG")->group("Output");
   command->add_flag("--print-symbols", options->symbols, "The symbols by name, with the number of reads and writes");
   command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");
   command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");
