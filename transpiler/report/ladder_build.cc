@@ -38,6 +38,7 @@ class LadderBuilder {
   void Inst(ir::InstId id);
   void Local(ir::InstId id);
   void Store(const ir::Inst& inst);
+  ir::ValueId ConditionOfSet(const ir::Inst& store, Shape& shape) const;
   void If(const ir::Inst& inst);
   bool IsConditional(const ir::Inst& inst) const;
   void Conditional(const ir::Inst& inst);
@@ -179,11 +180,33 @@ void LadderBuilder::Local(ir::InstId id) {
   Always(std::move(box));
 }
 
+/// An instruction that sets or clears a bit on a condition is `x = x | c` or `x = x & !c`, where the read of x has no
+/// text of its own. Gives the condition, which of the two it is in `shape`; none: it is neither.
+ir::ValueId LadderBuilder::ConditionOfSet(const ir::Inst& store, Shape& shape) const {
+  const ir::ValueId value(store.a);
+  const ir::Inst& joined = program_[value];
+  if (text_.IsLocal(value) || (joined.op != ir::OpKind::kBitOr && joined.op != ir::OpKind::kBitAnd)) return {};
+  const ir::Inst& read = program_[ir::ValueId(joined.a)];
+  const bool implied = read.op == ir::OpKind::kLoad && read.payload == store.payload && read.range == store.range &&
+                       !program_.places[ir::PlaceId(store.payload)].indexed && !text_.IsLocal(ir::ValueId(joined.a));
+  if (!implied) return {};
+  if (joined.op == ir::OpKind::kBitOr) {
+    shape = Shape::kSet;
+    return ir::ValueId(joined.b);
+  }
+  const ir::Inst& keeps = program_[ir::ValueId(joined.b)];
+  if (keeps.op != ir::OpKind::kBitNot || text_.IsLocal(ir::ValueId(joined.b))) return {};
+  shape = Shape::kReset;
+  return ir::ValueId(keeps.a);
+}
+
 void LadderBuilder::Store(const ir::Inst& inst) {
   const ir::PlaceId place(inst.payload);
   const ir::ValueId value(inst.a), index(inst.b);
   if (program_.places[place].type == ir::Type::kBit) {
-    Output(value, networks_.OfPlace(Shape::kCoil, place, index));
+    Shape shape = Shape::kCoil;
+    const ir::ValueId condition = ConditionOfSet(inst, shape);
+    Output(condition.valid() ? condition : value, networks_.OfPlace(shape, place, index));
     return;
   }
   Element box = networks_.OfPlace(Shape::kBox, place, index);

@@ -26,12 +26,23 @@ bool IsCodeComment(std::string_view line) {
   return begin != std::string_view::npos && line.substr(begin).starts_with("//");
 }
 
+/// Blanks in front of all lines, as many as are more than a few.
+size_t Margin(const Row& row) {
+  constexpr size_t kKept = 4;
+  size_t margin = std::string_view::npos;
+  for (const SourceLine& line : row.source) {
+    margin = std::min(margin, std::min(line.text.find_first_not_of(' '), line.text.size()));
+  }
+  return row.source.empty() || margin < kKept ? 0 : margin - kKept;
+}
+
 void AppendSource(const Row& row, std::string& out) {
   out += "<pre class=\"src\" tabindex=\"-1\">";
+  const size_t margin = Margin(row);
   if (row.source.empty() && !row.title.empty()) out += "<i>" + Escape(row.title) + "</i>";
   for (const SourceLine& line : row.source) {
     out += "<span data-n=\"" + std::to_string(line.number) + (line.comment ? "\" class=\"c\">" : "\">") +
-           Escape(line.text) + "</span>";
+           Escape(line.text.substr(std::min(margin, line.text.size()))) + "</span>";
   }
   out += "</pre>";
 }

@@ -71,7 +71,7 @@ void RowMaker::Anchors() {
   }
 }
 
-/// The program's own, then those that hold statements beside them.
+/// The program's own, then those that hold statements beside them; tables of names, which have none, last.
 void RowMaker::Files() {
   files_ = input_.files;
   for (uint32_t i = 0; i < program_.statements.size(); ++i) {
@@ -82,6 +82,7 @@ void RowMaker::Files() {
     if (known.empty() && std::ranges::find(files_, file) == files_.end()) files_.push_back(file);
     known.push_back(ir::StatementId(i));
   }
+  std::ranges::stable_partition(files_, [this](source::FileId file) { return statements_of_.contains(file.index); });
   for (auto& [file, statements] : statements_of_) {
     // What holds others comes before them.
     std::ranges::stable_sort(statements, {}, [this](ir::StatementId id) {
