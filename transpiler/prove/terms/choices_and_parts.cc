@@ -1,5 +1,5 @@
 // Comparisons, choices, and parts of terms: what memory, bits in words and joins of branches are made of.
-#include <bit>
+#include <algorithm>
 #include <utility>
 
 #include "transpiler/prove/terms/terms.h"
@@ -160,29 +160,113 @@ TermId Terms::Concat(TermId high, TermId low) {
   return Add({TermKind::kConcat, width, high.index, low.index});
 }
 
-TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
-  const Term term = terms_[a.index];
-  PLCXX_CHECK(width >= 1 && low + width <= term.width);
-  if (width == term.width) return a;
-  // Parts of a part are found once: without it the work would double with every shared operand.
-  const Term asked{TermKind::kExtract, width, a.index, low};
-  if (const auto found = extracts_.find(asked); found != extracts_.end()) return TermId(found->second);
-  const TermId result = ExtractNew(term, a, low, width);
-  extracts_.emplace(asked, result.index);
-  return result;
+Terms::Part Terms::Innermost(Part part) const {
+  while (true) {
+    const Term& term = terms_[part.of.index];
+    if (term.kind == TermKind::kExtract) {
+      part.low = static_cast<uint8_t>(part.low + term.b);
+      part.of = TermId(term.a);
+    } else if (term.kind == TermKind::kConcat && part.low >= Width(TermId(term.b))) {
+      part.low = static_cast<uint8_t>(part.low - Width(TermId(term.b)));
+      part.of = TermId(term.a);
+    } else if (term.kind == TermKind::kConcat && part.low + part.width <= Width(TermId(term.b))) {
+      part.of = TermId(term.b);
+    } else {
+      return part;
+    }
+  }
 }
 
-TermId Terms::ExtractNew(const Term& term, TermId a, uint8_t low, uint8_t width) {
+TermId Terms::FindPart(const Part& part) const {
+  if (part.width == Width(part.of)) return part.of;
+  const auto found = extracts_.find({TermKind::kExtract, part.width, part.of.index, part.low});
+  return found == extracts_.end() ? TermId() : TermId(found->second);
+}
+
+TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
+  PLCXX_CHECK(width >= 1 && low + width <= Width(a));
+  const Part asked = Innermost({a, low, width});
+  if (const TermId found = FindPart(asked); found.valid()) return found;
+  // Parts are made from below, on a stack of our own: a chain of choices may be longer than the processor's stack. Each
+  // is made once: without it the work would double with every shared operand.
+  std::vector<Part> open{asked};
+  while (!open.empty()) {
+    const Part part = open.back();
+    if (FindPart(part).valid()) {
+      open.pop_back();
+      continue;
+    }
+    const size_t before = open.size();
+    ForEachPartBelow(part, [this, &open](const Part& below) {
+      const Part innermost = Innermost(below);
+      if (!FindPart(innermost).valid()) open.push_back(innermost);
+    });
+    if (open.size() > before) continue;
+    open.pop_back();
+    const TermId result = ExtractNew(part.of, part.low, part.width);
+    extracts_.emplace(Term{TermKind::kExtract, part.width, part.of.index, part.low}, result.index);
+  }
+  return FindPart(asked);
+}
+
+/// The parts of operands that ExtractNew asks for.
+template <class Visit>
+void Terms::ForEachPartBelow(const Part& part, Visit&& visit) const {
+  const Term term = terms_[part.of.index];
+  switch (term.kind) {
+    case TermKind::kConcat: {
+      // Innermost has seen to it that the part reaches into both.
+      const uint8_t border = Width(TermId(term.b));
+      visit({TermId(term.a), 0, static_cast<uint8_t>(part.low + part.width - border)});
+      visit({TermId(term.b), part.low, static_cast<uint8_t>(border - part.low)});
+      return;
+    }
+    case TermKind::kNot:
+      visit({TermId(term.a), part.low, part.width});
+      return;
+    case TermKind::kAnd:
+    case TermKind::kOr:
+    case TermKind::kXor:
+      visit({TermId(term.a), part.low, part.width});
+      visit({TermId(term.b), part.low, part.width});
+      return;
+    case TermKind::kIte:
+      visit({TermId(term.b), part.low, part.width});
+      visit({TermId(term.c), part.low, part.width});
+      return;
+    case TermKind::kAdd:
+    case TermKind::kSub:
+    case TermKind::kMul:
+      if (part.low != 0) return;
+      visit({TermId(term.a), 0, part.width});
+      visit({TermId(term.b), 0, part.width});
+      return;
+    case TermKind::kConst:
+    case TermKind::kVariable:
+    case TermKind::kUdiv:
+    case TermKind::kUrem:
+    case TermKind::kSdiv:
+    case TermKind::kSrem:
+    case TermKind::kShl:
+    case TermKind::kLshr:
+    case TermKind::kAshr:
+    case TermKind::kEq:
+    case TermKind::kUlt:
+    case TermKind::kSlt:
+    case TermKind::kExtract:
+    case TermKind::kApply:
+      return;
+  }
+}
+
+TermId Terms::ExtractNew(TermId a, uint8_t low, uint8_t width) {
+  const Term term = terms_[a.index];
   switch (term.kind) {
     case TermKind::kConst:
       return Const(Value(a) >> low, width);
-    case TermKind::kExtract:
-      return Extract(TermId(term.a), static_cast<uint8_t>(term.b + low), width);
     case TermKind::kConcat: {
       const TermId high(term.a), rest(term.b);
       const uint8_t border = Width(rest);
-      if (low >= border) return Extract(high, static_cast<uint8_t>(low - border), width);
-      if (low + width <= border) return Extract(rest, low, width);
       return Concat(Extract(high, 0, static_cast<uint8_t>(low + width - border)),
                     Extract(rest, low, static_cast<uint8_t>(border - low)));
     }
@@ -218,6 +302,7 @@ TermId Terms::ExtractNew(const Term& term, TermId a, uint8_t low, uint8_t width)
     case TermKind::kEq:
     case TermKind::kUlt:
     case TermKind::kSlt:
+    case TermKind::kExtract:
     case TermKind::kApply:
       break;
   }

@@ -53,6 +53,43 @@ TermId Terms::Binary(TermKind kind, TermId a, TermId b, uint8_t width) {
   return Add({kind, width, a.index, b.index});
 }
 
+TermId Terms::ByParts(TermKind kind, TermId a, TermId b) {
+  const auto is_row = [this](TermId id) {
+    return terms_[id.index].kind == TermKind::kConcat || terms_[id.index].kind == TermKind::kConst;
+  };
+  if (!is_row(a) || !is_row(b)) return {};
+  for (const TermId split : {a, b}) {
+    if (IsConst(split)) continue;
+    const uint8_t low = Width(TermId(terms_[split.index].b));
+    const auto high = static_cast<uint8_t>(Width(a) - low);
+    const TermId high_a = Extract(a, low, high), high_b = Extract(b, low, high);
+    const TermId low_a = Extract(a, 0, low), low_b = Extract(b, 0, low);
+    const auto is_simple = [this](TermId x, TermId y) { return x == y || IsConst(x) || IsConst(y); };
+    if (!is_simple(high_a, high_b) && !is_simple(low_a, low_b)) continue;
+    if (kind == TermKind::kAnd) return Concat(And(high_a, high_b), And(low_a, low_b));
+    if (kind == TermKind::kOr) return Concat(Or(high_a, high_b), Or(low_a, low_b));
+    return Concat(Xor(high_a, high_b), Xor(low_a, low_b));
+  }
+  return {};
+}
+
+TermId Terms::MaskedParts(TermId a, uint64_t mask) {
+  constexpr int kMostParts = 3;
+  const uint8_t width = Width(a);
+  TermId result;
+  int parts = 0;
+  for (uint8_t low = 0; low < width; ++parts) {
+    const uint64_t rest = mask >> low;
+    const int run = (rest & 1) != 0 ? std::countr_one(rest) : std::countr_zero(rest);
+    const auto count = static_cast<uint8_t>(std::min<int>(run, width - low));
+    if (parts == kMostParts) return {};
+    const TermId part = (rest & 1) != 0 ? Extract(a, low, count) : Const(0, count);
+    result = result.valid() ? Concat(part, result) : part;
+    low = static_cast<uint8_t>(low + count);
+  }
+  return result;
+}
+
 TermId Terms::And(TermId a, TermId b) {
   if (b < a) std::swap(a, b);  // constants are not always lower: both places are looked at
   if (a == b) return a;
@@ -69,6 +106,11 @@ TermId Terms::And(TermId a, TermId b) {
     const bool contains = term.a == one.index || term.b == one.index;
     if (term.kind == TermKind::kAnd && contains) return other;
     if (term.kind == TermKind::kOr && contains) return one;
+  }
+  if (const TermId parts = ByParts(TermKind::kAnd, a, b); parts.valid()) return parts;
+  for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
+    if (!IsConst(constant) || IsConst(other)) continue;
+    if (const TermId parts = MaskedParts(other, Value(constant)); parts.valid()) return parts;
   }
   return Binary(TermKind::kAnd, a, b, width);
 }
@@ -90,6 +132,7 @@ TermId Terms::Or(TermId a, TermId b) {
     if (term.kind == TermKind::kOr && contains) return other;
     if (term.kind == TermKind::kAnd && contains) return one;
   }
+  if (const TermId parts = ByParts(TermKind::kOr, a, b); parts.valid()) return parts;
   return Binary(TermKind::kOr, a, b, width);
 }
 
@@ -106,6 +149,7 @@ TermId Terms::Xor(TermId a, TermId b) {
   // Complements go outside: !x ^ y = !(x ^ y).
   if (terms_[a.index].kind == TermKind::kNot) return Not(Xor(TermId(terms_[a.index].a), b));
   if (terms_[b.index].kind == TermKind::kNot) return Not(Xor(a, TermId(terms_[b.index].a)));
+  if (const TermId parts = ByParts(TermKind::kXor, a, b); parts.valid()) return parts;
   return Binary(TermKind::kXor, a, b, width);
 }
 

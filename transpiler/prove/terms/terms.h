@@ -181,7 +181,23 @@ class Terms {
   TermId Binary(TermKind kind, TermId a, TermId b, uint8_t width);
   bool IsNotOf(TermId a, TermId b) const;
   TermId EqOfConst(TermId a, TermId constant);
-  TermId ExtractNew(const Term& term, TermId a, uint8_t low, uint8_t width);
+  /// Two words that are put together alike, part by part where that makes a part simpler; else none.
+  TermId ByParts(TermKind kind, TermId a, TermId b);
+  /// The bits of `a` that are 1 in the constant, between zeros; none where they are scattered.
+  TermId MaskedParts(TermId a, uint64_t mask);
+
+  /// What Extract is asked for.
+  struct Part {
+    TermId of;
+    uint8_t low, width;
+  };
+  /// The same bits of the part or the operand of a row that they are in.
+  Part Innermost(Part part) const;
+  /// The term of an innermost part; none when it is not made yet.
+  TermId FindPart(const Part& part) const;
+  template <class Visit>
+  void ForEachPartBelow(const Part& part, Visit&& visit) const;
+  TermId ExtractNew(TermId a, uint8_t low, uint8_t width);
 
   std::vector<Term> terms_;
   std::unordered_map<Term, uint32_t, Hash> index_;     // looked up only, never walked

@@ -1,0 +1,412 @@
+// Every simplification of terms against plain evaluation: terms are built at random through the functions that
+// simplify, beside the values that the same operations give for a few assignments of the variables.
+#include "transpiler/prove/terms/terms.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/terms/evaluate.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr size_t kAssignments = 8;
+using Values = std::array<uint64_t, kAssignments>;
+
+/// A term and what it must be.
+struct Expected {
+  TermId term;
+  uint8_t width = 1;
+  Values values{};
+};
+
+uint64_t Ones(int width) { return width == 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1; }
+
+/// The operations once more, as SMT-LIB defines them, by sign and magnitude and bit by bit.
+uint64_t Reference(TermKind kind, uint64_t a, uint64_t b, int width) {
+  const uint64_t ones = Ones(width), top = uint64_t{1} << (width - 1);
+  const bool negative_a = (a & top) != 0, negative_b = (b & top) != 0;
+  const uint64_t size_a = negative_a ? (0 - a) & ones : a, size_b = negative_b ? (0 - b) & ones : b;
+  const auto negated_if = [ones](bool negative, uint64_t x) { return negative ? (0 - x) & ones : x; };
+  const auto shifted = [&](auto source) {
+    uint64_t result = 0;
+    for (int i = 0; i < width; ++i) result |= (source(i) ? uint64_t{1} : uint64_t{0}) << i;
+    return result;
+  };
+  const auto bit = [a](uint64_t i) { return ((a >> i) & 1) != 0; };
+  const auto end = static_cast<uint64_t>(width);
+  switch (kind) {
+    case TermKind::kAnd:
+      return a & b;
+    case TermKind::kOr:
+      return a | b;
+    case TermKind::kXor:
+      return a ^ b;
+    case TermKind::kAdd:
+      return (a + b) & ones;
+    case TermKind::kSub:
+      return (a - b) & ones;
+    case TermKind::kMul:
+      return (a * b) & ones;
+    case TermKind::kUdiv:
+      return b == 0 ? ones : a / b;
+    case TermKind::kUrem:
+      return b == 0 ? a : a % b;
+    case TermKind::kSdiv:
+      return negated_if(negative_a != negative_b, size_b == 0 ? ones : size_a / size_b);
+    case TermKind::kSrem:
+      return negated_if(negative_a, size_b == 0 ? size_a : size_a % size_b);
+    case TermKind::kShl:
+      return shifted([&](int i) { return static_cast<uint64_t>(i) >= b && bit(static_cast<uint64_t>(i) - b); });
+    case TermKind::kLshr:
+      return shifted([&](int i) { return b < end && static_cast<uint64_t>(i) + b < end && bit(i + b); });
+    case TermKind::kAshr:
+      return shifted([&](int i) { return b < end && static_cast<uint64_t>(i) + b < end ? bit(i + b) : negative_a; });
+    case TermKind::kEq:
+      return a == b ? 1 : 0;
+    case TermKind::kUlt:
+      return a < b ? 1 : 0;
+    case TermKind::kSlt:
+      return (a ^ top) < (b ^ top) ? 1 : 0;
+    default:
+      ADD_FAILURE() << "not an operation of two operands";
+      return 0;
+  }
+}
+
+using Make = TermId (Terms::*)(TermId, TermId);
+struct Operation {
+  TermKind kind;
+  Make make;
+};
+constexpr Operation kOfWidth[] = {
+    {TermKind::kAnd, &Terms::And},   {TermKind::kOr, &Terms::Or},     {TermKind::kXor, &Terms::Xor},
+    {TermKind::kAdd, &Terms::Add},   {TermKind::kSub, &Terms::Sub},   {TermKind::kMul, &Terms::Mul},
+    {TermKind::kUdiv, &Terms::Udiv}, {TermKind::kUrem, &Terms::Urem}, {TermKind::kSdiv, &Terms::Sdiv},
+    {TermKind::kSrem, &Terms::Srem}, {TermKind::kShl, &Terms::Shl},   {TermKind::kLshr, &Terms::Lshr},
+    {TermKind::kAshr, &Terms::Ashr},
+};
+constexpr Operation kComparisons[] = {
+    {TermKind::kEq, &Terms::Eq}, {TermKind::kUlt, &Terms::Ult}, {TermKind::kSlt, &Terms::Slt}};
+
+class RandomTerms {
+ public:
+  explicit RandomTerms(uint64_t seed) : random_(seed) {}
+
+  Terms& terms() { return terms_; }
+  const std::vector<Expected>& made() const { return made_; }
+  /// By number of the variable, for one assignment.
+  std::vector<uint64_t> Variables(size_t assignment) const {
+    std::vector<uint64_t> values;
+    for (const Values& variable : variables_) values.push_back(variable[assignment]);
+    return values;
+  }
+
+  Expected Term(int width, int depth) {
+    // What is there already, so that operands are shared and alike.
+    if (Chance(25)) {
+      std::vector<const Expected*> alike;
+      for (const Expected& one : made_) {
+        if (one.width == width) alike.push_back(&one);
+      }
+      if (!alike.empty()) return *alike[Below(alike.size())];
+    }
+    Expected result = depth == 0 ? Leaf(width) : Operator(width, depth - 1);
+    result.width = static_cast<uint8_t>(width);
+    made_.push_back(result);
+    return result;
+  }
+
+ private:
+  uint64_t Below(uint64_t limit) { return random_() % limit; }
+  bool Chance(uint64_t percent) { return Below(100) < percent; }
+  uint64_t Number(int width) {
+    switch (Below(6)) {
+      case 0:
+        return Below(4) & Ones(width);
+      case 1:
+        return (0 - Below(4)) & Ones(width);
+      case 2:
+        return (uint64_t{1} << Below(static_cast<uint64_t>(width))) & Ones(width);
+      case 3:
+        return Ones(1 + static_cast<int>(Below(static_cast<uint64_t>(width))));
+      case 4:
+        return (Ones(width) >> 1) + Below(2);
+      default:
+        return random_() & Ones(width);
+    }
+  }
+
+  Expected Leaf(int width) {
+    Expected leaf;
+    if (Chance(40)) {
+      const uint64_t value = Number(width);
+      leaf.values.fill(value);
+      leaf.term = terms_.Const(value, static_cast<uint8_t>(width));
+    } else {
+      for (uint64_t& value : leaf.values) value = Number(width);
+      leaf.term = terms_.Variable("v" + std::to_string(variables_.size()), static_cast<uint8_t>(width));
+      variables_.push_back(leaf.values);
+    }
+    return leaf;
+  }
+
+  template <class Value>
+  Expected Made(TermId term, Value&& value) {
+    Expected result{.term = term};
+    for (size_t i = 0; i < kAssignments; ++i) result.values[i] = value(i);
+    return result;
+  }
+
+  Expected Operator(int width, int depth) {
+    const auto bits = static_cast<uint8_t>(width);
+    switch (Below(width == 1 ? 10 : 8)) {
+      case 0: {
+        const Expected a = Term(width, depth);
+        return Made(terms_.Not(a.term), [&](size_t i) { return ~a.values[i] & Ones(width); });
+      }
+      case 1: {
+        const Expected c = Term(1, depth), a = Term(width, depth), b = Term(width, depth);
+        return Made(terms_.Ite(c.term, a.term, b.term),
+                    [&](size_t i) { return c.values[i] != 0 ? a.values[i] : b.values[i]; });
+      }
+      case 2: {
+        if (width == 1) return Leaf(width);
+        const int low = 1 + static_cast<int>(Below(static_cast<uint64_t>(width - 1)));
+        const Expected a = Term(width - low, depth), b = Term(low, depth);
+        return Made(terms_.Concat(a.term, b.term), [&](size_t i) { return a.values[i] << low | b.values[i]; });
+      }
+      case 3: {
+        const int wide = width + static_cast<int>(Below(static_cast<uint64_t>(65 - width)));
+        const int low = static_cast<int>(Below(static_cast<uint64_t>(wide - width + 1)));
+        const Expected a = Term(wide, depth);
+        return Made(terms_.Extract(a.term, static_cast<uint8_t>(low), bits),
+                    [&](size_t i) { return (a.values[i] >> low) & Ones(width); });
+      }
+      case 4: {
+        const int narrow = 1 + static_cast<int>(Below(static_cast<uint64_t>(width)));
+        const Expected a = Term(narrow, depth);
+        if (Chance(50)) return Made(terms_.Zext(a.term, bits), [&](size_t i) { return a.values[i]; });
+        return Made(terms_.Sext(a.term, bits), [&](size_t i) {
+          const bool negative = (a.values[i] >> (narrow - 1)) != 0;
+          return negative ? (a.values[i] | ~Ones(narrow)) & Ones(width) : a.values[i];
+        });
+      }
+      case 5:
+      case 6:
+      case 7: {
+        const Operation& operation = kOfWidth[Below(std::size(kOfWidth))];
+        const Expected a = Term(width, depth), b = Chance(20) ? Leaf(width) : Term(width, depth);
+        return Made((terms_.*operation.make)(a.term, b.term),
+                    [&](size_t i) { return Reference(operation.kind, a.values[i], b.values[i], width); });
+      }
+      default: {
+        const Operation& operation = kComparisons[Below(std::size(kComparisons))];
+        const int operand_width = 1 + static_cast<int>(Below(64));
+        const Expected a = Term(operand_width, depth), b = Term(operand_width, depth);
+        return Made((terms_.*operation.make)(a.term, b.term),
+                    [&](size_t i) { return Reference(operation.kind, a.values[i], b.values[i], operand_width); });
+      }
+    }
+  }
+
+  std::mt19937_64 random_;
+  Terms terms_;
+  std::vector<Values> variables_;
+  std::vector<Expected> made_;
+};
+
+/// Checks every term that was made, the parts that its making left behind included.
+void ExpectAll(RandomTerms& random, uint64_t seed) {
+  const Terms& terms = random.terms();
+  for (size_t i = 0; i < kAssignments; ++i) {
+    const std::vector<uint64_t> values = EvaluateAll(terms, random.Variables(i), TermId(terms.size() - 1));
+    for (const Expected& expected : random.made()) {
+      ASSERT_EQ(terms.Width(expected.term), expected.width) << "seed " << seed;
+      ASSERT_EQ(values[expected.term.index], expected.values[i])
+          << "seed " << seed << ", assignment " << i << ", term " << expected.term.index;
+    }
+  }
+}
+
+TEST(Terms, MeanWhatTheirOperationsMean) {
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
+    RandomTerms random(seed);
+    const int width = static_cast<int>(seed % 64) + 1;
+    const int depth = static_cast<int>(seed % 7);
+    for (int i = 0; i < 4; ++i) random.Term(width, depth);
+    ExpectAll(random, seed);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Terms, RebuiltTermsAreTheSameOnes) {
+  for (uint64_t seed = 1; seed <= 2000; ++seed) {
+    RandomTerms random(seed);
+    for (int i = 0; i < 4; ++i) random.Term(1 + static_cast<int>((seed * 7 + static_cast<uint64_t>(i)) % 64), 4);
+    Terms& terms = random.terms();
+    const uint32_t count = terms.size();
+    for (uint32_t i = 0; i < count; ++i) {
+      const Term term = terms[TermId(i)];
+      std::vector<TermId> operands;
+      terms.ForEachOperand(term, [&](TermId operand) { operands.push_back(operand); });
+      ASSERT_EQ(terms.Rebuild(term, operands), TermId(i))
+          << "seed " << seed << ", kind " << static_cast<int>(term.kind);
+    }
+  }
+}
+
+TEST(Terms, RebuildWithOtherOperandsIsSubstitution) {
+  for (uint64_t seed = 1; seed <= 1000; ++seed) {
+    RandomTerms random(seed);
+    for (int i = 0; i < 3; ++i) random.Term(1 + static_cast<int>(seed % 64), 5);
+    Terms& terms = random.terms();
+    // Constants in place of the variables: everything must become a constant, the right one.
+    for (size_t assignment = 0; assignment < 2; ++assignment) {
+      const std::vector<uint64_t> variables = random.Variables(assignment);
+      std::vector<TermId> replaced;
+      const uint32_t count = terms.size();
+      for (uint32_t i = 0; i < count; ++i) {
+        const Term term = terms[TermId(i)];
+        if (term.kind == TermKind::kVariable) {
+          replaced.push_back(terms.Const(variables[term.a], term.width));
+          continue;
+        }
+        std::vector<TermId> operands;
+        terms.ForEachOperand(term, [&](TermId operand) { operands.push_back(replaced[operand.index]); });
+        replaced.push_back(terms.Rebuild(term, operands));
+      }
+      for (const Expected& expected : random.made()) {
+        const TermId result = replaced[expected.term.index];
+        ASSERT_TRUE(terms.IsConst(result)) << "seed " << seed;
+        ASSERT_EQ(terms.Value(result), expected.values[assignment]) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Terms, EqualConstructionsAreOneTerm) {
+  const auto build = [](Terms& terms, TermId x, TermId y) {
+    const TermId sum = terms.Add(terms.And(x, y), terms.Mul(x, terms.Const(8, 32)));
+    const FunctionId unknown = terms.Function("unknown", 32);
+    const std::array arguments{sum, terms.Not(y)};
+    return terms.Ite(terms.Ult(x, y), terms.Apply(unknown, arguments), terms.Shl(sum, y));
+  };
+  Terms terms;
+  const TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32);
+  const TermId first = build(terms, x, y);
+  const uint32_t count = terms.size();
+  EXPECT_EQ(build(terms, x, y), first);
+  EXPECT_EQ(terms.size(), count);
+  EXPECT_EQ(terms.And(x, y), terms.And(y, x));
+  EXPECT_EQ(terms.Add(x, terms.Add(y, x)), terms.Add(terms.Add(x, y), x));
+}
+
+TEST(Terms, PartsOfMaskedWordsAreParts) {
+  Terms terms;
+  const TermId x = terms.Variable("x", 32), bit = terms.Variable("bit", 1), other = terms.Variable("other", 1);
+  EXPECT_EQ(terms.And(x, terms.Const(0xFF, 32)), terms.Zext(terms.Extract(x, 0, 8), 32));
+  EXPECT_EQ(terms.Ne(terms.And(x, terms.Const(0x10, 32)), terms.Const(0, 32)), terms.Extract(x, 4, 1));
+  // Signals that are kept as bytes.
+  const TermId byte = terms.Zext(bit, 8), another = terms.Zext(other, 8);
+  EXPECT_EQ(terms.And(byte, another), terms.Zext(terms.And(bit, other), 8));
+  EXPECT_EQ(terms.Or(byte, another), terms.Zext(terms.Or(bit, other), 8));
+  EXPECT_EQ(terms.Xor(byte, terms.Const(1, 8)), terms.Zext(terms.Not(bit), 8));
+  EXPECT_EQ(terms.Ne(terms.And(byte, another), terms.Const(0, 8)), terms.And(bit, other));
+}
+
+TEST(Terms, UnknownFunctionsAreFunctions) {
+  Terms terms;
+  const FunctionId f = terms.Function("f", 16), g = terms.Function("g", 16);
+  const TermId x = terms.Variable("x", 8);
+  const TermId applied = terms.Apply(f, {&x, 1});
+  EXPECT_EQ(terms.Apply(f, {&x, 1}), applied);
+  EXPECT_NE(terms.Apply(g, {&x, 1}), applied);
+  EXPECT_EQ(terms.Function("f", 16), f);
+  const uint64_t one = 1, two = 2;
+  EXPECT_EQ(Evaluate(terms, applied, {&one, 1}), Evaluate(terms, applied, {&one, 1}));
+  EXPECT_NE(Evaluate(terms, applied, {&one, 1}), Evaluate(terms, applied, {&two, 1}));
+  EXPECT_LE(Evaluate(terms, applied, {&one, 1}), 0xFFFFU);
+}
+
+// Arguments may be those of another application, which stand where the new ones are put.
+TEST(Terms, ArgumentsMayBeThoseOfAnotherTerm) {
+  Terms terms;
+  const FunctionId f = terms.Function("f", 8), g = terms.Function("g", 8);
+  std::vector<TermId> arguments;
+  for (int i = 0; i < 100; ++i) arguments.push_back(terms.Variable("v" + std::to_string(i), 8));
+  TermId last = terms.Apply(f, arguments);
+  for (int i = 0; i < 50; ++i) {
+    last = terms.Apply(terms.Function("h" + std::to_string(i), 8), terms.Arguments(terms[last]));
+  }
+  const TermId again = terms.Apply(g, terms.Arguments(terms[last]));
+  ASSERT_EQ(terms.Arguments(terms[again]).size(), arguments.size());
+  for (size_t i = 0; i < arguments.size(); ++i) EXPECT_EQ(terms.Arguments(terms[again])[i], arguments[i]);
+}
+
+// --- size and depth -----------------------------------------------------------------------------------------------
+
+constexpr int kLongChain = 100'000;
+
+TEST(Terms, PartsOfLongChainsOfChoices) {
+  Terms terms;
+  TermId chain = terms.Variable("start", 16);
+  for (int i = 0; i < kLongChain; ++i) {
+    chain = terms.Ite(terms.Variable("c", 1), terms.Variable("v", 16), chain);
+  }
+  const TermId bit = terms.Extract(chain, 5, 1);
+  EXPECT_EQ(terms.Width(bit), 1);
+  EXPECT_EQ(terms.Extract(chain, 5, 1), bit);
+  // All conditions 0: the start.
+  std::vector<uint64_t> variables(2 * kLongChain + 1);
+  variables[0] = 1 << 5;
+  EXPECT_EQ(Evaluate(terms, bit, variables), 1U);
+  EXPECT_EQ(Evaluate(terms, chain, variables), 32U);
+}
+
+TEST(Terms, PartsOfLongChainsOfSums) {
+  Terms terms;
+  TermId sum = terms.Variable("start", 32);
+  for (int i = 0; i < kLongChain; ++i) sum = terms.Add(terms.Variable("v", 32), terms.Not(sum));
+  EXPECT_EQ(terms.Width(terms.Extract(sum, 0, 8)), 8);
+  EXPECT_EQ(terms.Width(terms.Extract(sum, 8, 8)), 8);
+  EXPECT_LT(terms.size(), 10U * kLongChain);
+}
+
+TEST(Terms, PartsOfSharedTermsAreMadeOnce) {
+  Terms terms;
+  TermId x = terms.Variable("x", 32);
+  const TermId y = terms.Variable("y", 32);
+  for (int i = 0; i < 1000; ++i) {
+    const TermId mixed = terms.Xor(terms.And(x, y), terms.Not(x));
+    x = terms.Ite(terms.Variable("c", 1), mixed, terms.Or(x, y));
+    // Its bytes the other way round.
+    const TermId high = terms.Concat(terms.Extract(x, 0, 8), terms.Extract(x, 8, 8));
+    x = terms.Xor(x, terms.Concat(high, terms.Concat(terms.Extract(x, 16, 8), terms.Extract(x, 24, 8))));
+  }
+  for (uint8_t bit = 0; bit < 32; ++bit) terms.Extract(x, bit, 1);
+  EXPECT_LT(terms.size(), 500'000U);
+}
+
+TEST(Terms, MemoryBitByBit) {
+  // A word written one bit at a time under conditions, read as a whole: what a ladder does with a row of flags.
+  Terms terms;
+  std::vector<TermId> bits;
+  for (int i = 0; i < 64; ++i) bits.push_back(terms.Variable("m", 1));
+  for (int i = 0; i < 10'000; ++i) {
+    TermId& bit = bits[static_cast<size_t>(i * 37 % 64)];
+    bit = terms.Ite(terms.Variable("c", 1), terms.And(bit, bits[static_cast<size_t>(i % 64)]), terms.Not(bit));
+  }
+  TermId word = bits[0];
+  for (size_t i = 1; i < 64; ++i) word = terms.Concat(bits[i], word);
+  for (uint8_t i = 0; i < 64; ++i) EXPECT_EQ(terms.Extract(word, i, 1), bits[i]);
+  EXPECT_LT(terms.size(), 100'000U);
+}
+
+}  // namespace
+}  // namespace plcxx::prove
