@@ -49,7 +49,8 @@ class LevelBuilder {
  private:
   /// The node of a block in this level: itself, or the outermost loop inside that it belongs to.
   const llvm::BasicBlock* HeadOf(const llvm::BasicBlock* block, const llvm::Loop* level) const;
-  std::vector<const llvm::BasicBlock*> Order(const llvm::Loop* level, const llvm::BasicBlock* entry, bool& cyclic) const;
+  std::vector<const llvm::BasicBlock*> Order(const llvm::Loop* level, const llvm::BasicBlock* entry,
+                                             bool& cyclic) const;
   std::vector<const llvm::BasicBlock*> Followers(const llvm::BasicBlock* head, const llvm::Loop* level,
                                                  bool& ends) const;
 

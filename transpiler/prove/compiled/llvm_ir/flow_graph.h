@@ -25,8 +25,8 @@ struct FlowNode {
 };
 
 struct FlowLevel {
-  const llvm::Loop* loop = nullptr;                                // none: the function
-  std::vector<FlowNode> nodes;                                     // each behind those it is reached from
+  const llvm::Loop* loop = nullptr;                               // none: the function
+  std::vector<FlowNode> nodes;                                    // each behind those it is reached from
   std::unordered_map<const llvm::BasicBlock*, uint32_t> node_of;  // blocks of loops inside are their loop's node
 };
 

@@ -1,0 +1,327 @@
+// Executor: instructions that compute, and loads, stores and calls.
+#include <llvm/IR/GetElementPtrTypeIterator.h>
+#include <llvm/IR/Operator.h>
+
+#include <utility>
+
+#include "transpiler/prove/compiled/llvm_ir/executor.h"
+#include "transpiler/prove/terms/floats.h"
+
+namespace plcxx::prove::llvm_ir {
+
+bool Executor::Check(const llvm::Instruction& inst) {
+  if (terms_.size() - first_term_ > run_.most_terms)
+    Refuse("the program takes more than " + std::to_string(run_.most_terms) + " terms");
+  const std::string name = std::string("instruction '") + inst.getOpcodeName() + "'";
+  const auto check = [&](const llvm::Type& type) {
+    if (type.isVoidTy() || type.isLabelTy() || type.isMetadataTy() || IsSupported(type)) return;
+    Refuse(name + (type.isVectorTy() ? " of vectors" : " of a type that is too wide"));
+  };
+  check(*inst.getType());
+  if (!llvm::isa<llvm::CallBase>(inst)) {
+    for (const llvm::Use& operand : inst.operands()) check(*operand->getType());
+  }
+  if (inst.isVolatile() || inst.isAtomic()) Refuse(name + " that is volatile or atomic");
+  if (const auto* floats = llvm::dyn_cast<llvm::FPMathOperator>(&inst)) {
+    // Freedoms that the compiler gave itself: what the processor computes is not known.
+    if (floats->getFastMathFlags().any()) Refuse(name + " of floating point that need not be exact (-ffast-math)");
+  }
+  return !refused();
+}
+
+void Executor::Require(TermId never, const char* text) {
+  const TermId condition = terms_.And(context_, never);
+  if (!terms_.IsFalse(condition)) outcome_.obligations.push_back({condition, text});
+}
+
+void Executor::ExecuteInst(const llvm::Instruction& inst) {
+  if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&inst)) {
+    if (llvm::isa<llvm::DbgInfoIntrinsic>(call) || !Check(inst)) return;
+    CodeValue result = ExecuteCall(*call);
+    if (!inst.getType()->isVoidTy()) values_[&inst] = std::move(result);
+    return;
+  }
+  if (!Check(inst)) return;
+  if (const auto* store = llvm::dyn_cast<llvm::StoreInst>(&inst)) {
+    const llvm::Type& type = *store->getValueOperand()->getType();
+    if (type.isPointerTy() || type.isStructTy()) {
+      Refuse("instruction 'store' of a pointer or a structure");
+      return;
+    }
+    const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(store->getValueOperand()->getType()));
+    const TermId value = terms_.Zext(TermOf(store->getValueOperand()), static_cast<uint8_t>(8 * bytes));
+    Store(ValueOf(store->getPointerOperand()).targets, 0, value);
+    return;
+  }
+  CodeValue value = Evaluate(inst);
+  if (!refused()) values_[&inst] = std::move(value);
+}
+
+CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
+  if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&inst))
+    return {.term = EvaluateBinaryOperator(*binary)};
+  if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&inst)) return {.term = Compare(*compare)};
+  if (const auto* compare = llvm::dyn_cast<llvm::FCmpInst>(&inst)) return {.term = CompareFloats(*compare)};
+  if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&inst)) return {.term = Convert(*cast)};
+  if (const auto* element = llvm::dyn_cast<llvm::GetElementPtrInst>(&inst)) return ElementPointer(*element);
+  if (const auto* select = llvm::dyn_cast<llvm::SelectInst>(&inst))
+    return Choose(TermOf(select->getCondition()), ValueOf(select->getTrueValue()), ValueOf(select->getFalseValue()));
+  if (llvm::isa<llvm::FreezeInst>(inst)) return ValueOf(inst.getOperand(0));
+  if (inst.getOpcode() == llvm::Instruction::FNeg) return {.term = FloatNegate(terms_, TermOf(inst.getOperand(0)))};
+  if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&inst)) {
+    const llvm::Type& type = *load->getType();
+    if (type.isPointerTy() || type.isStructTy()) {
+      Refuse("instruction 'load' of a pointer or a structure");
+      return AnyOf(type);
+    }
+    const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(load->getType()));
+    return {.term = terms_.Resize(Load(ValueOf(load->getPointerOperand()).targets, 0, bytes), WidthOf(type))};
+  }
+  if (const auto* local = llvm::dyn_cast<llvm::AllocaInst>(&inst)) {
+    const auto* count = llvm::dyn_cast<llvm::ConstantInt>(local->getArraySize());
+    if (count != nullptr && count->getValue().getActiveBits() < 32)
+      return PointerTo(NewLocal(layout_.getTypeAllocSize(local->getAllocatedType()) * count->getZExtValue()));
+    Refuse("instruction 'alloca' of a size that is not known");
+    return AnyOf(*inst.getType());
+  }
+  if (const auto* extract = llvm::dyn_cast<llvm::ExtractValueInst>(&inst)) {
+    CodeValue value = ValueOf(extract->getAggregateOperand());
+    for (const unsigned index : extract->indices()) value = CodeValue(value.parts[index]);
+    return value;
+  }
+  if (const auto* insert = llvm::dyn_cast<llvm::InsertValueInst>(&inst)) {
+    CodeValue value = ValueOf(insert->getAggregateOperand());
+    CodeValue* part = &value;
+    for (const unsigned index : insert->indices()) part = &part->parts[index];
+    *part = ValueOf(insert->getInsertedValueOperand());
+    return value;
+  }
+  Refuse(std::string("instruction '") + inst.getOpcodeName() + "'");
+  return AnyOf(*inst.getType());
+}
+
+TermId Executor::ShiftWithin(TermId shifted, TermId amount, uint8_t width) {
+  if (ranges_.Of(amount).high < width) return shifted;
+  return terms_.Ite(terms_.Ult(amount, terms_.Const(width, width)), shifted, Undefined(width));
+}
+
+TermId Executor::Divide(const llvm::BinaryOperator& inst, TermId a, TermId b) {
+  const uint8_t width = terms_.Width(a);
+  Require(terms_.Eq(b, terms_.Const(0, width)), "a division by zero");
+  const bool has_sign = inst.getOpcode() == llvm::Instruction::SDiv || inst.getOpcode() == llvm::Instruction::SRem;
+  if (has_sign) {
+    const TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
+    const TermId minus_one = terms_.Eq(b, terms_.Const(Masked(~uint64_t{0}, width), width));
+    Require(terms_.And(least, minus_one), "a division that overflows");
+  }
+  switch (inst.getOpcode()) {
+    case llvm::Instruction::UDiv:
+      return terms_.Udiv(a, b);
+    case llvm::Instruction::URem:
+      return terms_.Urem(a, b);
+    case llvm::Instruction::SDiv:
+      return terms_.Sdiv(a, b);
+    default:
+      return terms_.Srem(a, b);
+  }
+}
+
+TermId Executor::EvaluateBinaryOperator(const llvm::BinaryOperator& inst) {
+  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  const uint8_t width = terms_.Width(a);
+  switch (inst.getOpcode()) {
+    case llvm::Instruction::Add:
+      return terms_.Add(a, b);
+    case llvm::Instruction::Sub:
+      return terms_.Sub(a, b);
+    case llvm::Instruction::Mul:
+      return terms_.Mul(a, b);
+    case llvm::Instruction::UDiv:
+    case llvm::Instruction::SDiv:
+    case llvm::Instruction::URem:
+    case llvm::Instruction::SRem:
+      return Divide(inst, a, b);
+    case llvm::Instruction::And:
+      return terms_.And(a, b);
+    case llvm::Instruction::Or:
+      return terms_.Or(a, b);
+    case llvm::Instruction::Xor:
+      return terms_.Xor(a, b);
+    case llvm::Instruction::Shl:
+      return ShiftWithin(terms_.Shl(a, b), b, width);
+    case llvm::Instruction::LShr:
+      return ShiftWithin(terms_.Lshr(a, b), b, width);
+    case llvm::Instruction::AShr:
+      return ShiftWithin(terms_.Ashr(a, b), b, width);
+    case llvm::Instruction::FAdd:
+      return FloatAdd(terms_, a, b);
+    case llvm::Instruction::FSub:
+      return FloatSub(terms_, a, b);
+    case llvm::Instruction::FMul:
+      return FloatMul(terms_, a, b);
+    case llvm::Instruction::FDiv:
+      return FloatDiv(terms_, a, b);
+    default:
+      Refuse(std::string("instruction '") + inst.getOpcodeName() + "'");
+      return Undefined(width);
+  }
+}
+
+TermId Executor::ComparePointers(const llvm::ICmpInst& inst) {
+  const CodeValue a = ValueOf(inst.getOperand(0)), b = ValueOf(inst.getOperand(1));
+  if (!inst.isEquality()) {
+    Refuse("instruction 'icmp' of pointers by their order");
+    return terms_.Bit(false);
+  }
+  TermId equal = terms_.Bit(false);
+  for (const Target& one : a.targets) {
+    for (const Target& other : b.targets) {
+      if (one.object != other.object) continue;
+      equal = terms_.Or(equal, terms_.And(terms_.And(one.when, other.when), terms_.Eq(one.offset, other.offset)));
+    }
+  }
+  return inst.getPredicate() == llvm::CmpInst::ICMP_EQ ? equal : terms_.Not(equal);
+}
+
+TermId Executor::Compare(const llvm::ICmpInst& inst) {
+  if (inst.getOperand(0)->getType()->isPointerTy()) return ComparePointers(inst);
+  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  switch (inst.getPredicate()) {
+    case llvm::CmpInst::ICMP_EQ:
+      return terms_.Eq(a, b);
+    case llvm::CmpInst::ICMP_NE:
+      return terms_.Ne(a, b);
+    case llvm::CmpInst::ICMP_UGT:
+      return terms_.Ult(b, a);
+    case llvm::CmpInst::ICMP_UGE:
+      return terms_.Ule(b, a);
+    case llvm::CmpInst::ICMP_ULT:
+      return terms_.Ult(a, b);
+    case llvm::CmpInst::ICMP_ULE:
+      return terms_.Ule(a, b);
+    case llvm::CmpInst::ICMP_SGT:
+      return terms_.Slt(b, a);
+    case llvm::CmpInst::ICMP_SGE:
+      return terms_.Sle(b, a);
+    case llvm::CmpInst::ICMP_SLT:
+      return terms_.Slt(a, b);
+    case llvm::CmpInst::ICMP_SLE:
+      return terms_.Sle(a, b);
+    default:
+      Refuse("instruction 'icmp' with an unknown predicate");
+      return terms_.Bit(false);
+  }
+}
+
+TermId Executor::CompareFloats(const llvm::FCmpInst& inst) {
+  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  const auto unordered = [&] { return terms_.Or(FloatIsNan(terms_, a), FloatIsNan(terms_, b)); };
+  switch (inst.getPredicate()) {
+    case llvm::CmpInst::FCMP_FALSE:
+      return terms_.Bit(false);
+    case llvm::CmpInst::FCMP_OEQ:
+      return FloatEqual(terms_, a, b);
+    case llvm::CmpInst::FCMP_OGT:
+      return FloatLess(terms_, b, a);
+    case llvm::CmpInst::FCMP_OGE:
+      return FloatLessEqual(terms_, b, a);
+    case llvm::CmpInst::FCMP_OLT:
+      return FloatLess(terms_, a, b);
+    case llvm::CmpInst::FCMP_OLE:
+      return FloatLessEqual(terms_, a, b);
+    case llvm::CmpInst::FCMP_ONE:
+      return terms_.And(terms_.Not(FloatEqual(terms_, a, b)), terms_.Not(unordered()));
+    case llvm::CmpInst::FCMP_ORD:
+      return terms_.Not(unordered());
+    case llvm::CmpInst::FCMP_UNO:
+      return unordered();
+    case llvm::CmpInst::FCMP_UEQ:
+      return terms_.Or(FloatEqual(terms_, a, b), unordered());
+    case llvm::CmpInst::FCMP_UGT:
+      return terms_.Not(FloatLessEqual(terms_, a, b));
+    case llvm::CmpInst::FCMP_UGE:
+      return terms_.Not(FloatLess(terms_, a, b));
+    case llvm::CmpInst::FCMP_ULT:
+      return terms_.Not(FloatLessEqual(terms_, b, a));
+    case llvm::CmpInst::FCMP_ULE:
+      return terms_.Not(FloatLess(terms_, b, a));
+    case llvm::CmpInst::FCMP_UNE:
+      return terms_.Not(FloatEqual(terms_, a, b));
+    case llvm::CmpInst::FCMP_TRUE:
+      return terms_.Bit(true);
+    default:
+      Refuse("instruction 'fcmp' with an unknown predicate");
+      return terms_.Bit(false);
+  }
+}
+
+TermId Executor::Convert(const llvm::CastInst& inst) {
+  const uint8_t width = WidthOf(*inst.getType());
+  if (inst.getSrcTy()->isPointerTy() || inst.getDestTy()->isPointerTy()) {
+    Refuse(std::string("instruction '") + inst.getOpcodeName() + "' of a pointer");
+    return Undefined(width);
+  }
+  const TermId a = TermOf(inst.getOperand(0));
+  switch (inst.getOpcode()) {
+    case llvm::Instruction::Trunc:
+      return terms_.Extract(a, 0, width);
+    case llvm::Instruction::ZExt:
+      return terms_.Zext(a, width);
+    case llvm::Instruction::SExt:
+      return terms_.Sext(a, width);
+    case llvm::Instruction::BitCast:
+      return a;
+    case llvm::Instruction::SIToFP:
+      return FloatFromSigned(terms_, a, width);
+    case llvm::Instruction::UIToFP:
+      return FloatFromUnsigned(terms_, a, width);
+    case llvm::Instruction::FPToSI:
+      return FloatToSigned(terms_, a, width);
+    case llvm::Instruction::FPToUI:
+      return FloatToUnsigned(terms_, a, width);
+    case llvm::Instruction::FPExt:
+      return FloatWiden(terms_, a);
+    case llvm::Instruction::FPTrunc:
+      return FloatNarrow(terms_, a);
+    default:
+      Refuse(std::string("instruction '") + inst.getOpcodeName() + "'");
+      return Undefined(width);
+  }
+}
+
+CodeValue Executor::ElementPointer(const llvm::GetElementPtrInst& inst) {
+  CodeValue pointer = ValueOf(inst.getPointerOperand());
+  llvm::MapVector<llvm::Value*, llvm::APInt> indices;
+  llvm::APInt constant(64, 0);
+  if (!llvm::cast<llvm::GEPOperator>(inst).collectOffset(layout_, 64, indices, constant)) {
+    Refuse("instruction 'getelementptr' of a type whose size is not known");
+    return pointer;
+  }
+  TermId offset = terms_.Const(constant.getZExtValue(), 64);
+  for (const auto& [index, scale] : indices) {
+    const TermId wide = terms_.Sext(TermOf(index), 64);
+    offset = terms_.Add(offset, terms_.Mul(wide, terms_.Const(scale.getZExtValue(), 64)));
+  }
+  for (Target& target : pointer.targets) target.offset = terms_.Add(target.offset, offset);
+  return pointer;
+}
+
+CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
+  if (const auto* intrinsic = llvm::dyn_cast<llvm::IntrinsicInst>(&call)) return ExecuteIntrinsic(*intrinsic);
+  const llvm::Function* callee = call.getCalledFunction();
+  if (callee == nullptr || call.isInlineAsm()) {
+    Refuse(call.isInlineAsm() ? "inline assembler" : "a call by a pointer");
+    return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
+  }
+  for (const llvm::Use& argument : call.args()) {
+    if (IsSupported(*argument->getType())) continue;
+    Refuse("instruction 'call' with an argument that is too wide");
+    return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
+  }
+  if (callee->isDeclaration()) return ExecuteHostCall(call, *callee);
+  std::vector<CodeValue> arguments;
+  for (const llvm::Use& argument : call.args()) arguments.push_back(ValueOf(argument));
+  return Call(*callee, std::move(arguments));
+}
+
+}  // namespace plcxx::prove::llvm_ir

@@ -1,0 +1,132 @@
+// Executor: what pointers reach.
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/prove/compiled/llvm_ir/executor.h"
+
+namespace plcxx::prove::llvm_ir {
+namespace {
+
+constexpr uint64_t kMostPlaces = 1 << 14;  // that one access may reach
+constexpr uint64_t kLargestLocal = 1 << 20;
+
+}  // namespace
+
+TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
+  const TermId value = slots.At(slot);
+  if (value.valid()) return value;
+  if (slot >= initial_.size()) return Undefined(8);
+  if (!initial_[slot].valid()) initial_[slot] = surroundings_.Initial(slot);
+  return initial_[slot];
+}
+
+uint32_t Executor::NewLocal(uint64_t bytes) {
+  if (bytes > kLargestLocal) {
+    Refuse("a local of " + std::to_string(bytes) + " bytes");
+    bytes = 0;
+  }
+  objects_.push_back({.kind = ObjectKind::kLocal, .first_slot = next_slot_, .bytes = bytes});
+  for (uint64_t i = 0; i < bytes; ++i) slots_.Set(next_slot_++, TermId());
+  return static_cast<uint32_t>(objects_.size() - 1);
+}
+
+Executor::Reach Executor::ReachOf(const Object& object, TermId offset, uint32_t bytes) {
+  const ValueRange range = ranges_.Of(offset);
+  Reach reach;
+  if (object.bytes < bytes || range.low > object.bytes - bytes) {
+    reach.none = reach.beyond = true;
+    return reach;
+  }
+  reach.low = range.low;
+  reach.step = std::max<uint64_t>(range.step, 1);
+  const uint64_t last = object.bytes - bytes;
+  reach.beyond = range.high > last;
+  reach.high = reach.beyond ? reach.low + (last - reach.low) / reach.step * reach.step : range.high;
+  if ((reach.high - reach.low) / reach.step >= kMostPlaces) {
+    Refuse("an access that may reach more than " + std::to_string(kMostPlaces) + " places");
+    reach.none = true;
+  }
+  return reach;
+}
+
+TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
+  TermId value;
+  for (uint32_t i = 0; i < bytes; ++i) {
+    TermId byte;
+    if (object.kind == ObjectKind::kConstant) {
+      const int16_t known = object.values[offset + i];
+      byte = known < 0 ? Undefined(8) : terms_.Const(static_cast<uint64_t>(known), 8);
+    } else {
+      byte = ReadSlot(object.first_slot + static_cast<uint32_t>(offset) + i);
+    }
+    value = value.valid() ? terms_.Concat(byte, value) : byte;
+  }
+  return value;
+}
+
+TermId Executor::LoadFrom(uint32_t number, TermId offset, uint32_t bytes) {
+  const auto width = static_cast<uint8_t>(8 * bytes);
+  const Object& object = objects_[number];
+  if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) {
+    Refuse(object.kind == ObjectKind::kHost ? "a read of the host's own memory" : "a read through a null pointer");
+    return Undefined(width);
+  }
+  const Reach reach = ReachOf(object, offset, bytes);
+  if (reach.none) return Undefined(width);
+  TermId value;
+  if (reach.beyond) value = Undefined(width);
+  for (uint64_t at = reach.high;; at -= reach.step) {
+    const TermId here = LoadAt(object, at, bytes);
+    value = value.valid() ? terms_.Ite(terms_.Eq(offset, terms_.Const(at, 64)), here, value) : here;
+    if (at == reach.low) return value;
+  }
+}
+
+TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
+  TermId value;
+  for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
+    const TermId offset = at == 0 ? target->offset : terms_.Add(target->offset, terms_.Const(at, 64));
+    const TermId here = LoadFrom(target->object, offset, bytes);
+    value = value.valid() ? terms_.Ite(target->when, here, value) : here;
+  }
+  return value;
+}
+
+void Executor::StoreAt(TermId when, const Object& object, uint64_t offset, TermId value) {
+  for (uint32_t i = 0; i < terms_.Width(value) / 8U; ++i) {
+    const uint32_t slot = object.first_slot + static_cast<uint32_t>(offset) + i;
+    const TermId byte = terms_.Extract(value, static_cast<uint8_t>(8 * i), 8);
+    slots_.Set(slot, terms_.IsTrue(when) ? byte : terms_.Ite(when, byte, ReadSlot(slot)));
+  }
+}
+
+void Executor::StoreTo(TermId when, uint32_t number, TermId offset, TermId value) {
+  const Object& object = objects_[number];
+  if (object.kind != ObjectKind::kState && object.kind != ObjectKind::kLocal) {
+    Refuse("a write to memory that is neither State nor a local");
+    return;
+  }
+  const uint32_t bytes = terms_.Width(value) / 8U;
+  const Reach reach = ReachOf(object, offset, bytes);
+  constexpr const char* kOutside = "a write outside of its object";
+  if (reach.none) {
+    Require(when, kOutside);
+    return;
+  }
+  if (reach.beyond) {
+    const TermId outside =
+        terms_.Or(terms_.Ult(terms_.Const(reach.high, 64), offset), terms_.Ult(offset, terms_.Const(reach.low, 64)));
+    Require(terms_.And(when, outside), kOutside);
+  }
+  for (uint64_t at = reach.low; at <= reach.high; at += reach.step)
+    StoreAt(terms_.And(when, terms_.Eq(offset, terms_.Const(at, 64))), object, at, value);
+}
+
+void Executor::Store(const std::vector<Target>& targets, uint64_t at, TermId value) {
+  for (const Target& target : targets) {
+    const TermId offset = at == 0 ? target.offset : terms_.Add(target.offset, terms_.Const(at, 64));
+    StoreTo(target.when, target.object, offset, value);
+  }
+}
+
+}  // namespace plcxx::prove::llvm_ir

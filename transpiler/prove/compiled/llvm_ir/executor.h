@@ -1,0 +1,177 @@
+// Executes functions of LLVM IR on terms: the inner part of the module.
+//
+// A passage is an edge of the flow graph as it was taken: with the memory there and the values that the phis of its
+// target receive. Where passages meet, memories and values are joined by the conditions since the nearest node that
+// all of them have passed, so that what comes out has the shape of the source's branches.
+#pragma once
+
+#include <llvm/ADT/APInt.h>
+#include <llvm/ADT/DenseMap.h>
+#include <llvm/Analysis/LoopInfo.h>
+#include <llvm/IR/DataLayout.h>
+#include <llvm/IR/Dominators.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
+#include <llvm/IR/Module.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/compiled/llvm_ir/flow_graph.h"
+#include "transpiler/prove/compiled/llvm_ir/slots.h"
+#include "transpiler/prove/compiled/llvm_ir/value_range.h"
+
+namespace plcxx::prove::llvm_ir {
+
+/// One of the places that a pointer may point to; the conditions of all exclude each other.
+struct Target {
+  TermId when;
+  uint32_t object = 0;
+  TermId offset;  // 64 bits, two's complement
+};
+
+struct CodeValue {
+  TermId term;                   // of integers and floats; these as their bits
+  std::vector<Target> targets;   // of pointers
+  std::vector<CodeValue> parts;  // of structs
+};
+
+enum class ObjectKind : uint8_t { kNull, kState, kHost, kConstant, kLocal };
+
+struct Object {
+  ObjectKind kind{};
+  uint32_t first_slot = 0;      // kState, kLocal
+  uint64_t bytes = 0;           // but of kHost
+  std::vector<int16_t> values;  // kConstant: its bytes; -1: none that is a number
+};
+
+struct Passage {
+  const llvm::BasicBlock* from = nullptr;
+  const llvm::BasicBlock* to = nullptr;  // none: the function returns
+  uint32_t node = 0;                     // of the level, from which it comes
+  TermId when;                           // since that node, or since the level's head where it leaves the level
+  Slots slots;
+  std::vector<CodeValue> values;  // for the phis of `to`, or the result
+};
+
+/// Blocks of a function and their nesting, found once.
+struct FunctionFlow {
+  llvm::DominatorTree dominators;
+  llvm::LoopInfo loops;
+  std::unique_ptr<FlowLevel> level;
+};
+
+class FlowCache {
+ public:
+  const FlowLevel* Of(const llvm::Function& function);
+
+ private:
+  std::unordered_map<const llvm::Function*, std::unique_ptr<FunctionFlow>> flows_;  // looked up only
+};
+
+class Executor {
+ public:
+  Executor(const llvm::Module& module, FlowCache& flows, Terms& terms, CodeSurroundings& surroundings,
+           const CodeRun& run);
+
+  CodeOutcome Run(const llvm::Function& function);
+
+ private:
+  using Values = llvm::DenseMap<const llvm::Value*, CodeValue>;
+  friend class HostMemory;
+
+  // Flow (execute_flow.cc).
+  CodeValue Call(const llvm::Function& function, std::vector<CodeValue> arguments);
+  void RunLevel(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
+  void RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
+  void RunBlock(const llvm::BasicBlock& block, Passage entry, std::vector<Passage>& leaving);
+  void Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, TermId when, std::vector<Passage>& leaving);
+  void LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage>& leaving);
+  /// One passage for several; `conditions` of them are since one node, and one of them holds.
+  Passage Join(std::vector<Passage> passages, const std::vector<TermId>& conditions);
+  CodeValue Choose(TermId condition, const CodeValue& then, const CodeValue& otherwise);
+
+  // Values (values.cc).
+  CodeValue ValueOf(const llvm::Value* value);
+  CodeValue ConstantOf(const llvm::Constant& constant);
+  CodeValue AnyOf(const llvm::Type& type);
+  TermId TermOf(const llvm::Value* value) { return ValueOf(value).term; }
+  TermId Undefined(uint8_t width);
+  CodeValue PointerTo(uint32_t object, uint64_t offset = 0);
+  uint32_t ObjectOf(const llvm::GlobalVariable& global);
+  uint8_t WidthOf(const llvm::Type& type) const;
+  bool IsSupported(const llvm::Type& type) const;
+
+  // Instructions (execute_instructions.cc, execute_intrinsics.cc).
+  void ExecuteInst(const llvm::Instruction& inst);
+  bool Check(const llvm::Instruction& inst);
+  CodeValue Evaluate(const llvm::Instruction& inst);
+  TermId EvaluateBinaryOperator(const llvm::BinaryOperator& inst);
+  TermId ShiftWithin(TermId shifted, TermId amount, uint8_t width);
+  TermId Divide(const llvm::BinaryOperator& inst, TermId a, TermId b);
+  TermId Compare(const llvm::ICmpInst& inst);
+  TermId ComparePointers(const llvm::ICmpInst& inst);
+  TermId CompareFloats(const llvm::FCmpInst& inst);
+  TermId Convert(const llvm::CastInst& inst);
+  CodeValue ElementPointer(const llvm::GetElementPtrInst& inst);
+  CodeValue ExecuteCall(const llvm::CallInst& call);
+  CodeValue ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee);
+  CodeValue ExecuteIntrinsic(const llvm::IntrinsicInst& call);
+  TermId IntegerIntrinsic(const llvm::IntrinsicInst& call);
+  TermId CountBits(const llvm::IntrinsicInst& call, TermId a);
+  TermId FloatIntrinsic(const llvm::IntrinsicInst& call);
+  CodeValue WithOverflow(const llvm::WithOverflowInst& call);
+  TermId Saturated(const llvm::SaturatingInst& call);
+  void ExecuteMemoryTransfer(const llvm::MemIntrinsic& call);
+  void Require(TermId never, const char* text);
+
+  // Memory (execute_memory.cc).
+  TermId ReadSlot(uint32_t slot) { return ReadSlot(slots_, slot); }
+  TermId ReadSlot(const Slots& slots, uint32_t slot);
+  TermId Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes);
+  TermId LoadFrom(uint32_t object, TermId offset, uint32_t bytes);
+  TermId LoadAt(const Object& object, uint64_t offset, uint32_t bytes);
+  void Store(const std::vector<Target>& targets, uint64_t at, TermId value);
+  void StoreTo(TermId when, uint32_t object, TermId offset, TermId value);
+  void StoreAt(TermId when, const Object& object, uint64_t offset, TermId value);
+  /// The offsets in an object at which an access of `bytes` bytes can be.
+  struct Reach {
+    uint64_t low = 0, high = 0, step = 1;
+    bool none = false, beyond = false;  // beyond: it may be elsewhere, too
+  };
+  Reach ReachOf(const Object& object, TermId offset, uint32_t bytes);
+  uint32_t NewLocal(uint64_t bytes);
+
+  void Refuse(std::string reason);
+  bool refused() const { return !outcome_.refusal.empty(); }
+
+  const llvm::Module& module_;
+  const llvm::DataLayout& layout_;
+  FlowCache& flows_;
+  Terms& terms_;
+  CodeSurroundings& surroundings_;
+  const CodeRun& run_;
+  ValueRanges ranges_;
+  CodeOutcome outcome_;
+  uint32_t first_term_;
+
+  std::vector<Object> objects_;
+  std::unordered_map<const llvm::GlobalVariable*, uint32_t> globals_;  // looked up only
+  std::vector<TermId> initial_;                                        // by slot
+  uint32_t next_slot_;
+  uint32_t depth_ = 0;
+
+  // Of the function and block that executes.
+  Values values_;
+  Slots slots_;
+  TermId context_;  // when it comes here at all
+};
+
+/// Of a constant as it lies in memory.
+std::vector<int16_t> BytesOf(const llvm::Constant& constant, const llvm::DataLayout& layout);
+
+}  // namespace plcxx::prove::llvm_ir

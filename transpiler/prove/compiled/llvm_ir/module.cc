@@ -1,0 +1,83 @@
+// The module's one function: bitcode files to one program that can be executed.
+#include <llvm/ADT/StringExtras.h>
+#include <llvm/Analysis/LoopInfo.h>
+#include <llvm/Bitcode/BitcodeReader.h>
+#include <llvm/Demangle/Demangle.h>
+#include <llvm/IR/Dominators.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/Linker/Linker.h>
+#include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/SHA256.h>
+#include <llvm/Transforms/Utils/LoopUtils.h>
+
+#include <unordered_map>
+#include <utility>
+
+#include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/compiled/llvm_ir/executor.h"
+
+namespace plcxx::prove::llvm_ir {
+namespace {
+
+/// What a loop computes leaves it by phis only, so that each way out has its own values.
+void CloseLoops(llvm::Function& function) {
+  llvm::DominatorTree dominators(function);
+  llvm::LoopInfo loops(dominators);
+  for (llvm::Loop* loop : loops) llvm::formLCSSARecursively(*loop, dominators, &loops, nullptr);
+}
+
+class Code : public CompiledCode {
+ public:
+  static std::unique_ptr<Code> Read(std::span<const std::string> bitcode, std::string& reason) {
+    auto code = std::make_unique<Code>();
+    for (const std::string& bytes : bitcode) {
+      auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), code->context_);
+      if (!module) {
+        reason = "the compiler's bitcode cannot be read: " + llvm::toString(module.takeError());
+        return nullptr;
+      }
+      if (code->module_ == nullptr) {
+        code->module_ = std::move(*module);
+      } else if (llvm::Linker::linkModules(*code->module_, std::move(*module))) {
+        reason = "the files of the generated code do not fit together";
+        return nullptr;
+      }
+    }
+    if (code->module_ == nullptr || !code->module_->getDataLayout().isLittleEndian()) {
+      reason = "there is no code for a processor that stores the least significant byte first";
+      return nullptr;
+    }
+    for (llvm::Function& function : *code->module_) {
+      if (function.isDeclaration()) continue;
+      CloseLoops(function);
+      const std::string text = llvm::demangle(function.getName());
+      if (!function.hasLocalLinkage()) code->functions_.emplace(text.substr(0, text.find('(')), &function);
+    }
+    return code;
+  }
+
+  CodeOutcome Execute(Terms& terms, CodeSurroundings& surroundings, const CodeRun& run) override {
+    const auto found = functions_.find(run.function);
+    if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
+    return Executor(*module_, flows_, terms, surroundings, run).Run(*found->second);
+  }
+
+ private:
+  llvm::LLVMContext context_;
+  std::unique_ptr<llvm::Module> module_;
+  std::unordered_map<std::string, const llvm::Function*> functions_;  // looked up only
+  FlowCache flows_;
+};
+
+}  // namespace
+}  // namespace plcxx::prove::llvm_ir
+
+extern "C" [[gnu::visibility("default")]] plcxx::prove::CompiledCode* plcxx_read_code(
+    std::span<const std::string> bitcode, std::string& reason) {
+  return plcxx::prove::llvm_ir::Code::Read(bitcode, reason).release();
+}
+
+extern "C" [[gnu::visibility("default")]] void plcxx_sha256(std::string_view bytes, std::string& digits) {
+  const auto* const begin = reinterpret_cast<const uint8_t*>(bytes.data());
+  digits = llvm::toHex(llvm::SHA256::hash(llvm::ArrayRef<uint8_t>(begin, bytes.size())), /*LowerCase=*/true);
+}
