@@ -142,6 +142,12 @@ class RandomTerms {
     }
   }
 
+  /// Mostly one that is there already, so that terms meet.
+  int SomeWidth() {
+    if (made_.empty() || Chance(20)) return 1 + static_cast<int>(Below(64));
+    return made_[Below(made_.size())].width;
+  }
+
   Expected Leaf(int width) {
     Expected leaf;
     if (Chance(40)) {
@@ -207,7 +213,7 @@ class RandomTerms {
       }
       default: {
         const Operation& operation = kComparisons[Below(std::size(kComparisons))];
-        const int operand_width = 1 + static_cast<int>(Below(64));
+        const int operand_width = SomeWidth();
         const Expected a = Term(operand_width, depth), b = Term(operand_width, depth);
         return Made((terms_.*operation.make)(a.term, b.term),
                     [&](size_t i) { return Reference(operation.kind, a.values[i], b.values[i], operand_width); });
@@ -243,6 +249,109 @@ TEST(Terms, MeanWhatTheirOperationsMean) {
     ExpectAll(random, seed);
     if (HasFatalFailure()) return;
   }
+}
+
+/// All pairs of the forms that the simplifications look for, at a width where every value can be tried.
+TEST(Terms, PairsOfAllFormsWithAllValues) {
+  constexpr uint8_t kWidth = 4;
+  Terms terms;
+  const TermId x = terms.Variable("x", kWidth), y = terms.Variable("y", 2), bit = terms.Variable("bit", 1);
+  std::vector<TermId> forms = {x,
+                               terms.Not(x),
+                               terms.Zext(y, kWidth),
+                               terms.Sext(y, kWidth),
+                               terms.Zext(bit, kWidth),
+                               terms.Sext(bit, kWidth),
+                               terms.Concat(y, terms.Const(0, 2)),
+                               terms.Concat(y, terms.Const(2, 2)),
+                               terms.Concat(terms.Const(1, 2), y),
+                               terms.Concat(y, y),
+                               terms.Concat(bit, terms.Extract(x, 0, 3)),
+                               terms.Ite(bit, x, terms.Zext(y, kWidth)),
+                               terms.Ite(bit, terms.Const(3, kWidth), terms.Const(9, kWidth)),
+                               terms.Add(x, terms.Const(3, kWidth)),
+                               terms.Xor(x, terms.Const(5, kWidth)),
+                               terms.Sub(x, terms.Sext(y, kWidth)),
+                               terms.And(x, terms.Sext(y, kWidth)),
+                               terms.Or(x, terms.Sext(y, kWidth))};
+  for (uint64_t value = 0; value < 16; ++value) forms.push_back(terms.Const(value, kWidth));
+  for (uint8_t high = 0; high < 3; ++high) {
+    for (uint8_t low = 0; low < 3; ++low)
+      forms.push_back(terms.Concat(terms.Extract(x, high, 2), terms.Extract(x, low, 2)));
+  }
+  struct Pair {
+    TermId result;
+    TermKind kind;
+    TermId a, b;
+  };
+  std::vector<Pair> pairs;
+  struct Choice {
+    TermId result, condition, then, otherwise;
+  };
+  std::vector<Choice> choices;
+  const std::array conditions = {bit, terms.Not(bit), terms.Eq(x, terms.Zext(y, kWidth)), terms.Extract(y, 0, 1)};
+  for (const TermId a : forms) {
+    for (const TermId b : forms) {
+      for (const Operation& operation : kOfWidth)
+        pairs.push_back({(terms.*operation.make)(a, b), operation.kind, a, b});
+      for (const Operation& operation : kComparisons) {
+        pairs.push_back({(terms.*operation.make)(a, b), operation.kind, a, b});
+      }
+      pairs.push_back({terms.Concat(a, b), TermKind::kConcat, a, b});
+      for (const TermId condition : conditions) {
+        choices.push_back({terms.Ite(condition, a, b), condition, a, b});
+        const TermId bit_a = terms.Extract(a, 1, 1), bit_b = terms.Extract(b, 1, 1);
+        choices.push_back({terms.Ite(condition, bit_a, bit_b), condition, bit_a, bit_b});
+      }
+    }
+  }
+  struct Slice {
+    TermId result, of;
+    uint8_t low, width;
+  };
+  std::vector<Slice> slices;
+  for (size_t i = 0; i < pairs.size(); i += 3) {
+    const uint8_t width = terms.Width(pairs[i].result);
+    const auto low = static_cast<uint8_t>(i / 3 % width);
+    const auto count = static_cast<uint8_t>(1 + i / 7 % static_cast<size_t>(width - low));
+    slices.push_back({terms.Extract(pairs[i].result, low, count), pairs[i].result, low, count});
+  }
+  for (uint64_t assignment = 0; assignment < 128; ++assignment) {
+    const std::array variables = {assignment & 15, (assignment >> 4) & 3, assignment >> 6};
+    const std::vector<uint64_t> values = EvaluateAll(terms, variables, TermId(terms.size() - 1));
+    const auto value = [&](TermId id) { return values[id.index]; };
+    for (const Pair& pair : pairs) {
+      const uint64_t a = value(pair.a), b = value(pair.b);
+      const uint64_t expected = pair.kind == TermKind::kConcat ? a << kWidth | b : Reference(pair.kind, a, b, kWidth);
+      ASSERT_EQ(value(pair.result), expected)
+          << static_cast<int>(pair.kind) << " of terms " << pair.a.index << " and " << pair.b.index;
+    }
+    for (const Choice& choice : choices) {
+      ASSERT_EQ(value(choice.result), value(choice.condition) != 0 ? value(choice.then) : value(choice.otherwise));
+    }
+    for (const Slice& slice : slices) {
+      ASSERT_EQ(value(slice.result), (value(slice.of) >> slice.low) & Ones(slice.width));
+    }
+  }
+}
+
+TEST(Terms, RowsOfAnyTwoParts) {
+  Terms terms;
+  const TermId x = terms.Variable("x", 6);
+  const auto of_each_part = [](auto visit) {
+    for (uint8_t low = 0; low < 6; ++low) {
+      for (uint8_t width = 1; low + width <= 6; ++width) visit(low, width);
+    }
+  };
+  of_each_part([&](uint8_t high, uint8_t high_width) {
+    of_each_part([&](uint8_t low, uint8_t low_width) {
+      const TermId row = terms.Concat(terms.Extract(x, high, high_width), terms.Extract(x, low, low_width));
+      for (uint64_t value = 0; value < 64; ++value) {
+        ASSERT_EQ(Evaluate(terms, row, {&value, 1}),
+                  ((value >> high) & Ones(high_width)) << low_width | ((value >> low) & Ones(low_width)));
+      }
+    });
+  });
 }
 
 TEST(Terms, RebuiltTermsAreTheSameOnes) {
