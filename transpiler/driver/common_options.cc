@@ -54,6 +54,10 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("SOURCE", options.sources, "The files of one program, in their order; - is standard input")
       ->required()
       ->type_name("");
+  AddProgramOptions(command, options);
+}
+
+void AddProgramOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--dialect", options.dialect, "Language of the sources; else told by extension, then by content")
       ->type_name("NAME")
       ->group(kSourcesGroup);

@@ -27,6 +27,8 @@ struct CommonOptions {
 
 /// SOURCE..., --dialect, --encoding, --set, -I, --system-include, -D, -U, -W, --diagnostics.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
+/// The same without SOURCE.
+void AddProgramOptions(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);
 
@@ -48,6 +50,7 @@ void AddSim(CLI::App& app, Run& run);
 void AddExplain(CLI::App& app, Run& run);
 void AddReport(CLI::App& app, Run& run);
 void AddBuild(CLI::App& app, Run& run);
-void AddLaterCommands(CLI::App& app, Run& run);  // diff
+void AddVerify(CLI::App& app, Run& run);
+void AddDiff(CLI::App& app, Run& run);
 
 }  // namespace plcxx::driver

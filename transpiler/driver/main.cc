@@ -19,6 +19,7 @@ constexpr const char* kFooter = R"(Examples:
   plcxx check turret.sym turret.plc                 what is wrong or doubtful
   plcxx test turret.yaml                            run scenarios
   plcxx sim turret.plc --for 3s --watch U4A8,W2K2   watch it run
+  plcxx diff old new                                which outputs behave differently, and when
   plcxx explain nc110-41                            what a message means
 
 plcxx COMMAND --help tells more about one command.
@@ -45,7 +46,8 @@ int Main(int argc, char** argv) {
   AddSim(app, run);
   AddExplain(app, run);
   AddReport(app, run);
-  AddLaterCommands(app, run);
+  AddVerify(app, run);
+  AddDiff(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -113,12 +113,7 @@ uint64_t Comparison::RestMs() const {
 }
 
 bool Comparison::IsInput(CellId old_cell) const {
-  const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
-  if (cell.kind != CellKind::kBit) return false;
-  const CellId new_cell = match.new_of_old[old_cell.index];
-  if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
-  return old_version.program->spaces[cell.space].host_visible && !old_uses.writes[old_cell.index] &&
-         !(new_cell.valid() && new_uses.writes[new_cell.index]);
+  return IsInputPair(old_version, old_uses, new_uses, match, old_cell);
 }
 
 TermId Comparison::NextOld(CellId cell) {

@@ -241,4 +241,14 @@ Uses UsesOf(const Version& version) {
   return uses;
 }
 
+bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& new_uses, const Match& match,
+                 CellId old_cell) {
+  const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
+  if (cell.kind != CellKind::kBit) return false;
+  if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
+  const CellId new_cell = match.new_of_old[old_cell.index];
+  return old_version.program->spaces[cell.space].host_visible && !old_uses.writes[old_cell.index] &&
+         !(new_cell.valid() && new_uses.writes[new_cell.index]);
+}
+
 }  // namespace plcxx::prove

@@ -42,4 +42,8 @@ struct Uses {
 };
 Uses UsesOf(const Version& version);
 
+/// Whether a matched pair is an input: the host writes it, and no version does but for inputs of the machine.
+bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& new_uses, const Match& match,
+                 CellId old_cell);
+
 }  // namespace plcxx::prove

@@ -1,0 +1,81 @@
+// What `plcxx diff` has found out about two versions of a program, as a reader wants to know it.
+//
+// In: two programs, compiled. Out: one item for each named piece of state whose behaviour was compared. Not its job:
+// the command line (diff_command.cc), how it is shown (diff_output.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/compilation.h"
+#include "transpiler/prove/compare/compare.h"
+
+namespace plcxx::driver {
+
+/// One side of a comparison: the program as it runs, and as it is proved about (the slow part in one piece).
+struct DiffSide {
+  std::string label;           // as the user named it: "old/turret.plc", "v1.2"
+  CompilationRequest request;  // for replaying scenarios
+  std::string scenario_base;   // where the sources stand for scenarios; relative names are below it
+  std::string hidden_prefix;   // of paths of its files, which is not shown: a copy of a revision
+  Compilation compilation;     // as it runs
+  ir::Program whole;           // the slow part in one piece
+};
+
+enum class ItemKind : uint8_t { kOutput, kCalls, kRetentive, kInternal };
+enum class ItemVerdict : uint8_t { kEqual, kDifferent, kUndecided };
+
+struct ItemStatement {
+  ir::StatementId statement;
+  std::string file;
+  uint32_t line = 0, column = 0;
+  std::string text;      // its first line
+  bool changed = false;  // the other version has no statement with this text
+};
+
+/// A difference that can be seen by running: a scenario that passes on the old version and fails on the new one.
+struct Counterexample {
+  std::string scenario;              // YAML
+  std::string steps;                 // the same in one line: "I0A3=1, slow 1"
+  std::string old_value, new_value;  // of the item behind the last step
+  bool confirmed = false;            // it was run on both
+};
+
+struct DiffItem {
+  std::string name;     // "U4A8", "T5.done", "calls of fault"
+  std::string meaning;  // from the dialect's table or the program's comments; may be empty
+  ItemKind kind{};
+  ItemVerdict verdict{};
+  /// Its own statements behave differently; else only what they read does.
+  bool changed_itself = false;
+  std::vector<ItemStatement> old_statements, new_statements;  // that write it
+  std::vector<std::string> through;                           // differing items that these read
+  std::string reason;                                         // of kUndecided
+  std::optional<Counterexample> counterexample;
+};
+
+struct Diff {
+  std::vector<DiffItem> items;  // outputs and calls, then retentive memory, then the rest; each by its address
+  uint32_t equal = 0;           // items proved equal, which are not listed
+  uint32_t invariants = 0;      // that their proofs needed
+  std::string refusal;          // not empty: nothing was compared, and why
+};
+
+struct DiffOptions {
+  std::vector<std::pair<std::string, std::string>> same;  // --map OLD=NEW, as scenarios write locations
+  uint64_t time_ms = 60'000;
+  std::string scenario_directory;  // where scenarios will stand; their sources are named from there
+  std::function<void(const std::string& what)> progress;
+};
+
+/// Compiles one side; its diagnostics say what is wrong with it.
+DiffSide MakeDiffSide(std::string label, CompilationRequest request, const std::string& hidden_prefix = {});
+
+/// Both sides compiled without errors. Wrong words of --map: `refusal`.
+Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options);
+
+}  // namespace plcxx::driver

@@ -1,0 +1,179 @@
+// plcxx diff: which outputs behave differently, and when.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <variant>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/diff.h"
+#include "transpiler/driver/diff_output.h"
+#include "transpiler/driver/diff_sources.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/sim_plan.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Each output, call, retentive and internal location is proved to behave alike for every input and all scans, or shown
+to differ by a run, or listed as not decided. Renamed and moved statements, and logic written in another way, come out
+as equal. The slow part is compared as a whole pass, however it is sliced.
+
+Examples:
+  plcxx diff old/turret.plc turret.plc                     two files
+  plcxx diff old new                                       two directories: sources as their scenarios name them
+  plcxx diff old new --sources turret.sym turret.plc       ... or as you do
+  plcxx diff --git v1.2..HEAD turret.sym turret.plc        two revisions; 'v1.2..' is against the work tree
+  plcxx diff old new --counterexamples found               a scenario for each difference: it passes on the old version
+  plcxx test found/U4A8.yaml --sources turret.plc          ... and fails on the new one
+  plcxx diff old new --map LAMP=LAMP_H1                    what is the same though it has another name and address
+  plcxx diff old new --format markdown                     for a merge request
+
+With git, for a program in one file:
+  git config diff.plc.command "plcxx diff --git-external"  and in .gitattributes: *.plc diff=plc
+  git config diff.plc.textconv "plcxx print ir-structured" shows the logic instead of the text
+
+Exit codes, as diff's: 0 the versions behave alike, 1 they differ or it is not decided, 2 they cannot be compared.)";
+
+enum class DiffFormat : uint8_t { kText, kMarkdown, kJson, kSarif };
+
+struct DiffSettings {
+  CommonOptions common;
+  DiffWords words;
+  std::vector<std::string> same;
+  std::string scenarios, format = "text", time = "60s";
+};
+
+/// Options for both sides; sources are found later.
+std::optional<CompilationRequest> CommonRequest(const DiffSettings& settings) {
+  CommonOptions common = settings.common;
+  common.sources.clear();
+  return MakeRequest(common);
+}
+
+/// A file name for an item: what file systems dislike becomes '_'.
+std::string FileNameOf(const std::string& item) {
+  std::string name;
+  for (const char c : item) {
+    const bool plain =
+        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' || c == '_';
+    name += plain ? c : '_';
+  }
+  return name;
+}
+
+int WriteScenarios(const Diff& diff, const std::string& directory) {
+  OutputRequest output{.directory = directory, .files = {}, .protected_paths = {}};
+  std::set<std::string> names;
+  for (const DiffItem& item : diff.items) {
+    if (!item.counterexample) continue;
+    std::string name = FileNameOf(item.name);
+    for (int number = 2; !names.insert(name).second; ++number)
+      name = FileNameOf(item.name) + "_" + std::to_string(number);
+    output.files.push_back({PathIn(directory, name + ".yaml"), item.counterexample->scenario});
+  }
+  const std::optional<WriteFailure> failure = WriteAll(output);
+  if (!failure) return kDone;
+  PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
+  return kWrongUse;
+}
+
+std::string Rendered(const Diff& diff, const DiffNames& names, const std::string& format) {
+  if (format == "markdown") return DiffMarkdown(diff, names);
+  if (format == "json") return DiffJson(diff, names);
+  if (format == "sarif") return DiffSarif(diff, names);
+  return DiffText(diff, names, ShowsColours(Stream::kOutput) ? diag::Colour::kOn : diag::Colour::kOff);
+}
+
+/// false: the program has errors, which have been told.
+bool IsUsable(const DiffSide& side, const DiffSettings& settings) {
+  if (side.compilation.ok() && side.compilation.has_program) return true;
+  PrintDiagnosticsBeside(side.compilation, FormatOf(settings.common));
+  PrintUsageError("'" + side.label +
+                  "' cannot be compared: " + (side.compilation.ok() ? "it has no program" : "it has errors"));
+  return false;
+}
+
+int RunDiff(const DiffSettings& settings) {
+  const std::optional<CompilationRequest> common = CommonRequest(settings);
+  if (!common) return kWrongUse;
+  const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
+  if (!time_ms || *time_ms == 0) {
+    PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
+    return kWrongUse;
+  }
+  std::variant<DiffRequests, std::string> resolved = ResolveDiff(settings.words, *common);
+  if (const auto* const why = std::get_if<std::string>(&resolved)) {
+    PrintUsageError(*why);
+    return kWrongUse;
+  }
+  auto& requests = std::get<DiffRequests>(resolved);
+  DiffOptions options{.same = {}, .time_ms = *time_ms, .scenario_directory = settings.scenarios, .progress = {}};
+  for (const std::string& pair : settings.same) {
+    const size_t equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size()) {
+      PrintUsageError("--map takes OLD=NEW, not '" + pair + "'");
+      return kWrongUse;
+    }
+    options.same.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+  }
+  ProgressLine progress;
+  options.progress = [&progress](const std::string& what) { progress.Show(what); };
+  DiffSide old_side =
+      MakeDiffSide(requests.old_side.label, requests.old_side.compilation, requests.old_side.hidden_prefix);
+  DiffSide new_side =
+      MakeDiffSide(requests.new_side.label, requests.new_side.compilation, requests.new_side.hidden_prefix);
+  progress.Clear();
+  if (!IsUsable(old_side, settings) || !IsUsable(new_side, settings)) return kWrongUse;
+  if (old_side.compilation.dialect != new_side.compilation.dialect) {
+    PrintUsageError("the versions are in different languages: " + std::string(old_side.compilation.dialect->name) +
+                    " and " + std::string(new_side.compilation.dialect->name));
+    return kWrongUse;
+  }
+  const Diff diff = CompareSides(old_side, new_side, options);
+  progress.Clear();
+  if (!diff.refusal.empty()) {
+    PrintUsageError("cannot compare: " + diff.refusal);
+    return kWrongUse;
+  }
+  std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label}, settings.format);
+  if (!settings.scenarios.empty()) {
+    if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;
+  }
+  if (settings.words.external) return kDone;  // git takes anything else for a broken tool
+  return diff.items.empty() ? kDone : kProgramHasErrors;
+}
+
+}  // namespace
+
+void AddDiff(CLI::App& app, Run& run) {
+  CLI::App* command =
+      app.add_subcommand("diff", "Which outputs behave differently, and when: proved or shown by a run");
+  const auto settings = std::make_shared<DiffSettings>();
+  AddProgramOptions(*command, settings->common);
+  command->add_option("OLD NEW", settings->words.paths, "Two files or directories; with --git the program's sources")
+      ->required()
+      ->type_name("");
+  command->add_option("--sources", settings->words.sources, "The program's sources, relative to both directories")
+      ->type_name("FILE...");
+  command->add_option("--git", settings->words.revisions, "Compare two revisions")->type_name("A..B");
+  command->add_flag("--git-external", settings->words.external, "Take the seven words that git gives to a diff tool");
+  command->add_option("--map", settings->same, "A location of the old version that is another one in the new version")
+      ->type_name("OLD=NEW");
+  command->add_option("--counterexamples", settings->scenarios, "Write a scenario for each difference")
+      ->type_name("DIR");
+  command->add_option("--format", settings->format, "text, markdown, json or sarif")
+      ->type_name("FORMAT")
+      ->default_str("text")
+      ->check(CLI::IsMember({"text", "markdown", "json", "sarif"}));
+  command->add_option("--time", settings->time, "What is not decided by then stays so")
+      ->type_name("TIME")
+      ->default_str("60s");
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunDiff(*settings); }; });
+}
+
+}  // namespace plcxx::driver

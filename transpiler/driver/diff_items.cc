@@ -1,0 +1,222 @@
+#include "transpiler/driver/diff_items.h"
+
+#include <algorithm>
+
+#include "transpiler/ir/op.h"
+#include "transpiler/prove/meaning/meaning.h"
+
+namespace plcxx::driver {
+namespace {
+
+using prove::Cell;
+using prove::CellId;
+using prove::CellKind;
+using prove::Version;
+
+std::string NameOf(const ir::Place& place) { return place.address.empty() ? place.name : place.address; }
+
+/// Cells of a place; of an indexed one all that it may touch.
+std::pair<uint32_t, uint32_t> CellRange(const Version& version, const ir::Place& place) {
+  if (place.is_field()) {
+    const ir::StateKind kind = version.program->states[place.state].kind;
+    const uint32_t cell = version.cells.states[place.state.index] + prove::FieldTermIndex(kind, place.field);
+    return {cell, cell + 1};
+  }
+  const uint32_t size = version.program->spaces[place.space].bytes;
+  if (place.indexed) {
+    return {version.cells.OfBit(place.space, std::min(place.low, size), 0).index,
+            version.cells.OfBit(place.space, std::min(place.high, size), 0).index};
+  }
+  if (place.offset + ir::Bytes(place.type) > size) return {0, 0};
+  const uint32_t first = version.cells.OfBit(place.space, place.offset, 0).index;
+  if (place.type == ir::Type::kBit) return {first + place.bit, first + place.bit + 1};
+  return {first, first + 8 * ir::Bytes(place.type)};
+}
+
+/// Walks a routine's regions with the statement at work.
+class AccessWalk {
+ public:
+  explicit AccessWalk(const Version& version) : version_(version), program_(*version.program) {}
+
+  std::vector<StatementAccess> Run() {
+    for (const ir::Routine& routine : program_.routines) {
+      for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+        Walk(region, ir::StatementId());
+      }
+    }
+    return std::move(accesses_);
+  }
+
+ private:
+  void Walk(ir::RegionId region, ir::StatementId statement) {
+    if (!region.valid()) return;
+    for (const ir::InstId id : program_.regions[region].insts) {
+      const ir::Inst& inst = program_[id];
+      if (inst.op == ir::OpKind::kStatement) statement = ir::StatementId(inst.payload);
+      Note(inst, statement);
+      switch (inst.op) {
+        case ir::OpKind::kIf:
+          Walk(ir::RegionId(inst.b), statement);
+          Walk(ir::RegionId(inst.c), statement);
+          break;
+        case ir::OpKind::kSwitch:
+          for (const ir::SwitchCase& one : program_.switches[ir::SwitchId(inst.payload)].cases) {
+            Walk(one.region, statement);
+          }
+          break;
+        case ir::OpKind::kLoop: {
+          const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
+          for (const ir::RegionId part : {loop.condition, loop.body, loop.step, loop.exhausted}) Walk(part, statement);
+          break;
+        }
+        case ir::OpKind::kBlock:
+          Walk(ir::RegionId(inst.a), statement);
+          break;
+        case ir::OpKind::kRepeat:
+          Walk(ir::RegionId(inst.b), statement);
+          break;
+        default:
+          break;
+      }
+    }
+  }
+
+  void Note(const ir::Inst& inst, ir::StatementId statement) {
+    const auto add = [&](std::pair<uint32_t, uint32_t> cells, bool writes) {
+      accesses_.push_back({.statement = statement, .begin = cells.first, .end = cells.second, .writes = writes});
+    };
+    const auto instance = [&](uint32_t state) {
+      const uint32_t first = version_.cells.states[state];
+      return std::pair(first, first + prove::FieldTerms(program_.states[ir::StateId(state)].kind));
+    };
+    switch (ir::Info(inst.op).shape) {
+      case ir::Shape::kLoad:
+        add(CellRange(version_, program_.places[ir::PlaceId(inst.payload)]), false);
+        break;
+      case ir::Shape::kStore:
+        add(CellRange(version_, program_.places[ir::PlaceId(inst.payload)]), true);
+        break;
+      case ir::Shape::kStep:
+      case ir::Shape::kText:
+        add(instance(inst.payload), false);
+        add(instance(inst.payload), true);
+        break;
+      case ir::Shape::kHostCall: {
+        const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+        const uint32_t cell = version_.cells.OfCalls(call.host).index;
+        add({cell, cell + 1}, true);
+        if (call.out.valid()) add(CellRange(version_, program_.places[call.out]), true);
+        break;
+      }
+      default:
+        break;
+    }
+  }
+
+  const Version& version_;
+  const ir::Program& program_;
+  std::vector<StatementAccess> accesses_;
+};
+
+}  // namespace
+
+CellWords::CellWords(const Version& version, const Compilation& compilation)
+    : version_(version), compilation_(compilation) {
+  const ir::Program& program = *version.program;
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    const ir::PlaceId id(i);
+    const ir::Place& place = program.places[id];
+    if (place.is_field() || place.indexed || place.name.empty()) continue;
+    const auto [begin, end] = CellRange(version, place);
+    if (begin == end) continue;
+    if (place.type == ir::Type::kBit) {
+      bits_.emplace(begin, id);
+    } else {
+      const auto [at, added] = words_.emplace(begin, id);
+      if (!added && ir::Bytes(program.places[at->second].type) > ir::Bytes(place.type)) at->second = id;
+    }
+  }
+}
+
+CellWord CellWords::OfPlace(const ir::Place& place) const {
+  CellWord word{.name = NameOf(place), .place = place, .cells = {}};
+  const auto [begin, end] = CellRange(version_, place);
+  for (uint32_t cell = begin; cell < end; ++cell) word.cells.emplace_back(cell);
+  return word;
+}
+
+/// The element of an array or structure that a name of the source covers.
+std::optional<CellWord> CellWords::FromSymbols(const Cell& cell) const {
+  for (const ir::Symbol& symbol : version_.program->symbols) {
+    if (symbol.space != cell.space || cell.offset < symbol.offset) continue;
+    uint32_t rest = cell.offset - symbol.offset;
+    std::string name = symbol.name;
+    bool inside = true;
+    size_t from = 0;
+    for (const ir::Symbol::Index& index : symbol.indices) {
+      const uint32_t i = index.stride == 0 ? 0 : std::min(rest / index.stride, index.count - 1);
+      rest -= i * index.stride;
+      const size_t brackets = name.find("[]", from);
+      if (brackets == std::string::npos) inside = false;
+      if (!inside) break;
+      name.insert(brackets + 1, std::to_string(i));
+      from = brackets + 1;
+    }
+    const bool is_bit = symbol.type == ir::Type::kBit;
+    if (!inside || rest >= std::max(1U, ir::Bytes(symbol.type)) || (is_bit && symbol.bit != cell.bit)) continue;
+    ir::Place place{.name = name, .type = symbol.type, .space = symbol.space, .offset = cell.offset - rest};
+    if (is_bit) place.bit = symbol.bit;
+    return OfPlace(place);
+  }
+  return std::nullopt;
+}
+
+CellWord CellWords::WordOf(CellId id) const {
+  const ir::Program& program = *version_.program;
+  const Cell cell = CellAt(program, version_.cells, id);
+  if (cell.kind != CellKind::kBit) {
+    CellWord word{.name = CellName(program, cell), .place = std::nullopt, .cells = {id}};
+    if (cell.kind == CellKind::kField && ir::Info(program.states[cell.state].kind).fields[cell.field].count == 1) {
+      word.place = ir::Place{.name = word.name,
+                             .type = ir::Info(program.states[cell.state].kind).fields[cell.field].type,
+                             .state = cell.state,
+                             .field = cell.field};
+      // The program's own name for the field, where it has one.
+      for (const ir::Place& place : program.places) {
+        if (place.state == cell.state && place.field == cell.field && !NameOf(place).empty()) word.name = NameOf(place);
+      }
+    }
+    return word;
+  }
+  const uint32_t first_bit = id.index - cell.bit;
+  if (const auto bit = bits_.find(id.index); bit != bits_.end()) return OfPlace(program.places[bit->second]);
+  // The word that begins in this byte or in one of the seven before it.
+  for (uint32_t back = 0; back < 8 && back <= cell.offset; ++back) {
+    const auto word = words_.find(first_bit - 8 * back);
+    if (word != words_.end() && ir::Bytes(program.places[word->second].type) > back) {
+      return OfPlace(program.places[word->second]);
+    }
+  }
+  if (const std::optional<CellWord> symbol = FromSymbols(cell)) return *symbol;
+  CellWord byte{.name = program.spaces[cell.space].name + " byte " + std::to_string(cell.offset),
+                .place = std::nullopt,
+                .cells = {}};
+  for (uint32_t bit = 0; bit < 8; ++bit) byte.cells.emplace_back(first_bit + bit);
+  return byte;
+}
+
+std::string CellWords::MeaningOf(const std::string& name) const {
+  for (const ir::Documentation& known : version_.program->documentation) {
+    if (known.address != name) continue;
+    std::string text = known.symbols;
+    for (const std::string* part : {&known.predefined, &known.meaning, &known.help}) {
+      if (!part->empty()) text += (text.empty() ? "" : ", ") + *part;
+    }
+    return text;
+  }
+  return {};
+}
+
+std::vector<StatementAccess> AccessesOf(const Version& version) { return AccessWalk(version).Run(); }
+
+}  // namespace plcxx::driver

@@ -1,0 +1,46 @@
+// Names for cells, and the statements that write them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/diff.h"
+#include "transpiler/prove/compare/match.h"
+
+namespace plcxx::driver {
+
+/// How people speak of a cell: the bit, word or field that the program uses there.
+struct CellWord {
+  std::string name;                  // "W3K0"
+  std::optional<ir::Place> place;    // none: the program has no place there ("U byte 17")
+  std::vector<prove::CellId> cells;  // of the word, ascending
+};
+
+class CellWords {
+ public:
+  /// `version` and the compilation outlive the object.
+  CellWords(const prove::Version& version, const Compilation& compilation);
+  CellWord WordOf(prove::CellId cell) const;
+  /// From the program's documentation; empty when there is none.
+  std::string MeaningOf(const std::string& name) const;
+
+ private:
+  std::optional<CellWord> FromSymbols(const prove::Cell& cell) const;
+  CellWord OfPlace(const ir::Place& place) const;
+
+  const prove::Version& version_;
+  const Compilation& compilation_;
+  std::map<uint32_t, ir::PlaceId> bits_;   // by cell
+  std::map<uint32_t, ir::PlaceId> words_;  // by cell of its first bit: the smallest one that begins there
+};
+
+/// Which statement reads and writes which cells.
+struct StatementAccess {
+  ir::StatementId statement;
+  uint32_t begin = 0, end = 0;  // cells
+  bool writes = false;
+};
+std::vector<StatementAccess> AccessesOf(const prove::Version& version);
+
+}  // namespace plcxx::driver

@@ -1,0 +1,87 @@
+#include "transpiler/driver/diff_machine.h"
+
+#include "transpiler/driver/diff_runs.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr uint32_t kNone = 0xFFFFFFFF;
+
+/// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
+std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
+  const ir::Program& program = *version.program;
+  std::vector<uint32_t> bytes(version.cells.count, kNone);
+  uint32_t at = 0;
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    const ir::Space& space = program.spaces[ir::SpaceId(i)];
+    if (!space.host_visible) continue;
+    for (uint32_t offset = 0; offset < space.bytes; ++offset, ++at) {
+      for (uint8_t bit = 0; bit < 8; ++bit) bytes[version.cells.OfBit(ir::SpaceId(i), offset, bit).index] = at;
+    }
+  }
+  for (uint32_t i = 0; i < program.states.size(); ++i) {
+    uint32_t cell = version.cells.states[i];
+    for (const ir::FieldInfo& field : ir::Info(program.states[ir::StateId(i)].kind).fields) {
+      for (uint32_t element = 0; element < field.count; ++element, ++cell) {
+        bytes[cell] = at;
+        at += ir::Bytes(field.type);
+      }
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version)
+    : program_(side.compilation.program),
+      version_(version),
+      simulator_(side.compilation.program),
+      control_(side.compilation.program, *side.compilation.dialect, simulator_,
+               side.compilation.dialect->make_stub(side.compilation.program, side.compilation.options)),
+      clock_(side.compilation.program, {&simulator_}),
+      byte_of_(MakeBytesOf(version)),
+      calls_(side.compilation.program.host_functions.size()) {
+  clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+  clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
+  clock_.PowerOn();
+  control_.PowerOn();
+}
+
+void DiffMachine::SetBit(prove::CellId id, bool value) {
+  const prove::Cell cell = CellAt(*version_.program, version_.cells, id);
+  if (cell.kind != prove::CellKind::kBit) return;
+  const ir::Place place{
+      .name = {}, .address = {}, .type = ir::Type::kBit, .space = cell.space, .offset = cell.offset, .bit = cell.bit};
+  control_.Set(dialects::Location{.place = place}, value ? 1 : 0);
+}
+
+bool DiffMachine::Advance(const Stimulus& stimulus) {
+  const sim::Step step = stimulus.slow != 0 ? clock_.RunSlow(stimulus.slow) : clock_.RunMs(stimulus.ms);
+  return step != sim::Step::kStuck;
+}
+
+void DiffMachine::Look() {
+  picture_ = simulator_.Snapshot();
+  for (const sim::HostEvent& event : simulator_.TakeEvents()) {
+    if (event.exchange) continue;
+    uint64_t& hash = calls_[event.function.index];
+    for (const uint64_t argument : event.arguments) hash = (hash ^ argument) * 0x9E3779B97F4A7C15;
+    hash = (hash ^ (hash >> 31)) + 1;
+  }
+}
+
+uint64_t DiffMachine::Seen(prove::CellId id) const {
+  if (id.index >= version_.cells.calls) return calls_[id.index - version_.cells.calls];
+  const uint32_t at = byte_of_[id.index];
+  if (at == kNone || at >= picture_.size()) return 0;
+  const bool is_bit = version_.cells.states.empty() || id.index < version_.cells.states.front();
+  if (is_bit) return picture_[at] >> ((id.index - version_.cells.spaces.front()) % 8) & 1;
+  const prove::Cell cell = CellAt(*version_.program, version_.cells, id);
+  uint64_t value = 0;
+  for (uint32_t i = 0; i < (CellWidth(*version_.program, cell) + 7U) / 8; ++i)
+    value |= uint64_t{picture_[at + i]} << (8 * i);
+  return value;
+}
+
+}  // namespace plcxx::driver

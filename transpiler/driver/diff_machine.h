@@ -1,0 +1,42 @@
+// One version in the simulator, with the dialect's simulated control around it, as a scenario has it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "transpiler/driver/diff.h"
+#include "transpiler/driver/scenario_control.h"
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/sim/clock.h"
+#include "transpiler/sim/simulator.h"
+
+namespace plcxx::driver {
+
+struct Stimulus;
+
+class DiffMachine {
+ public:
+  /// Powers on. Both outlive the machine.
+  DiffMachine(const DiffSide& side, const prove::Version& version);
+
+  void SetBit(prove::CellId cell, bool value);
+  /// false: the program got stuck.
+  bool Advance(const Stimulus& stimulus);
+  /// Takes a picture of all state.
+  void Look();
+  /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
+  /// not show is 0.
+  uint64_t Seen(prove::CellId cell) const;
+
+ private:
+  const ir::Program& program_;
+  const prove::Version& version_;
+  sim::Simulator simulator_;
+  ScenarioControl control_;
+  sim::Clock clock_;
+  std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNone: nowhere
+  std::vector<uint8_t> picture_;
+  std::vector<uint64_t> calls_;  // by host function: a hash of its calls so far
+};
+
+}  // namespace plcxx::driver

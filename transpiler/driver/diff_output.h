@@ -1,0 +1,23 @@
+// A Diff as text for a terminal, Markdown for a merge request, JSON and SARIF for programs.
+#pragma once
+
+#include <string>
+
+#include "transpiler/diagnostics/render.h"
+#include "transpiler/driver/diff.h"
+
+namespace plcxx::driver {
+
+struct DiffNames {
+  std::string old_label, new_label;
+};
+
+std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colour);
+std::string DiffMarkdown(const Diff& diff, const DiffNames& names);
+std::string DiffJson(const Diff& diff, const DiffNames& names);
+std::string DiffSarif(const Diff& diff, const DiffNames& names);
+
+/// "2 outputs differ, 1 is not decided; 41 proved equal"
+std::string DiffSummary(const Diff& diff);
+
+}  // namespace plcxx::driver

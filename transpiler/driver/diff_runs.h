@@ -1,0 +1,56 @@
+// Running both versions beside each other: what differs is found, shortened, and written as a scenario.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/diff.h"
+#include "transpiler/driver/diff_items.h"
+#include "transpiler/prove/compare/compare.h"
+#include "transpiler/prove/compare/match.h"
+
+namespace plcxx::driver {
+
+/// Inputs set, then time.
+struct Stimulus {
+  std::vector<prove::SetCell> inputs;
+  uint32_t slow = 0;  // complete slow passes; 0: `ms`
+  uint32_t ms = 0;
+};
+using Stimuli = std::vector<Stimulus>;
+
+struct RandomRuns {
+  std::vector<Stimuli> runs;
+  struct Difference {
+    uint32_t run = 0, steps = 0;  // after so many stimuli of the run
+  };
+  std::map<prove::CellId, Difference> difference_of;  // by old cell: the first one
+};
+
+/// Random runs of both versions from power-on, in the simulator, with the same inputs at the same time.
+RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
+                   const prove::Version& new_version, const prove::Match& match, const DiffOptions& options);
+
+struct CounterexampleRequest {
+  const CellWords& old_words;
+  const CellWords& new_words;
+  std::string name;
+  ItemKind kind{};
+  std::vector<prove::CellId> old_cells;
+  std::optional<prove::Run> run;  // the solver's
+  const RandomRuns& runs;
+  const prove::Match& match;
+};
+
+/// The shortest scenario that could be found: it has been run on both versions, unless `confirmed` is false.
+std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
+                                                 const CounterexampleRequest& request, const DiffOptions& options);
+
+/// The scenario of a run that shows the difference.
+std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSide& new_side,
+                                                     const CounterexampleRequest& request, const Stimuli& stimuli,
+                                                     const DiffOptions& options);
+
+}  // namespace plcxx::driver

@@ -1,0 +1,38 @@
+// What `plcxx diff` is to compare: two files, two directories, two revisions of git, or what git hands to a diff tool.
+//
+// In: words of the command line. Out: two requests, or the first thing that is wrong. Revisions are copied into a
+// temporary directory, which lives as long as the result.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+struct DiffWords {
+  std::vector<std::string> paths;    // OLD NEW, or with `revisions` the sources
+  std::vector<std::string> sources;  // --sources: of both directories, relative to them
+  std::string revisions;             // --git A..B
+  bool external = false;             // --git-external: paths are the seven words of a diff tool of git
+};
+
+struct DiffRequest {
+  std::string label;
+  CompilationRequest compilation;
+  std::string hidden_prefix;  // of paths, see DiffSide
+};
+
+struct DiffRequests {
+  DiffRequest old_side, new_side;
+  std::vector<std::unique_ptr<compile::TemporaryDirectory>> copies;
+};
+
+/// `common`: what the options of the command line say for both.
+std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words, const CompilationRequest& common);
+
+}  // namespace plcxx::driver
