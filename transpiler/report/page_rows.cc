@@ -9,6 +9,9 @@
 namespace plcxx::report {
 namespace {
 
+constexpr size_t kGroup = 32;       // rows
+constexpr size_t kLinesAround = 2;  // of a row: heading and margins, in lines
+
 constexpr const char* ClassOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kDifferent:
@@ -87,6 +90,21 @@ void AppendHeading(const View& view, const Row* before, const Row& row, std::str
   }
 }
 
+/// What a row will take before it is laid out, so that the scroll bar does not jump.
+size_t LinesOf(const Row& row) { return std::max({row.source.size(), row.code.size(), row.ladder.size() * 3}); }
+
+void AppendRow(const View& view, const Row& row, const Marks& marks, std::string& out) {
+  Verdict verdict = Verdict::kEqual;
+  for (const ir::StatementId id : row.statements) verdict = std::min(verdict, marks.verdict[id.index]);
+  const bool text = row.code.empty() && row.ladder.empty();
+  out += std::string("<article class=\"row") + (text ? " text" : "") + ClassOf(verdict) + "\"";
+  if (!row.statements.empty()) out += " id=\"" + view.AnchorOf(row.statements.front()) + "\" tabindex=\"-1\"";
+  out += " style=\"--n:" + std::to_string(LinesOf(row)) + "\">";
+  if (!row.statements.empty()) AppendMeta(view, row, marks, out);
+  AppendCells(view, row, out);
+  out += "</article>\n";
+}
+
 }  // namespace
 
 void AppendCells(const View& view, const Row& row, std::string& out) {
@@ -100,22 +118,19 @@ void AppendCells(const View& view, const Row& row, std::string& out) {
   out += "</div>";
 }
 
+/// A browser lays out the groups near the window only, and of these the rows near it: scrolling through thousands of
+/// rows costs the same as through a few.
 void AppendRows(const View& view, const Marks& marks, std::string& out) {
-  const Row* before = nullptr;
-  for (const Row& row : view.rows.rows) {
-    AppendHeading(view, before, row, out);
-    before = &row;
-    Verdict verdict = Verdict::kEqual;
-    for (const ir::StatementId id : row.statements) verdict = std::min(verdict, marks.verdict[id.index]);
-    const bool text = row.code.empty() && row.ladder.empty();
-    out += std::string("<article class=\"row") + (text ? " text" : "") + ClassOf(verdict) + "\"";
-    if (!row.statements.empty()) out += " id=\"" + view.AnchorOf(row.statements.front()) + "\" tabindex=\"-1\"";
-    // What a row will take before it is laid out, so that the scroll bar does not jump.
-    const size_t lines = std::max(row.source.size(), row.code.size());
-    out += " style=\"--n:" + std::to_string(std::max<size_t>(lines, row.ladder.size() * 3)) + "\">";
-    if (!row.statements.empty()) AppendMeta(view, row, marks, out);
-    AppendCells(view, row, out);
-    out += "</article>\n";
+  const std::vector<Row>& rows = view.rows.rows;
+  for (size_t begin = 0; begin < rows.size();) {
+    AppendHeading(view, begin == 0 ? nullptr : &rows[begin - 1], rows[begin], out);
+    size_t end = begin, lines = 0;
+    for (; end < rows.size() && end - begin < kGroup && rows[end].file == rows[begin].file; ++end) {
+      lines += LinesOf(rows[end]) + kLinesAround;
+    }
+    out += "<div class=\"group\" style=\"--n:" + std::to_string(lines) + "\">\n";
+    for (; begin < end; ++begin) AppendRow(view, rows[begin], marks, out);
+    out += "</div>\n";
   }
 }
 

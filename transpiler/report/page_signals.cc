@@ -9,6 +9,7 @@
 namespace plcxx::report {
 namespace {
 
+constexpr uint32_t kGroup = 64;    // signals that a browser lays out at once
 constexpr size_t kMostShown = 24;  // links of one kind; the rest is folded
 
 std::string SignalLink(const View& view, uint32_t signal) {
@@ -131,8 +132,15 @@ void AppendSignals(const View& view, std::string& out) {
       "reads</h2>\n<div class=\"sigs\" role=\"table\" aria-labelledby=\"h-signals\"><div role=\"row\" class=\"sig "
       "head\"><div role=\"columnheader\">Signal</div><div role=\"columnheader\">Meaning</div><div "
       "role=\"columnheader\">Written by</div><div role=\"columnheader\">Read by</div></div>\n";
-  for (uint32_t i = 0; i < view.uses.signals.size(); ++i) AppendSignal(view, i, out);
-  out += "</div></section>\n";
+  for (uint32_t i = 0; i < view.uses.signals.size(); ++i) {
+    if (i % kGroup == 0) {
+      const size_t count = std::min<size_t>(kGroup, view.uses.signals.size() - i);
+      if (i > 0) out += "</div>\n";
+      out += "<div class=\"group\" role=\"rowgroup\" style=\"--n:" + std::to_string(count * 3) + "\">\n";
+    }
+    AppendSignal(view, i, out);
+  }
+  out += view.uses.signals.empty() ? "</div></section>\n" : "</div></div></section>\n";
 }
 
 void AppendLists(const View& view, std::string& out) {

@@ -3,8 +3,8 @@
   "use strict";
   const byId = (id) => document.getElementById(id);
   const index = JSON.parse(byId("index").textContent);
-  const rows = Array.from(document.querySelectorAll("#program > .row"));
-  const signals = Array.from(document.querySelectorAll(".sigs > .sig:not(.head)"));
+  const rows = Array.from(document.querySelectorAll("#program > .group > .row"));
+  const signals = Array.from(document.querySelectorAll(".sigs > .group > .sig"));
   const field = byId("q");
   const hits = byId("hits");
   const card = byId("card");
@@ -24,12 +24,28 @@
     }
   }
 
+  /** A group whose rows are hidden takes no room; of the others the browser is told how much they will take. */
+  const groups = Array.from(document.querySelectorAll("#program > .group, .sigs > .group"), (element) => ({
+    element,
+    members: Array.from(element.children),
+    lines: element.style.getPropertyValue("--n"),
+  }));
+  function fit() {
+    for (const group of groups) {
+      const shown = group.members.reduce((count, member) => count + (member.hidden ? 0 : 1), 0);
+      const lines = shown === group.members.length ? group.lines : Math.ceil((group.lines * shown) / group.members.length);
+      if (group.element.hidden !== (shown === 0)) group.element.hidden = shown === 0;
+      if (shown > 0) group.element.style.setProperty("--n", lines);
+    }
+  }
+
   function search() {
     const words = field.value.toLowerCase().split(/\s+/).filter((word) => word !== "");
     const matchingSignals = [];
     const matchingRows = [];
     filter(signals, signalTexts, words, matchingSignals);
     filter(rows, rowTexts, words, matchingRows);
+    fit();
     found = matchingRows.concat(matchingSignals);
     at = -1;
     hits.textContent =
