@@ -66,7 +66,7 @@ TEST(EmitBlocks, AnExitToTheEndOfTheRoutineReturns) {
   }
 )"));
   EXPECT_THAT(source, HasSubstr("  if (m[a]) return;\n"));
-  EXPECT_THAT(source, HasSubstr("  if (t1) return;\n"));
+  EXPECT_THAT(source, HasSubstr("  if (t102) return;\n"));
   EXPECT_THAT(source, Not(HasSubstr("goto")));
   EXPECT_THAT(source, Not(HasSubstr(":;")));
 }
@@ -93,7 +93,7 @@ TEST(EmitBlocks, ElsewhereItGoesToALabelNamedAfterWhatFollows) {
   %0 = load k
   store n %0
 )"));
-  EXPECT_THAT(source, HasSubstr("    if (t1) goto to_O_1_0;\n"));
+  EXPECT_THAT(source, HasSubstr("    if (t102) goto to_O_1_0;\n"));
   EXPECT_THAT(source, HasSubstr("  }\n\nto_O_1_0:;\n  // O 1.0\n"));
 }
 
@@ -387,9 +387,9 @@ routine PM19 subroutine {
   program.ExpectRunsAsSimulated();
   program.ExpectDebugsAsSimulated();
   const std::string source = program.Source();
-  EXPECT_THAT(source, HasSubstr("void PM17(State& m, bool& s, uint16_t& ax, Host& host) noexcept;\n"
-                                "void PM18(State& m, uint16_t& ax, Host& host) noexcept;\n"
-                                "void PM19(State& m, Host& host) noexcept;\n"));
+  EXPECT_THAT(source, HasSubstr("static void PM17(State& m, bool& s, uint16_t& ax, Host& host) noexcept;\n"
+                                "static void PM18(State& m, uint16_t& ax, Host& host) noexcept;\n"
+                                "static void PM19(State& m, Host& host) noexcept;\n"));
   EXPECT_THAT(source, HasSubstr("void fast(State& m, Host& host) noexcept {\n  bool s = false;\n  uint16_t ax = 0;\n"));
   EXPECT_THAT(source, HasSubstr("  PM17(m, s, ax, host);\n"));
   EXPECT_THAT(source, HasSubstr("  PM18(m, ax, host);\n"));
@@ -433,7 +433,7 @@ routine twice subroutine (in : i16 = in) -> i16 out_value {
 )"));
   EXPECT_THAT(source,
               HasSubstr("uint16_t twice(State& m, uint16_t in, Host&) noexcept {\n  uint16_t out_value = 0;\n"));
-  EXPECT_THAT(source, HasSubstr("  if (t1) return out_value;\n"));
+  EXPECT_THAT(source, HasSubstr("  if (t104) return out_value;\n"));
   EXPECT_THAT(source, HasSubstr("  return out_value;\n}\n"));
   EXPECT_THAT(source, HasSubstr("  m[w] = twice(m, m[w], host);\n"));
 }
@@ -469,7 +469,7 @@ TEST(EmitHost, ResultsAreSpelledWhereTheyAreUsed) {
   program.ExpectDebugsAsSimulated();
   EXPECT_THAT(program.Header(), HasSubstr("bool nc_read(Host& host, uint8_t width, uint32_t& value) noexcept;\n"));
   EXPECT_THAT(program.Source(), HasSubstr("  if (nc_read(host, m[n], got)) {\n    m[total] = got;\n  } else {\n"));
-  EXPECT_THAT(program.Source(), HasSubstr("  const bool t1 = port(host, m[k]);\n  m[d] = t1 & m[a];\n"));
+  EXPECT_THAT(program.Source(), HasSubstr("  const bool t102 = port(host, m[k]);\n  m[d] = t102 & m[a];\n"));
   EXPECT_THAT(program.Source(), HasSubstr("  fault(host, static_cast<fault_kind>(m[n] & 1), got);\n"));
 }
 
@@ -529,7 +529,7 @@ TEST(EmitDebug, AJumpThatIsSwitchedOffJumpsOverNothing) {
   program.ExpectDebugsAsSimulated();
   const std::string debug = program.Source(emit::Flavour::kDebug);
   EXPECT_THAT(debug, HasSubstr("  if (!m.on(0) || !m[a]) {\n"));
-  EXPECT_THAT(debug, HasSubstr("  if (m.on(2)) {\n    m[c] = t1;\n  }\n  if (m.on(2) && t1) {\n"));
+  EXPECT_THAT(debug, HasSubstr("  if (m.on(2)) {\n    m[c] = t103;\n  }\n  if (m.on(2) && t103) {\n"));
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ place B1 bit B[0].1
   EXPECT_THAT(program.Header(), HasSubstr("enum Float32 : uint16_t {\n  F0,\n  F1,\n  F3,\n};\n"));
   EXPECT_THAT(program.Header(), HasSubstr("inline constexpr plcxx::Little<float> F2{F_8};\n"));
   EXPECT_THAT(program.Header(), HasSubstr("#include <plcxx/floats.h>\n"));
-  EXPECT_THAT(program.Source(), HasSubstr("(t1 > -3.1415927F) & NotEqualF32(t1, F32OfBits(0x7F800000))"));
+  EXPECT_THAT(program.Source(), HasSubstr("(t104 > -3.1415927F) & NotEqualF32(t104, F32OfBits(0x7F800000))"));
 }
 
 /// A table of words and the bytes of it, by an index; in a volatile and in a retentive space.

@@ -12,7 +12,7 @@ void PartPrinter::OpenFunction(const std::string& head, std::vector<std::string>
   function_head_ = head;
   parameters_ = std::move(parameters);
   body_begin_ = out_.size();
-  next_local_ = 1;
+  numbers_.clear();
   indent_ = 1;
   return_ = "return;";
 }
@@ -83,11 +83,19 @@ std::string PartPrinter::Prototype(const std::string& head, const Locals& locals
   return text + ") noexcept;\n";
 }
 
-void PartPrinter::Routine(ir::RoutineId id) {
+/// What stands before the type of a routine. A subroutine of a program in one file is nobody else's.
+std::string PartPrinter::Linkage(ir::RoutineId id, const std::vector<bool>& called) const {
+  if (emittable_.parts.size() > 1 || !SharesLocals(program_.routines[id].kind)) return "";
+  return called[id.index] ? "static " : "[[maybe_unused]] static ";
+}
+
+void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {
   const ir::Routine& routine = program_.routines[id];
   const Locals& locals = emittable_.routine_locals[id.index];
   if (!routine.comment.empty()) Comment(routine.comment);
-  OpenFunction(std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index], Parameters(locals));
+  OpenFunction(
+      Linkage(id, called) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index],
+      Parameters(locals));
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";
   for (const Locals::Declared& local : locals.declared) {
     const ir::Type type = program_.places[local.place].type;
@@ -106,24 +114,23 @@ void PartPrinter::Routine(ir::RoutineId id) {
   CloseFunction();
 }
 
-void PartPrinter::Routines() {
+/// Each behind what was cut out of it: where a routine grows beyond one function, its text stays where it is.
+void PartPrinter::Routines(const std::vector<bool>& called) {
+  size_t chunk = 0;
   for (uint32_t i = 0; i < program_.routines.size(); ++i) {
-    if (!program_.routines[ir::RoutineId(i)].simulation_only || debug()) Routine(ir::RoutineId(i));
+    const ir::RoutineId id(i);
+    const bool printed = IsPrinted(id);
+    for (; chunk < emittable_.chunks.size() && emittable_.chunks[chunk].routine == id; ++chunk)
+      if (printed && emittable_.chunks[chunk].part == part_) PrintChunk(emittable_.chunks[chunk]);
+    if (printed && emittable_.routine_parts[i] == part_) Routine(id, called);
   }
 }
 
-void PartPrinter::Chunks() {
-  bool any = false;
-  for (const Chunk& chunk : emittable_.chunks) {
-    if (chunk.part != part_) continue;
-    // A chunk is its region's items; called from one place, it would be inlined into one huge function again.
-    if (!any) out_ += "namespace {\n\n";
-    any = true;
-    OpenFunction("[[gnu::noinline]] void " + chunk.name, Parameters(chunk.locals));
-    Range(chunk.region, chunk.begin, chunk.end);
-    CloseFunction();
-  }
-  if (any) out_ += "}  // namespace\n\n";
+/// A chunk is its region's items; called from one place, it would be inlined into one huge function again.
+void PartPrinter::PrintChunk(const Chunk& chunk) {
+  OpenFunction("[[gnu::noinline]] static void " + chunk.name, Parameters(chunk.locals));
+  Range(chunk.region, chunk.begin, chunk.end);
+  CloseFunction();
 }
 
 void PartPrinter::Runs() {
@@ -156,25 +163,23 @@ void PartPrinter::Using() {
   if (!names.empty()) out_ += '\n';
 }
 
-/// The subroutines that this file calls.
+bool PartPrinter::IsPrinted(ir::RoutineId id) const { return debug() || !program_.routines[id].simulation_only; }
+
+/// The subroutines that this file calls, by RoutineId.
 std::vector<bool> PartPrinter::CalledSubroutines() const {
   std::vector<bool> called(program_.routines.size());
-  const auto note = [this, &called](const ir::Inst& inst) {
+  const auto note = [this, &called](ir::InstId id) {
+    const ir::Inst& inst = program_[id];
     if (inst.op == ir::OpKind::kCall) called[program_.calls[ir::CallId(inst.payload)].routine.index] = true;
   };
-  if (part_ == 0) {
-    for (const ir::Inst& inst : program_.insts) note(inst);
-  }
   for (const Chunk& chunk : emittable_.chunks) {
-    if (chunk.part != part_ || part_ == 0) continue;
-    for (uint32_t i = chunk.begin; i < chunk.end; ++i) {
-      const ir::Inst& inst = program_[program_.regions[chunk.region].insts[i]];
-      note(inst);
-      if (!ir::OwnsRegions(inst)) continue;
-      for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) {
-        ir::ForEachInst(program_, owned, [this, &note](ir::InstId id) { note(program_[id]); });
-      }
-    }
+    if (chunk.part == part_ && IsPrinted(chunk.routine)) ForEachHere(chunk.region, chunk.begin, chunk.end, note);
+  }
+  for (uint32_t i = 0; i < called.size(); ++i) {
+    const ir::Routine& routine = program_.routines[ir::RoutineId(i)];
+    if (emittable_.routine_parts[i] != part_ || !IsPrinted(ir::RoutineId(i))) continue;
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue})
+      if (region.valid()) ForEachInPlace(region, note);
   }
   for (uint32_t i = 0; i < called.size(); ++i) {
     called[i] = called[i] && SharesLocals(program_.routines[ir::RoutineId(i)].kind);
@@ -182,14 +187,37 @@ std::vector<bool> PartPrinter::CalledSubroutines() const {
   return called;
 }
 
-void PartPrinter::Declarations() {
+/// The instructions of a stretch that stand in its function: not those that are functions of their own.
+void PartPrinter::ForEachHere(ir::RegionId region, uint32_t begin, uint32_t end,
+                              const std::function<void(ir::InstId)>& visit) const {
+  for (uint32_t i = begin; i < end; ++i) {
+    const ir::InstId id = program_.regions[region].insts[i];
+    visit(id);
+    if (!ir::OwnsRegions(program_[id])) continue;
+    for (const ir::RegionId owned : ir::OwnedRegions(program_, program_[id])) ForEachInPlace(owned, visit);
+  }
+}
+
+void PartPrinter::ForEachInPlace(ir::RegionId region, const std::function<void(ir::InstId)>& visit) const {
+  uint32_t at = 0;
+  for (const uint32_t index : emittable_.region_chunks[region.index]) {
+    ForEachHere(region, at, emittable_.chunks[index].begin, visit);
+    at = emittable_.chunks[index].end;
+  }
+  ForEachHere(region, at, static_cast<uint32_t>(program_.regions[region].insts.size()), visit);
+}
+
+/// Subroutines that are called here before they are defined, or elsewhere; and what the partitions call of other files.
+void PartPrinter::Declarations(const std::vector<bool>& called) {
   const size_t before = out_.size();
-  const std::vector<bool> called = CalledSubroutines();
+  const bool one_file = emittable_.parts.size() == 1;
   for (uint32_t i = 0; i < called.size(); ++i) {
-    const ir::Routine& routine = program_.routines[ir::RoutineId(i)];
-    if (!called[i]) continue;
-    out_ += Prototype(std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[i],
-                      emittable_.routine_locals[i]);
+    const ir::RoutineId id(i);
+    const bool defined = !one_file && part_ != 0 && emittable_.routine_parts[i] == part_;
+    if (!called[i] && !defined) continue;
+    const std::string type(ir::CppName(program_.routines[id].result));
+    out_ +=
+        Prototype((one_file ? "static " : "") + type + " " + emittable_.routine_names[i], emittable_.routine_locals[i]);
   }
   if (part_ == 0) {
     for (const ChunkRun& run : emittable_.runs) out_ += Prototype("void " + run.name, run.locals);
@@ -201,7 +229,8 @@ std::string PartPrinter::Run() {
   Includes();
   out_ += "namespace " + emittable_.namespace_name + " {\n\n";
   Using();
-  Declarations();
+  const std::vector<bool> called = CalledSubroutines();
+  Declarations(called);
   if (part_ == 0) {
     for (const Member& member : emittable_.layout.members) {
       out_ += "static_assert(offsetof(State, " + member.name + ") == " + std::to_string(member.offset) +
@@ -209,12 +238,8 @@ std::string PartPrinter::Run() {
     }
     if (!emittable_.layout.members.empty()) out_ += '\n';
   }
-  Chunks();
-  if (part_ == 0) {
-    Routines();
-  } else {
-    Runs();
-  }
+  Routines(called);
+  Runs();
   out_ += "}  // namespace " + emittable_.namespace_name + "\n";
   return std::move(out_);
 }

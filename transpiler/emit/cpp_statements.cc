@@ -82,10 +82,20 @@ void PartPrinter::StatementComments(const ir::Statement& statement) {
   if (text.empty() && !statement.subject.empty()) Comment(statement.subject);
 }
 
+/// "t417": a number of three digits that the statement's own text says, so that an edit renames no other one's locals;
+/// where that is taken, the next one. What is no statement of the source counts from 1.
+std::string PartPrinter::NextLocalName() {
+  constexpr uint32_t kFirst = 100;
+  constexpr uint32_t kNumbers = 900;
+  uint32_t number = statement_.valid() ? kFirst + program_.statements[statement_].id % kNumbers : 1;
+  while (!numbers_.insert(number).second) ++number;
+  return "t" + std::to_string(number);
+}
+
 void PartPrinter::Local(ir::InstId id) {
   const ir::Inst& inst = program_[id];
   std::string& name = local_names_[id.index];
-  name = "t" + std::to_string(next_local_++);
+  name = NextLocalName();
   std::string value = SpellDefinition(emittable_, local_names_, id).text;
   const std::string type(ir::CppName(inst.type));
   if (Switchable() && HasEffect(id)) value = On() + " ? " + value + " : " + type + "{}";

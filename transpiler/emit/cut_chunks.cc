@@ -1,15 +1,16 @@
-// Cuts long regions into functions of 25 to 100 statements, and long programs into several files.
+// Cuts long regions into functions of 25 to 100 statements.
 //
 //   slow: s1 ... s900   ->   slow: slow_U4A8(m, host); slow_T5(m, host); ...
 //
-// A border lies behind a statement whose own text says so (its id, a hash of the text), so that inserting a statement
-// moves no other border. Values never cross a statement, so any statement's end can be a border. What leaves a block or
-// loop around the region stays where it is, for no jump leads out of a function; its neighbours may be chunks.
+// Which statements a border lies behind follows from the statements' own texts (their ids), so that inserting one moves
+// the borders next to it at most. Values never cross a statement, so any statement's end can be a border. What leaves a
+// block or loop around the region stays where it is, for no jump leads out of a function; its neighbours may be chunks.
 
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
 
+#include "transpiler/emit/content_borders.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
@@ -20,11 +21,7 @@ namespace {
 
 constexpr uint32_t kLeastStatements = 25;  // of a chunk
 constexpr uint32_t kMostStatements = 100;
-constexpr uint32_t kBorderEvery = 12;     // about one statement in so many is a border
-constexpr uint32_t kLeastPerPart = 1000;  // statements of a file
-constexpr uint32_t kMostPerPart = 4000;
-constexpr uint32_t kPartBorderEvery = 8;  // about one chunk in so many
-constexpr uint32_t kOneFile = 3000;       // up to so many statements the program is one file
+constexpr uint32_t kBorderSeed = 0;
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
 struct Cutter {
@@ -35,7 +32,7 @@ struct Cutter {
   std::vector<uint32_t> reaches;     // by RegionId: the least depth that an Exit or Repeat in it leaves for
   std::vector<uint32_t> home;        // by InstId of blocks and loops: the depth of their region
   std::unordered_set<std::string> names;
-  std::string prefix;
+  ir::RoutineId routine;  // the one being cut
 
   void Measure(ir::RegionId region, uint32_t at_depth);
   uint32_t StatementsOf(ir::RegionId region, const ir::Item& item) const;
@@ -43,11 +40,9 @@ struct Cutter {
   void VisitNested(ir::RegionId region, const ir::Item& item);
   void Visit(ir::RegionId region);
   void Cut(ir::RegionId region);
+  std::vector<bool> BordersOf(ir::RegionId region, const std::vector<ir::Item>& items, const std::vector<bool>& stays);
   void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count,
                 size_t first_nested);
-  void MakeParts();
-  void MakeFixedParts();
-  void CallInRuns();
 };
 
 void Cutter::Measure(ir::RegionId region, uint32_t at_depth) {
@@ -123,44 +118,57 @@ void Cutter::Visit(ir::RegionId region) {
   }
 }
 
+/// By item: whether a function ends with it.
+std::vector<bool> Cutter::BordersOf(ir::RegionId region, const std::vector<ir::Item>& items,
+                                    const std::vector<bool>& stays) {
+  const bool whole = std::ranges::none_of(stays, [](bool stay) { return stay; });
+  std::vector<bool> borders(items.size());
+  for (size_t first = 0; first < items.size();) {
+    std::vector<BorderCandidate> stretch;
+    uint32_t weight = 0;
+    for (size_t i = first; i < items.size() && !stays[i]; ++i) {
+      const bool named = items[i].statement.valid();
+      const uint32_t hash = named ? program.statements[items[i].statement].id : kNowhere;
+      stretch.push_back({StatementsOf(region, items[i]), SpreadHash(hash, kBorderSeed), true});
+      weight += stretch.back().weight;
+    }
+    // Between two that stay, a few statements are no function of their own.
+    if (weight > 0 && (whole || weight >= kLeastStatements)) {
+      for (const size_t i : ContentBorders(stretch, {.least = kLeastStatements, .most = kMostStatements}))
+        borders[first + i] = true;
+      borders[first + stretch.size() - 1] = true;
+    }
+    first += stretch.size() + 1;
+  }
+  return borders;
+}
+
 void Cutter::Cut(ir::RegionId region) {
   const std::vector<ir::Item> items = ir::Items(program, region);
+  std::vector<bool> stays;
+  for (const ir::Item& item : items) stays.push_back(Stays(region, item));
+  const std::vector<bool> borders = BordersOf(region, items, stays);
   size_t first = 0;
   size_t first_nested = emittable.chunks.size();
   uint32_t count = 0;
-  bool whole = true;  // nothing stays
-  const auto restart = [&](size_t next) {
-    first = next;
-    first_nested = emittable.chunks.size();
-    count = 0;
-  };
   for (size_t i = 0; i < items.size(); ++i) {
     const uint32_t own = StatementsOf(region, items[i]);
-    const bool stays = Stays(region, items[i]);
-    if (stays) {
-      // Between two that stay, a few statements are no function of their own.
-      if (count >= kLeastStatements) AddChunk(region, items, first, i - 1, count, first_nested);
-      whole = false;
-    }
-    if (own > (stays ? kLeastStatements : kMostStatements)) VisitNested(region, items[i]);
-    if (stays) {
-      restart(i + 1);
-      continue;
-    }
+    if (own > (stays[i] ? kLeastStatements : kMostStatements)) VisitNested(region, items[i]);
     count += own;
-    const bool border = items[i].statement.valid() && program.statements[items[i].statement].id % kBorderEvery == 0;
-    const bool last = i + 1 == items.size() && (whole || count >= kLeastStatements);
-    if (last || count >= kMostStatements || (border && count >= kLeastStatements)) {
-      AddChunk(region, items, first, i, count, first_nested);
-      restart(i + 1);
-    }
+    if (borders[i]) AddChunk(region, items, first, i, count, first_nested);
+    if (!borders[i] && !stays[i]) continue;
+    first = i + 1;
+    first_nested = emittable.chunks.size();
+    count = 0;
   }
 }
 
 void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last,
                       uint32_t count, size_t first_nested) {
-  std::string name = prefix;
-  uint32_t id = 0;
+  std::string name = emittable.routine_names[routine.index];
+  uint32_t id = 0, last_id = 0;
+  for (size_t i = last + 1; i-- > first && last_id == 0;)
+    if (items[i].statement.valid()) last_id = program.statements[items[i].statement].id;
   for (size_t i = first; i <= last; ++i) {
     if (!items[i].statement.valid()) continue;
     const ir::Statement& statement = program.statements[items[i].statement];
@@ -182,6 +190,8 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
   emittable.region_chunks[region.index].push_back(index);
   Chunk chunk;
   chunk.name = name;
+  chunk.routine = routine;
+  chunk.last_id = last_id;
   chunk.region = region;
   chunk.begin = items[first].begin;
   chunk.end = items[last].end;
@@ -189,102 +199,11 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
   emittable.chunks.push_back(std::move(chunk));
 }
 
-uint32_t HashOf(const std::string& name) {
-  uint32_t hash = 0;
-  for (const char c : name) hash = hash * 31 + static_cast<unsigned char>(c);
-  return hash;
-}
-
-void Cutter::MakeParts() {
-  std::vector<Chunk>& chunks = emittable.chunks;
-  uint32_t total = 0;
-  for (const Chunk& chunk : chunks) total += chunk.parent == Chunk::kNoParent ? chunk.statements : 0;
-  if (total <= kOneFile) return;
-  uint32_t in_part = 0;
-  bool full = true;
-  const Chunk* previous = nullptr;  // that a routine calls
-  for (Chunk& chunk : chunks) {
-    if (chunk.parent != Chunk::kNoParent) continue;
-    const bool other_region = previous != nullptr && previous->region != chunk.region;
-    if (full || (other_region && in_part >= kLeastPerPart)) {
-      emittable.parts.push_back({"_" + chunk.name});
-      in_part = 0;
-      full = false;
-    }
-    chunk.part = static_cast<uint32_t>(emittable.parts.size() - 1);
-    previous = &chunk;
-    in_part += chunk.statements;
-    full = in_part >= kMostPerPart || (in_part >= kLeastPerPart && HashOf(chunk.name) % kPartBorderEvery == 0);
-  }
-  CallInRuns();
-}
-
-/// The borders are behind the chunks with the least hashes, some distance from each other: which ones these are
-/// depends on their own names, so that an edit moves at most the border that it touches.
-void Cutter::MakeFixedParts() {
-  std::vector<Chunk>& chunks = emittable.chunks;
-  struct Candidate {
-    uint32_t hash, behind;  // so many statements stand before it
-    size_t chunk;           // the first one of the next file
-  };
-  std::vector<Candidate> candidates;
-  uint32_t total = 0;
-  uint32_t previous_hash = 0;
-  for (size_t i = 0; i < chunks.size(); ++i) {
-    if (chunks[i].parent != Chunk::kNoParent) continue;
-    if (total > 0) candidates.push_back({previous_hash, total, i});
-    previous_hash = HashOf(chunks[i].name);
-    total += chunks[i].statements;
-  }
-  std::ranges::sort(candidates, {}, [](const Candidate& c) { return std::pair(c.hash, c.chunk); });
-  const uint32_t distance = total / (3 * emittable.options.parts);
-  std::vector<Candidate> borders;
-  for (const Candidate& candidate : candidates) {
-    if (borders.size() + 1 == emittable.options.parts) break;
-    const auto near = [&](uint32_t at) {
-      return (candidate.behind < at ? at - candidate.behind : candidate.behind - at) < distance;
-    };
-    if (near(0) || near(total)) continue;
-    if (std::ranges::none_of(borders, [&](const Candidate& border) { return near(border.behind); }))
-      borders.push_back(candidate);
-  }
-  std::ranges::sort(borders, {}, &Candidate::chunk);
-  // Chunks of the first file are functions of the routines' own file.
-  uint32_t part = 0;
-  for (size_t i = 0; i < chunks.size(); ++i) {
-    if (part < borders.size() && i == borders[part].chunk) ++part;
-    chunks[i].part = part;
-  }
-  for (uint32_t number = 2; number <= emittable.options.parts; ++number)
-    emittable.parts.push_back({"_" + std::to_string(number)});
-  CallInRuns();
-}
-
-/// Neighbours of one file are called by one function, and a chunk stands in the file of the one that it was cut out of.
-void Cutter::CallInRuns() {
-  std::vector<Chunk>& chunks = emittable.chunks;
-  const Chunk* previous = nullptr;
-  for (uint32_t index = 0; index < chunks.size(); ++index) {
-    const Chunk& chunk = chunks[index];
-    if (chunk.parent != Chunk::kNoParent) continue;
-    const bool follows = previous != nullptr && previous->region == chunk.region && previous->end == chunk.begin;
-    if (chunk.part != 0) {
-      if (!follows || chunk.part != previous->part) emittable.runs.push_back({"run_" + chunk.name, chunk.part, {}, {}});
-      emittable.runs.back().chunks.push_back(index);
-    }
-    previous = &chunk;
-  }
-  for (uint32_t index = static_cast<uint32_t>(chunks.size()); index-- > 0;) {
-    if (chunks[index].parent != Chunk::kNoParent) chunks[index].part = chunks[chunks[index].parent].part;
-  }
-}
-
 }  // namespace
 
 void CutChunks(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.region_chunks.assign(program.regions.size(), {});
-  emittable.parts.push_back({});
   Cutter cutter{.emittable = emittable,
                 .program = program,
                 .statements = std::vector<uint32_t>(program.regions.size()),
@@ -292,7 +211,7 @@ void CutChunks(Emittable& emittable) {
                 .reaches = std::vector<uint32_t>(program.regions.size()),
                 .home = std::vector<uint32_t>(program.insts.size()),
                 .names = {},
-                .prefix = {}};
+                .routine = {}};
   for (const std::string& name : emittable.place_names) cutter.names.insert(name);
   for (const std::string& name : emittable.state_names) cutter.names.insert(name);
   for (const std::string& name : emittable.routine_names) cutter.names.insert(name);
@@ -304,11 +223,9 @@ void CutChunks(Emittable& emittable) {
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::RegionId body = program.routines[ir::RoutineId(i)].body;
     if (!body.valid()) continue;
-    cutter.prefix = emittable.routine_names[i];
+    cutter.routine = ir::RoutineId(i);
     cutter.Visit(body);
   }
-  if (emittable.options.parts == 0) cutter.MakeParts();
-  if (emittable.options.parts > 1) cutter.MakeFixedParts();
 }
 
 }  // namespace plcxx::emit

@@ -52,17 +52,19 @@ struct Chunk {
   uint32_t part = 0;            // index into Emittable::parts
   uint32_t statements = 0;      // nested ones included
   uint32_t parent = kNoParent;  // the chunk that calls it; none: its routine does
+  ir::RoutineId routine;        // what it was cut out of
+  uint32_t last_id = 0;         // of its last statement; 0: none
   Locals locals;
 
   static constexpr uint32_t kNoParent = 0xFFFFFFFF;
 };
 
-/// One generated .cpp file; part 0 holds the routines themselves.
+/// One generated .cpp file; part 0 holds the partitions themselves.
 struct Part {
   std::string suffix;  // "" or "_slow_U4A8": the file is <name><suffix>.cpp
 };
 
-/// Chunks of one file that a routine of part 0 calls directly after each other, by one function.
+/// Chunks of one file that a partition in part 0 calls directly after each other, by one function.
 struct ChunkRun {
   std::string name;
   uint32_t part = 0;
@@ -97,6 +99,7 @@ struct Emittable {
   /// By RegionId: what of the region was cut out, ascending; the rest is printed in place.
   std::vector<std::vector<uint32_t>> region_chunks;
   std::vector<Part> parts;
+  std::vector<uint32_t> routine_parts;  // by RoutineId: index into `parts`; other than 0 for subroutines only
   std::vector<ChunkRun> runs;
   std::unordered_map<uint32_t, Leave> leaves;      // by InstId, of every Exit and Repeat
   std::unordered_map<uint32_t, Landing> landings;  // by InstId, of blocks and loops that have anything
@@ -114,6 +117,7 @@ std::string Print(const Emittable& emittable);
 void NamePlaces(Emittable& emittable);
 void PlaceTemporaries(Emittable& emittable);
 void CutChunks(Emittable& emittable);
+void CutParts(Emittable& emittable);
 void ShareLocals(Emittable& emittable);
 void ChooseLeaves(Emittable& emittable);
 

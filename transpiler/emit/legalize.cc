@@ -162,6 +162,7 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   NamePlaces(emittable);
   PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
   CutChunks(emittable);
+  CutParts(emittable);
   ShareLocals(emittable);   // after CutChunks: chunks get them, too
   ChooseLeaves(emittable);  // after CutChunks: what ends a function decides what `return` leaves
   return emittable;

@@ -4,8 +4,10 @@
 // owns regions and what leaves them; cpp_initial.cc the values at power-on.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "transpiler/emit/cpp_printer.h"
@@ -30,12 +32,17 @@ class PartPrinter {
   // cpp_routines.cc
   void Includes();
   void Using();
-  void Declarations();
-  void Chunks();
-  void Runs();
-  void Routines();
-  void Routine(ir::RoutineId id);
+  bool IsPrinted(ir::RoutineId id) const;
   std::vector<bool> CalledSubroutines() const;
+  void ForEachHere(ir::RegionId region, uint32_t begin, uint32_t end,
+                   const std::function<void(ir::InstId)>& visit) const;
+  void ForEachInPlace(ir::RegionId region, const std::function<void(ir::InstId)>& visit) const;
+  void Declarations(const std::vector<bool>& called);
+  void Routines(const std::vector<bool>& called);
+  std::string Linkage(ir::RoutineId id, const std::vector<bool>& called) const;
+  void Routine(ir::RoutineId id, const std::vector<bool>& called);
+  void PrintChunk(const Chunk& chunk);
+  void Runs();
   /// "State& m", "uint8_t slice", "bool& s", "Host& host"; and as a function of the same locals passes them on.
   std::vector<std::string> Parameters(const Locals& locals) const;
   std::string Arguments(const Locals& locals) const;
@@ -61,6 +68,7 @@ class PartPrinter {
   void Inst(ir::InstId id);
   void Effect(ir::InstId id);
   void Local(ir::InstId id);
+  std::string NextLocalName();
   void StatementComments(const ir::Statement& statement);
   void Line(std::string text);
   void Comment(std::string_view text);
@@ -103,11 +111,11 @@ class PartPrinter {
   size_t body_begin_ = 0;
   int indent_ = 0;
   int loop_depth_ = 0;
-  uint32_t next_local_ = 1;        // restarts in each chunk and routine
-  LocalNames local_names_;         // by InstId
-  ir::StatementId statement_;      // the one being printed
-  std::vector<ir::LoopId> loops_;  // printed so far
-  bool switched_ = false;          // inside of its `if (m.on(...))`
+  std::unordered_set<uint32_t> numbers_;  // of the function's locals
+  LocalNames local_names_;                // by InstId
+  ir::StatementId statement_;             // the one being printed
+  std::vector<ir::LoopId> loops_;         // printed so far
+  bool switched_ = false;                 // inside of its `if (m.on(...))`
   struct Owner {
     size_t offset = 0;
     ir::StatementId statement;

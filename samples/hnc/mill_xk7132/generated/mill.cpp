@@ -31,56 +31,56 @@ using plcxx::Sub32;
 using plcxx::Sub8;
 using plcxx::UnsignedRem16;
 
-void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexcept;
-uint16_t limited(State& m, uint16_t value, uint16_t low, uint16_t high, Host& host) noexcept;
-void read_inputs(State& m, Host& host) noexcept;
-void select_mode(State& m, Host& host) noexcept;
-void mode_lamps(State& m, Host& host) noexcept;
-void program_keys(State& m, Host& host) noexcept;
-void overrides(State& m, Host& host) noexcept;
-void panel_lamps(State& m, Host& host) noexcept;
-void limit_switches(State& m, Host& host) noexcept;
-uint16_t direction(State& m, uint16_t a, Host& host) noexcept;
-void jog(State& m, uint16_t a, Host& host) noexcept;
-void step(State& m, uint16_t a, Host& host) noexcept;
-void reference(State& m, uint16_t a, Host& host) noexcept;
-void stop_axes(State& m, Host& host) noexcept;
-void wheel(State& m, Host& host) noexcept;
-void axes(State& m, Host& host) noexcept;
-uint16_t speed_percent(State& m, Host& host) noexcept;
-void start_spindle(State& m, uint16_t state, Host& host) noexcept;
-void spindle_keys(State& m, Host& host) noexcept;
-void spindle(State& m, Host& host) noexcept;
-void on_s(State& m, uint16_t ch, Host& host) noexcept;
-uint16_t pocket_of(State& m, uint16_t tool, Host& host) noexcept;
-void on_t(State& m, uint16_t ch, Host& host) noexcept;
-void begin_change(State& m, Host& host) noexcept;
-void next_step(State& m, uint16_t state, Host& host) noexcept;
-uint16_t positive_turn(State& m, Host& host) noexcept;
-void count_pockets(State& m, Host& host) noexcept;
-void stop_magazine(State& m, Host& host) noexcept;
-void tool_change(State& m, Host& host) noexcept;
-void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept;
-void on_m(State& m, uint16_t ch, Host& host) noexcept;
-void on_modal(State& m, uint16_t ch, Host& host) noexcept;
-void power(State& m, Host& host) noexcept;
-void watch(State& m, Host& host) noexcept;
-void coolant(State& m, Host& host) noexcept;
-void lubrication(State& m, Host& host) noexcept;
-void buzzer(State& m, Host& host) noexcept;
-void fill_magazine(State& m, Host& host) noexcept;
-void plc_init(State& m, Host& host) noexcept;
-void plc1(State& m, Host& host) noexcept;
-void plc2(State& m, Host& host) noexcept;
-uint16_t get_axis_den(State& m, uint16_t a, Host& host) noexcept;
-void set_axis_stop(State& m, uint16_t a, Host& host) noexcept;
-void set_axis_jog(State& m, uint16_t a, uint16_t v, Host& host) noexcept;
-void set_axis_home(State& m, uint16_t a, uint16_t on, Host& host) noexcept;
-void set_axis_step(State& m, uint16_t a, uint32_t d, Host& host) noexcept;
-void handwheel(State& m, uint16_t h, uint16_t a, uint16_t mul, Host& host) noexcept;
-uint16_t get_handwheel(State& m, uint16_t h, Host& host) noexcept;
-void dispatch(State& m, uint32_t channel, Host& host) noexcept;
-void complete(State& m, uint32_t channel, Host& host) noexcept;
+static void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexcept;
+static uint16_t limited(State& m, uint16_t value, uint16_t low, uint16_t high, Host& host) noexcept;
+static void read_inputs(State& m, Host& host) noexcept;
+static void select_mode(State& m, Host& host) noexcept;
+static void mode_lamps(State& m, Host& host) noexcept;
+static void program_keys(State& m, Host& host) noexcept;
+static void overrides(State& m, Host& host) noexcept;
+static void panel_lamps(State& m, Host& host) noexcept;
+static void limit_switches(State& m, Host& host) noexcept;
+static uint16_t direction(State& m, uint16_t a, Host& host) noexcept;
+static void jog(State& m, uint16_t a, Host& host) noexcept;
+static void step(State& m, uint16_t a, Host& host) noexcept;
+static void reference(State& m, uint16_t a, Host& host) noexcept;
+static void stop_axes(State& m, Host& host) noexcept;
+static void wheel(State& m, Host& host) noexcept;
+static void axes(State& m, Host& host) noexcept;
+static uint16_t speed_percent(State& m, Host& host) noexcept;
+static void start_spindle(State& m, uint16_t state, Host& host) noexcept;
+static void spindle_keys(State& m, Host& host) noexcept;
+static void spindle(State& m, Host& host) noexcept;
+static void on_s(State& m, uint16_t ch, Host& host) noexcept;
+static uint16_t pocket_of(State& m, uint16_t tool, Host& host) noexcept;
+static void on_t(State& m, uint16_t ch, Host& host) noexcept;
+static void begin_change(State& m, Host& host) noexcept;
+static void next_step(State& m, uint16_t state, Host& host) noexcept;
+static uint16_t positive_turn(State& m, Host& host) noexcept;
+static void count_pockets(State& m, Host& host) noexcept;
+static void stop_magazine(State& m, Host& host) noexcept;
+static void tool_change(State& m, Host& host) noexcept;
+static void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept;
+static void on_m(State& m, uint16_t ch, Host& host) noexcept;
+static void on_modal(State& m, uint16_t ch, Host& host) noexcept;
+static void power(State& m, Host& host) noexcept;
+static void watch(State& m, Host& host) noexcept;
+static void coolant(State& m, Host& host) noexcept;
+static void lubrication(State& m, Host& host) noexcept;
+static void buzzer(State& m, Host& host) noexcept;
+static void fill_magazine(State& m, Host& host) noexcept;
+static void plc_init(State& m, Host& host) noexcept;
+static void plc1(State& m, Host& host) noexcept;
+static void plc2(State& m, Host& host) noexcept;
+static uint16_t get_axis_den(State& m, uint16_t a, Host& host) noexcept;
+static void set_axis_stop(State& m, uint16_t a, Host& host) noexcept;
+static void set_axis_jog(State& m, uint16_t a, uint16_t v, Host& host) noexcept;
+static void set_axis_home(State& m, uint16_t a, uint16_t on, Host& host) noexcept;
+static void set_axis_step(State& m, uint16_t a, uint32_t d, Host& host) noexcept;
+static void handwheel(State& m, uint16_t h, uint16_t a, uint16_t mul, Host& host) noexcept;
+static uint16_t get_handwheel(State& m, uint16_t h, Host& host) noexcept;
+static void dispatch(State& m, uint32_t channel, Host& host) noexcept;
+static void complete(State& m, uint32_t channel, Host& host) noexcept;
 
 static_assert(offsetof(State, retentive) == 0, "the symbol map holds for this layout");
 static_assert(offsetof(State, word32) == 204, "the symbol map holds for this layout");
@@ -89,7 +89,7 @@ static_assert(offsetof(State, byte) == 258, "the symbol map holds for this layou
 static_assert(offsetof(State, bit) == 1494, "the symbol map holds for this layout");
 
 // A run-time fault: 1 division, 2 index, 3 loop; the statement by its number in the map.
-void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexcept {
+static void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexcept {
   m[fault_code_n] = code;
   m[fault_statement_n] = statement;
   m[fault_count] = Add32(m[fault_count], 1);
@@ -97,7 +97,7 @@ void record_fault(State& m, uint8_t code, uint32_t statement, Host& host) noexce
 }
 
 // limited()
-uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noexcept {
+static uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noexcept {
   uint16_t result = 0;
 
   // if (value < low)
@@ -117,7 +117,7 @@ uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noe
 }
 
 // read_inputs()
-void read_inputs(State& m, Host&) noexcept {
+static void read_inputs(State& m, Host&) noexcept {
   uint16_t g = 0;
   uint8_t steady_on = 0;
   uint8_t steady_off = 0;
@@ -148,7 +148,7 @@ void read_inputs(State& m, Host&) noexcept {
 }
 
 // The mode goes to the NC only while no axis is moved by hand: a change in between would leave it running.
-void select_mode(State& m, Host& host) noexcept {
+static void select_mode(State& m, Host& host) noexcept {
   uint16_t mode = 0;
   uint16_t a = 0;
 
@@ -167,8 +167,8 @@ void select_mode(State& m, Host& host) noexcept {
     a = 0;
     for (; a < 3; a = Add16(a, 1)) {
       // if (!get_axis_den(a))
-      const uint16_t t1 = get_axis_den(m, a, host);
-      if (!(t1 != 0)) {
+      const uint16_t t502 = get_axis_den(m, a, host);
+      if (!(t502 != 0)) {
         // set_axis_stop(a);
         set_axis_stop(m, a, host);
         // return;
@@ -181,7 +181,7 @@ void select_mode(State& m, Host& host) noexcept {
 }
 
 // mode_lamps()
-void mode_lamps(State& m, Host&) noexcept {
+static void mode_lamps(State& m, Host&) noexcept {
   uint16_t mode = 0;
   uint8_t lamps = 0;
   uint16_t a = 0;
@@ -213,7 +213,7 @@ void mode_lamps(State& m, Host&) noexcept {
 }
 
 // program_keys()
-void program_keys(State& m, Host&) noexcept {
+static void program_keys(State& m, Host&) noexcept {
   uint16_t automatic = 0;
 
   // int automatic = (*ch_ctrl(0) & CH_MODE_MSK) == MODE_AUTO;
@@ -285,7 +285,7 @@ void program_keys(State& m, Host&) noexcept {
 }
 
 // overrides()
-void overrides(State& m, Host&) noexcept {
+static void overrides(State& m, Host&) noexcept {
   // *ch_feedover(0) = FEED_SWITCH * 10;
   m[ch_feedover_0] = Mul16(m[X3] & 0x000F, 10);
 
@@ -294,7 +294,7 @@ void overrides(State& m, Host&) noexcept {
 }
 
 // panel_lamps()
-void panel_lamps(State& m, Host&) noexcept {
+static void panel_lamps(State& m, Host&) noexcept {
   // put_y(0, 0, *ch_stat(0) & CH_CYCLE_LAMP)
   if ((m[ch_stat_0] & 0x0020) != 0) {
     m[Y0] = m[Y0] | 1;
@@ -346,7 +346,7 @@ void panel_lamps(State& m, Host&) noexcept {
 }
 
 // Bits 2a and 2a + 1 of LIMITS are the switches at the positive and the negative end; 0 is pressed.
-void limit_switches(State& m, Host&) noexcept {
+static void limit_switches(State& m, Host&) noexcept {
   uint16_t a = 0;
   uint16_t pressed_ends = 0;
   uint16_t ends = 0;
@@ -360,19 +360,19 @@ void limit_switches(State& m, Host&) noexcept {
     // unsigned ends = ~LIMITS >> 2 * a & 0x03;
     ends = ArithmeticShiftRight16(Not16(m[LIMITS]), Mul16(2, a)) & 0x0003;
     // *axis_ctrl(a) &= ~(AX_LSP | AX_LSN | AX_DISABLE_P | AX_DISABLE_N);
-    const uint32_t t1 = Mul16(a, 10);
-    m[At(G, t1)] = m[At(G, t1)] & 0xFF5C;
+    const uint32_t t721 = Mul16(a, 10);
+    m[At(G, t721)] = m[At(G, t721)] & 0xFF5C;
     // if (ends & 1)
     if ((ends & 1) != 0) {
       // *axis_ctrl(a) |= AX_LSP | AX_DISABLE_P;
-      const uint32_t t2 = Mul16(a, 10);
-      m[At(G, t2)] = m[At(G, t2)] | 0x0021;
+      const uint32_t t444 = Mul16(a, 10);
+      m[At(G, t444)] = m[At(G, t444)] | 0x0021;
     }
     // if (ends & 2)
     if ((ends & 2) != 0) {
       // *axis_ctrl(a) |= AX_LSN | AX_DISABLE_N;
-      const uint32_t t3 = Mul16(a, 10);
-      m[At(G, t3)] = m[At(G, t3)] | 0x0082;
+      const uint32_t t856 = Mul16(a, 10);
+      m[At(G, t856)] = m[At(G, t856)] | 0x0082;
     }
     // if (ends)
     if (ends != 0) {
@@ -382,12 +382,12 @@ void limit_switches(State& m, Host&) noexcept {
     // if (HOME_SWITCH(a))
     if ((m[X6] & ShiftLeft16(1, a)) != 0) {
       // *axis_ctrl(a) |= AX_HOME_SW;
-      const uint32_t t4 = Mul16(a, 10);
-      m[At(G, t4)] = m[At(G, t4)] | 4;
+      const uint32_t t144 = Mul16(a, 10);
+      m[At(G, t144)] = m[At(G, t144)] | 4;
     } else {
       // *axis_ctrl(a) &= ~AX_HOME_SW;
-      const uint32_t t5 = Mul16(a, 10);
-      m[At(G, t5)] = m[At(G, t5)] & 0xFFFB;
+      const uint32_t t730 = Mul16(a, 10);
+      m[At(G, t730)] = m[At(G, t730)] & 0xFFFB;
     }
   }
 
@@ -402,7 +402,7 @@ void limit_switches(State& m, Host&) noexcept {
 }
 
 // -1, 0 or 1: both keys of an axis together are none, and a pressed end lets the axis move away from it only.
-uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
+static uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   uint16_t result = 0;
   uint16_t d = 0;
   bool both = false;
@@ -425,14 +425,14 @@ uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   }
 
   // if (d > 0 && *axis_ctrl(a) & AX_LSP)
-  const bool t1 = S16(d) > 0;
-  both = t1;
-  if (t1) {
-    const uint32_t t2 = SignExtend16To32(Mul16(a, 10));
-    if (t2 > 255) {
+  const bool t642 = S16(d) > 0;
+  both = t642;
+  if (t642) {
+    const uint32_t t643 = SignExtend16To32(Mul16(a, 10));
+    if (t643 > 255) {
       record_fault(m, 2, 0x2C615E52, host);
     }
-    both = (m[At(G, t2)] & 1) != 0;
+    both = (m[At(G, t643)] & 1) != 0;
   }
   if (both) {
     // d = 0;
@@ -440,14 +440,14 @@ uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   }
 
   // if (d < 0 && *axis_ctrl(a) & AX_LSN)
-  const bool t3 = S16(d) < 0;
-  both_local = t3;
-  if (t3) {
-    const uint32_t t4 = SignExtend16To32(Mul16(a, 10));
-    if (t4 > 255) {
+  const bool t710 = S16(d) < 0;
+  both_local = t710;
+  if (t710) {
+    const uint32_t t711 = SignExtend16To32(Mul16(a, 10));
+    if (t711 > 255) {
       record_fault(m, 2, 0x50C1A7E6, host);
     }
-    both_local = (m[At(G, t4)] & 2) != 0;
+    both_local = (m[At(G, t711)] & 2) != 0;
   }
   if (both_local) {
     // d = 0;
@@ -460,7 +460,7 @@ uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
 }
 
 // jog()
-void jog(State& m, uint16_t a, Host& host) noexcept {
+static void jog(State& m, uint16_t a, Host& host) noexcept {
   uint16_t d = 0;
   uint16_t speed = 0;
   bool both = false;
@@ -469,113 +469,113 @@ void jog(State& m, uint16_t a, Host& host) noexcept {
   d = direction(m, a, host);
 
   // int speed = KEY_RAPID && *axis_stat(a) & AX_COORD_SETUP ? rapid_speed : jog_speed;
-  const bool t1 = (m[sample_1] & 0x0040) != 0;
-  both = t1;
-  if (t1) {
-    const uint32_t t2 = SignExtend16To32(Mul16(a, 10));
-    if (t2 > 255) {
+  const bool t599 = (m[sample_1] & 0x0040) != 0;
+  both = t599;
+  if (t599) {
+    const uint32_t t600 = SignExtend16To32(Mul16(a, 10));
+    if (t600 > 255) {
       record_fault(m, 2, 0xF7B045F7, host);
     }
-    both = (m[At(F, t2)] & 0x0800) != 0;
+    both = (m[At(F, t600)] & 0x0800) != 0;
   }
   speed = (both ? m[rapid_speed] : m[jog_speed]);
 
   // if (d != 0)
   if (d != 0) {
     // set_axis_jog(a, (int) ((long) speed * *ch_feedover(0) / 100) * d);
-    const uint16_t t3 = Mul16(LowHalf32(SignedDiv32(Mul32(SignExtend16To32(speed), m[ch_feedover_0]), 100)), d);
-    const uint16_t t4 = a;
-    if (t4 > 15) {
+    const uint16_t t765 = Mul16(LowHalf32(SignedDiv32(Mul32(SignExtend16To32(speed), m[ch_feedover_0]), 100)), d);
+    const uint16_t t766 = a;
+    if (t766 > 15) {
       record_fault(m, 2, 0x308961E9, host);
     } else {
-      set_axis_jog(m, t4, t3, host);
+      set_axis_jog(m, t766, t765, host);
     }
     // jogging[a] = 1;
-    const uint32_t t5 = SignExtend16To32(a);
-    if (t5 > 2) {
+    const uint32_t t886 = SignExtend16To32(a);
+    if (t886 > 2) {
       record_fault(m, 2, 0xBE085A12, host);
     }
-    m[At(jogging, t5)] = 1;
+    m[At(jogging, t886)] = 1;
   } else {
     // if (jogging[a])
-    const uint32_t t6 = SignExtend16To32(a);
-    if (t6 > 2) {
+    const uint32_t t759 = SignExtend16To32(a);
+    if (t759 > 2) {
       record_fault(m, 2, 0xEABD8CAB, host);
     }
-    if (m[At(jogging, t6)] != 0) {
+    if (m[At(jogging, t759)] != 0) {
       // set_axis_stop(a);
-      const uint16_t t7 = a;
-      if (t7 > 15) {
+      const uint16_t t281 = a;
+      if (t281 > 15) {
         record_fault(m, 2, 0x93108E65, host);
       } else {
-        set_axis_stop(m, t7, host);
+        set_axis_stop(m, t281, host);
       }
       // jogging[a] = 0;
-      const uint32_t t8 = SignExtend16To32(a);
-      if (t8 > 2) {
+      const uint32_t t139 = SignExtend16To32(a);
+      if (t139 > 2) {
         record_fault(m, 2, 0xB6060EE3, host);
       }
-      m[At(jogging, t8)] = 0;
+      m[At(jogging, t139)] = 0;
     }
   }
 }
 
 // step()
-void step(State& m, uint16_t a, Host& host) noexcept {
+static void step(State& m, uint16_t a, Host& host) noexcept {
   uint16_t answer = 0;
   bool both = false;
   bool both_local = false;
 
   // if (!get_axis_den(a))
-  const uint16_t t1 = a;
+  const uint16_t t480 = a;
   answer = 1;
-  if (t1 > 15) {
+  if (t480 > 15) {
     record_fault(m, 2, 0x3B96E4A8, host);
   } else {
-    answer = get_axis_den(m, t1, host);
+    answer = get_axis_den(m, t480, host);
   }
   if (!(answer != 0)) {
     // the step before it is still under way
     // return;
   } else {
     // if (HIT_PLUS(a) && !(*axis_ctrl(a) & AX_LSP))
-    const bool t2 = (m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0;
-    both = t2;
-    if (t2) {
-      const uint32_t t3 = SignExtend16To32(Mul16(a, 10));
-      if (t3 > 255) {
+    const bool t249 = (m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0;
+    both = t249;
+    if (t249) {
+      const uint32_t t250 = SignExtend16To32(Mul16(a, 10));
+      if (t250 > 255) {
         record_fault(m, 2, 0x6152BE05, host);
       }
-      both = !((m[At(G, t3)] & 1) != 0);
+      both = !((m[At(G, t250)] & 1) != 0);
     }
     if (both) {
       // set_axis_step(a, (long) step_width);
-      const uint32_t t4 = SignExtend16To32(m[step_width]);
-      const uint16_t t5 = a;
-      if (t5 > 15) {
+      const uint32_t t729 = SignExtend16To32(m[step_width]);
+      const uint16_t t730 = a;
+      if (t730 > 15) {
         record_fault(m, 2, 0xC74504ED, host);
       } else {
-        set_axis_step(m, t5, t4, host);
+        set_axis_step(m, t730, t729, host);
       }
     } else {
       // if (HIT_MINUS(a) && !(*axis_ctrl(a) & AX_LSN))
-      const bool t6 = (m[pressed_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0;
-      both_local = t6;
-      if (t6) {
-        const uint32_t t7 = SignExtend16To32(Mul16(a, 10));
-        if (t7 > 255) {
+      const bool t203 = (m[pressed_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0;
+      both_local = t203;
+      if (t203) {
+        const uint32_t t204 = SignExtend16To32(Mul16(a, 10));
+        if (t204 > 255) {
           record_fault(m, 2, 0x0B09D997, host);
         }
-        both_local = !((m[At(G, t7)] & 2) != 0);
+        both_local = !((m[At(G, t204)] & 2) != 0);
       }
       if (both_local) {
         // set_axis_step(a, -(long) step_width);
-        const uint32_t t8 = Minus32(SignExtend16To32(m[step_width]));
-        const uint16_t t9 = a;
-        if (t9 > 15) {
+        const uint32_t t176 = Minus32(SignExtend16To32(m[step_width]));
+        const uint16_t t177 = a;
+        if (t177 > 15) {
           record_fault(m, 2, 0x5AAF9C00, host);
         } else {
-          set_axis_step(m, t9, t8, host);
+          set_axis_step(m, t177, t176, host);
         }
       }
     }
@@ -583,59 +583,59 @@ void step(State& m, uint16_t a, Host& host) noexcept {
 }
 
 // Z first: the other axes wait until it has its reference.
-void reference(State& m, uint16_t a, Host& host) noexcept {
+static void reference(State& m, uint16_t a, Host& host) noexcept {
   uint16_t z_ready = 0;
 
   // int z_ready = *axis_stat(2) & AX_COORD_SETUP;
   z_ready = m[axis_stat_2] & 0x0800;
 
   // if (homing[a])
-  const uint32_t t1 = SignExtend16To32(a);
-  if (t1 > 2) {
+  const uint32_t t781 = SignExtend16To32(a);
+  if (t781 > 2) {
     record_fault(m, 2, 0xC0A5DB69, host);
   }
-  if (m[At(homing, t1)] != 0) {
+  if (m[At(homing, t781)] != 0) {
     // if (*axis_stat(a) & AX_HOME_FIN)
-    const uint32_t t2 = SignExtend16To32(Mul16(a, 10));
-    if (t2 > 255) {
+    const uint32_t t411 = SignExtend16To32(Mul16(a, 10));
+    if (t411 > 255) {
       record_fault(m, 2, 0x4AC0C99F, host);
     }
-    if ((m[At(F, t2)] & 0x0010) != 0) {
+    if ((m[At(F, t411)] & 0x0010) != 0) {
       // set_axis_home(a, 0);
-      const uint16_t t3 = a;
-      if (t3 > 15) {
+      const uint16_t t435 = a;
+      if (t435 > 15) {
         record_fault(m, 2, 0x500CC303, host);
       } else {
-        set_axis_home(m, t3, 0, host);
+        set_axis_home(m, t435, 0, host);
       }
       // homing[a] = 0;
-      const uint32_t t4 = SignExtend16To32(a);
-      if (t4 > 2) {
+      const uint32_t t205 = SignExtend16To32(a);
+      if (t205 > 2) {
         record_fault(m, 2, 0xAEDC69DD, host);
       }
-      m[At(homing, t4)] = 0;
+      m[At(homing, t205)] = 0;
     }
   }
   // if (HIT_PLUS(a) && (a == 2 || z_ready))
   else if (((m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0) & ((a == 2) | (z_ready != 0))) {
     // set_axis_home(a, 1);
-    const uint16_t t5 = a;
-    if (t5 > 15) {
+    const uint16_t t236 = a;
+    if (t236 > 15) {
       record_fault(m, 2, 0xEA8C8054, host);
     } else {
-      set_axis_home(m, t5, 1, host);
+      set_axis_home(m, t236, 1, host);
     }
     // homing[a] = 1;
-    const uint32_t t6 = SignExtend16To32(a);
-    if (t6 > 2) {
+    const uint32_t t936 = SignExtend16To32(a);
+    if (t936 > 2) {
       record_fault(m, 2, 0x2EDF71F4, host);
     }
-    m[At(homing, t6)] = 1;
+    m[At(homing, t936)] = 1;
   }
 }
 
 // stop_axes()
-void stop_axes(State& m, Host& host) noexcept {
+static void stop_axes(State& m, Host& host) noexcept {
   uint16_t a = 0;
   bool either = false;
   bool either_local = false;
@@ -644,16 +644,16 @@ void stop_axes(State& m, Host& host) noexcept {
   a = 0;
   for (; a < 3; a = Add16(a, 1)) {
     // if (jogging[a] || homing[a] || !get_axis_den(a))
-    const bool t1 = m[At(jogging, a)] != 0;
-    either = t1;
-    if (!t1) {
+    const bool t479 = m[At(jogging, a)] != 0;
+    either = t479;
+    if (!t479) {
       either = m[At(homing, a)] != 0;
     }
-    const bool t2 = either;
-    either_local = t2;
-    if (!t2) {
-      const uint16_t t3 = get_axis_den(m, a, host);
-      either_local = !(t3 != 0);
+    const bool t480 = either;
+    either_local = t480;
+    if (!t480) {
+      const uint16_t t481 = get_axis_den(m, a, host);
+      either_local = !(t481 != 0);
     }
     if (either_local) {
       // set_axis_stop(a);
@@ -666,7 +666,7 @@ void stop_axes(State& m, Host& host) noexcept {
 }
 
 // wheel()
-void wheel(State& m, Host& host) noexcept {
+static void wheel(State& m, Host& host) noexcept {
   uint16_t a = 0;
 
   // int a = WHEEL_AXIS;
@@ -683,7 +683,7 @@ void wheel(State& m, Host& host) noexcept {
 }
 
 // axes()
-void axes(State& m, Host& host) noexcept {
+static void axes(State& m, Host& host) noexcept {
   uint16_t mode = 0;
   uint16_t a = 0;
 
@@ -743,7 +743,7 @@ void axes(State& m, Host& host) noexcept {
 }
 
 // speed_percent()
-uint16_t speed_percent(State& m, Host&) noexcept {
+static uint16_t speed_percent(State& m, Host&) noexcept {
   uint16_t result = 0;
 
   // return 50 + 10 * SPEED_SWITCH;
@@ -752,7 +752,7 @@ uint16_t speed_percent(State& m, Host&) noexcept {
 }
 
 // start_spindle()
-void start_spindle(State& m, uint16_t state, Host&) noexcept {
+static void start_spindle(State& m, uint16_t state, Host&) noexcept {
   // if (spindle_state != state)
   if (m[spindle_state] != state) {
     // at_speed_scans = 0;
@@ -764,7 +764,7 @@ void start_spindle(State& m, uint16_t state, Host&) noexcept {
 }
 
 // spindle_keys()
-void spindle_keys(State& m, Host& host) noexcept {
+static void spindle_keys(State& m, Host& host) noexcept {
   uint16_t mode = 0;
 
   // int mode = *ch_ctrl(0) & CH_MODE_MSK;
@@ -788,7 +788,7 @@ void spindle_keys(State& m, Host& host) noexcept {
 }
 
 // spindle()
-void spindle(State& m, Host& host) noexcept {
+static void spindle(State& m, Host& host) noexcept {
   uint32_t dac = 0;
 
   // long dac = 0;
@@ -812,14 +812,14 @@ void spindle(State& m, Host& host) noexcept {
       // if (top_speed > 0)
       if (S16(m[top_speed]) > 0) {
         // dac = (long) spindle_speed * speed_percent() / 100 * DAC_FULL / top_speed;
-        const uint32_t t1 = SignExtend16To32(m[spindle_speed]);
-        const uint16_t t2 = speed_percent(m, host);
-        const uint32_t t3 = Mul32(SignedDiv32(Mul32(t1, t2), 100), 4095);
-        const uint32_t t4 = SignExtend16To32(m[top_speed]);
-        if (t4 == 0) {
+        const uint32_t t422 = SignExtend16To32(m[spindle_speed]);
+        const uint16_t t423 = speed_percent(m, host);
+        const uint32_t t424 = Mul32(SignedDiv32(Mul32(t422, t423), 100), 4095);
+        const uint32_t t425 = SignExtend16To32(m[top_speed]);
+        if (t425 == 0) {
           record_fault(m, 1, 0x20A46D02, host);
         }
-        dac = SignedDiv32(t3, t4);
+        dac = SignedDiv32(t424, t425);
       }
       // if (dac > DAC_FULL)
       if (S32(dac) > 4095) {
@@ -870,25 +870,25 @@ void spindle(State& m, Host& host) noexcept {
 }
 
 // S word: rev/min, limited by the parameter; a negative one is a fault of the part program and counts as 0.
-void on_s(State& m, uint16_t ch, Host& host) noexcept {
+static void on_s(State& m, uint16_t ch, Host& host) noexcept {
   // spindle_speed = limited(mod_S_code(ch), 0, top_speed);
-  const uint16_t t1 = m[top_speed];
-  const uint32_t t2 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 1));
-  if (t2 > 255) {
+  const uint16_t t661 = m[top_speed];
+  const uint32_t t662 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 1));
+  if (t662 > 255) {
     record_fault(m, 2, 0xDD9F7081, host);
   }
-  m[spindle_speed] = limited(m, m[At(G, t2)], 0, t1, host);
+  m[spindle_speed] = limited(m, m[At(G, t662)], 0, t661, host);
 
   // mod_S_code(ch) = -1;
-  const uint32_t t3 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 1));
-  if (t3 > 255) {
+  const uint32_t t768 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 1));
+  if (t768 > 255) {
     record_fault(m, 2, 0x5DAD762C, host);
   }
-  m[At(G, t3)] = Minus16(1);
+  m[At(G, t768)] = Minus16(1);
 }
 
 // The pocket of a tool, 1..12, or 0.
-uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
+static uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
   uint16_t result = 0;
   uint16_t p = 0;
 
@@ -909,23 +909,23 @@ uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
 }
 
 // on_t()
-void on_t(State& m, uint16_t ch, Host& host) noexcept {
+static void on_t(State& m, uint16_t ch, Host& host) noexcept {
   uint16_t tool = 0;
   bool both = false;
 
   // int tool = mod_T_code(ch);
-  const uint32_t t1 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
-  if (t1 > 255) {
+  const uint32_t t233 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
+  if (t233 > 255) {
     record_fault(m, 2, 0x5DF28429, host);
   }
-  tool = m[At(G, t1)];
+  tool = m[At(G, t233)];
 
   // if (tool != tool_in_spindle && pocket_of(tool) == 0)
-  const bool t2 = tool != m[tool_in_spindle];
-  both = t2;
-  if (t2) {
-    const uint16_t t3 = pocket_of(m, tool, host);
-    both = t3 == 0;
+  const bool t564 = tool != m[tool_in_spindle];
+  both = t564;
+  if (t564) {
+    const uint16_t t565 = pocket_of(m, tool, host);
+    both = t565 == 0;
   }
   if (both) {
     // alarms |= ALARM_TOOL;
@@ -936,16 +936,16 @@ void on_t(State& m, uint16_t ch, Host& host) noexcept {
     // wanted_tool = tool;
     m[wanted_tool] = tool;
     // mod_T_code(ch) = -1;
-    const uint32_t t4 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
-    if (t4 > 255) {
+    const uint32_t t320 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
+    if (t320 > 255) {
       record_fault(m, 2, 0xC2D197EC, host);
     }
-    m[At(G, t4)] = Minus16(1);
+    m[At(G, t320)] = Minus16(1);
   }
 }
 
 // begin_change()
-void begin_change(State& m, Host& host) noexcept {
+static void begin_change(State& m, Host& host) noexcept {
   // if (change_state != CHANGE_IDLE)
   if (m[change_state] != 0) {
     // return;
@@ -967,7 +967,7 @@ void begin_change(State& m, Host& host) noexcept {
 }
 
 // next_step()
-void next_step(State& m, uint16_t state, Host&) noexcept {
+static void next_step(State& m, uint16_t state, Host&) noexcept {
   // change_state = state;
   m[change_state] = LowByte16(state);
 
@@ -976,7 +976,7 @@ void next_step(State& m, uint16_t state, Host&) noexcept {
 }
 
 // Turns the shorter way round: pockets ahead in the positive direction.
-uint16_t positive_turn(State& m, Host&) noexcept {
+static uint16_t positive_turn(State& m, Host&) noexcept {
   uint16_t result = 0;
   uint16_t ahead = 0;
 
@@ -989,7 +989,7 @@ uint16_t positive_turn(State& m, Host&) noexcept {
 }
 
 // count_pockets()
-void count_pockets(State& m, Host&) noexcept {
+static void count_pockets(State& m, Host&) noexcept {
   // if (!HIT_POCKET)
   if (!((m[pressed_7] & 0x0010) != 0)) {
     // return;
@@ -1007,7 +1007,7 @@ void count_pockets(State& m, Host&) noexcept {
 }
 
 // stop_magazine()
-void stop_magazine(State& m, Host&) noexcept {
+static void stop_magazine(State& m, Host&) noexcept {
   // Y_MAG_OUT(0)
   if (false) {
     m[Y2] = m[Y2] | 0x40;
@@ -1038,7 +1038,7 @@ void stop_magazine(State& m, Host&) noexcept {
 }
 
 // tool_change()
-void tool_change(State& m, Host& host) noexcept {
+static void tool_change(State& m, Host& host) noexcept {
   uint16_t turning = 0;
   bool both = false;
   bool both_local = false;
@@ -1060,12 +1060,12 @@ void tool_change(State& m, Host& host) noexcept {
     // return;
   } else {
     // if (change_state < CHANGE_DONE && ++change_scans > step_limit && step_limit != 0)
-    const bool t1 = m[change_state] < 8;
-    both = t1;
-    if (t1) {
-      const uint16_t t2 = Add16(m[change_scans], 1);
-      m[change_scans] = t2;
-      both = t2 > m[step_limit];
+    const bool t112 = m[change_state] < 8;
+    both = t112;
+    if (t112) {
+      const uint16_t t113 = Add16(m[change_scans], 1);
+      m[change_scans] = t113;
+      both = t113 > m[step_limit];
     }
     if (both & (m[step_limit] != 0)) {
       // alarms |= ALARM_CHANGE;
@@ -1138,12 +1138,12 @@ void tool_change(State& m, Host& host) noexcept {
           // if (tool_in_spindle != 0)
           if (m[tool_in_spindle] != 0) {
             // *cutter_in_mag(pocket_in_front - 1) = tool_in_spindle;
-            const uint16_t t3 = m[tool_in_spindle];
-            const uint32_t t4 = SignExtend16To32(Sub16(m[pocket_in_front], 1));
-            if (Add32(t4, 1) > 99) {
+            const uint16_t t952 = m[tool_in_spindle];
+            const uint32_t t953 = SignExtend16To32(Sub16(m[pocket_in_front], 1));
+            if (Add32(t953, 1) > 99) {
               record_fault(m, 2, 0xE5F47B10, host);
             }
-            m[At(B_from_1, t4)] = t3;
+            m[At(B_from_1, t953)] = t952;
           }
           // tool_in_spindle = 0;
           m[tool_in_spindle] = 0;
@@ -1156,11 +1156,11 @@ void tool_change(State& m, Host& host) noexcept {
           // turning = pocket_in_front != target_pocket;
           turning = m[pocket_in_front] != m[target_pocket];
           // Y_MAG_CW(turning && positive_turn())
-          const bool t5 = turning != 0;
-          both_local = t5;
-          if (t5) {
-            const uint16_t t6 = positive_turn(m, host);
-            both_local = t6 != 0;
+          const bool t268 = turning != 0;
+          both_local = t268;
+          if (t268) {
+            const uint16_t t269 = positive_turn(m, host);
+            both_local = t269 != 0;
           }
           if (both_local) {
             m[Y3] = m[Y3] | 1;
@@ -1168,11 +1168,11 @@ void tool_change(State& m, Host& host) noexcept {
             m[Y3] = m[Y3] & 0xFE;
           }
           // Y_MAG_CCW(turning && !positive_turn())
-          const bool t7 = turning != 0;
-          both_local_2 = t7;
-          if (t7) {
-            const uint16_t t8 = positive_turn(m, host);
-            both_local_2 = !(t8 != 0);
+          const bool t870 = turning != 0;
+          both_local_2 = t870;
+          if (t870) {
+            const uint16_t t871 = positive_turn(m, host);
+            both_local_2 = !(t871 != 0);
           }
           if (both_local_2) {
             m[Y3] = m[Y3] | 2;
@@ -1184,17 +1184,17 @@ void tool_change(State& m, Host& host) noexcept {
             return;
           }
           // tool_in_spindle = *cutter_in_mag(target_pocket - 1);
-          const uint32_t t9 = SignExtend16To32(Sub16(m[target_pocket], 1));
-          if (Add32(t9, 1) > 99) {
+          const uint32_t t552 = SignExtend16To32(Sub16(m[target_pocket], 1));
+          if (Add32(t552, 1) > 99) {
             record_fault(m, 2, 0xE3FA4B14, host);
           }
-          m[tool_in_spindle] = m[At(B_from_1, t9)];
+          m[tool_in_spindle] = m[At(B_from_1, t552)];
           // *cutter_in_mag(target_pocket - 1) = 0;
-          const uint32_t t10 = SignExtend16To32(Sub16(m[target_pocket], 1));
-          if (Add32(t10, 1) > 99) {
+          const uint32_t t784 = SignExtend16To32(Sub16(m[target_pocket], 1));
+          if (Add32(t784, 1) > 99) {
             record_fault(m, 2, 0x2A121D28, host);
           }
-          m[At(B_from_1, t10)] = 0;
+          m[At(B_from_1, t784)] = 0;
           // next_step(CHANGE_CLOSE);
           next_step(m, 6, host);
           break;
@@ -1255,7 +1255,7 @@ void tool_change(State& m, Host& host) noexcept {
 }
 
 // mcodes.h - M functions of channel 0 The handler is called in every scan until it sets the code to -1.
-void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept {
+static void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept {
   // if (alarms & ALARM_SPINDLE)
   if ((m[alarms] & 0x0080) != 0) {
     // return;
@@ -1265,23 +1265,23 @@ void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept {
     // if (state == SPINDLE_STOPPED || spindle_speed == 0 || at_speed_scans >= 2)
     if ((state == 0) | (m[spindle_speed] == 0) | (m[at_speed_scans] >= 2)) {
       // mod_M_code(ch) = -1;
-      const uint32_t t1 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-      if (t1 > 255) {
+      const uint32_t t160 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+      if (t160 > 255) {
         record_fault(m, 2, 0x84C595D4, host);
       }
-      m[At(G, t1)] = Minus16(1);
+      m[At(G, t160)] = Minus16(1);
     }
   }
 }
 
 // on_m()
-void on_m(State& m, uint16_t ch, Host& host) noexcept {
+static void on_m(State& m, uint16_t ch, Host& host) noexcept {
   // switch (mod_M_code(ch))
-  const uint32_t t1 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-  if (t1 > 255) {
+  const uint32_t t433 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+  if (t433 > 255) {
     record_fault(m, 2, 0x845A91A1, host);
   }
-  switch (m[At(G, t1)]) {
+  switch (m[At(G, t433)]) {
     case 3: {
       // case 3:
       // spindle_code(ch, SPINDLE_CW);
@@ -1309,11 +1309,11 @@ void on_m(State& m, uint16_t ch, Host& host) noexcept {
         // change_state = CHANGE_IDLE;
         m[change_state] = 0;
         // mod_M_code(ch) = -1;
-        const uint32_t t2 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-        if (t2 > 255) {
+        const uint32_t t304 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+        if (t304 > 255) {
           record_fault(m, 2, 0xBB1741F4, host);
         }
-        m[At(G, t2)] = Minus16(1);
+        m[At(G, t304)] = Minus16(1);
       }
       break;
     }
@@ -1322,11 +1322,11 @@ void on_m(State& m, uint16_t ch, Host& host) noexcept {
       // coolant_wanted = 1;
       m[coolant_wanted] = 1;
       // mod_M_code(ch) = -1;
-      const uint32_t t3 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-      if (t3 > 255) {
+      const uint32_t t915 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+      if (t915 > 255) {
         record_fault(m, 2, 0x7A9CD4AF, host);
       }
-      m[At(G, t3)] = Minus16(1);
+      m[At(G, t915)] = Minus16(1);
       break;
     }
     case 2:
@@ -1344,11 +1344,11 @@ void on_m(State& m, uint16_t ch, Host& host) noexcept {
       // coolant_wanted = 0;
       m[coolant_wanted] = 0;
       // mod_M_code(ch) = -1;
-      const uint32_t t4 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-      if (t4 > 255) {
+      const uint32_t t734 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+      if (t734 > 255) {
         record_fault(m, 2, 0x7B9CD642, host);
       }
-      m[At(G, t4)] = Minus16(1);
+      m[At(G, t734)] = Minus16(1);
       break;
     }
     case 19: {
@@ -1358,11 +1358,11 @@ void on_m(State& m, uint16_t ch, Host& host) noexcept {
       // if (ORIENTED)
       if ((m[sample_7] & 0x0040) != 0) {
         // mod_M_code(ch) = -1;
-        const uint32_t t5 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-        if (t5 > 255) {
+        const uint32_t t553 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+        if (t553 > 255) {
           record_fault(m, 2, 0x7C9CD7D5, host);
         }
-        m[At(G, t5)] = Minus16(1);
+        m[At(G, t553)] = Minus16(1);
       }
       break;
     }
@@ -1370,18 +1370,18 @@ void on_m(State& m, uint16_t ch, Host& host) noexcept {
       // M00, M01 and codes that the machine does not have
       // default:
       // mod_M_code(ch) = -1;
-      const uint32_t t6 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-      if (t6 > 255) {
+      const uint32_t t920 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+      if (t920 > 255) {
         record_fault(m, 2, 0x759CCCD0, host);
       }
-      m[At(G, t6)] = Minus16(1);
+      m[At(G, t920)] = Minus16(1);
       break;
     }
   }
 }
 
 // The NC starts in the middle of a part program: what the machine is doing must be asked for again.
-void on_modal(State& m, uint16_t ch, Host& host) noexcept {
+static void on_modal(State& m, uint16_t ch, Host& host) noexcept {
   // if (ch == 0 && spindle_state == SPINDLE_ORIENT)
   if ((ch == 0) & (m[spindle_state] == 3)) {
     // start_spindle(SPINDLE_STOPPED);
@@ -1390,7 +1390,7 @@ void on_modal(State& m, uint16_t ch, Host& host) noexcept {
 }
 
 // Emergency stop acts on the raw input, at once and without the filter.
-void power(State& m, Host& host) noexcept {
+static void power(State& m, Host& host) noexcept {
   // if (!ESTOP_OK)
   if (!((m[X4] & 1) != 0)) {
     // alarms |= ALARM_ESTOP;
@@ -1433,7 +1433,7 @@ void power(State& m, Host& host) noexcept {
 }
 
 // watch()
-void watch(State& m, Host&) noexcept {
+static void watch(State& m, Host&) noexcept {
   // if (scans_read < 2)
   if (m[scans_read] < 2) {
     // return;
@@ -1481,7 +1481,7 @@ void watch(State& m, Host&) noexcept {
 }
 
 // coolant()
-void coolant(State& m, Host&) noexcept {
+static void coolant(State& m, Host&) noexcept {
   // if (HIT_COOLANT)
   if ((m[pressed_0] & 0x0020) != 0) {
     // coolant_wanted = !coolant_wanted;
@@ -1500,7 +1500,7 @@ void coolant(State& m, Host&) noexcept {
 }
 
 // In the slow part: seconds from scans of 32 ms (31.25 of them, so 125 scans are four seconds).
-void lubrication(State& m, Host&) noexcept {
+static void lubrication(State& m, Host&) noexcept {
   uint16_t limit = 0;
 
   // if (!machine_on)
@@ -1549,7 +1549,7 @@ void lubrication(State& m, Host&) noexcept {
 }
 
 // Half a second on, half a second off, while there is an alarm.
-void buzzer(State& m, Host&) noexcept {
+static void buzzer(State& m, Host&) noexcept {
   // scans = alarms ? (scans + 1) % 32 : 0;
   m[buzzer_scans] = LowByte16((m[alarms] != 0 ? UnsignedRem16(Add16(m[buzzer_scans], 1), 32) : 0));
 
@@ -1562,7 +1562,7 @@ void buzzer(State& m, Host&) noexcept {
 }
 
 // fill_magazine()
-void fill_magazine(State& m, Host&) noexcept {
+static void fill_magazine(State& m, Host&) noexcept {
   uint16_t p = 0;
 
   // *tot_mag_pos() = POCKETS;
@@ -1583,7 +1583,7 @@ void fill_magazine(State& m, Host&) noexcept {
 }
 
 // init()
-void plc_init(State& m, Host& host) noexcept {
+static void plc_init(State& m, Host& host) noexcept {
   uint16_t a = 0;
 
   // plc1_time = FAST_MS;
@@ -1626,7 +1626,7 @@ void plc_init(State& m, Host& host) noexcept {
 }
 
 // plc1()
-void plc1(State& m, Host& host) noexcept {
+static void plc1(State& m, Host& host) noexcept {
   // called again 16 ms from now
   // plc1_time = FAST_MS;
   m[plc1_time] = 16;
@@ -1663,7 +1663,7 @@ void plc1(State& m, Host& host) noexcept {
 }
 
 // plc2()
-void plc2(State& m, Host& host) noexcept {
+static void plc2(State& m, Host& host) noexcept {
   // called again 32 ms from now
   // plc2_time = SLOW_MS;
   m[plc2_time] = 32;
@@ -1682,7 +1682,7 @@ void plc2(State& m, Host& host) noexcept {
 }
 
 // The control's own get_axis_den.
-uint16_t get_axis_den(State& m, uint16_t a, Host&) noexcept {
+static uint16_t get_axis_den(State& m, uint16_t a, Host&) noexcept {
   uint16_t result = 0;
 
   result = (m[At(G_ul_from_0_by_20, a)] == 0) & !(m[At(G_from_0_by_20_n, a)] != 0);
@@ -1690,7 +1690,7 @@ uint16_t get_axis_den(State& m, uint16_t a, Host&) noexcept {
 }
 
 // The control's own set_axis_stop.
-void set_axis_stop(State& m, uint16_t a, Host& host) noexcept {
+static void set_axis_stop(State& m, uint16_t a, Host& host) noexcept {
   uint32_t l = 0;
   uint32_t b = 0;
 
@@ -1709,12 +1709,12 @@ void set_axis_stop(State& m, uint16_t a, Host& host) noexcept {
 }
 
 // The control's own set_axis_jog.
-void set_axis_jog(State& m, uint16_t a, uint16_t v, Host&) noexcept {
+static void set_axis_jog(State& m, uint16_t a, uint16_t v, Host&) noexcept {
   m[At(G_from_0_by_20_n, a)] = v;
 }
 
 // The control's own set_axis_home.
-void set_axis_home(State& m, uint16_t a, uint16_t on, Host&) noexcept {
+static void set_axis_home(State& m, uint16_t a, uint16_t on, Host&) noexcept {
   if (on != 0) {
     m[At(G_by_20, a)] = m[At(G_by_20, a)] | 0x0040;
   } else {
@@ -1723,7 +1723,7 @@ void set_axis_home(State& m, uint16_t a, uint16_t on, Host&) noexcept {
 }
 
 // The control's own set_axis_step.
-void set_axis_step(State& m, uint16_t a, uint32_t d, Host&) noexcept {
+static void set_axis_step(State& m, uint16_t a, uint32_t d, Host&) noexcept {
   uint32_t l = 0;
   uint32_t v = 0;
 
@@ -1742,7 +1742,7 @@ void set_axis_step(State& m, uint16_t a, uint32_t d, Host&) noexcept {
 }
 
 // The control's own handwheel.
-void handwheel(State& m, uint16_t h, uint16_t a, uint16_t mul, Host& host) noexcept {
+static void handwheel(State& m, uint16_t h, uint16_t a, uint16_t mul, Host& host) noexcept {
   uint16_t n = 0;
 
   n = get_handwheel(m, h, host);
@@ -1750,7 +1750,7 @@ void handwheel(State& m, uint16_t h, uint16_t a, uint16_t mul, Host& host) noexc
 }
 
 // The control's own get_handwheel.
-uint16_t get_handwheel(State& m, uint16_t h, Host&) noexcept {
+static uint16_t get_handwheel(State& m, uint16_t h, Host&) noexcept {
   uint16_t result = 0;
 
   result = m[At(handwheels, h)];
@@ -1805,7 +1805,7 @@ void init(State& m, Host& host) noexcept {
 }
 
 // Requests of one channel: hands M, S, T, B codes to their handlers.
-void dispatch(State& m, uint32_t channel, Host& host) noexcept {
+static void dispatch(State& m, uint32_t channel, Host& host) noexcept {
   if (m[At(modal, channel)] != 0) {
     m[At(modal, channel)] = 0;
     switch (channel) {
@@ -1954,7 +1954,7 @@ void dispatch(State& m, uint32_t channel, Host& host) noexcept {
 }
 
 // Requests of one channel that are done are acknowledged.
-void complete(State& m, uint32_t channel, Host&) noexcept {
+static void complete(State& m, uint32_t channel, Host&) noexcept {
   if (m[At(state_M, channel)] == 1) {
     if (m[At(mod_M, channel)] == Minus16(1)) {
       m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;

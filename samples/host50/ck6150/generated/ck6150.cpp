@@ -19,14 +19,14 @@ using plcxx::RingForward;
 using plcxx::S32;
 using plcxx::Sub32;
 
-void SR10(State& m, Host& host) noexcept;
-void SR20(State& m, Host& host) noexcept;
-void SR30(State& m, Host& host) noexcept;
-void SR31(State& m, Host& host) noexcept;
-void SR32(State& m, Host& host) noexcept;
-void SR33(State& m, Host& host) noexcept;
-void SR40(State& m, Host& host) noexcept;
-void SR50(State& m, Host& host) noexcept;
+static void SR10(State& m, Host& host) noexcept;
+static void SR20(State& m, Host& host) noexcept;
+static void SR30(State& m, Host& host) noexcept;
+static void SR31(State& m, Host& host) noexcept;
+static void SR32(State& m, Host& host) noexcept;
+static void SR33(State& m, Host& host) noexcept;
+static void SR40(State& m, Host& host) noexcept;
+static void SR50(State& m, Host& host) noexcept;
 
 static_assert(offsetof(State, retentive) == 0, "the symbol map holds for this layout");
 static_assert(offsetof(State, word32) == 876, "the symbol map holds for this layout");
@@ -79,11 +79,11 @@ void fast(State& m, Host&) noexcept {
   // AND  DRIVE_OK
   // OUT  SAFE
   // OUTI REQ_ESTOP            ; 立即通知 NC
-  const bool t1 = m[LIM_XP] & m[LIM_XN] & m[LIM_ZP] & m[LIM_ZN];
-  m[LIMITS_OK] = t1;
-  const bool t2 = t1 & m[ESTOP_OK] & m[DRIVE_OK];
-  m[SAFE] = t2;
-  m[REQ_ESTOP] = !t2;
+  const bool t258 = m[LIM_XP] & m[LIM_XN] & m[LIM_ZP] & m[LIM_ZN];
+  m[LIMITS_OK] = t258;
+  const bool t259 = t258 & m[ESTOP_OK] & m[DRIVE_OK];
+  m[SAFE] = t259;
+  m[REQ_ESTOP] = !t259;
 
   // NETWORK L0001 "进给保持 / feed hold"
   // LD   NC_RUNNING
@@ -111,20 +111,20 @@ void slow(State& m, Host& host) noexcept {
   // AND  HYD_PRESS
   // OUT  X_ENABLE
   // OUT  Z_ENABLE
-  const bool t1 = TONMS(m[T_ON], m[NC_READY] & m[SAFE], 10, 8);
-  m[Q0] = t1;
-  m[REQ_ENABLE] = t1;
-  const bool t2 = t1 & m[HYD_PRESS];
-  m[X_ENABLE] = t2;
-  m[Z_ENABLE] = t2;
+  const bool t911 = TONMS(m[T_ON], m[NC_READY] & m[SAFE], 10, 8);
+  m[Q0] = t911;
+  m[REQ_ENABLE] = t911;
+  const bool t912 = t911 & m[HYD_PRESS];
+  m[X_ENABLE] = t912;
+  m[Z_ENABLE] = t912;
 
   // NETWORK L0001 "液压 / hydraulics"
   // |--[ 机床上电 ]--[/HYD_FAULT ]--+------------------------------( 液压泵 )        ; 液压泵接触器
   // |                               |
   // |                               +--[/HYD_PRESS ]--{TONS T_HYD, 5}--(S HYD_FAULT ) ; 5 秒内无压力
-  const bool t3 = m[Q0] & !m[HYD_FAULT];
-  m[Q1] = t3;
-  if (TONS(m[T_HYD], t3 & !m[HYD_PRESS], 5, 8)) {
+  const bool t683 = m[Q0] & !m[HYD_FAULT];
+  m[Q1] = t683;
+  if (TONS(m[T_HYD], t683 & !m[HYD_PRESS], 5, 8)) {
     m[HYD_FAULT] = true;
   }
 
@@ -229,9 +229,9 @@ void slow(State& m, Host& host) noexcept {
   // CNUD C_PARTS, BATCH, M=0, N=0
   // GT   BATCH, 0             ; 0: 不计批量
   // OUT  %Q407
-  const bool t4 = CNUD(m[C_PARTS], m[PART_PULSE], m[BATCH], Pins((m[KEY_A] | m[NC_RESET])
+  const bool t217 = CNUD(m[C_PARTS], m[PART_PULSE], m[BATCH], Pins((m[KEY_A] | m[NC_RESET])
       & m[MODE_JOG], false, false));
-  m[Q407] = t4 & (S32(m[BATCH]) > 0);
+  m[Q407] = t217 & (S32(m[BATCH]) > 0);
 
   // LD   PART_PULSE
   // ADDW PARTS_TOTAL, 1, PARTS_TOTAL
@@ -246,9 +246,9 @@ void slow(State& m, Host& host) noexcept {
   // TONMS T_BLINK_A, 5
   // OUT  BLINK
   // TONMS T_BLINK_B, 5
-  const bool t5 = TONMS(m[T_BLINK_A], !m[T_BLINK_B_Q], 5, 8);
-  m[BLINK] = t5;
-  TONMS(m[T_BLINK_B], t5, 5, 8);
+  const bool t955 = TONMS(m[T_BLINK_A], !m[T_BLINK_B_Q], 5, 8);
+  m[BLINK] = t955;
+  TONMS(m[T_BLINK_B], t955, 5, 8);
 
   // NETWORK L0009 "报警灯 / tower lamp"
   // |--[ ANY_FAULT ]--[ BLINK ]--+------------( 红灯 )
@@ -334,16 +334,16 @@ void slow(State& m, Host& host) noexcept {
   // OUT  SECOND
   // ADDF SP_SECONDS, 1.0, SP_SECONDS
   // DIVF SP_SECONDS, 3600.0, SP_HOURS
-  const bool t6 = TONS(m[T_SECOND], m[SP_RUN] & !m[SECOND], 1, 8);
-  m[SECOND] = t6;
-  if (t6) {
+  const bool t822 = TONS(m[T_SECOND], m[SP_RUN] & !m[SECOND], 1, 8);
+  m[SECOND] = t822;
+  if (t822) {
     m[SP_SECONDS] = AddF32(m[SP_SECONDS], 1.0F);
     m[SP_HOURS] = QuotientOrDividendF32(m[SP_SECONDS], 3600.0F);
   }
 }
 
 // SUB SR10: 主轴
-void SR10(State& m, Host&) noexcept {
+static void SR10(State& m, Host&) noexcept {
   // CK6150: 主轴 / spindle
   // NETWORK L0000 "手动 / keys in jog"
   // LD   MODE_JOG
@@ -359,18 +359,18 @@ void SR10(State& m, Host&) noexcept {
   // ANDP KEY_S_STOP
   // RST  REQ_CW
   // RST  REQ_CCW
-  const bool t1 = Rising(m[KEY_S_CW_edge], m[KEY_S_CW]);
-  if (m[MODE_JOG] & t1) {
+  const bool t966 = Rising(m[KEY_S_CW_edge], m[KEY_S_CW]);
+  if (m[MODE_JOG] & t966) {
     m[REQ_CW] = true;
     m[REQ_CCW] = false;
   }
-  const bool t2 = Rising(m[KEY_S_CCW_edge], m[KEY_S_CCW]);
-  if (m[MODE_JOG] & t2) {
+  const bool t967 = Rising(m[KEY_S_CCW_edge], m[KEY_S_CCW]);
+  if (m[MODE_JOG] & t967) {
     m[REQ_CCW] = true;
     m[REQ_CW] = false;
   }
-  const bool t3 = Rising(m[KEY_S_STOP_edge], m[KEY_S_STOP]);
-  if (m[MODE_JOG] & t3) {
+  const bool t968 = Rising(m[KEY_S_STOP_edge], m[KEY_S_STOP]);
+  if (m[MODE_JOG] & t968) {
     m[REQ_CW] = false;
     m[REQ_CCW] = false;
   }
@@ -407,9 +407,9 @@ void SR10(State& m, Host&) noexcept {
   // OR   SP_CCW
   // OUT  SP_RUN
   // OUTI SP_STOP
-  const bool t4 = m[SP_CW] | m[SP_CCW];
-  m[SP_RUN] = t4;
-  m[SP_STOP] = !t4;
+  const bool t697 = m[SP_CW] | m[SP_CCW];
+  m[SP_RUN] = t697;
+  m[SP_STOP] = !t697;
 
   // NETWORK L0003 "制动 / brake until it stands, at most 2 s"
   // LD   SP_RUN
@@ -418,8 +418,8 @@ void SR10(State& m, Host&) noexcept {
   // ANI  SPEED_ZERO
   // AND  SAFE
   // OUT  SP_BRAKE
-  const bool t5 = TOFS(m[T_BRAKE], m[SP_RUN], 2, 8);
-  m[SP_BRAKE] = t5 & !m[SP_RUN] & !m[SPEED_ZERO] & m[SAFE];
+  const bool t250 = TOFS(m[T_BRAKE], m[SP_RUN], 2, 8);
+  m[SP_BRAKE] = t250 & !m[SP_RUN] & !m[SPEED_ZERO] & m[SAFE];
 
   // NETWORK L0004 "转速监控 / speed supervision, 10 s"
   // LD   SP_RUN
@@ -438,7 +438,7 @@ void SR10(State& m, Host&) noexcept {
 }
 
 // SUB SR20: 刀架
-void SR20(State& m, Host& host) noexcept {
+static void SR20(State& m, Host& host) noexcept {
   // CK6150: 八工位刀架 / turret with eight positions
   // TUR_STEP: 0 idle, 1 unlock, 2 turn, 3 lock, 4 ready, 9 fault
   // NETWORK L0000 "位置 / position from the code switches"
@@ -471,15 +471,15 @@ void SR20(State& m, Host& host) noexcept {
   // MPP
   // GT   T_CODE, 8
   // SET  T_BAD
-  const bool t1 = Rising(m[T_STROBE_edge], m[T_STROBE]);
-  if (t1 & (S32(m[T_CODE]) >= 1) & (S32(m[T_CODE]) <= 8) & (m[TUR_STEP] == 0)) {
+  const bool t419 = Rising(m[T_STROBE_edge], m[T_STROBE]);
+  if (t419 & (S32(m[T_CODE]) >= 1) & (S32(m[T_CODE]) <= 8) & (m[TUR_STEP] == 0)) {
     m[TUR_TGT] = m[T_CODE];
     m[TUR_STEP] = 1;
   }
-  if (t1 & (S32(m[T_CODE]) < 1)) {
+  if (t419 & (S32(m[T_CODE]) < 1)) {
     m[T_BAD] = true;
   }
-  if (t1 & (S32(m[T_CODE]) > 8)) {
+  if (t419 & (S32(m[T_CODE]) > 8)) {
     m[T_BAD] = true;
   }
 
@@ -491,13 +491,13 @@ void SR20(State& m, Host& host) noexcept {
   // OPRT TUR_TGT = TUR_POS + 1
   // GT   TUR_TGT, 8
   // MOV  1, TUR_TGT
-  const bool t2 = Rising(m[KEY_TURRET_edge], m[KEY_TURRET]);
-  const bool t3 = m[MODE_JOG] & t2 & (m[TUR_STEP] == 0);
-  if (t3) {
+  const bool t652 = Rising(m[KEY_TURRET_edge], m[KEY_TURRET]);
+  const bool t653 = m[MODE_JOG] & t652 & (m[TUR_STEP] == 0);
+  if (t653) {
     m[TUR_STEP] = 1;
     m[TUR_TGT] = Add32(m[TUR_POS], 1);
   }
-  if (t3 & (S32(m[TUR_TGT]) > 8)) {
+  if (t653 & (S32(m[TUR_TGT]) > 8)) {
     m[TUR_TGT] = 1;
   }
 
@@ -512,11 +512,11 @@ void SR20(State& m, Host& host) noexcept {
   // MPP
   // ANI  TUR_THERMAL
   // MOV  9, TUR_STEP
-  const bool t4 = (S32(m[TUR_STEP]) >= 1) & (S32(m[TUR_STEP]) <= 3);
-  if (TONS(m[T_TURRET], t4, 8, 8)) {
+  const bool t714 = (S32(m[TUR_STEP]) >= 1) & (S32(m[TUR_STEP]) <= 3);
+  if (TONS(m[T_TURRET], t714, 8, 8)) {
     m[TUR_STEP] = 9;
   }
-  if (t4 & !m[TUR_THERMAL]) {
+  if (t714 & !m[TUR_THERMAL]) {
     m[TUR_STEP] = 9;
   }
 
@@ -549,22 +549,22 @@ void SR20(State& m, Host& host) noexcept {
     // RST  TUR_FORWARD
     // ROT  8, TUR_POS, TUR_TGT, TUR_PRE, M=0
     // SET  TUR_FORWARD          ; Q = 1: 正转
-    const bool t5 = (!m[TUR_LOCKED]) & (m[TUR_STEP] == 1);
-    if (t5) {
+    const bool t507 = (!m[TUR_LOCKED]) & (m[TUR_STEP] == 1);
+    if (t507) {
       m[TUR_STEP] = 2;
       m[TUR_FORWARD] = false;
     }
-    const uint32_t t6 = Sub32(m[TUR_POS], 1);
-    const uint32_t t7 = Sub32(m[TUR_TGT], 1);
-    const bool t8 = OnRing(8, t6, t7);
-    if (t5) {
-      if (t8) {
-        m[TUR_PRE] = Add32(RingBefore(8, t6, t7), 1);
+    const uint32_t t508 = Sub32(m[TUR_POS], 1);
+    const uint32_t t509 = Sub32(m[TUR_TGT], 1);
+    const bool t510 = OnRing(8, t508, t509);
+    if (t507) {
+      if (t510) {
+        m[TUR_PRE] = Add32(RingBefore(8, t508, t509), 1);
       } else {
         fault(host, fault_code::ROT_RANGE, 20, 7);
       }
     }
-    if (t5 & t8 & RingForward(8, t6, t7)) {
+    if (t507 & t510 & RingForward(8, t508, t509)) {
       m[TUR_FORWARD] = true;
     }
     // NETWORK L0008 "到位停止 / stop at the target"
@@ -581,11 +581,11 @@ void SR20(State& m, Host& host) noexcept {
     // MOV  TUR_POS, TOOL_POS
     // ANI  T_STROBE
     // MOV  0, TUR_STEP
-    const bool t9 = m[TUR_STEP] == 4;
-    if (t9) {
+    const bool t533 = m[TUR_STEP] == 4;
+    if (t533) {
       m[TOOL_POS] = m[TUR_POS];
     }
-    if (t9 & !m[T_STROBE]) {
+    if (t533 & !m[T_STROBE]) {
       m[TUR_STEP] = 0;
     }
   }
@@ -601,9 +601,9 @@ void SR20(State& m, Host& host) noexcept {
   // ANI  TUR_FORWARD
   // ANI  TUR_FWD
   // OUT  TUR_REV
-  const bool t10 = m[TUR_STEP] == 2;
-  m[TUR_FWD] = t10 & m[TUR_FORWARD] & !m[TUR_REV];
-  m[TUR_REV] = t10 & !m[TUR_FORWARD] & !m[TUR_FWD];
+  const bool t430 = m[TUR_STEP] == 2;
+  m[TUR_FWD] = t430 & m[TUR_FORWARD] & !m[TUR_REV];
+  m[TUR_REV] = t430 & !m[TUR_FORWARD] & !m[TUR_FWD];
 
   // LD   1
   // EQ   TUR_STEP, 1
@@ -619,15 +619,15 @@ void SR20(State& m, Host& host) noexcept {
   // AND  T_STROBE
   // OUT  T_DONE
   // OUT  TOOL_DONE
-  const bool t11 = m[TUR_STEP] == 4;
-  m[TOOL_UPDATE] = t11;
-  const bool t12 = t11 & m[T_STROBE];
-  m[T_DONE] = t12;
-  m[TOOL_DONE] = t12;
+  const bool t471 = m[TUR_STEP] == 4;
+  m[TOOL_UPDATE] = t471;
+  const bool t472 = t471 & m[T_STROBE];
+  m[T_DONE] = t472;
+  m[TOOL_DONE] = t472;
 }
 
 // SUB SR30: 冷却
-void SR30(State& m, Host&) noexcept {
+static void SR30(State& m, Host&) noexcept {
   // CK6150: 冷却, 润滑, 排屑, 卡盘 / coolant, lubrication, chips, chuck
   // NETWORK L0000 "按键 / the key toggles"
   // LDP  KEY_COOLANT
@@ -637,9 +637,9 @@ void SR30(State& m, Host&) noexcept {
   // MPP
   // AND  COOL_REQ
   // RST  COOL_REQ
-  const bool t1 = Rising(m[KEY_COOLANT_edge], m[KEY_COOLANT]);
-  m[COOL_ON] = t1 & !m[COOL_REQ];
-  if (t1 & m[COOL_REQ]) {
+  const bool t367 = Rising(m[KEY_COOLANT_edge], m[KEY_COOLANT]);
+  m[COOL_ON] = t367 & !m[COOL_REQ];
+  if (t367 & m[COOL_REQ]) {
     m[COOL_REQ] = false;
   }
 
@@ -666,7 +666,7 @@ void SR30(State& m, Host&) noexcept {
 }
 
 // SUB SR31: 润滑
-void SR31(State& m, Host&) noexcept {
+static void SR31(State& m, Host&) noexcept {
   // NETWORK L0000 "间隔 / interval"
   // LD   1
   // LE   LUBE_MIN, 0
@@ -681,9 +681,9 @@ void SR31(State& m, Host&) noexcept {
   // ORP  KEY_LUBE
   // AND  LUBE_LEVEL
   // SET  LUBE_ON
-  const bool t1 = TONM(m[T_LUBE_WAIT], m[Q0] & !m[LUBE_ON], m[LUBE_MIN], 8);
-  const bool t2 = Rising(m[KEY_LUBE_edge], m[KEY_LUBE]);
-  if ((t1 | t2) & m[LUBE_LEVEL]) {
+  const bool t147 = TONM(m[T_LUBE_WAIT], m[Q0] & !m[LUBE_ON], m[LUBE_MIN], 8);
+  const bool t148 = Rising(m[KEY_LUBE_edge], m[KEY_LUBE]);
+  if ((t147 | t148) & m[LUBE_LEVEL]) {
     m[LUBE_ON] = true;
   }
 
@@ -693,9 +693,9 @@ void SR31(State& m, Host&) noexcept {
   // OUT  润滑泵
   // AND  LUBE_PRESS
   // SET  LUBE_SEEN
-  const bool t3 = m[LUBE_ON] & m[Q0];
-  m[Q3] = t3;
-  if (t3 & m[LUBE_PRESS]) {
+  const bool t446 = m[LUBE_ON] & m[Q0];
+  m[Q3] = t446;
+  if (t446 & m[LUBE_PRESS]) {
     m[LUBE_SEEN] = true;
   }
 
@@ -704,11 +704,11 @@ void SR31(State& m, Host&) noexcept {
   // RST  LUBE_ON
   // ANI  LUBE_SEEN            ; 从未有压力
   // SET  LUBE_FAULT
-  const bool t4 = TONS(m[T_LUBE_RUN], m[LUBE_ON], 6, 8);
-  if (t4) {
+  const bool t608 = TONS(m[T_LUBE_RUN], m[LUBE_ON], 6, 8);
+  if (t608) {
     m[LUBE_ON] = false;
   }
-  if (t4 & !m[LUBE_SEEN]) {
+  if (t608 & !m[LUBE_SEEN]) {
     m[LUBE_FAULT] = true;
   }
 
@@ -726,7 +726,7 @@ void SR31(State& m, Host&) noexcept {
 }
 
 // SUB SR32: 排屑
-void SR32(State& m, Host&) noexcept {
+static void SR32(State& m, Host&) noexcept {
   // NETWORK
   // LD   KEY_CHIP_F
   // OR   CHIP_FWD
@@ -743,7 +743,7 @@ void SR32(State& m, Host&) noexcept {
 }
 
 // SUB SR33: 卡盘
-void SR33(State& m, Host&) noexcept {
+static void SR33(State& m, Host&) noexcept {
   // NETWORK L0000 "脚踏 / pedal, spindle standing"
   // LDP  PEDAL
   // AND  SPEED_ZERO
@@ -755,10 +755,10 @@ void SR33(State& m, Host&) noexcept {
   // MPP
   // AND  CHUCK_CMD
   // RST  CHUCK_CMD
-  const bool t1 = Rising(m[PEDAL_edge], m[PEDAL]);
-  const bool t2 = t1 & m[SPEED_ZERO] & !m[SP_RUN] & !m[NC_RUNNING];
-  m[CHUCK_ON] = t2 & !m[CHUCK_CMD];
-  if (t2 & m[CHUCK_CMD]) {
+  const bool t332 = Rising(m[PEDAL_edge], m[PEDAL]);
+  const bool t333 = t332 & m[SPEED_ZERO] & !m[SP_RUN] & !m[NC_RUNNING];
+  m[CHUCK_ON] = t333 & !m[CHUCK_CMD];
+  if (t333 & m[CHUCK_CMD]) {
     m[CHUCK_CMD] = false;
   }
 
@@ -782,7 +782,7 @@ void SR33(State& m, Host&) noexcept {
 }
 
 // SUB SR40: M 代码
-void SR40(State& m, Host&) noexcept {
+static void SR40(State& m, Host&) noexcept {
   // CK6150: M 代码, 送料机 / M codes, bar feeder on PLC axis 1
   // NETWORK L0000 "主轴 / spindle"
   // LD   1
@@ -806,28 +806,28 @@ void SR40(State& m, Host&) noexcept {
   // RST  REQ_CCW
   // AND  SPEED_ZERO
   // SET  M_ANSWER
-  const bool t1 = m[M_CODE] == 3;
-  if (t1) {
+  const bool t373 = m[M_CODE] == 3;
+  if (t373) {
     m[REQ_CW] = true;
     m[REQ_CCW] = false;
   }
-  if (t1 & m[SPEED_OK] & m[SP_RUN]) {
+  if (t373 & m[SPEED_OK] & m[SP_RUN]) {
     m[M_ANSWER] = true;
   }
-  const bool t2 = m[M_CODE] == 4;
-  if (t2) {
+  const bool t374 = m[M_CODE] == 4;
+  if (t374) {
     m[REQ_CCW] = true;
     m[REQ_CW] = false;
   }
-  if (t2 & m[SPEED_OK] & m[SP_RUN]) {
+  if (t374 & m[SPEED_OK] & m[SP_RUN]) {
     m[M_ANSWER] = true;
   }
-  const bool t3 = m[M_CODE] == 5;
-  if (t3) {
+  const bool t375 = m[M_CODE] == 5;
+  if (t375) {
     m[REQ_CW] = false;
     m[REQ_CCW] = false;
   }
-  if (t3 & m[SPEED_ZERO]) {
+  if (t375 & m[SPEED_ZERO]) {
     m[M_ANSWER] = true;
   }
 
@@ -856,11 +856,11 @@ void SR40(State& m, Host&) noexcept {
   // SET  CHUCK_CMD
   // AND  CHUCK_CLAMPED
   // SET  M_ANSWER
-  const bool t4 = m[M_CODE] == 10;
-  if (t4) {
+  const bool t381 = m[M_CODE] == 10;
+  if (t381) {
     m[CHUCK_CMD] = true;
   }
-  if (t4 & m[CHUCK_CLAMPED]) {
+  if (t381 & m[CHUCK_CLAMPED]) {
     m[M_ANSWER] = true;
   }
 
@@ -870,11 +870,11 @@ void SR40(State& m, Host&) noexcept {
   // RST  CHUCK_CMD
   // AND  CHUCK_OPENED
   // SET  M_ANSWER
-  const bool t5 = m[SPEED_ZERO] & !m[SP_RUN] & (m[M_CODE] == 11);
-  if (t5) {
+  const bool t520 = m[SPEED_ZERO] & !m[SP_RUN] & (m[M_CODE] == 11);
+  if (t520) {
     m[CHUCK_CMD] = false;
   }
-  if (t5 & m[CHUCK_OPENED]) {
+  if (t520 & m[CHUCK_OPENED]) {
     m[M_ANSWER] = true;
   }
 
@@ -918,7 +918,7 @@ void SR40(State& m, Host&) noexcept {
 }
 
 // SUB SR50: 送料机
-void SR50(State& m, Host& host) noexcept {
+static void SR50(State& m, Host& host) noexcept {
   // NETWORK L0000 "使能 / enable"
   // LD   机床上电
   // AND  HYD_PRESS
@@ -940,8 +940,8 @@ void SR50(State& m, Host& host) noexcept {
   // ANDP BAR_HOMED
   // RST  BAR_HOME_REQ
   // SET  M_ANSWER
-  const bool t1 = m[BAR_HOME_REQ] & m[BAR_ENABLE];
-  if (t1) {
+  const bool t953 = m[BAR_HOME_REQ] & m[BAR_ENABLE];
+  if (t953) {
     m[Q1000] = true;
     m[Q1020] = false;
     m[Q1030] = false;
@@ -959,8 +959,8 @@ void SR50(State& m, Host& host) noexcept {
     m[HOME_1_active] = false;
     axis_command(host, 0, axis_command_kind::HOME, false, 0, 0.0F, 0.0F);
   }
-  const bool t2 = Rising(m[BAR_HOMED_edge], m[BAR_HOMED]);
-  if (t1 & t2) {
+  const bool t954 = Rising(m[BAR_HOMED_edge], m[BAR_HOMED]);
+  if (t953 & t954) {
     m[BAR_HOME_REQ] = false;
     m[M_ANSWER] = true;
   }
@@ -973,19 +973,19 @@ void SR50(State& m, Host& host) noexcept {
   // ANDP BAR_THERE
   // RST  BAR_REQ
   // SET  M_ANSWER
-  const bool t3 = m[BAR_REQ] & m[BAR_ENABLE] & !m[BAR_EMPTY];
-  if (t3) {
-    const float t4 = m[BAR_STEP];
+  const bool t181 = m[BAR_REQ] & m[BAR_ENABLE] & !m[BAR_EMPTY];
+  if (t181) {
+    const float t182 = m[BAR_STEP];
     m[Q1000] = true;
     m[Q1020] = true;
     m[Q1030] = false;
     m[Q1040] = false;
     m[QF0] = 1200.0F;
-    m[QF10] = t4;
-    if ((!m[POSM_1_active]) | (BitsOfF32(t4) != BitsOfF32(m[POSM_1_position])) | (BitsOfF32(1200.0F)
+    m[QF10] = t182;
+    if ((!m[POSM_1_active]) | (BitsOfF32(t182) != BitsOfF32(m[POSM_1_position])) | (BitsOfF32(1200.0F)
         != BitsOfF32(m[POSM_1_speed]))) {
-      axis_command(host, 0, axis_command_kind::POSM, true, 0, t4, 1200.0F);
-      m[POSM_1_position] = t4;
+      axis_command(host, 0, axis_command_kind::POSM, true, 0, t182, 1200.0F);
+      m[POSM_1_position] = t182;
       m[POSM_1_speed] = 1200.0F;
       m[POSM_1_active] = true;
     }
@@ -994,8 +994,8 @@ void SR50(State& m, Host& host) noexcept {
     m[POSM_1_active] = false;
     axis_command(host, 0, axis_command_kind::POSM, false, 0, 0.0F, 0.0F);
   }
-  const bool t5 = Rising(m[BAR_THERE_edge], m[BAR_THERE]);
-  if (t3 & t5) {
+  const bool t183 = Rising(m[BAR_THERE_edge], m[BAR_THERE]);
+  if (t181 & t183) {
     m[BAR_REQ] = false;
     m[M_ANSWER] = true;
   }

@@ -34,9 +34,163 @@ static_assert(offsetof(State, text_inbox) == 776, "the symbol map holds for this
 static_assert(offsetof(State, byte) == 810, "the symbol map holds for this layout");
 static_assert(offsetof(State, bit) == 848, "the symbol map holds for this layout");
 
-namespace {
+// Power-on: everything is 0 but package T, which gets its values.
+void init(State& m, Host& host) noexcept {
+  m.retentive = Retentive{};
+  m.retentive.layout = kRetentiveLayout;
+  Clear(m.word32);
+  Clear(m.on_delay_timer);
+  Clear(m.ring_counter);
+  Clear(m.one_shot);
+  Clear(m.text_flag);
+  Clear(m.text_inbox);
+  Clear(m.byte);
+  Clear(m.bit);
+  {
+    static constexpr uint8_t kValues[] = {
+      0x60, 0xEA, 0xF4, 0x01, 0xF4, 0x01, 0x58, 0x02, 0xFA, 0x00, 0xC8, 0x00, 0x08, 0x05,
+    };
+    plcxx::Place(m.retentive.bytes, 0, kValues);
+  }
 
-[[gnu::noinline]] void slow_P0(State& m, Host&) noexcept {
+  Retentive copy{};
+  retentive_load(host, copy);
+  if (copy.layout == kRetentiveLayout) m.retentive = copy;
+}
+
+// The fast part: all of it in every period.
+void fast(State& m, Host&) noexcept {
+  m[fast_count] = Add32(m[fast_count], 1);
+
+  // 16K20 with NC-110, part 1: fast logic, machine on/off
+  // Станок 16К20: быстрая логика, включение станка
+  // Everything before the $ reacts within one period (10 ms).
+  // --- supply and emergency chain / питание и аварийная цепь ----------------
+  // !SUPOK = !P24OK*!PHASOK*!CABOK
+  m[SUPOK] = m[P24OK] & m[PHASOK] & m[CABOK];
+
+  // !EMCHN = !ESTOK*!SUPOK
+  m[EMCHN] = m[ESTOK] & m[SUPOK];
+
+  // A limit switch may be left in manual mode with the key switch
+  // !LIMX = !LIMXP*!LIMXN + !KEYOVR*I8K27
+  m[LIMX] = (m[LIMXP] & m[LIMXN]) | (m[KEYOVR] & m[I8K27]);
+
+  // !LIMZ = !LIMZP*!LIMZN + !KEYOVR*I8K27
+  m[LIMZ] = (m[LIMZP] & m[LIMZN]) | (m[KEYOVR] & m[I8K27]);
+
+  // !LIMOK = !LIMX*!LIMZ
+  m[LIMOK] = m[LIMX] & m[LIMZ];
+
+  // !DRVOK = !DRXOK*!DRZOK
+  m[DRVOK] = m[DRXOK] & m[DRZOK];
+
+  // Relay SPEPN: the control's own self-test (I6K21) and our chain
+  // U10K20 = I6K21*!EMCHN*!LIMOK
+  m[U10K20] = m[I6K21] & m[EMCHN] & m[LIMOK];
+
+  // Contactor of the drives, with one second to get ready
+  // !KDRV = !MONREQ*!EMCHN
+  m[KDRV] = m[MONREQ] & m[EMCHN];
+
+  // T1I(10) = !KDRV
+  OnDelay(m[T1], m[KDRV], 1000, m[now]);
+
+  // RISPE: machine off, because a drive failed or a limit was hit
+  // U10K7 = /U10K0*(T1U*/!DRVOK + /!LIMOK)
+  m[U10K7] = (!m[U10K0]) & ((m[T1U] & !m[DRVOK]) | !m[LIMOK]);
+
+  // !DRXEN = I0K8*U10K8*!EMCHN
+  m[DRXEN] = m[I0K8] & m[U10K8] & m[EMCHN];
+
+  // !DRZEN = I0K9*U10K9*!EMCHN
+  m[DRZEN] = m[I0K9] & m[U10K9] & m[EMCHN];
+
+  // --- what happened stays until it is acknowledged / память аварий ---------
+  // !EMLAT  = /!EMCHN + I0K0 + !EMLAT*/!ACKN
+  m[EMLAT] = (!m[EMCHN]) | m[I0K0] | (m[EMLAT] & !m[ACKN]);
+
+  // !LXPHIT = /!LIMXP + !LXPHIT*/!ACKN
+  m[LXPHIT] = (!m[LIMXP]) | (m[LXPHIT] & !m[ACKN]);
+
+  // !LXNHIT = /!LIMXN + !LXNHIT*/!ACKN
+  m[LXNHIT] = (!m[LIMXN]) | (m[LXNHIT] & !m[ACKN]);
+
+  // !LZPHIT = /!LIMZP + !LZPHIT*/!ACKN
+  m[LZPHIT] = (!m[LIMZP]) | (m[LZPHIT] & !m[ACKN]);
+
+  // !LZNHIT = /!LIMZN + !LZNHIT*/!ACKN
+  m[LZNHIT] = (!m[LIMZN]) | (m[LZNHIT] & !m[ACKN]);
+
+  // DOF EMERG: I0K0
+  if (m[I0K0]) {
+    // which axis
+    // !EMAXIS = LOW(W6K3)
+    m[EMAXIS] = LowNibble8(m[W6K3]);
+    // and why
+    // !EMCODE = HIG(W6K3)
+    m[EMCODE] = HighNibble8(m[W6K3]);
+    // ENDF EMERG
+  }
+
+  // --- spindle pulses / импульсы шпинделя -----------------------------------
+  // !SPPERM = !EMCHN*!SPDRV
+  m[SPPERM] = m[EMCHN] & m[SPDRV];
+
+  // !SPEN = !SPPERM*(!SPCW + !SPCCW + !SHFOSC + !SPORI + !JOGON)
+  m[SPEN] = m[SPPERM] & (m[SPCW] | m[SPCCW] | m[SHFOSC] | m[SPORI] | m[JOGON]);
+
+  // P2 = !SPPULS
+  PulseFast(m[P2_state], m[SPPULS], m[slow_done], 0);
+
+  // C0I(100) = !SPPULS
+  CountFast(m[C0], m[SPPULS], 100, m[fast_count]);
+
+  // the slow part counts hundreds
+  // P1 = C0R
+  PulseFast(m[P1_state], m[C0R], m[slow_done], 0);
+
+  // 0.6 s without a pulse
+  // T48I(60) = /P2
+  OnDelay(m[T48], !m[P2], 600, m[now]);
+
+  // !NOPULS = T48U
+  m[NOPULS] = m[T48U];
+
+  // revolutions per second: count for a second, then take over
+  // C1I(250) = !SPPULS
+  CountFast(m[C1], m[SPPULS], 250, m[fast_count]);
+
+  // T49I(100) = /T49U
+  OnDelay(m[T49], !m[T49U], 1000, m[now]);
+
+  // DOF: T49U
+  if (m[T49U]) {
+    // !REVSEC = C1W
+    m[REVSEC] = m[C1W];
+    // C1W = 0
+    m[C1W] = 0;
+    // ENDF
+  }
+
+  // 2500 1/min is the limit of the chuck
+  // !OVSPEED = [!REVSEC>42]
+  m[OVSPEED] = m[REVSEC] > 42;
+
+  // --- guard: stop the feed at once / ограждение ----------------------------
+  // !GUARD = !DOOR*!LOCKED
+  m[GUARD] = m[DOOR] & m[LOCKED];
+
+  // U10K5 = I0K3*/!GUARD*/!KEYOVR + !OVSPEED
+  m[U10K5] = (m[I0K3] & !m[GUARD] & !m[KEYOVR]) | m[OVSPEED];
+
+  ExpireFast(m[P2_state], m[slow_done]);
+  ExpireFast(m[C0], m[fast_count]);
+  ExpireFast(m[P1_state], m[slow_done]);
+  ExpireFast(m[C1], m[fast_count]);
+}
+
+[[gnu::noinline]] static void slow_P0(State& m, Host&) noexcept {
   // ======== slow logic from here / МЕДЛЕННАЯ ЛОГИКА ========
   // --- faults of the start / аварии включения -------------------------------
   // P0 = !KEYON
@@ -221,9 +375,7 @@ namespace {
 
   // !SPSTOP = !M05 + !MEND + !M00 + !M19 + I0K1 + /!SPSAFE
   m[SPSTOP] = m[M05] | m[MEND] | m[M00] | m[M19] | m[I0K1] | !m[SPSAFE];
-}
 
-[[gnu::noinline]] void slow_U103K16(State& m, Host&) noexcept {
   // --- direction / направление -------------------------------------------------
   // !SPCW = (!M03 + !SPCW*/!M04)*/!SPSTOP
   m[SPCW] = (m[M03] | (m[SPCW] & !m[M04])) & !m[SPSTOP];
@@ -313,7 +465,9 @@ namespace {
 
   // !RNGV2 = /[C10W<2]*[!RNGWANT=2]
   m[RNGV2] = (!(m[C10W] < 2)) & (m[RNGWANT] == 2);
+}
 
+[[gnu::noinline]] static void slow_U4A9(State& m, Host& host) noexcept {
   // !RNGV3 = /[C10W<2]*[!RNGWANT=3]
   m[RNGV3] = (!(m[C10W] < 2)) & (m[RNGWANT] == 3);
 
@@ -323,9 +477,7 @@ namespace {
 
   // T53I(30) = !SHFOSC*/T54D
   OnDelay(m[T53], m[SHFOSC] & !m[T54D], 300, m[now]);
-}
 
-[[gnu::noinline]] void slow_T54(State& m, Host& host) noexcept {
   // T54I(30) = !SHFOSC*/T53D
   OnDelay(m[T54], m[SHFOSC] & !m[T53D], 300, m[now]);
 
@@ -512,9 +664,7 @@ namespace {
   } else if (!m[U15K4]) {
     m[W16K0] = m[W1N1];
   }
-}
 
-[[gnu::noinline]] void slow_C8(State& m, Host&) noexcept {
   // --- handwheel: keys F11 (X) and F12 (Z) in manual mode / маховичок ------------------
   // C8I(2) = I2N8*!MMAN
   CountSlow(m[C8], m[I2N8] & m[MMAN], 2, m[slow_cycle]);
@@ -579,7 +729,9 @@ namespace {
   // P20 = !KTUR*!MMAN*(!GUARD + !KEYOVR)*[C20W=0]*/!TFLT
   PulseSlow(m[P20_state], m[KTUR] & m[MMAN] & (m[GUARD] | m[KEYOVR]) & (m[C20W] == 0)
       & !m[TFLT], m[slow_cycle]);
+}
 
+[[gnu::noinline]] static void slow_MAN(State& m, Host&) noexcept {
   // DOF MAN: P20
   if (m[P20]) {
     // !TWANT = [!TNOW+1]
@@ -660,9 +812,7 @@ namespace {
 
   // T22I(!PLUBINT) = !MACON*/!LUBRUN
   OnDelay(m[T22], m[MACON] & !m[LUBRUN], Mul32(Pair16(m[PLUBINT], m[W0T1]), 20), m[now]);
-}
 
-[[gnu::noinline]] void slow_U107K0(State& m, Host&) noexcept {
   // !LUBRUN = (T22U + P25 + !LUBMAN + !LUBRUN)*!MACON*/!LUBEND*/!LUBFLT
   m[LUBRUN] = (m[T22U] | m[P25] | m[LUBMAN] | m[LUBRUN]) & m[MACON] & !m[LUBEND] & !m[LUBFLT];
 
@@ -768,9 +918,7 @@ namespace {
 
   // !LCONV = !CONVREQ*(!CONVF + !FLASH) + !CONVB
   m[LCONV] = (m[CONVREQ] & (m[CONVF] | m[FLASH])) | m[CONVB];
-}
 
-[[gnu::noinline]] void slow_P33(State& m, Host&) noexcept {
   // --- parts / счётчик деталей -----------------------------------------------------------
   // P33 = !M30
   PulseSlow(m[P33_state], m[M30], m[slow_cycle]);
@@ -830,7 +978,9 @@ namespace {
   // "SAVE" stores package T now, else it is stored when the machine goes off
   // U10N4 = "SAVE" + U10N4*/I0N1*/I0N2
   m[U10N4] = m[TEXT_SAVE] | (m[U10N4] & !m[I0N1] & !m[I0N2]);
+}
 
+[[gnu::noinline]] static void slow_U101K26(State& m, Host&) noexcept {
   // --- permissions for the control / разрешения для УЧПУ -----------------------------------
   // !MEXE = I4K18 + !M3EXE + !M5EXE + !M10EXE + !M11EXE + !M19EXE + !M78EXE + !M79EXE
   m[MEXE] = m[I4K18] | m[M3EXE] | m[M5EXE] | m[M10EXE] | m[M11EXE] | m[M19EXE] | m[M78EXE] | m[M79EXE];
@@ -970,7 +1120,9 @@ namespace {
 
   // U21K4 = !LZPHIT
   m[U21K4] = m[LZPHIT];
+}
 
+[[gnu::noinline]] static void slow_U21K5(State& m, Host&) noexcept {
   // U21K5 = !LZNHIT
   m[U21K5] = m[LZNHIT];
 
@@ -1051,9 +1203,7 @@ namespace {
 
   // U22K5 = !OVERLD
   m[U22K5] = m[OVERLD];
-}
 
-[[gnu::noinline]] void slow_W108K2(State& m, Host&) noexcept {
   // hints by number: the first that applies
   // !MSGNUM = MUX(40,41,42,0),(!CNTCLR,U10N4,!LUBRUN,/!LUBRUN)
   if (m[CNTCLR]) {
@@ -1093,164 +1243,6 @@ namespace {
   m[HORN] = m[T32D] & m[FLASH];
 }
 
-}  // namespace
-
-// Power-on: everything is 0 but package T, which gets its values.
-void init(State& m, Host& host) noexcept {
-  m.retentive = Retentive{};
-  m.retentive.layout = kRetentiveLayout;
-  Clear(m.word32);
-  Clear(m.on_delay_timer);
-  Clear(m.ring_counter);
-  Clear(m.one_shot);
-  Clear(m.text_flag);
-  Clear(m.text_inbox);
-  Clear(m.byte);
-  Clear(m.bit);
-  {
-    static constexpr uint8_t kValues[] = {
-      0x60, 0xEA, 0xF4, 0x01, 0xF4, 0x01, 0x58, 0x02, 0xFA, 0x00, 0xC8, 0x00, 0x08, 0x05,
-    };
-    plcxx::Place(m.retentive.bytes, 0, kValues);
-  }
-
-  Retentive copy{};
-  retentive_load(host, copy);
-  if (copy.layout == kRetentiveLayout) m.retentive = copy;
-}
-
-// The fast part: all of it in every period.
-void fast(State& m, Host&) noexcept {
-  m[fast_count] = Add32(m[fast_count], 1);
-
-  // 16K20 with NC-110, part 1: fast logic, machine on/off
-  // Станок 16К20: быстрая логика, включение станка
-  // Everything before the $ reacts within one period (10 ms).
-  // --- supply and emergency chain / питание и аварийная цепь ----------------
-  // !SUPOK = !P24OK*!PHASOK*!CABOK
-  m[SUPOK] = m[P24OK] & m[PHASOK] & m[CABOK];
-
-  // !EMCHN = !ESTOK*!SUPOK
-  m[EMCHN] = m[ESTOK] & m[SUPOK];
-
-  // A limit switch may be left in manual mode with the key switch
-  // !LIMX = !LIMXP*!LIMXN + !KEYOVR*I8K27
-  m[LIMX] = (m[LIMXP] & m[LIMXN]) | (m[KEYOVR] & m[I8K27]);
-
-  // !LIMZ = !LIMZP*!LIMZN + !KEYOVR*I8K27
-  m[LIMZ] = (m[LIMZP] & m[LIMZN]) | (m[KEYOVR] & m[I8K27]);
-
-  // !LIMOK = !LIMX*!LIMZ
-  m[LIMOK] = m[LIMX] & m[LIMZ];
-
-  // !DRVOK = !DRXOK*!DRZOK
-  m[DRVOK] = m[DRXOK] & m[DRZOK];
-
-  // Relay SPEPN: the control's own self-test (I6K21) and our chain
-  // U10K20 = I6K21*!EMCHN*!LIMOK
-  m[U10K20] = m[I6K21] & m[EMCHN] & m[LIMOK];
-
-  // Contactor of the drives, with one second to get ready
-  // !KDRV = !MONREQ*!EMCHN
-  m[KDRV] = m[MONREQ] & m[EMCHN];
-
-  // T1I(10) = !KDRV
-  OnDelay(m[T1], m[KDRV], 1000, m[now]);
-
-  // RISPE: machine off, because a drive failed or a limit was hit
-  // U10K7 = /U10K0*(T1U*/!DRVOK + /!LIMOK)
-  m[U10K7] = (!m[U10K0]) & ((m[T1U] & !m[DRVOK]) | !m[LIMOK]);
-
-  // !DRXEN = I0K8*U10K8*!EMCHN
-  m[DRXEN] = m[I0K8] & m[U10K8] & m[EMCHN];
-
-  // !DRZEN = I0K9*U10K9*!EMCHN
-  m[DRZEN] = m[I0K9] & m[U10K9] & m[EMCHN];
-
-  // --- what happened stays until it is acknowledged / память аварий ---------
-  // !EMLAT  = /!EMCHN + I0K0 + !EMLAT*/!ACKN
-  m[EMLAT] = (!m[EMCHN]) | m[I0K0] | (m[EMLAT] & !m[ACKN]);
-
-  // !LXPHIT = /!LIMXP + !LXPHIT*/!ACKN
-  m[LXPHIT] = (!m[LIMXP]) | (m[LXPHIT] & !m[ACKN]);
-
-  // !LXNHIT = /!LIMXN + !LXNHIT*/!ACKN
-  m[LXNHIT] = (!m[LIMXN]) | (m[LXNHIT] & !m[ACKN]);
-
-  // !LZPHIT = /!LIMZP + !LZPHIT*/!ACKN
-  m[LZPHIT] = (!m[LIMZP]) | (m[LZPHIT] & !m[ACKN]);
-
-  // !LZNHIT = /!LIMZN + !LZNHIT*/!ACKN
-  m[LZNHIT] = (!m[LIMZN]) | (m[LZNHIT] & !m[ACKN]);
-
-  // DOF EMERG: I0K0
-  if (m[I0K0]) {
-    // which axis
-    // !EMAXIS = LOW(W6K3)
-    m[EMAXIS] = LowNibble8(m[W6K3]);
-    // and why
-    // !EMCODE = HIG(W6K3)
-    m[EMCODE] = HighNibble8(m[W6K3]);
-    // ENDF EMERG
-  }
-
-  // --- spindle pulses / импульсы шпинделя -----------------------------------
-  // !SPPERM = !EMCHN*!SPDRV
-  m[SPPERM] = m[EMCHN] & m[SPDRV];
-
-  // !SPEN = !SPPERM*(!SPCW + !SPCCW + !SHFOSC + !SPORI + !JOGON)
-  m[SPEN] = m[SPPERM] & (m[SPCW] | m[SPCCW] | m[SHFOSC] | m[SPORI] | m[JOGON]);
-
-  // P2 = !SPPULS
-  PulseFast(m[P2_state], m[SPPULS], m[slow_done], 0);
-
-  // C0I(100) = !SPPULS
-  CountFast(m[C0], m[SPPULS], 100, m[fast_count]);
-
-  // the slow part counts hundreds
-  // P1 = C0R
-  PulseFast(m[P1_state], m[C0R], m[slow_done], 0);
-
-  // 0.6 s without a pulse
-  // T48I(60) = /P2
-  OnDelay(m[T48], !m[P2], 600, m[now]);
-
-  // !NOPULS = T48U
-  m[NOPULS] = m[T48U];
-
-  // revolutions per second: count for a second, then take over
-  // C1I(250) = !SPPULS
-  CountFast(m[C1], m[SPPULS], 250, m[fast_count]);
-
-  // T49I(100) = /T49U
-  OnDelay(m[T49], !m[T49U], 1000, m[now]);
-
-  // DOF: T49U
-  if (m[T49U]) {
-    // !REVSEC = C1W
-    m[REVSEC] = m[C1W];
-    // C1W = 0
-    m[C1W] = 0;
-    // ENDF
-  }
-
-  // 2500 1/min is the limit of the chuck
-  // !OVSPEED = [!REVSEC>42]
-  m[OVSPEED] = m[REVSEC] > 42;
-
-  // --- guard: stop the feed at once / ограждение ----------------------------
-  // !GUARD = !DOOR*!LOCKED
-  m[GUARD] = m[DOOR] & m[LOCKED];
-
-  // U10K5 = I0K3*/!GUARD*/!KEYOVR + !OVSPEED
-  m[U10K5] = (m[I0K3] & !m[GUARD] & !m[KEYOVR]) | m[OVSPEED];
-
-  ExpireFast(m[P2_state], m[slow_done]);
-  ExpireFast(m[C0], m[fast_count]);
-  ExpireFast(m[P1_state], m[slow_done]);
-  ExpireFast(m[C1], m[fast_count]);
-}
-
 // The slow part: one slice in every period.
 void slow(State& m, uint8_t, Host& host) noexcept {
   m[slow_cycle] = Add32(m[slow_cycle], 1);
@@ -1261,12 +1253,10 @@ void slow(State& m, uint8_t, Host& host) noexcept {
   ClearText(m[operator_text]);
 
   slow_P0(m, host);
-  slow_U103K16(m, host);
-  slow_T54(m, host);
-  slow_C8(m, host);
-  slow_U107K0(m, host);
-  slow_P33(m, host);
-  slow_W108K2(m, host);
+  slow_U4A9(m, host);
+  slow_MAN(m, host);
+  slow_U101K26(m, host);
+  slow_U21K5(m, host);
 
   m[slow_done] = Add32(m[slow_done], 1);
   ExpireSlow(m[P0_state], m[slow_cycle]);

@@ -22,14 +22,14 @@ using plcxx::ToBcd8;
 using plcxx::UnsignedRem32;
 using plcxx::WithLowByte16;
 
-void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept;
-void PM21(State& m, uint16_t& ax, Host& host) noexcept;
-void PM22(State& m, uint16_t& ax, Host& host) noexcept;
-void PM23(State& m, uint16_t& ax, Host& host) noexcept;
-void PM24(State& m, uint16_t& ax, Host& host) noexcept;
-void PM25(State& m, bool& s, uint16_t& ax, Host& host) noexcept;
-void PM26(State& m, uint32_t& nc_value, Host& host) noexcept;
-void PM27(State& m, uint16_t& ax, Host& host) noexcept;
+static void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept;
+static void PM21(State& m, uint16_t& ax, Host& host) noexcept;
+static void PM22(State& m, uint16_t& ax, Host& host) noexcept;
+static void PM23(State& m, uint16_t& ax, Host& host) noexcept;
+static void PM24(State& m, uint16_t& ax, Host& host) noexcept;
+static void PM25(State& m, bool& s, uint16_t& ax, Host& host) noexcept;
+static void PM26(State& m, uint32_t& nc_value, Host& host) noexcept;
+static void PM27(State& m, uint16_t& ax, Host& host) noexcept;
 
 static_assert(offsetof(State, retentive) == 0, "the symbol map holds for this layout");
 static_assert(offsetof(State, word32) == 504, "the symbol map holds for this layout");
@@ -112,9 +112,9 @@ void init(State& m, Host& host) noexcept {
   // : DW 504
   // :S C 2
   // : DW 506
-  const bool t1 = m[I20_1];
-  SetCounter(m[C1], t1, m[DW504]);
-  SetCounter(m[C2], t1, m[DW506]);
+  const bool t155 = m[I20_1];
+  SetCounter(m[C1], t155, m[DW504]);
+  SetCounter(m[C2], t155, m[DW506]);
 
   // :L                   ; pierwsze uruchomienie: gniazdo 0 nie istnieje
   // : K 0
@@ -143,14 +143,14 @@ void init(State& m, Host& host) noexcept {
       // : DB 24
       // :JU FM 13
       // :T DB 24
-      const uint8_t t2 = m[DB24];
-      const uint16_t t3 = WithLowByte16(ax, t2);
-      const uint32_t t4 = Add32(m[DB24], 540);
-      m[At(DB_from_0, t4)] = t2;
-      m[At(DB_from_500, Add32(t4, 4294966796u))] = t2;
-      const uint16_t t5 = Add16(t3, 1);
-      m[DB24] = LowByte16(t5);
-      ax = t5;
+      const uint8_t t646 = m[DB24];
+      const uint16_t t647 = WithLowByte16(ax, t646);
+      const uint32_t t648 = Add32(m[DB24], 540);
+      m[At(DB_from_0, t648)] = t646;
+      m[At(DB_from_500, Add32(t648, 4294966796u))] = t646;
+      const uint16_t t649 = Add16(t647, 1);
+      m[DB24] = LowByte16(t649);
+      ax = t649;
       // :<=
       // : DB 26
       // :JC NAST
@@ -474,18 +474,18 @@ void PM1(State& m, Host& host) noexcept {
   // := O 26.2            osie X Y Z gotowe
   // := O 28.2
   // := O 30.2
-  const bool t1 = m[I0_7];
-  m[O26_2] = t1;
-  m[O28_2] = t1;
-  m[O30_2] = t1;
+  const bool t951 = m[I0_7];
+  m[O26_2] = t951;
+  m[O28_2] = t951;
+  m[O30_2] = t951;
 
   // :A O 1.0
   // :A F 12.0            zezwolenie obrotow (PM 9)
   // := O 1.1
   // := O 44.7
-  const bool t2 = m[O1_0] & m[F12_0];
-  m[O1_1] = t2;
-  m[O44_7] = t2;
+  const bool t273 = m[O1_0] & m[F12_0];
+  m[O1_1] = t273;
+  m[O44_7] = t273;
 
   // :A F 0.1
   // := O 20.1            alarm z PLC
@@ -494,9 +494,9 @@ void PM1(State& m, Host& host) noexcept {
   // :AN F 0.7            straznik: zmiana w kazdym takcie, wprost na wyjscie
   // := F 0.7
   // := P 3.0
-  const bool t3 = !m[F0_7];
-  m[F0_7] = t3;
-  m[P3_0] = t3;
+  const bool t367 = !m[F0_7];
+  m[F0_7] = t367;
+  m[P3_0] = t367;
   write_port(host, 3, m[PB3]);
 }
 
@@ -519,18 +519,18 @@ void PM2(State& m, Host&) noexcept {
   // :A O 1.5             w prawo: nastepne gniazdo
   // := F 5.2
   // :JC PLUS
-  const bool t1 = m[F5_1] & m[O1_5];
-  m[F5_2] = t1;
+  const bool t431 = m[F5_1] & m[O1_5];
+  m[F5_2] = t431;
   {
     {
-      if (!t1) {
+      if (!t431) {
         // :A F 5.1
         // :A O 1.6             w lewo: poprzednie
         // := F 5.3
         // :JC MINUS
-        const bool t2 = m[F5_1] & m[O1_6];
-        m[F5_3] = t2;
-        if (t2) goto to_FM14;
+        const bool t837 = m[F5_1] & m[O1_6];
+        m[F5_3] = t837;
+        if (t837) goto to_FM14;
         // :JU ODN
         goto to_F5_6;
       }
@@ -539,16 +539,16 @@ void PM2(State& m, Host&) noexcept {
       // :L DB 502
       // :JU FM 13
       // :T DB 502
-      const uint16_t t3 = Add16(m[DB502], 1);
-      m[DB502] = LowByte16(t3);
-      ax = t3;
+      const uint16_t t296 = Add16(m[DB502], 1);
+      m[DB502] = LowByte16(t296);
+      ax = t296;
       // :>
       // : DB 26
       // := F 5.4
       // :JC PIERW
-      const bool t4 = S8(LowByte16(ax)) > S8(m[DB26]);
-      m[F5_4] = t4;
-      if (t4) goto to_DB502;
+      const bool t201 = S8(LowByte16(ax)) > S8(m[DB26]);
+      m[F5_4] = t201;
+      if (t201) goto to_DB502;
       // :JU ODN
       goto to_F5_6;
     }
@@ -558,16 +558,16 @@ void PM2(State& m, Host&) noexcept {
     // :L DB 502
     // :JU FM 14
     // :T DB 502
-    const uint16_t t5 = Sub16(m[DB502], 1);
-    m[DB502] = LowByte16(t5);
-    ax = t5;
+    const uint16_t t125 = Sub16(m[DB502], 1);
+    m[DB502] = LowByte16(t125);
+    ax = t125;
     // :!=
     // : K 0
     // := F 5.5
     // :JC OSTAT
-    const bool t6 = ax == 0;
-    m[F5_5] = t6;
-    if (!t6) {
+    const bool t209 = ax == 0;
+    m[F5_5] = t209;
+    if (!t209) {
       // :JU ODN
       goto to_F5_6;
     }
@@ -589,9 +589,9 @@ to_F5_6:;
   // :A I 2.5
   // := F 5.6
   // :JC ZNAK
-  const bool t7 = m[F5_1] & m[I2_5];
-  m[F5_6] = t7;
-  if (!t7) {
+  const bool t114 = m[F5_1] & m[I2_5];
+  m[F5_6] = t114;
+  if (!t114) {
     // :EM
   } else {
     // ZNAK :L
@@ -625,9 +625,9 @@ void PM9(State& m, Host&) noexcept {
   // : DW 46
   // :R O 0.0
   // :S F 213.1
-  const bool t1 = StartOnDelay(m[T1], m[O0_0] & !m[I0_1], m[DW46]);
-  m[O0_0] = m[O0_0] & !t1;
-  m[F213_1] = m[F213_1] | t1;
+  const bool t307 = StartOnDelay(m[T1], m[O0_0] & !m[I0_1], m[DW46]);
+  m[O0_0] = m[O0_0] & !t307;
+  m[F213_1] = m[F213_1] | t307;
 
   // :A O 0.0             i byc ustalone przez 0.5 s
   // :A I 0.1
@@ -645,11 +645,11 @@ void PM9(State& m, Host&) noexcept {
   // := O 26.5
   // := O 28.5
   // := O 30.5
-  const bool t2 = m[O1_0] & m[I0_7] & m[I1_6] & !m[F8_0];
-  m[O24_7] = t2;
-  m[O26_5] = t2;
-  m[O28_5] = t2;
-  m[O30_5] = t2;
+  const bool t122 = m[O1_0] & m[I0_7] & m[I1_6] & !m[F8_0];
+  m[O24_7] = t122;
+  m[O26_5] = t122;
+  m[O28_5] = t122;
+  m[O30_5] = t122;
 
   // ; --- wrzeciono
   // :A I 2.0             narzedzie zamocowane
@@ -679,10 +679,10 @@ void PM9(State& m, Host&) noexcept {
   // :S F 213.6           oslona otwarta
   // :R F 4.0
   // :R F 4.1
-  const bool t3 = (m[F4_0] | m[F4_1]) & !m[I1_6];
-  m[F213_6] = m[F213_6] | t3;
-  m[F4_0] = m[F4_0] & !t3;
-  m[F4_1] = m[F4_1] & !t3;
+  const bool t161 = (m[F4_0] | m[F4_1]) & !m[I1_6];
+  m[F213_6] = m[F213_6] | t161;
+  m[F4_0] = m[F4_0] & !t161;
+  m[F4_1] = m[F4_1] & !t161;
 
   // ; --- przekladnia
   // :A I 41.3
@@ -692,11 +692,11 @@ void PM9(State& m, Host&) noexcept {
   // : K 1010D           100 ms
   // := F 12.1
   // :JC PRZEK
-  const bool t4 = m[I41_3] & !m[I40_0];
-  m[O45_6] = t4;
-  const bool t5 = StartOnDelay(m[T6], t4, 0x1010);
-  m[F12_1] = t5;
-  if (!t5) {
+  const bool t303 = m[I41_3] & !m[I40_0];
+  m[O45_6] = t303;
+  const bool t304 = StartOnDelay(m[T6], t303, 0x1010);
+  m[F12_1] = t304;
+  if (!t304) {
     // :EM
   } else {
     // PRZEK :A I 41.0
@@ -760,9 +760,9 @@ void PM10(State& m, Host& host) noexcept {
   // :A F 2.5
   // := F 2.6
   // :JC OBROT
-  const bool t1 = m[F2_5];
-  m[F2_6] = t1;
-  if (!t1) {
+  const bool t173 = m[F2_5];
+  m[F2_6] = t173;
+  if (!t173) {
     // :JU ZEZW
   } else {
     // OBROT :L FW 202
@@ -792,7 +792,7 @@ void PM10(State& m, Host& host) noexcept {
 }
 
 // PM 20: subroutine.
-void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
+static void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
   // ; --- PM 20: rozkodowanie funkcji M --------------------------------------------
   // :MOD PM 20
   // :L
@@ -802,9 +802,9 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
   // : K 03D
   // :T OW 84             pole 3: kod funkcji; zamyka tez ciag przed skokiem
   // :JC M03
-  const uint16_t t1 = m[FB201];
-  m[OW84] = t1;
-  ax = t1;
+  const uint16_t t608 = m[FB201];
+  m[OW84] = t608;
+  ax = t608;
   {
     {
       {
@@ -812,63 +812,63 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
           {
             {
               {
-                if (!(t1 == 0x0003)) {
+                if (!(t608 == 0x0003)) {
                   // :!=
                   // : K 04D
                   // :T OW 84
                   // :JC M04
-                  const uint16_t t2 = ax;
-                  m[OW84] = t2;
-                  if (t2 == 0x0004) goto to_F4_1;
+                  const uint16_t t732 = ax;
+                  m[OW84] = t732;
+                  if (t732 == 0x0004) goto to_F4_1;
                   // :!=
                   // : K 05D
                   // :T OW 84
                   // :JC M05
-                  const uint16_t t3 = ax;
-                  m[OW84] = t3;
-                  if (t3 == 0x0005) goto to_F4_0;
+                  const uint16_t t822 = ax;
+                  m[OW84] = t822;
+                  if (t822 == 0x0005) goto to_F4_0;
                   // :!=
                   // : K 06D
                   // :T OW 84
                   // :JC M06
-                  const uint16_t t4 = ax;
-                  m[OW84] = t4;
-                  if (t4 == 0x0006) goto to_PM26;
+                  const uint16_t t300 = ax;
+                  m[OW84] = t300;
+                  if (t300 == 0x0006) goto to_PM26;
                   // :!=
                   // : K 07D
                   // :T OW 84
                   // :JC M07
-                  const uint16_t t5 = ax;
-                  m[OW84] = t5;
-                  if (t5 == 0x0007) goto to_F4_4;
+                  const uint16_t t190 = ax;
+                  m[OW84] = t190;
+                  if (t190 == 0x0007) goto to_F4_4;
                   // :!=
                   // : K 08D
                   // :T OW 84
                   // :JC M08
-                  const uint16_t t6 = ax;
-                  m[OW84] = t6;
-                  if (t6 == 0x0008) goto to_F4_3;
+                  const uint16_t t936 = ax;
+                  m[OW84] = t936;
+                  if (t936 == 0x0008) goto to_F4_3;
                   // :!=
                   // : K 09D
                   // :T OW 84
                   // :JC M09
-                  const uint16_t t7 = ax;
-                  m[OW84] = t7;
-                  if (t7 == 0x0009) goto to_F4_3_2;
+                  const uint16_t t994 = ax;
+                  m[OW84] = t994;
+                  if (t994 == 0x0009) goto to_F4_3_2;
                   // :!=
                   // : K 19D
                   // :T OW 84
                   // :JC M19
-                  const uint16_t t8 = ax;
-                  m[OW84] = t8;
-                  if (t8 == 0x0019) goto to_F4_0_2;
+                  const uint16_t t533 = ax;
+                  m[OW84] = t533;
+                  if (t533 == 0x0019) goto to_F4_0_2;
                   // :!=
                   // : K 30D
                   // :T OW 84
                   // :JC M30
-                  const uint16_t t9 = ax;
-                  m[OW84] = t9;
-                  if (t9 == 0x0030) goto to_F4_0_3;
+                  const uint16_t t903 = ax;
+                  m[OW84] = t903;
+                  if (t903 == 0x0030) goto to_F4_0_3;
                   // :EM
                   return;
                 }
@@ -876,10 +876,10 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
                 // :S F 4.0
                 // :R F 4.1
                 // :R F 4.5
-                const bool t10 = m[I1_6];
-                m[F4_0] = m[F4_0] | t10;
-                m[F4_1] = m[F4_1] & !t10;
-                m[F4_5] = m[F4_5] & !t10;
+                const bool t587 = m[I1_6];
+                m[F4_0] = m[F4_0] | t587;
+                m[F4_1] = m[F4_1] & !t587;
+                m[F4_5] = m[F4_5] & !t587;
                 // :A I 20.1
                 // :R F 208.0
                 m[F208_0] = m[F208_0] & !m[I20_1];
@@ -891,10 +891,10 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
               // :S F 4.1
               // :R F 4.0
               // :R F 4.5
-              const bool t11 = m[I1_6];
-              m[F4_1] = m[F4_1] | t11;
-              m[F4_0] = m[F4_0] & !t11;
-              m[F4_5] = m[F4_5] & !t11;
+              const bool t147 = m[I1_6];
+              m[F4_1] = m[F4_1] | t147;
+              m[F4_0] = m[F4_0] & !t147;
+              m[F4_5] = m[F4_5] & !t147;
               // :A I 20.1
               // :R F 208.1
               m[F208_1] = m[F208_1] & !m[I20_1];
@@ -906,10 +906,10 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
             // :R F 4.0
             // :R F 4.1
             // :R F 4.5
-            const bool t12 = m[I20_1];
-            m[F4_0] = m[F4_0] & !t12;
-            m[F4_1] = m[F4_1] & !t12;
-            m[F4_5] = m[F4_5] & !t12;
+            const bool t726 = m[I20_1];
+            m[F4_0] = m[F4_0] & !t726;
+            m[F4_1] = m[F4_1] & !t726;
+            m[F4_5] = m[F4_5] & !t726;
             // :EM
             return;
           }
@@ -925,9 +925,9 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
           // M07 :A I 20.1
           // :S F 4.4
           // :R F 208.3
-          const bool t13 = m[I20_1];
-          m[F4_4] = m[F4_4] | t13;
-          m[F208_3] = m[F208_3] & !t13;
+          const bool t733 = m[I20_1];
+          m[F4_4] = m[F4_4] | t733;
+          m[F208_3] = m[F208_3] & !t733;
           // :EM
           return;
         }
@@ -935,9 +935,9 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
         // M08 :A I 20.1
         // :S F 4.3
         // :R F 208.4
-        const bool t14 = m[I20_1];
-        m[F4_3] = m[F4_3] | t14;
-        m[F208_4] = m[F208_4] & !t14;
+        const bool t492 = m[I20_1];
+        m[F4_3] = m[F4_3] | t492;
+        m[F208_4] = m[F208_4] & !t492;
         // :EM
         return;
       }
@@ -946,10 +946,10 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
       // :R F 4.3
       // :R F 4.4
       // :R F 208.5
-      const bool t15 = m[I20_1];
-      m[F4_3] = m[F4_3] & !t15;
-      m[F4_4] = m[F4_4] & !t15;
-      m[F208_5] = m[F208_5] & !t15;
+      const bool t706 = m[I20_1];
+      m[F4_3] = m[F4_3] & !t706;
+      m[F4_4] = m[F4_4] & !t706;
+      m[F208_5] = m[F208_5] & !t706;
       // :EM
       return;
     }
@@ -959,11 +959,11 @@ void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcept {
     // :R F 4.1
     // :S F 4.5
     // :R F 208.6
-    const bool t16 = m[I20_1];
-    m[F4_0] = m[F4_0] & !t16;
-    m[F4_1] = m[F4_1] & !t16;
-    m[F4_5] = m[F4_5] | t16;
-    m[F208_6] = m[F208_6] & !t16;
+    const bool t369 = m[I20_1];
+    m[F4_0] = m[F4_0] & !t369;
+    m[F4_1] = m[F4_1] & !t369;
+    m[F4_5] = m[F4_5] | t369;
+    m[F208_6] = m[F208_6] & !t369;
     // :EM
     return;
   }
@@ -976,26 +976,26 @@ to_F4_0_3:;
   // :R F 4.4
   // :R F 4.5
   // :S F 2.7             detal gotowy: liczy PM 13
-  const bool t17 = m[I20_1];
-  m[F4_0] = m[F4_0] & !t17;
-  m[F4_1] = m[F4_1] & !t17;
-  m[F4_3] = m[F4_3] & !t17;
-  m[F4_4] = m[F4_4] & !t17;
-  m[F4_5] = m[F4_5] & !t17;
-  m[F2_7] = m[F2_7] | t17;
+  const bool t983 = m[I20_1];
+  m[F4_0] = m[F4_0] & !t983;
+  m[F4_1] = m[F4_1] & !t983;
+  m[F4_3] = m[F4_3] & !t983;
+  m[F4_4] = m[F4_4] & !t983;
+  m[F4_5] = m[F4_5] & !t983;
+  m[F2_7] = m[F2_7] | t983;
 }
 
 // PM 21: subroutine.
-void PM21(State& m, uint16_t& ax, Host& host) noexcept {
+static void PM21(State& m, uint16_t& ax, Host& host) noexcept {
   // ; --- PM 21: numer narzedzia ---------------------------------------------------
   // :MOD PM 21
   // :L FW 204            BCD z ukladu
   // :T DW 113            tak pokaze go komunikat 10
   // :JU FM 5
   // :T DB 510
-  const uint16_t t1 = m[FW204];
-  m[DW113] = t1;
-  m[DB510] = LowByte16(FromBcd16(t1));
+  const uint16_t t935 = m[FW204];
+  m[DW113] = t935;
+  m[DB510] = LowByte16(FromBcd16(t935));
 
   // :JU PM 22            szuka gniazda: DB 31
   PM22(m, ax, host);
@@ -1007,11 +1007,11 @@ void PM21(State& m, uint16_t& ax, Host& host) noexcept {
   // : K 0
   // :S F 214.1           komunikat 10
   // :R F 8.4
-  const uint16_t t2 = m[DB31];
-  const bool t3 = t2 == 0;
-  m[F214_1] = m[F214_1] | t3;
-  m[F8_4] = m[F8_4] & !t3;
-  ax = t2;
+  const uint16_t t584 = m[DB31];
+  const bool t585 = t584 == 0;
+  m[F214_1] = m[F214_1] | t585;
+  m[F8_4] = m[F8_4] & !t585;
+  ax = t584;
 
   // :>
   // : K 0
@@ -1058,9 +1058,9 @@ void PM12(State& m, Host&) noexcept {
   // : K 2040D            4 s na cisnienie
   // :S F 213.3
   // :R T 3
-  const bool t1 = StartOnDelay(m[T5], m[O0_1] & !m[I0_2], 0x2040);
-  m[F213_3] = m[F213_3] | t1;
-  ResetTimer(m[T3], t1);
+  const bool t290 = StartOnDelay(m[T5], m[O0_1] & !m[I0_2], 0x2040);
+  m[F213_3] = m[F213_3] | t290;
+  ResetTimer(m[T3], t290);
 
   // :AN I 0.3            poziom oleju: zapamietany po 10 s
   // :SS T 7
@@ -1231,8 +1231,8 @@ void PM13(State& m, Host&) noexcept {
   // :SR T 11
   // : K 2010D
   // :S F 213.7
-  const bool t1 = StartOnDelay(m[T11], m[O1_0] & !m[I0_7], 0x2010);
-  m[F213_7] = m[F213_7] | t1;
+  const bool t812 = StartOnDelay(m[T11], m[O1_0] & !m[I0_7], 0x2010);
+  m[F213_7] = m[F213_7] | t812;
 
   // :ON I 3.5
   // :ON I 3.6
@@ -1266,9 +1266,9 @@ void PM13(State& m, Host&) noexcept {
   // :A F 7.4
   // := O 2.4             zolta
   // := O 2.1             lampka kasowania
-  const bool t2 = m[I20_7] & m[F7_4];
-  m[O2_4] = t2;
-  m[O2_1] = t2;
+  const bool t541 = m[I20_7] & m[F7_4];
+  m[O2_4] = t541;
+  m[O2_1] = t541;
 
   // :A O 1.0
   // :AN F 7.4
@@ -1295,10 +1295,10 @@ void PM11(State& m, Host& host) noexcept {
   // : DB 21
   // := F 8.5             krok się zmienił
   // :T DB 21
-  const uint8_t t1 = m[FB10];
-  m[F8_5] = t1 != m[DB21];
-  m[DB21] = t1;
-  ax = t1;
+  const uint8_t t377 = m[FB10];
+  m[F8_5] = t377 != m[DB21];
+  m[DB21] = t377;
+  ax = t377;
 
   // :A F 8.0
   // :AN F 8.1
@@ -1312,9 +1312,9 @@ void PM11(State& m, Host& host) noexcept {
   // : DW 40
   // :S F 8.1             krok trwa za długo
   // :S F 214.0
-  const bool t2 = StartOnDelay(m[T10], m[F8_2] & !m[F8_5], m[DW40]);
-  m[F8_1] = m[F8_1] | t2;
-  m[F214_0] = m[F214_0] | t2;
+  const bool t670 = StartOnDelay(m[T10], m[F8_2] & !m[F8_5], m[DW40]);
+  m[F8_1] = m[F8_1] | t670;
+  m[F214_0] = m[F214_0] | t670;
 
   // :A F 8.5
   // :JC PM 24            numer kroku do komunikatu 9
@@ -1338,27 +1338,27 @@ void PM11(State& m, Host& host) noexcept {
   // :A F 9.5
   // :S F 9.3
   // :JC PM 25
-  const bool t3 = m[F9_5];
-  m[F9_3] = m[F9_3] | t3;
-  s = t3;
-  if (t3) {
+  const bool t514 = m[F9_5];
+  m[F9_3] = m[F9_3] | t514;
+  s = t514;
+  if (t514) {
     PM25(m, s, ax, host);
   }
 
   // ; --- gniazdo, do którego bęben ma stanąć
   // :L DB 31
   // :T DB 30
-  const uint8_t t4 = m[DB31];
-  const uint16_t t5 = WithLowByte16(ax, t4);
-  m[DB30] = t4;
-  ax = t5;
+  const uint8_t t976 = m[DB31];
+  const uint16_t t977 = WithLowByte16(ax, t976);
+  m[DB30] = t976;
+  ax = t977;
 
   // :A F 10.0
   // := F 9.2
   // :JC STARE
-  const bool t6 = m[F10_0];
-  m[F9_2] = t6;
-  if (!t6) {
+  const bool t429 = m[F10_0];
+  m[F9_2] = t429;
+  if (!t429) {
     // :JU BEBEN
   } else {
     // STARE :L DB 512
@@ -1390,36 +1390,36 @@ void PM11(State& m, Host& host) noexcept {
   // :A F 9.0
   // :S F 10.1
   // :R F 10.0
-  const bool t7 = m[F8_2] & m[F10_0] & m[I40_4] & m[I2_2] & m[F9_0];
-  m[F10_1] = m[F10_1] | t7;
-  m[F10_0] = m[F10_0] & !t7;
+  const bool t662 = m[F8_2] & m[F10_0] & m[I40_4] & m[I2_2] & m[F9_0];
+  m[F10_1] = m[F10_1] | t662;
+  m[F10_0] = m[F10_0] & !t662;
 
   // :A F 8.2
   // :A F 10.1
   // :A I 2.3             magazyn z przodu
   // :S F 10.2
   // :R F 10.1
-  const bool t8 = m[F8_2] & m[F10_1] & m[I2_3];
-  m[F10_2] = m[F10_2] | t8;
-  m[F10_1] = m[F10_1] & !t8;
+  const bool t842 = m[F8_2] & m[F10_1] & m[I2_3];
+  m[F10_2] = m[F10_2] | t842;
+  m[F10_1] = m[F10_1] & !t842;
 
   // :A F 8.2
   // :A F 10.2
   // :A I 2.1             narzędzie zwolnione
   // :S F 10.3
   // :R F 10.2
-  const bool t9 = m[F8_2] & m[F10_2] & m[I2_1];
-  m[F10_3] = m[F10_3] | t9;
-  m[F10_2] = m[F10_2] & !t9;
+  const bool t135 = m[F8_2] & m[F10_2] & m[I2_1];
+  m[F10_3] = m[F10_3] | t135;
+  m[F10_2] = m[F10_2] & !t135;
 
   // :A F 8.2
   // :A F 10.3
   // :A I 2.6             bęben na dole
   // :S F 10.4
   // :R F 10.3
-  const bool t10 = m[F8_2] & m[F10_3] & m[I2_6];
-  m[F10_4] = m[F10_4] | t10;
-  m[F10_3] = m[F10_3] & !t10;
+  const bool t865 = m[F8_2] & m[F10_3] & m[I2_6];
+  m[F10_4] = m[F10_4] | t865;
+  m[F10_3] = m[F10_3] & !t865;
 
   // :A F 8.2
   // :A F 10.4
@@ -1428,27 +1428,27 @@ void PM11(State& m, Host& host) noexcept {
   // :AN F 9.2            gniazdo nowego narzędzia, nie starego
   // :S F 10.5
   // :R F 10.4
-  const bool t11 = m[F8_2] & m[F10_4] & m[I2_6] & m[F9_0] & !m[F9_2];
-  m[F10_5] = m[F10_5] | t11;
-  m[F10_4] = m[F10_4] & !t11;
+  const bool t256 = m[F8_2] & m[F10_4] & m[I2_6] & m[F9_0] & !m[F9_2];
+  m[F10_5] = m[F10_5] | t256;
+  m[F10_4] = m[F10_4] & !t256;
 
   // :A F 8.2
   // :A F 10.5
   // :A I 2.7             bęben na górze
   // :S F 10.6
   // :R F 10.5
-  const bool t12 = m[F8_2] & m[F10_5] & m[I2_7];
-  m[F10_6] = m[F10_6] | t12;
-  m[F10_5] = m[F10_5] & !t12;
+  const bool t730 = m[F8_2] & m[F10_5] & m[I2_7];
+  m[F10_6] = m[F10_6] | t730;
+  m[F10_5] = m[F10_5] & !t730;
 
   // :A F 8.2
   // :A F 10.6
   // :A I 2.0             narzędzie zamocowane
   // :S F 10.7
   // :R F 10.6
-  const bool t13 = m[F8_2] & m[F10_6] & m[I2_0];
-  m[F10_7] = m[F10_7] | t13;
-  m[F10_6] = m[F10_6] & !t13;
+  const bool t826 = m[F8_2] & m[F10_6] & m[I2_0];
+  m[F10_7] = m[F10_7] | t826;
+  m[F10_6] = m[F10_6] & !t826;
 
   // :A F 8.2
   // :A F 10.7
@@ -1457,11 +1457,11 @@ void PM11(State& m, Host& host) noexcept {
   // :R F 10.7
   // :R F 8.0
   // :CU C 1              licznik wymian
-  const bool t14 = m[F8_2] & m[F10_7] & m[I2_2];
-  m[F9_6] = t14;
-  m[F10_7] = m[F10_7] & !t14;
-  m[F8_0] = m[F8_0] & !t14;
-  CountUp(m[C1], t14);
+  const bool t999 = m[F8_2] & m[F10_7] & m[I2_2];
+  m[F9_6] = t999;
+  m[F10_7] = m[F10_7] & !t999;
+  m[F8_0] = m[F8_0] & !t999;
+  CountUp(m[C1], t999);
 
   // :A F 9.6
   // :JC PM 27
@@ -1515,9 +1515,9 @@ void PM11(State& m, Host& host) noexcept {
   // :A F 8.1
   // := F 9.7
   // :JC KASUJ
-  const bool t15 = m[I3_1] & m[F8_1];
-  m[F9_7] = t15;
-  if (!t15) {
+  const bool t281 = m[I3_1] & m[F8_1];
+  m[F9_7] = t281;
+  if (!t281) {
     // :EM
   } else {
     // KASUJ :L
@@ -1527,14 +1527,14 @@ void PM11(State& m, Host& host) noexcept {
     // :A I 20.1
     // :R F 8.1
     // :R F 8.0
-    const bool t16 = m[I20_1];
-    m[F8_1] = m[F8_1] & !t16;
-    m[F8_0] = m[F8_0] & !t16;
+    const bool t297 = m[I20_1];
+    m[F8_1] = m[F8_1] & !t297;
+    m[F8_0] = m[F8_0] & !t297;
   }
 }
 
 // PM 22: subroutine.
-void PM22(State& m, uint16_t& ax, Host& host) noexcept {
+static void PM22(State& m, uint16_t& ax, Host& host) noexcept {
   // ; --- PM 22: szuka gniazda narzędzia DB 510; wynik DB 31, 0 = nie ma --------------
   // :MOD PM 22
   // :L
@@ -1555,25 +1555,25 @@ void PM22(State& m, uint16_t& ax, Host& host) noexcept {
     // : DB 26
     // :T DB 25
     // :JC KON
-    const uint8_t t1 = m[DB24];
-    const uint16_t t2 = WithLowByte16(ax, t1);
-    const bool t3 = S8(t1) > S8(m[DB26]);
-    m[DB25] = t1;
-    ax = t2;
-    if (t3) return;
+    const uint8_t t105 = m[DB24];
+    const uint16_t t106 = WithLowByte16(ax, t105);
+    const bool t107 = S8(t105) > S8(m[DB26]);
+    m[DB25] = t105;
+    ax = t106;
+    if (t107) return;
     // :JU FM 15
     // : DB 540
     // : DB 24
-    const uint32_t t4 = Add32(m[DB24], 540);
-    ax = WithLowByte16(ax, m[At(DB_from_0, t4)] | m[At(DB_from_500, Add32(t4, 4294966796u))]);
+    const uint32_t t850 = Add32(m[DB24], 540);
+    ax = WithLowByte16(ax, m[At(DB_from_0, t850)] | m[At(DB_from_500, Add32(t850, 4294966796u))]);
     // :!=
     // : DB 510
     // :T DB 25
     // :JC JEST
-    const uint16_t t5 = ax;
-    const bool t6 = LowByte16(t5) == m[DB510];
-    m[DB25] = LowByte16(t5);
-    if (t6) break;
+    const uint16_t t367 = ax;
+    const bool t368 = LowByte16(t367) == m[DB510];
+    m[DB25] = LowByte16(t367);
+    if (t368) break;
     // :JU DALEJ
     if (m[rounds_left] != 0) {
       m[rounds_left] = m[rounds_left] - 1;
@@ -1589,7 +1589,7 @@ void PM22(State& m, uint16_t& ax, Host& host) noexcept {
 }
 
 // PM 23: subroutine.
-void PM23(State& m, uint16_t& ax, Host&) noexcept {
+static void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // ; --- PM 23: obrót bębna do gniazda DB 30 krótszą drogą, gdy F 9.1 -----------------
   // :MOD PM 23
   // :L
@@ -1611,9 +1611,9 @@ void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // : K 0
   // := F 11.0
   // :JC DODAJ
-  const bool t1 = S16(m[DW36]) < 0;
-  m[F11_0] = t1;
-  if (!t1) {
+  const bool t556 = S16(m[DW36]) < 0;
+  m[F11_0] = t556;
+  if (!t556) {
     // :JU KIER
   } else {
     // DODAJ :JU FM 0
@@ -1639,13 +1639,13 @@ void PM23(State& m, uint16_t& ax, Host&) noexcept {
   // :AN F 9.0
   // :AN O 1.5
   // := O 1.6             w lewo
-  const uint16_t t2 = m[DW36];
-  m[O1_6] = (S16(t2) > 6) & m[F9_1] & !m[F9_0] & !m[O1_5];
-  ax = t2;
+  const uint16_t t978 = m[DW36];
+  m[O1_6] = (S16(t978) > 6) & m[F9_1] & !m[F9_0] & !m[O1_5];
+  ax = t978;
 }
 
 // PM 24: subroutine.
-void PM24(State& m, uint16_t& ax, Host& host) noexcept {
+static void PM24(State& m, uint16_t& ax, Host& host) noexcept {
   // ; --- PM 24: numer kroku z bitu w FB 10 do pola komunikatu 9 ----------------------
   // :MOD PM 24
   // :L
@@ -1662,11 +1662,11 @@ void PM24(State& m, uint16_t& ax, Host& host) noexcept {
     // : K 0
     // := F 11.1
     // :JC KON
-    const uint16_t t1 = m[DW28];
-    const bool t2 = t1 == 0;
-    m[F11_1] = t2;
-    ax = t1;
-    if (t2) break;
+    const uint16_t t776 = m[DW28];
+    const bool t777 = t776 == 0;
+    m[F11_1] = t777;
+    ax = t776;
+    if (t777) break;
     // :JU FM 7
     // : K 1
     ax = ShiftRight16(ax, 1);
@@ -1688,7 +1688,7 @@ void PM24(State& m, uint16_t& ax, Host& host) noexcept {
 }
 
 // PM 25: subroutine.
-void PM25(State& m, bool& s, uint16_t& ax, Host&) noexcept {
+static void PM25(State& m, bool& s, uint16_t& ax, Host&) noexcept {
   // ; --- PM 25: następne gniazdo bębna, numer narzędzia przestaje być ważny ----------
   // :MOD PM 25
   // :R F 8.4
@@ -1705,12 +1705,12 @@ void PM25(State& m, bool& s, uint16_t& ax, Host&) noexcept {
   // : DB 26
   // :T DB 25
   // :JC KON
-  const uint8_t t1 = m[DB31];
-  const uint16_t t2 = WithLowByte16(ax, t1);
-  const bool t3 = S8(t1) <= S8(m[DB26]);
-  m[DB25] = t1;
-  ax = t2;
-  if (!t3) {
+  const uint8_t t428 = m[DB31];
+  const uint16_t t429 = WithLowByte16(ax, t428);
+  const bool t430 = S8(t428) <= S8(m[DB26]);
+  m[DB25] = t428;
+  ax = t429;
+  if (!t430) {
     // :L
     // : K 1
     // :T DB 31
@@ -1720,7 +1720,7 @@ void PM25(State& m, bool& s, uint16_t& ax, Host&) noexcept {
 }
 
 // PM 26: subroutine.
-void PM26(State& m, uint32_t& nc_value, Host& host) noexcept {
+static void PM26(State& m, uint32_t& nc_value, Host& host) noexcept {
   // ; --- PM 26: M06: nowe narzędzie inne niż stare, oś Z dość wysoko ------------------
   // :MOD PM 26
   // :L
@@ -1752,21 +1752,21 @@ void PM26(State& m, uint32_t& nc_value, Host& host) noexcept {
   // :A F 8.7
   // :S F 8.0
   // :S F 10.0
-  const bool t1 = m[F8_6] & m[F8_7];
-  m[F8_0] = m[F8_0] | t1;
-  m[F10_0] = m[F10_0] | t1;
+  const bool t185 = m[F8_6] & m[F8_7];
+  m[F8_0] = m[F8_0] | t185;
+  m[F10_0] = m[F10_0] | t185;
 }
 
 // PM 27: subroutine.
-void PM27(State& m, uint16_t& ax, Host&) noexcept {
+static void PM27(State& m, uint16_t& ax, Host&) noexcept {
   // ; --- PM 27: narzędzie we wrzecionie jest inne -------------------------------------
   // :MOD PM 27
   // :L DB 510
   // :T DB 511
-  const uint8_t t1 = m[DB510];
-  const uint16_t t2 = WithLowByte16(ax, t1);
-  m[DB511] = t1;
-  ax = t2;
+  const uint8_t t884 = m[DB510];
+  const uint16_t t885 = WithLowByte16(ax, t884);
+  m[DB511] = t884;
+  ax = t885;
 
   // :L DB 31
   // :T DB 512

@@ -32,31 +32,31 @@ using plcxx::UnsignedDiv32;
 using plcxx::UnsignedRem32;
 using plcxx::WithLowByte16;
 
-void MODULE_CLEAR(State& m, Host& host) noexcept;
-void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
-void mech_HYDRAULIKA(State& m, Host& host) noexcept;
-void mech_MAZANI(State& m, Host& host) noexcept;
-void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept;
-void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-void mech_ZASTAV(State& m, Host& host) noexcept;
-void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
-void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
-void mech_RUCNE(State& m, Host& host) noexcept;
-void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-void mech_ARCHIV(State& m, Host& host) noexcept;
-void mech_VYPADEK(State& m, Host& host) noexcept;
-void mech_MCH_VYPNUTI(State& m, Host& host) noexcept;
-void MODULE_HALT(State& m, Host& host) noexcept;
-bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
-void POLOZKA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-void SET_IND(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept;
-void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
-bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
-void SMER(State& m, Host& host) noexcept;
-void POSUN(State& m, uint32_t& dr, Host& host) noexcept;
-void ADRESA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static void MODULE_CLEAR(State& m, Host& host) noexcept;
+static void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
+static void mech_HYDRAULIKA(State& m, Host& host) noexcept;
+static void mech_MAZANI(State& m, Host& host) noexcept;
+static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept;
+static void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static void mech_ZASTAV(State& m, Host& host) noexcept;
+static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
+static void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
+static void mech_RUCNE(State& m, Host& host) noexcept;
+static void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static void mech_ARCHIV(State& m, Host& host) noexcept;
+static void mech_VYPADEK(State& m, Host& host) noexcept;
+static void mech_MCH_VYPNUTI(State& m, Host& host) noexcept;
+static void MODULE_HALT(State& m, Host& host) noexcept;
+static bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
+static void POLOZKA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static void SET_IND(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept;
+static void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
+static bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept;
+static void SMER(State& m, Host& host) noexcept;
+static void POSUN(State& m, uint32_t& dr, Host& host) noexcept;
+static void ADRESA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept;
 
 static_assert(offsetof(State, retentive) == 0, "the symbol map holds for this layout");
 static_assert(offsetof(State, word32) == 2636, "the symbol map holds for this layout");
@@ -131,9 +131,9 @@ void init(State& m, Host& host) noexcept {
   // LOD  LABEL_MEM.ZN_POZ
   // EQ   CNST.0
   // JL0  IN_SUMA
-  const uint16_t t1 = m[LABEL_MEM_ZN_POZ];
-  dr = t1;
-  if (t1 == 0) {
+  const uint16_t t674 = m[LABEL_MEM_ZN_POZ];
+  dr = t674;
+  if (t674 == 0) {
     // LOD  CNST.1
     // STO  LABEL_MEM.ZN_POZ
     m[LABEL_MEM_ZN_POZ] = 1;
@@ -146,10 +146,10 @@ void init(State& m, Host& host) noexcept {
     // LOD  SOUCET
     // EQ   LABEL_MEM.ZN_SUMA
     // JL1  IN_MAZ
-    const uint16_t t2 = m[SOUCET];
-    const bool t3 = t2 == m[LABEL_MEM_ZN_SUMA];
-    dr = t2;
-    if (!t3) {
+    const uint16_t t900 = m[SOUCET];
+    const bool t901 = t900 == m[LABEL_MEM_ZN_SUMA];
+    dr = t900;
+    if (!t901) {
       // STO  LABEL_MEM.ZN_SUMA
       m[LABEL_MEM_ZN_SUMA] = LowByte16(LowHalf32(dr));
       // LOD  CNST.ZP_SUMA
@@ -159,17 +159,17 @@ void init(State& m, Host& host) noexcept {
     // ; Machine constant R20: minutes between two lubrications, 1 to 20; else one minute
     // IN_MAZ:   LOD  BUKON20
     // BIN
-    const uint32_t t4 = m[BUKON20];
-    if (HasNoDigit32(t4 & 0x7FFFFFFF)) {
+    const uint32_t t553 = m[BUKON20];
+    if (HasNoDigit32(t553 & 0x7FFFFFFF)) {
       fault(host, fault_kind::BCD_DIGIT, 4269355653u);
     }
-    dr = FromSignedBcd32(t4);
+    dr = FromSignedBcd32(t553);
     // DIVW CNST.1000
     // GT   CNST.20
     // JL1  IN_KONEC
-    const uint32_t t5 = UnsignedDiv32(dr, 1000);
-    dr = t5;
-    if (!(t5 > 20)) {
+    const uint32_t t840 = UnsignedDiv32(dr, 1000);
+    dr = t840;
+    if (!(t840 > 20)) {
       // EQ   CNST.0
       // JL1  IN_KONEC
       if (!(dr == 0)) {
@@ -336,7 +336,7 @@ void period(State& m, Host& host) noexcept {
 }
 
 // Once for every annulment.
-void MODULE_CLEAR(State& m, Host&) noexcept {
+static void MODULE_CLEAR(State& m, Host&) noexcept {
   // ; --------------------------------------------------------------------------- reset of the control
   // MODULE_CLEAR
   // MECH_INIT VYMENA
@@ -399,7 +399,7 @@ void MODULE_CLEAR(State& m, Host&) noexcept {
 }
 
 // The continuous branch: in every slow pass.
-void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
+static void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   rounds_left = 65536u;
 
   // ; --------------------------------------------------------------------------- continuous branch
@@ -409,9 +409,9 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
   // LA   I_JISTIC
   // WR   BEZPECNO
   // JL1  MA_ZAP
-  const bool t1 = m[I_NOUZ] & m[I_JISTIC];
-  m[BEZPECNO] = t1;
-  if (!t1) {
+  const bool t906 = m[I_NOUZ] & m[I_JISTIC];
+  m[BEZPECNO] = t906;
+  if (!t906) {
     // FL   0,O_HYDRA
     m[O_HYDRA] = false;
     // FL   0,PRIPRAVEN
@@ -492,9 +492,9 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
   // MA_MAZ:   LDR  PRIPRAVEN
   // WR   MAZANI
   // JL1  MA_MAZANI
-  const bool t2 = m[PRIPRAVEN];
-  m[MAZANI] = t2;
-  if (!t2) {
+  const bool t221 = m[PRIPRAVEN];
+  m[MAZANI] = t221;
+  if (!t221) {
     // FL   0,O_MAZANI
     m[O_MAZANI] = false;
     // MECH_INIT MAZANI
@@ -549,9 +549,9 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     // STO  VTERINA
     // LT   CNST.SEKUNDA
     // JL1  MA_TAB
-    const uint16_t t3 = Add16(m[VTERINA], 1);
-    m[VTERINA] = LowByte16(t3);
-    if (!(t3 < 50)) {
+    const uint16_t t156 = Add16(m[VTERINA], 1);
+    m[VTERINA] = LowByte16(t156);
+    if (!(t156 < 50)) {
       // LOD  CNST.0
       // STO  VTERINA
       m[VTERINA] = 0;
@@ -601,13 +601,13 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     if (!(bx >= 40)) {
       // LOD  WORD.IN17
       // STO  WORD.LABEL_MEM.ZN_T_TAB[BX]
-      const uint16_t t4 = m[WORD_IN17];
-      const uint32_t t5 = SignExtend16To32(bx);
-      if (Add32(t5, 5) > 998) {
+      const uint16_t t815 = m[WORD_IN17];
+      const uint32_t t816 = SignExtend16To32(bx);
+      if (Add32(t816, 5) > 998) {
         fault(host, fault_kind::BOUNDS, 869322415u);
       }
-      m[At(LABEL_MEM_ZN_T_TAB_indexed, t5)] = t4;
-      dr = t4;
+      m[At(LABEL_MEM_ZN_T_TAB_indexed, t816)] = t815;
+      dr = t815;
       // CALL SUMA
       if (SUMA(m, ax, bx, dr, rounds_left, host)) return;
       // LOD  SOUCET
@@ -629,11 +629,11 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
   // LDR  UPS_LINEFAIL
   // FL1  1,VYPADEK
   // JL1  MA_BATERIE
-  const bool t6 = m[UPS_LINEFAIL];
-  if (t6) {
+  const bool t670 = m[UPS_LINEFAIL];
+  if (t670) {
     m[VYPADEK] = true;
   }
-  if (!t6) {
+  if (!t670) {
     // MECH_INIT VYPADEK
     m[VYPADEK] = false;
     // LOD  CNST.0
@@ -669,7 +669,7 @@ void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
 }
 
 // Mechanism HYDRAULIKA: goes on where it waits.
-void mech_HYDRAULIKA(State& m, Host& host) noexcept {
+static void mech_HYDRAULIKA(State& m, Host& host) noexcept {
   switch (m[HYDRAULIKA_step]) {
     default: {
       // FL   1,O_HYDRA
@@ -680,12 +680,12 @@ void mech_HYDRAULIKA(State& m, Host& host) noexcept {
       // LDR  I_TLAK
       // TEX0 -,DOBA_TLAKU,HY_CHYBA
       if (!m[I_TLAK]) {
-        const uint16_t t1 = m[HYDRAULIKA_timer];
-        if (t1 >= 150) {
+        const uint16_t t186 = m[HYDRAULIKA_timer];
+        if (t186 >= 150) {
           m[HYDRAULIKA_timer] = 0;
           goto to_HY_CHYBA;
         }
-        m[HYDRAULIKA_timer] = Add16(t1, 1);
+        m[HYDRAULIKA_timer] = Add16(t186, 1);
         m[HYDRAULIKA_step] = 1;
         return;
       }
@@ -714,13 +714,13 @@ void mech_HYDRAULIKA(State& m, Host& host) noexcept {
 }
 
 // Mechanism MAZANI: goes on where it waits.
-void mech_MAZANI(State& m, Host& host) noexcept {
+static void mech_MAZANI(State& m, Host& host) noexcept {
   switch (m[MAZANI_step]) {
     default: {
       // TIM  MAZ_CAS,MAZ_PAUZA
-      const uint16_t t1 = m[MAZ_CAS];
-      if (t1 < m[MAZ_PAUZA]) {
-        m[MAZ_CAS] = Add16(t1, 1);
+      const uint16_t t413 = m[MAZ_CAS];
+      if (t413 < m[MAZ_PAUZA]) {
+        m[MAZ_CAS] = Add16(t413, 1);
         m[MAZANI_step] = 0;
         return;
       }
@@ -733,12 +733,12 @@ void mech_MAZANI(State& m, Host& host) noexcept {
       // LDR  I_MAZ_TLAK
       // TEX0 -,DOBA_MAZ,MZ_CHYBA
       if (!m[I_MAZ_TLAK]) {
-        const uint16_t t2 = m[MAZANI_timer];
-        if (t2 >= 500) {
+        const uint16_t t870 = m[MAZANI_timer];
+        if (t870 >= 500) {
           m[MAZANI_timer] = 0;
           goto to_MZ_CHYBA;
         }
-        m[MAZANI_timer] = Add16(t2, 1);
+        m[MAZANI_timer] = Add16(t870, 1);
         m[MAZANI_step] = 1;
         return;
       }
@@ -747,9 +747,9 @@ void mech_MAZANI(State& m, Host& host) noexcept {
     [[fallthrough]];
     case 2: {
       // TIM  -,SEKUNDA
-      const uint16_t t3 = m[MAZANI_timer2];
-      if (t3 < 50) {
-        m[MAZANI_timer2] = Add16(t3, 1);
+      const uint16_t t125 = m[MAZANI_timer2];
+      if (t125 < 50) {
+        m[MAZANI_timer2] = Add16(t125, 1);
         m[MAZANI_step] = 2;
         return;
       }
@@ -779,7 +779,7 @@ to_MZ_KONEC:;
 }
 
 // Preparatory functions: from the start of a block to their end.
-void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept {
+static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept {
   rounds_left = 65536u;
   {
     switch (m[PRIPRAVNE_FUNKCE_step]) {
@@ -810,18 +810,18 @@ void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32
       // STO  HLEDANY
       // EQ   LABEL_MEM.VR_T
       // JL1  PF_M                    ; it is in the spindle
-      const uint16_t t1 = m[WORD_IN11];
-      m[T_PROG] = t1;
-      m[HLEDANY] = t1;
-      if (!(t1 == m[LABEL_MEM_VR_T])) {
+      const uint16_t t162 = m[WORD_IN11];
+      m[T_PROG] = t162;
+      m[HLEDANY] = t162;
+      if (!(t162 == m[LABEL_MEM_VR_T])) {
         // CALL NAJDI
         if (NAJDI(m, bx, dx, rounds_left, host)) return;
         // LOD  LUZKO
         // EQ   CNST.0
         // JL1  PF_NENI
-        const uint16_t t2 = m[LUZKO];
-        dr = t2;
-        if (!(t2 == 0)) {
+        const uint16_t t107 = m[LUZKO];
+        dr = t107;
+        if (!(t107 == 0)) {
           // STO  CIL
           m[CIL] = LowHalf32(dr);
           // FL   1,OTOC_ZAS
@@ -843,9 +843,9 @@ void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx, uint32
     // LOD  IN10
     // EQ   CNST.3h
     // JL1  PF_M3
-    const uint16_t t3 = m[IN10];
-    dr = t3;
-    if (!(t3 == 0x00000003)) {
+    const uint16_t t895 = m[IN10];
+    dr = t895;
+    if (!(t895 == 0x00000003)) {
       // EQ   CNST.4h
       // JL1  PF_M4
       if (LowHalf32(dr) == 0x00000004) goto to_PF_M4;
@@ -928,12 +928,12 @@ to_PRIPRAVNE_FUNKCE_4:;
   // LDR  I_VR_ORIENT
   // TEX0 -,DOBA_ORI,PF_CHYBA
   if (!m[I_VR_ORIENT]) {
-    const uint16_t t4 = m[PRIPRAVNE_FUNKCE_timer];
-    if (t4 >= 250) {
+    const uint16_t t318 = m[PRIPRAVNE_FUNKCE_timer];
+    if (t318 >= 250) {
       m[PRIPRAVNE_FUNKCE_timer] = 0;
       goto to_PF_CHYBA;
     }
-    m[PRIPRAVNE_FUNKCE_timer] = Add16(t4, 1);
+    m[PRIPRAVNE_FUNKCE_timer] = Add16(t318, 1);
     m[PRIPRAVNE_FUNKCE_step] = 4;
     return;
   }
@@ -960,7 +960,7 @@ to_PF_KONEC:;
 }
 
 // Closing functions: from the end of a block's motion to their end.
-void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   {
     switch (m[ZAVERECNE_FUNKCE_step]) {
       case 1: {
@@ -984,9 +984,9 @@ void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept
     // LOD  IN10
     // EQ   CNST.5h
     // JL1  ZF_M5
-    const uint16_t t1 = m[IN10];
-    dr = t1;
-    if (!(t1 == 0x00000005)) {
+    const uint16_t t487 = m[IN10];
+    dr = t487;
+    if (!(t487 == 0x00000005)) {
       // EQ   CNST.9h
       // JL1  ZF_M9
       if (!(LowHalf32(dr) == 0x00000009)) {
@@ -1064,7 +1064,7 @@ to_ZF_KONEC:;
 }
 
 // Mechanism ROZBEH: goes on where it waits.
-void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   switch (m[ROZBEH_step]) {
     default: {
       // LOD  CNST.SL_OTACKY
@@ -1080,10 +1080,10 @@ void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
       // LOD  WORD.IN14
       // LE   MAX_OT
       // JL1  RO_OTACKY
-      const uint16_t t1 = m[WORD_IN14];
-      const bool t2 = t1 <= m[MAX_OT];
-      dr = t1;
-      if (!t2) {
+      const uint16_t t741 = m[WORD_IN14];
+      const bool t742 = t741 <= m[MAX_OT];
+      dr = t741;
+      if (!t742) {
         // LOD  CNST.ZP_OTACKY
         // STO  BZH21
         m[BZH21] = 1;
@@ -1099,17 +1099,17 @@ void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
       // FL1  0,O_VR_VPRAVO
       // FL0  1,O_VR_VPRAVO
       // FL0  0,O_VR_VLEVO
-      const bool t3 = m[VR_SMER];
-      if (t3) {
+      const bool t535 = m[VR_SMER];
+      if (t535) {
         m[O_VR_VLEVO] = true;
       }
-      if (t3) {
+      if (t535) {
         m[O_VR_VPRAVO] = false;
       }
-      if (!t3) {
+      if (!t535) {
         m[O_VR_VPRAVO] = true;
       }
-      if (!t3) {
+      if (!t535) {
         m[O_VR_VLEVO] = false;
       }
     }
@@ -1118,12 +1118,12 @@ void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
       // LDR  I_VR_OTACKY
       // TEX0 -,DOBA_ROZB,RO_CHYBA
       if (!m[I_VR_OTACKY]) {
-        const uint16_t t4 = m[ROZBEH_timer];
-        if (t4 >= 400) {
+        const uint16_t t198 = m[ROZBEH_timer];
+        if (t198 >= 400) {
           m[ROZBEH_timer] = 0;
           goto to_RO_CHYBA;
         }
-        m[ROZBEH_timer] = Add16(t4, 1);
+        m[ROZBEH_timer] = Add16(t198, 1);
         m[ROZBEH_step] = 1;
         return;
       }
@@ -1150,7 +1150,7 @@ void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
 }
 
 // Mechanism ZASTAV: goes on where it waits.
-void mech_ZASTAV(State& m, Host& host) noexcept {
+static void mech_ZASTAV(State& m, Host& host) noexcept {
   switch (m[ZASTAV_step]) {
     default: {
       // FL   0,O_VR_VLEVO
@@ -1163,12 +1163,12 @@ void mech_ZASTAV(State& m, Host& host) noexcept {
       // LDR  I_VR_STOJI
       // TEX0 -,DOBA_BRZD,ZS_CHYBA
       if (!m[I_VR_STOJI]) {
-        const uint16_t t1 = m[ZASTAV_timer];
-        if (t1 >= 500) {
+        const uint16_t t920 = m[ZASTAV_timer];
+        if (t920 >= 500) {
           m[ZASTAV_timer] = 0;
           goto to_ZS_CHYBA;
         }
-        m[ZASTAV_timer] = Add16(t1, 1);
+        m[ZASTAV_timer] = Add16(t920, 1);
         m[ZASTAV_step] = 1;
         return;
       }
@@ -1194,7 +1194,7 @@ void mech_ZASTAV(State& m, Host& host) noexcept {
 }
 
 // Mechanism VYMENA: goes on where it waits.
-void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
+static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   rounds_left = 65536u;
   switch (m[VYMENA_step]) {
     default: {
@@ -1214,12 +1214,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 1: {
       if (!m[I_VR_STOJI]) {
-        const uint16_t t1 = m[VYMENA_timer];
-        if (t1 >= 500) {
+        const uint16_t t674 = m[VYMENA_timer];
+        if (t674 >= 500) {
           m[VYMENA_timer] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer] = Add16(t1, 1);
+        m[VYMENA_timer] = Add16(t674, 1);
         m[VYMENA_step] = 1;
         return;
       }
@@ -1232,12 +1232,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 2: {
       if (!m[I_VR_ORIENT]) {
-        const uint16_t t2 = m[VYMENA_timer2];
-        if (t2 >= 250) {
+        const uint16_t t310 = m[VYMENA_timer2];
+        if (t310 >= 250) {
           m[VYMENA_timer2] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer2] = Add16(t2, 1);
+        m[VYMENA_timer2] = Add16(t310, 1);
         m[VYMENA_step] = 2;
         return;
       }
@@ -1268,12 +1268,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 4: {
       if (!m[I_LUZ_DOLE]) {
-        const uint16_t t3 = m[VYMENA_timer3];
-        if (t3 >= 100) {
+        const uint16_t t311 = m[VYMENA_timer3];
+        if (t311 >= 100) {
           m[VYMENA_timer3] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer3] = Add16(t3, 1);
+        m[VYMENA_timer3] = Add16(t311, 1);
         m[VYMENA_step] = 4;
         return;
       }
@@ -1286,12 +1286,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 5: {
       if (!m[I_RUKA_DRZI]) {
-        const uint16_t t4 = m[VYMENA_timer4];
-        if (t4 >= 100) {
+        const uint16_t t789 = m[VYMENA_timer4];
+        if (t789 >= 100) {
           m[VYMENA_timer4] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer4] = Add16(t4, 1);
+        m[VYMENA_timer4] = Add16(t789, 1);
         m[VYMENA_step] = 5;
         return;
       }
@@ -1307,12 +1307,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 6: {
       if (!m[I_UVOLNENO]) {
-        const uint16_t t5 = m[VYMENA_timer5];
-        if (t5 >= 100) {
+        const uint16_t t146 = m[VYMENA_timer5];
+        if (t146 >= 100) {
           m[VYMENA_timer5] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer5] = Add16(t5, 1);
+        m[VYMENA_timer5] = Add16(t146, 1);
         m[VYMENA_step] = 6;
         return;
       }
@@ -1321,9 +1321,9 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 7: {
       // TIM  -,DOBA_FOUK
-      const uint16_t t6 = m[VYMENA_timer6];
-      if (t6 < 25) {
-        m[VYMENA_timer6] = Add16(t6, 1);
+      const uint16_t t145 = m[VYMENA_timer6];
+      if (t145 < 25) {
+        m[VYMENA_timer6] = Add16(t145, 1);
         m[VYMENA_step] = 7;
         return;
       }
@@ -1337,12 +1337,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 8: {
       if (!m[I_RUKA_VYS]) {
-        const uint16_t t7 = m[VYMENA_timer7];
-        if (t7 >= 100) {
+        const uint16_t t784 = m[VYMENA_timer7];
+        if (t784 >= 100) {
           m[VYMENA_timer7] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer7] = Add16(t7, 1);
+        m[VYMENA_timer7] = Add16(t784, 1);
         m[VYMENA_step] = 8;
         return;
       }
@@ -1355,12 +1355,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 9: {
       if (!m[I_RUKA_OTOC]) {
-        const uint16_t t8 = m[VYMENA_timer8];
-        if (t8 >= 100) {
+        const uint16_t t551 = m[VYMENA_timer8];
+        if (t551 >= 100) {
           m[VYMENA_timer8] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer8] = Add16(t8, 1);
+        m[VYMENA_timer8] = Add16(t551, 1);
         m[VYMENA_step] = 9;
         return;
       }
@@ -1374,12 +1374,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 10: {
       if (!m[I_RUKA_ZAS]) {
-        const uint16_t t9 = m[VYMENA_timer9];
-        if (t9 >= 100) {
+        const uint16_t t828 = m[VYMENA_timer9];
+        if (t828 >= 100) {
           m[VYMENA_timer9] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer9] = Add16(t9, 1);
+        m[VYMENA_timer9] = Add16(t828, 1);
         m[VYMENA_step] = 10;
         return;
       }
@@ -1399,12 +1399,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 11: {
       if (!m[I_UPNUTO]) {
-        const uint16_t t10 = m[VYMENA_timer10];
-        if (t10 >= 100) {
+        const uint16_t t187 = m[VYMENA_timer10];
+        if (t187 >= 100) {
           m[VYMENA_timer10] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer10] = Add16(t10, 1);
+        m[VYMENA_timer10] = Add16(t187, 1);
         m[VYMENA_step] = 11;
         return;
       }
@@ -1420,12 +1420,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 12: {
       if (!m[I_RUKA_ZAKL]) {
-        const uint16_t t11 = m[VYMENA_timer11];
-        if (t11 >= 0x00000064) {
+        const uint16_t t654 = m[VYMENA_timer11];
+        if (t654 >= 0x00000064) {
           m[VYMENA_timer11] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer11] = Add16(t11, 1);
+        m[VYMENA_timer11] = Add16(t654, 1);
         m[VYMENA_step] = 12;
         return;
       }
@@ -1439,12 +1439,12 @@ void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
     [[fallthrough]];
     case 13: {
       if (!m[I_LUZ_NAHORE]) {
-        const uint16_t t12 = m[VYMENA_timer12];
-        if (t12 >= 0x00000064) {
+        const uint16_t t811 = m[VYMENA_timer12];
+        if (t811 >= 0x00000064) {
           m[VYMENA_timer12] = 0;
           goto to_VN_CHYBA;
         }
-        m[VYMENA_timer12] = Add16(t12, 1);
+        m[VYMENA_timer12] = Add16(t811, 1);
         m[VYMENA_step] = 13;
         return;
       }
@@ -1500,7 +1500,7 @@ to_VN_KONEC:;
 }
 
 // Mechanism OTOC_ZAS: goes on where it waits.
-void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
+static void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   uint16_t step = 0;
 
   rounds_left = 65536u;
@@ -1517,11 +1517,11 @@ void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) no
         // LDR  ZPET
         // FL1  1,O_ZAS_MINUS
         // FL0  1,O_ZAS_PLUS
-        const bool t1 = m[ZPET];
-        if (t1) {
+        const bool t553 = m[ZPET];
+        if (t553) {
           m[O_ZAS_MINUS] = true;
         }
-        if (!t1) {
+        if (!t553) {
           m[O_ZAS_PLUS] = true;
         }
       }
@@ -1530,12 +1530,12 @@ void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) no
         // OZ_KROK:  LDR  I_ZAS_POZ               ; lůžko odjíždí
         // TEX1 -,DOBA_KROKU,OZ_CHYBA
         if (m[I_ZAS_POZ]) {
-          const uint16_t t2 = m[OTOC_ZAS_timer];
-          if (t2 >= 150) {
+          const uint16_t t709 = m[OTOC_ZAS_timer];
+          if (t709 >= 150) {
             m[OTOC_ZAS_timer] = 0;
             goto to_OZ_CHYBA;
           }
-          m[OTOC_ZAS_timer] = Add16(t2, 1);
+          m[OTOC_ZAS_timer] = Add16(t709, 1);
           m[OTOC_ZAS_step] = 1;
           return;
         }
@@ -1546,12 +1546,12 @@ void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) no
         // LDR  I_ZAS_POZ               ; další přijíždí
         // TEX0 -,DOBA_KROKU,OZ_CHYBA
         if (!m[I_ZAS_POZ]) {
-          const uint16_t t3 = m[OTOC_ZAS_timer2];
-          if (t3 >= 150) {
+          const uint16_t t714 = m[OTOC_ZAS_timer2];
+          if (t714 >= 150) {
             m[OTOC_ZAS_timer2] = 0;
             goto to_OZ_CHYBA;
           }
-          m[OTOC_ZAS_timer2] = Add16(t3, 1);
+          m[OTOC_ZAS_timer2] = Add16(t714, 1);
           m[OTOC_ZAS_step] = 2;
           return;
         }
@@ -1563,9 +1563,9 @@ void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& host) no
         // STO  KROKU
         // NE   CNST.0
         // JL1  OZ_KROK
-        const uint16_t t4 = Sub16(m[KROKU], 1);
-        m[KROKU] = t4;
-        if (t4 != 0) {
+        const uint16_t t796 = Sub16(m[KROKU], 1);
+        m[KROKU] = t796;
+        if (t796 != 0) {
           step = 1;
           if (rounds_left != 0) {
             --rounds_left;
@@ -1609,7 +1609,7 @@ to_OZ_KONEC:;
 }
 
 // Mechanism RUCNE: goes on where it waits.
-void mech_RUCNE(State& m, Host&) noexcept {
+static void mech_RUCNE(State& m, Host&) noexcept {
   uint32_t dr_local_6 = 0;
 
   switch (m[RUCNE_step]) {
@@ -1625,9 +1625,9 @@ void mech_RUCNE(State& m, Host&) noexcept {
         // AD   CNST.1
         // GT   CNST.ZN_MAX
         // JL0  RU_CIL
-        const uint16_t t1 = Add16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local_6 = t1;
-        if (t1 > 20) {
+        const uint16_t t284 = Add16(m[LABEL_MEM_ZN_POZ], 1);
+        dr_local_6 = t284;
+        if (t284 > 20) {
           // LOD  CNST.1
           dr_local_6 = 1;
           // JUM  RU_CIL
@@ -1637,9 +1637,9 @@ void mech_RUCNE(State& m, Host&) noexcept {
         // SU   CNST.1
         // NE   CNST.0
         // JL1  RU_CIL
-        const uint16_t t2 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local_6 = t2;
-        if (!(t2 != 0)) {
+        const uint16_t t508 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
+        dr_local_6 = t508;
+        if (!(t508 != 0)) {
           // LOD  CNST.ZN_MAX
           dr_local_6 = 20;
         }
@@ -1678,7 +1678,7 @@ to_RU_KONEC:;
 }
 
 // Mechanism KOREKCE: goes on where it waits.
-void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   switch (m[KOREKCE_step]) {
     default: {
       // LOD  CNST.SL_DELKA
@@ -1687,11 +1687,11 @@ void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
       ADRESA(m, bx, dr, host);
       // LOD  DWRD.TAB_TECHNOL[BX].TCH_DATA
       // STO  DWRD.SET_NCTAB.NCTAB_DATA
-      const uint32_t t1 = SignExtend16To32(bx);
-      if (Add32(t1, 32) > 1628) {
+      const uint32_t t400 = SignExtend16To32(bx);
+      if (Add32(t400, 32) > 1628) {
         fault(host, fault_kind::BOUNDS, 1814870100u);
       }
-      m[SET_NCTAB_NCTAB_DATA] = m[At(TAB_TECHNOL_TCH_DATA_indexed, t1)];
+      m[SET_NCTAB_NCTAB_DATA] = m[At(TAB_TECHNOL_TCH_DATA_indexed, t400)];
       // LOD  CNST.1
       // STO  BYTE.SET_NCTAB.NCTAB_VERZE
       // STO  BYTE.SET_NCTAB.NCTAB_SLOUPEC
@@ -1706,11 +1706,11 @@ void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
       // LOD  LABEL_MEM.VR_T
       // BIN
       // STO  BYTE.SET_NCTAB.NCTAB_RADEK
-      const uint16_t t2 = m[LABEL_MEM_VR_T];
-      if (HasNoDigit32(t2)) {
+      const uint16_t t649 = m[LABEL_MEM_VR_T];
+      if (HasNoDigit32(t649)) {
         fault(host, fault_kind::BCD_DIGIT, 1742659749u);
       }
-      m[SET_NCTAB_NCTAB_RADEK] = LowByte16(FromBcd16(t2));
+      m[SET_NCTAB_NCTAB_RADEK] = LowByte16(FromBcd16(t649));
       // ZADOST SEND_NCTAB
       m[REQ_SEND_NCTAB] = true;
     }
@@ -1729,7 +1729,7 @@ void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
 }
 
 // Mechanism ARCHIV: goes on where it waits.
-void mech_ARCHIV(State& m, Host&) noexcept {
+static void mech_ARCHIV(State& m, Host&) noexcept {
   switch (m[ARCHIV_step]) {
     default: {
       // ZADOST SEND_PLCMEM
@@ -1750,11 +1750,11 @@ void mech_ARCHIV(State& m, Host&) noexcept {
 }
 
 // Mechanism VYPADEK: goes on where it waits.
-void mech_VYPADEK(State& m, Host&) noexcept {
+static void mech_VYPADEK(State& m, Host&) noexcept {
   // TIM  SITE_CAS,DOBA_SITE
-  const uint16_t t1 = m[SITE_CAS];
-  if (t1 < 100) {
-    m[SITE_CAS] = Add16(t1, 1);
+  const uint16_t t241 = m[SITE_CAS];
+  if (t241 < 100) {
+    m[SITE_CAS] = Add16(t241, 1);
   } else {
     m[SITE_CAS] = 0;
     // FL   1,MCH_VYPNUTI
@@ -1765,7 +1765,7 @@ void mech_VYPADEK(State& m, Host&) noexcept {
 }
 
 // Mechanism MCH_VYPNUTI: goes on where it waits.
-void mech_MCH_VYPNUTI(State& m, Host&) noexcept {
+static void mech_MCH_VYPNUTI(State& m, Host&) noexcept {
   switch (m[MCH_VYPNUTI_step]) {
     case 1: {
       goto to_next;
@@ -1863,7 +1863,7 @@ to_MCH_VYPNUTI_2:;
 }
 
 // While REQ_PIS_HALT is 1.
-void MODULE_HALT(State& m, Host&) noexcept {
+static void MODULE_HALT(State& m, Host&) noexcept {
   // ; --------------------------------------------------------------------------- poslední modul: rozepne napájení
   // MODULE_HALT
   // FL   0,O_NAPAJENI
@@ -1871,7 +1871,7 @@ void MODULE_HALT(State& m, Host&) noexcept {
 }
 
 // Subprogram.
-bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
+static bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
 
   left = false;
@@ -1880,26 +1880,26 @@ bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_l
   // SUMA:     XOR  BX,BX
   // XOR  AL,AL
   // MOV  CX,ZN_MAX*2
-  const uint32_t t1 = Pair32(40, HighHalf32(dr));
+  const uint32_t t406 = Pair32(40, HighHalf32(dr));
   ax = WithLowByte16(ax, 0);
   bx = 0;
-  dr = t1;
+  dr = t406;
   for (;;) {
     // SU_DALSI: ADD  AL,BYTE PTR LABEL_MEM.ZN_T_TAB[BX]
     // INC  BX
-    const uint16_t t2 = ax;
-    const uint16_t t3 = bx;
-    const uint32_t t4 = SignExtend16To32(t3);
-    if (Add32(t4, 5) > 999) {
+    const uint16_t t209 = ax;
+    const uint16_t t210 = bx;
+    const uint32_t t211 = SignExtend16To32(t210);
+    if (Add32(t211, 5) > 999) {
       fault(host, fault_kind::BOUNDS, 4279240009u);
     }
-    ax = WithLowByte16(t2, Add8(LowByte16(t2), m[At(BYTE_LABEL_MEM_ZN_T_TAB_indexed, t4)]));
-    bx = Add16(t3, 1);
+    ax = WithLowByte16(t209, Add8(LowByte16(t209), m[At(BYTE_LABEL_MEM_ZN_T_TAB_indexed, t211)]));
+    bx = Add16(t210, 1);
     // LOOP SU_DALSI
-    const uint32_t t5 = dr;
-    const uint16_t t6 = Sub16(LowHalf32(t5), 1);
-    dr = Pair32(t6, HighHalf32(t5));
-    if (t6 != 0) {
+    const uint32_t t669 = dr;
+    const uint16_t t670 = Sub16(LowHalf32(t669), 1);
+    dr = Pair32(t670, HighHalf32(t669));
+    if (t670 != 0) {
       if (rounds_left != 0) {
         --rounds_left;
         continue;
@@ -1920,30 +1920,30 @@ bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_l
 }
 
 // Subprogram.
-void POLOZKA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void POLOZKA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   // ; Položka ze sloupce v DR pro nástroj ve vřetenu, v tisícinách
   // POLOZKA:  CALL ADRESA
   ADRESA(m, bx, dr, host);
 
   // LOD  DWRD.TAB_TECHNOL[BX].TCH_DATA
-  const uint32_t t1 = SignExtend16To32(bx);
-  if (Add32(t1, 32) > 1628) {
+  const uint32_t t588 = SignExtend16To32(bx);
+  if (Add32(t588, 32) > 1628) {
     fault(host, fault_kind::BOUNDS, 599183588u);
   }
-  dr = m[At(TAB_TECHNOL_TCH_DATA_indexed, t1)];
+  dr = m[At(TAB_TECHNOL_TCH_DATA_indexed, t588)];
 
   // BIN
-  const uint32_t t2 = dr;
-  if (HasNoDigit32(t2 & 0x7FFFFFFF)) {
+  const uint32_t t232 = dr;
+  if (HasNoDigit32(t232 & 0x7FFFFFFF)) {
     fault(host, fault_kind::BCD_DIGIT, 677154732u);
   }
-  dr = FromSignedBcd32(t2);
+  dr = FromSignedBcd32(t232);
 
   // RET
 }
 
 // Subprogram.
-void SET_IND(State&, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host&) noexcept {
+static void SET_IND(State&, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host&) noexcept {
   // ; --------------------------------------------------------------------------- podprogramy
   // ; Nastavení indexu BX podle lůžka. V DR je BCD hodnota 0-99; BX = 2*(lůžko-1)
   // SET_IND:  MOV  AL,CL                   ; převod byte BCD do BIN
@@ -1956,17 +1956,17 @@ void SET_IND(State&, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host&) noexcept {
   // XOR  BH,BH
   // DEC  BX
   // SHL  BX,1
-  const uint32_t t1 = dr;
-  const uint16_t t2 = LowHalf32(Mul32(LowByte16(ShiftRight16(LowByte16(LowHalf32(t1)), 4)), 10));
-  const uint8_t t3 = Add8(LowByte16(t2), LowByte16(LowHalf32(t1)) & 0x0F);
-  ax = WithLowByte16(t2, t3);
-  bx = ShiftLeft16(Sub16(t3, 1), 1);
+  const uint32_t t101 = dr;
+  const uint16_t t102 = LowHalf32(Mul32(LowByte16(ShiftRight16(LowByte16(LowHalf32(t101)), 4)), 10));
+  const uint8_t t103 = Add8(LowByte16(t102), LowByte16(LowHalf32(t101)) & 0x0F);
+  ax = WithLowByte16(t102, t103);
+  bx = ShiftLeft16(Sub16(t103, 1), 1);
 
   // RET
 }
 
 // Subprogram.
-bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept {
+static bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
 
   left = false;
@@ -1980,19 +1980,19 @@ bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& ho
     // NA_DALSI: MOV  AX,WORD.LABEL_MEM.ZN_T_TAB[BX]
     // CMP  AX,HLEDANY
     // JE   NA_MAM
-    const uint32_t t1 = SignExtend16To32(bx);
-    if (Add32(t1, 5) > 998) {
+    const uint32_t t784 = SignExtend16To32(bx);
+    if (Add32(t784, 5) > 998) {
       fault(host, fault_kind::BOUNDS, 3538907784u);
     }
-    if (m[At(LABEL_MEM_ZN_T_TAB_indexed, t1)] == m[HLEDANY]) goto to_NA_MAM;
+    if (m[At(LABEL_MEM_ZN_T_TAB_indexed, t784)] == m[HLEDANY]) goto to_NA_MAM;
     // ADD  BX,2
     // INC  DX
     // CMP  DX,ZN_MAX
     // JBE  NA_DALSI
-    const uint16_t t2 = Add16(dx, 1);
+    const uint16_t t688 = Add16(dx, 1);
     bx = Add16(bx, 2);
-    dx = t2;
-    if (t2 <= 20) {
+    dx = t688;
+    if (t688 <= 20) {
       if (rounds_left != 0) {
         --rounds_left;
         continue;
@@ -2016,18 +2016,18 @@ to_NA_MAM:;
 }
 
 // Subprogram.
-void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   // ; Odečte celé minuty běhu vřetena od životnosti nástroje
   // ZIVOTNOST: LOD SEKUND
   // DIVB CNST.60
   // MOV  SEKUND,DX               ; zbytek sekund zůstane
   // EQ   CNST.0
   // JL1  ZI_KONEC
-  const uint32_t t1 = m[SEKUND];
-  const uint16_t t2 = LowHalf32(UnsignedDiv32(t1, 60));
-  m[SEKUND] = LowHalf32(UnsignedRem32(t1, 60));
-  dr = t2;
-  if (!(t2 == 0)) {
+  const uint32_t t466 = m[SEKUND];
+  const uint16_t t467 = LowHalf32(UnsignedDiv32(t466, 60));
+  m[SEKUND] = LowHalf32(UnsignedRem32(t466, 60));
+  dr = t467;
+  if (!(t467 == 0)) {
     // MULW CNST.1000
     // STO  OTACKY
     m[OTACKY] = Mul32(LowHalf32(dr), 1000);
@@ -2037,18 +2037,18 @@ void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
     POLOZKA(m, bx, dr, host);
     // SU   OTACKY
     // BCD
-    const uint32_t t3 = Sub32(dr, m[OTACKY]);
-    if (Abs32(t3) > 79999999u) {
+    const uint32_t t964 = Sub32(dr, m[OTACKY]);
+    if (Abs32(t964) > 79999999u) {
       fault(host, fault_kind::BCD_RANGE, 3119783364u);
     }
-    dr = ToSignedBcd32(t3);
+    dr = ToSignedBcd32(t964);
     // STO  DWRD.TAB_TECHNOL[BX].TCH_DATA
-    const uint32_t t4 = dr;
-    const uint32_t t5 = SignExtend16To32(bx);
-    if (Add32(t5, 32) > 1628) {
+    const uint32_t t797 = dr;
+    const uint32_t t798 = SignExtend16To32(bx);
+    if (Add32(t798, 32) > 1628) {
       fault(host, fault_kind::BOUNDS, 2001547597u);
     }
-    m[At(TAB_TECHNOL_TCH_DATA_indexed, t5)] = t4;
+    m[At(TAB_TECHNOL_TCH_DATA_indexed, t798)] = t797;
     // FL   1,TAB_ZMENA
     m[TAB_ZMENA] = true;
   }
@@ -2057,7 +2057,7 @@ void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
 }
 
 // Subprogram.
-bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
+static bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
 
   left = false;
@@ -2069,30 +2069,30 @@ bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds
   // SHL  BX,1
   // MOV  AX,WORD.LABEL_MEM.ZN_T_TAB[BX]
   // XCHG AX,LABEL_MEM.VR_T
-  const uint16_t t1 = ShiftLeft16(Sub16(m[LABEL_MEM_ZN_POZ], 1), 1);
-  const uint32_t t2 = SignExtend16To32(t1);
-  if (Add32(t2, 5) > 998) {
+  const uint16_t t796 = ShiftLeft16(Sub16(m[LABEL_MEM_ZN_POZ], 1), 1);
+  const uint32_t t797 = SignExtend16To32(t796);
+  if (Add32(t797, 5) > 998) {
     fault(host, fault_kind::BOUNDS, 3841648896u);
   }
-  const uint16_t t3 = m[LABEL_MEM_VR_T];
-  m[LABEL_MEM_VR_T] = m[At(LABEL_MEM_ZN_T_TAB_indexed, t2)];
-  ax = t3;
-  bx = t1;
+  const uint16_t t798 = m[LABEL_MEM_VR_T];
+  m[LABEL_MEM_VR_T] = m[At(LABEL_MEM_ZN_T_TAB_indexed, t797)];
+  ax = t798;
+  bx = t796;
 
   // MOV  WORD.LABEL_MEM.ZN_T_TAB[BX],AX
-  const uint16_t t4 = ax;
-  const uint32_t t5 = SignExtend16To32(bx);
-  if (Add32(t5, 5) > 998) {
+  const uint16_t t995 = ax;
+  const uint32_t t996 = SignExtend16To32(bx);
+  if (Add32(t996, 5) > 998) {
     fault(host, fault_kind::BOUNDS, 3792537895u);
   }
-  m[At(LABEL_MEM_ZN_T_TAB_indexed, t5)] = t4;
+  m[At(LABEL_MEM_ZN_T_TAB_indexed, t996)] = t995;
 
   // LOD  LABEL_MEM.VYMEN
   // AD   CNST.1
   // STO  LABEL_MEM.VYMEN
-  const uint32_t t6 = Add32(m[LABEL_MEM_VYMEN], 1);
-  m[LABEL_MEM_VYMEN] = t6;
-  dr = t6;
+  const uint32_t t571 = Add32(m[LABEL_MEM_VYMEN], 1);
+  m[LABEL_MEM_VYMEN] = t571;
+  dr = t571;
 
   // CALL SUMA
   if (SUMA(m, ax, bx, dr, rounds_left, host)) {
@@ -2108,7 +2108,7 @@ bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds
 }
 
 // Subprogram.
-void SMER(State& m, Host&) noexcept {
+static void SMER(State& m, Host&) noexcept {
   // ; Směr a počet lůžek ze ZN_POZ do CIL
   // SMER:     LOD  CIL
   // AD   CNST.ZN_MAX
@@ -2121,9 +2121,9 @@ void SMER(State& m, Host&) noexcept {
   // GT   CNST.ZN_MAX/2
   // WR   ZPET
   // JL0  SM_KONEC
-  const bool t1 = m[KROKU] > 10;
-  m[ZPET] = t1;
-  if (t1) {
+  const bool t338 = m[KROKU] > 10;
+  m[ZPET] = t338;
+  if (t338) {
     // LOD  CNST.ZN_MAX
     // SU   KROKU
     // STO  KROKU
@@ -2134,7 +2134,7 @@ void SMER(State& m, Host&) noexcept {
 }
 
 // Subprogram.
-void POSUN(State& m, uint32_t& dr, Host&) noexcept {
+static void POSUN(State& m, uint32_t& dr, Host&) noexcept {
   // ; Zásobník popojel o jedno lůžko
   // POSUN:    LDR  O_ZAS_MINUS
   // JL1  PO_MINUS
@@ -2143,9 +2143,9 @@ void POSUN(State& m, uint32_t& dr, Host&) noexcept {
     // AD   CNST.1
     // GT   CNST.ZN_MAX
     // JL0  PO_ULOZ
-    const uint16_t t1 = Add16(m[LABEL_MEM_ZN_POZ], 1);
-    dr = t1;
-    if (t1 > 20) {
+    const uint16_t t642 = Add16(m[LABEL_MEM_ZN_POZ], 1);
+    dr = t642;
+    if (t642 > 20) {
       // LOD  CNST.1
       dr = 1;
       // JUM  PO_ULOZ
@@ -2155,9 +2155,9 @@ void POSUN(State& m, uint32_t& dr, Host&) noexcept {
     // SU   CNST.1
     // NE   CNST.0
     // JL1  PO_ULOZ
-    const uint16_t t2 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
-    dr = t2;
-    if (!(t2 != 0)) {
+    const uint16_t t630 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
+    dr = t630;
+    if (!(t630 != 0)) {
       // LOD  CNST.ZN_MAX
       dr = 20;
     }
@@ -2170,7 +2170,7 @@ void POSUN(State& m, uint32_t& dr, Host&) noexcept {
 }
 
 // Subprogram.
-void ADRESA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
+static void ADRESA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   // ; BX podle sloupce v DR a řádku nástroje ve vřetenu (řádek 0, když ho tabulka nemá)
   // ADRESA:   STO  POL_I
   m[POL_I] = LowByte16(LowHalf32(dr));
@@ -2179,14 +2179,14 @@ void ADRESA(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   // BIN
   // LT   WORD.TAB_TECHNOL.TCH_RADKY
   // JL1  AD_RADEK
-  const uint16_t t1 = m[LABEL_MEM_VR_T];
-  if (HasNoDigit32(t1)) {
+  const uint16_t t845 = m[LABEL_MEM_VR_T];
+  if (HasNoDigit32(t845)) {
     fault(host, fault_kind::BCD_DIGIT, 1221112645u);
   }
-  const uint16_t t2 = FromBcd16(t1);
-  const bool t3 = t2 < m[TAB_TECHNOL_TCH_RADKY];
-  dr = t2;
-  if (!t3) {
+  const uint16_t t846 = FromBcd16(t845);
+  const bool t847 = t846 < m[TAB_TECHNOL_TCH_RADKY];
+  dr = t846;
+  if (!t847) {
     // LOD  CNST.0
     dr = 0;
   }
