@@ -168,7 +168,9 @@ class Numbers {
         return digits >> 4 * Below(16);
       }
       case 6:
-        return std::array{99, 100, 199, 255, 256, 999, 1000, 9999, 10000, 60000, 65535}[Below(11)];
+        return std::array<uint64_t, 12>{
+                   99, 100, 199, 255, 256, 999, 1000, 9999, 10000, 60000, 65535, 80'000'000}[Below(12)] *
+               (Below(3) == 0 ? ~uint64_t{0} : 1);
       case 7:
         return last_ + Below(3) - 1;  // near the one before
       default:

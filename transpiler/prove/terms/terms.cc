@@ -150,6 +150,14 @@ TermId Terms::Xor(TermId a, TermId b) {
   if (terms_[a.index].kind == TermKind::kNot) return Not(Xor(TermId(terms_[a.index].a), b));
   if (terms_[b.index].kind == TermKind::kNot) return Not(Xor(a, TermId(terms_[b.index].a)));
   if (const TermId parts = ByParts(TermKind::kXor, a, b); parts.valid()) return parts;
+  // (x ^ c) ^ d = x ^ (c ^ d)
+  for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
+    const Term term = terms_[other.index];
+    if (!IsConst(constant) || term.kind != TermKind::kXor) continue;
+    const TermId one(term.a), two(term.b);
+    if (IsConst(one)) return Xor(two, Binary(TermKind::kXor, one, constant, width));
+    if (IsConst(two)) return Xor(one, Binary(TermKind::kXor, two, constant, width));
+  }
   return Binary(TermKind::kXor, a, b, width);
 }
 
