@@ -1,0 +1,318 @@
+// Snippets of C++, compiled by Clang and executed on symbols, against the same computed here: memory, branches, loops,
+// indices, calls and the host; and what must be refused.
+#include "transpiler/prove/compiled/compiled_code.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/prove/compiled/bitcode.h"
+#include "transpiler/prove/terms/evaluate.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr uint32_t kBytes = 32;
+using Bytes = std::array<uint8_t, kBytes>;
+constexpr int kSamples = 200;
+
+constexpr const char* kHead = R"(#include <stdint.h>
+namespace t {
+struct Host;
+struct State { uint8_t b[16]; uint32_t w[4]; };
+uint32_t ask(Host& host, uint32_t what) noexcept;
+void tell(Host& host, bool yes) noexcept;
+void both(Host& host, uint32_t& second) noexcept;
+)";
+
+/// Remembers calls; answers what it was asked, plus 1.
+class EchoHost : public CodeSurroundings {
+ public:
+  explicit EchoHost(Terms& terms) : terms_(terms) {}
+  TermId Initial(uint32_t slot) override {
+    return slot < kBytes ? terms_.Variable("b" + std::to_string(slot), 8) : terms_.Const(0, 64);
+  }
+  TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
+    memory.Write(kBytes, terms_.Add(memory.Read(kBytes), terms_.Const(1, 64)));
+    if (request.function == "t::ask" && request.arguments.size() == 2)
+      return terms_.Add(request.arguments[1].value, terms_.Const(1, 32));
+    if (request.function == "t::both" && request.arguments.size() == 2) {
+      for (uint32_t i = 0; i < 4; ++i) memory.Write(request.arguments[1].slot + i, terms_.Const(i + 1, 8));
+      return {};
+    }
+    if (request.function != "t::tell") refusal = "unknown: " + std::string(request.function);
+    return {};
+  }
+
+ private:
+  Terms& terms_;
+};
+
+class CompiledCodeTest : public ::testing::Test {
+ protected:
+  CodeOutcome Execute(const std::string& body, const std::string& level = "2",
+                      const std::vector<std::string>& flags = {}) {
+    auto found = compile::FindToolchain(compile::Targets().front(), kVerifyCompiler);
+    if (std::holds_alternative<compile::MissingTool>(found)) return {.refusal = "no compiler"};
+    const auto& toolchain = std::get<compile::Toolchain>(found);
+    const std::vector<emit::OutputFile> files = {{.name = "t.cpp", .text = kHead + body + "\n}\n"}};
+    std::vector<std::string> further = {"-Wno-everything"};
+    further.insert(further.end(), flags.begin(), flags.end());
+    auto compiled =
+        CompileToBitcode({.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
+    if (const auto* failure = std::get_if<BitcodeFailure>(&compiled)) return {.refusal = failure->output};
+    LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
+    if (loaded.code == nullptr) return {.refusal = loaded.reason};
+    EchoHost host(terms_);
+    return loaded.code->Execute(terms_, host,
+                                {.function = "t::f", .state_bytes = kBytes, .further_slots = 1, .most_rounds = 64});
+  }
+
+  /// Executes f at several levels of optimization and compares with `expected` for random states.
+  void Check(const std::string& body, const std::function<uint64_t(Bytes&)>& expected) {
+    for (const char* level : {"1", "2", "s"}) {
+      terms_ = Terms();
+      const CodeOutcome outcome = Execute(body, level);
+      ASSERT_EQ(outcome.refusal, "") << "-O" << level;
+      ASSERT_EQ(outcome.slots.size(), kBytes + 1);
+      std::mt19937 random(1);
+      for (int sample = 0; sample < kSamples; ++sample) {
+        Bytes bytes;
+        std::vector<uint64_t> variables(terms_.variable_count());
+        for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random() % (sample % 2 == 0 ? 256 : 4));
+        for (uint64_t& value : variables) value = random();
+        for (uint32_t v = 0; v < variables.size(); ++v) {
+          const std::string& name = terms_.VariableName(v);
+          if (name[0] == 'b') variables[v] = bytes[std::stoul(name.substr(1))];
+        }
+        const std::vector<uint64_t> values = EvaluateAll(terms_, variables, TermId(terms_.size() - 1));
+        const uint64_t calls = expected(bytes);
+        for (uint32_t i = 0; i < kBytes; ++i)
+          ASSERT_EQ(values[outcome.slots[i].index], bytes[i]) << "-O" << level << ", byte " << i;
+        ASSERT_EQ(values[outcome.slots[kBytes].index], calls) << "-O" << level;
+        for (const Obligation& obligation : outcome.obligations)
+          ASSERT_EQ(values[obligation.never.index], 0U) << "-O" << level << ": " << obligation.text;
+      }
+    }
+  }
+
+  Terms terms_;
+};
+
+uint32_t Word(const Bytes& bytes, int number) {
+  const size_t at = 16 + 4 * static_cast<size_t>(number);
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
+}
+void SetWord(Bytes& bytes, int number, uint32_t value) {
+  for (size_t i = 0; i < 4; ++i) bytes[16 + 4 * static_cast<size_t>(number) + i] = static_cast<uint8_t>(value >> 8 * i);
+}
+
+TEST_F(CompiledCodeTest, Arithmetic) {
+  Check(R"(void f(State& m, Host&) noexcept {
+    m.w[0] = m.w[1] * 3u - (m.w[2] >> (m.b[0] & 31u));
+    m.b[1] = static_cast<uint8_t>((m.b[2] << 3) ^ ~m.b[3]);
+    m.w[3] = static_cast<uint32_t>(static_cast<int32_t>(m.w[3]) >> 4);
+  })",
+        [](Bytes& b) -> uint64_t {
+          SetWord(b, 0, Word(b, 1) * 3U - (Word(b, 2) >> (b[0] & 31U)));
+          b[1] = static_cast<uint8_t>((b[2] << 3) ^ ~b[3]);
+          SetWord(b, 3, static_cast<uint32_t>(static_cast<int32_t>(Word(b, 3)) >> 4));
+          return 0;
+        });
+}
+
+TEST_F(CompiledCodeTest, BranchesJoin) {
+  Check(R"(void f(State& m, Host& host) noexcept {
+    if (m.b[0] > 2) {
+      m.b[1] = 7;
+      if (m.b[2] == 3 || m.b[3] == 1) { m.b[1]++; tell(host, true); }
+    } else if (m.b[4] & 1) {
+      m.b[1] = m.b[5]; return;
+    }
+    m.b[6] = static_cast<uint8_t>(m.b[1] + m.b[6]);
+  })",
+        [](Bytes& b) -> uint64_t {
+          uint64_t calls = 0;
+          if (b[0] > 2) {
+            b[1] = 7;
+            if (b[2] == 3 || b[3] == 1) {
+              b[1]++;
+              ++calls;
+            }
+          } else if ((b[4] & 1) != 0) {
+            b[1] = b[5];
+            return calls;
+          }
+          b[6] = static_cast<uint8_t>(b[1] + b[6]);
+          return calls;
+        });
+}
+
+TEST_F(CompiledCodeTest, SwitchRunsOn) {
+  Check(R"(void f(State& m, Host&) noexcept {
+    switch (m.b[0] & 7) {
+      case 0: m.b[1] = 1;
+      case 1: m.b[2] = 2; break;
+      case 3: case 5: m.b[3] = 3; break;
+      default: m.b[4] = 4;
+    }
+  })",
+        [](Bytes& b) -> uint64_t {
+          const int n = b[0] & 7;
+          if (n == 0) b[1] = 1;
+          if (n <= 1) b[2] = 2;
+          if (n == 3 || n == 5) b[3] = 3;
+          if (n == 2 || n == 4 || n > 5) b[4] = 4;
+          return 0;
+        });
+}
+
+TEST_F(CompiledCodeTest, LoopsUnroll) {
+  Check(R"(void f(State& m, Host&) noexcept {
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i < 10; ++i) {
+      if (m.b[i] == 3) break;
+      for (uint32_t k = 0; k < (m.b[15] & 3u); ++k) sum += m.b[i] + k;
+    }
+    m.w[0] = sum;
+  })",
+        [](Bytes& b) -> uint64_t {
+          uint32_t sum = 0;
+          for (uint32_t i = 0; i < 10; ++i) {
+            if (b[i] == 3) break;
+            for (uint32_t k = 0; k < (b[15] & 3U); ++k) sum += b[i] + k;
+          }
+          SetWord(b, 0, sum);
+          return 0;
+        });
+}
+
+TEST_F(CompiledCodeTest, Indices) {
+  Check(R"(static const uint16_t kTable[] = {5, 700, 9, 1000};
+  void f(State& m, Host&) noexcept {
+    const uint32_t i = m.b[0];
+    if (i < 12) { m.b[i + 2] = m.b[1]; m.w[1] = m.w[i & 3]; }
+    m.b[15] = m.b[m.b[14] & 7];
+    m.w[0] = kTable[m.b[3] & 3];
+    uint8_t* p = m.b[4] & 1 ? &m.b[5] : reinterpret_cast<uint8_t*>(&m.w[3]);
+    *p = 0x5A;
+  })",
+        [](Bytes& b) -> uint64_t {
+          constexpr uint16_t kTable[] = {5, 700, 9, 1000};
+          const uint32_t i = b[0];
+          if (i < 12) {
+            b[i + 2] = b[1];
+            SetWord(b, 1, Word(b, static_cast<int>(i & 3)));
+          }
+          b[15] = b[b[14] & 7];
+          SetWord(b, 0, kTable[b[3] & 3]);
+          b[(b[4] & 1) != 0 ? 5 : 28] = 0x5A;
+          return 0;
+        });
+}
+
+TEST_F(CompiledCodeTest, CallsAndHost) {
+  Check(R"([[gnu::noinline]] static uint32_t g(State& m, uint32_t& n, Host& host) {
+    n += 2;
+    return m.b[0] > 1 ? ask(host, n) : n;
+  }
+  void f(State& m, Host& host) noexcept {
+    uint32_t n = m.w[0], second = 9;
+    m.w[1] = g(m, n, host) + g(m, n, host);
+    m.w[0] = n;
+    both(host, second);
+    m.w[2] = second;
+  })",
+        [](Bytes& b) -> uint64_t {
+          const uint32_t n = Word(b, 0), more = b[0] > 1 ? 1 : 0;
+          SetWord(b, 1, n + 2 + more + n + 4 + more);
+          SetWord(b, 0, n + 4);
+          SetWord(b, 2, 0x04030201);
+          return 1 + 2 * more;
+        });
+}
+
+TEST_F(CompiledCodeTest, Intrinsics) {
+  Check(R"(void f(State& m, Host&) noexcept {
+    m.w[0] = m.w[1] > m.w[2] ? m.w[1] - m.w[2] : 0;
+    m.b[0] = static_cast<uint8_t>(m.b[1] << 3 | m.b[1] >> 5);
+    const int8_t s = static_cast<int8_t>(m.b[2]);
+    m.b[2] = static_cast<uint8_t>(s < 0 ? -s : s);
+    m.b[3] = static_cast<uint8_t>(__builtin_popcount(m.w[3]) + __builtin_clz(m.w[3] | 1) + __builtin_ctz(m.w[3] | 0x100));
+    m.w[1] = __builtin_bswap32(m.w[1]);
+    uint32_t sum; if (__builtin_add_overflow(m.w[2], m.w[3], &sum)) sum = 0xFFFFFFFF;
+    m.w[2] = sum;
+  })",
+        [](Bytes& b) -> uint64_t {
+          SetWord(b, 0, Word(b, 1) > Word(b, 2) ? Word(b, 1) - Word(b, 2) : 0);
+          b[0] = static_cast<uint8_t>(b[1] << 3 | b[1] >> 5);
+          const auto s = static_cast<int8_t>(b[2]);
+          b[2] = static_cast<uint8_t>(s < 0 ? -s : s);
+          b[3] = static_cast<uint8_t>(__builtin_popcount(Word(b, 3)) + __builtin_clz(Word(b, 3) | 1) +
+                                      __builtin_ctz(Word(b, 3) | 0x100));
+          const uint32_t old = Word(b, 1);
+          SetWord(b, 1, __builtin_bswap32(old));
+          const uint64_t sum = uint64_t{Word(b, 2)} + Word(b, 3);
+          SetWord(b, 2, sum > 0xFFFFFFFF ? 0xFFFFFFFF : static_cast<uint32_t>(sum));
+          return 0;
+        });
+}
+
+TEST_F(CompiledCodeTest, WhatMustNotHappenIsAnObligation) {
+  const CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] / m.w[2]; }");
+  ASSERT_EQ(outcome.refusal, "");
+  ASSERT_EQ(outcome.obligations.size(), 1U);
+  EXPECT_EQ(outcome.obligations.front().text, "a division by zero");
+  const CodeOutcome store = Execute("void f(State& m, Host&) noexcept { m.b[m.b[0]] = 1; }");
+  ASSERT_EQ(store.obligations.size(), 1U);
+  EXPECT_EQ(store.obligations.front().text, "a write outside of its object");
+}
+
+TEST_F(CompiledCodeTest, WhatIsUndefinedIsAnything) {
+  // A shift by 32 or more: the result depends on a variable of its own, not on one choice of ours.
+  const CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] << m.w[2]; }");
+  ASSERT_EQ(outcome.refusal, "");
+  bool undefined = false;
+  for (uint32_t v = 0; v < terms_.variable_count(); ++v)
+    undefined = undefined || terms_.VariableName(v).starts_with("undefined");
+  EXPECT_TRUE(undefined);
+}
+
+TEST_F(CompiledCodeTest, Refusals) {
+  const auto refusal = [this](const std::string& body, const std::vector<std::string>& flags = {}) {
+    return Execute(body, "2", flags).refusal;
+  };
+  EXPECT_EQ(refusal("void g();"), "the code has no function t::f");
+  EXPECT_EQ(refusal("void f(State&) noexcept {}"), "the parameters of t::f are others than expected");
+  EXPECT_NE(refusal("uint32_t n; void f(State& m, Host&) noexcept { m.w[0] = n++; }").find("global variable"),
+            std::string::npos);
+  EXPECT_NE(refusal("void f(State& m, Host&) noexcept { asm volatile(\"\" : : \"r\"(m.w[0])); }").find("assembler"),
+            std::string::npos);
+  EXPECT_NE(refusal("void f(State& m, Host&) noexcept { m.w[0] = (unsigned __int128)m.w[1] * m.w[1] * m.w[1] >> 70; }")
+                .find("too wide"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("void f(State& m, Host&) noexcept { while (m.w[0] > 1) { m.w[1] ^= m.w[0] * 7; m.w[0] = m.w[0] & 1 ? "
+              "3 * m.w[0] + 1 : m.w[0] / 2; } }")
+          .find("go round more than"),
+      std::string::npos);
+  EXPECT_NE(refusal("float x(uint32_t n) { float f; __builtin_memcpy(&f, &n, 4); return f; } void f(State& m, Host&) "
+                    "noexcept { m.b[0] = x(m.w[0]) * x(m.w[1]) > 2.0f; }",
+                    {"-ffast-math"})
+                .find("-ffast-math"),
+            std::string::npos);
+  EXPECT_EQ(refusal("void f(State&, Host& host) noexcept; void other(Host&); void f(State&, Host& host) noexcept { "
+                    "other(host); }"),
+            "unknown: t::other");
+}
+
+}  // namespace
+}  // namespace plcxx::prove

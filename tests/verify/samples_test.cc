@@ -1,0 +1,74 @@
+// The machines of samples/, each verified by the tool itself; and what the tool says and writes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Sample {
+  const char* folder;
+  const char* arguments;
+};
+constexpr Sample kSamples[] = {
+    {"nc110/lathe_16k20",
+     "lathe.sym fast.plc spindle.plc turret.plc --set iocfil=IOCFIL --set axcfil=AXCFIL --set pgcfil=PGCFIL "
+     "--set messages=RUMES5 --set menu=LGCMNU --set help=HELP"},
+    {"host50/ck6150", "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il"},
+    {"prostep/mill_fnd32", "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep"},
+    {"technol/mcv_750", "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol"},
+    {"hnc/mill_xk7132", "mill.cld"},
+};
+
+std::string FolderOf(const Sample& sample) { return std::string(PLCXX_ROOT "/samples/") + sample.folder; }
+
+class SamplesTest : public ::testing::TestWithParam<Sample> {};
+
+TEST_P(SamplesTest, IsProved) {
+  const Workplace workplace;
+  const Ran ran = workplace.Run(std::string("verify ") + GetParam().arguments, "", "", FolderOf(GetParam()));
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("the compiled code is proved equal to the program"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](const auto& info) {
+  const std::string folder = info.param.folder;
+  return folder.substr(0, folder.find('/'));
+});
+
+TEST(VerifyCommand, CertificateSaysWhatWasProved) {
+  const Workplace workplace;
+  workplace.Write("turret.plc", "U4A0=I0A0*/I0A1\n$\nT5I(10)=I0A2\nU4A1=T5U\n");
+  ASSERT_EQ(workplace.Run("verify turret.plc --certificate one.json -q").code, 0);
+  ASSERT_EQ(workplace.Run("verify turret.plc --certificate two.json -q").code, 0);
+  EXPECT_EQ(workplace.Read("one.json"), workplace.Read("two.json"));
+  const auto json = nlohmann::json::parse(workplace.Read("one.json"));
+  EXPECT_EQ(json["proved"], true);
+  EXPECT_EQ(json["sources"][0]["file"], "turret.plc");
+  EXPECT_EQ(json["sources"][0]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(json["routines"].size(), 4U);
+  EXPECT_EQ(json["routines"][1]["result"], "proved");
+  EXPECT_THAT(json["compiler"]["version"].get<std::string>(), HasSubstr("clang version 19"));
+}
+
+TEST(VerifyCommand, SaysWhatItNeeds) {
+  const Workplace workplace;
+  workplace.Write("turret.plc", "U4A0=I0A0\n");
+  const Ran other = workplace.Run("verify turret.plc --compiler g++");
+  EXPECT_EQ(other.code, 1) << other;
+  EXPECT_THAT(other.errors, HasSubstr("'g++' is no Clang"));
+  EXPECT_EQ(workplace.Run("verify turret.plc --compiler no-such-compiler").code, 1);
+  EXPECT_EQ(workplace.Run("verify turret.plc -O 0").code, 2);
+  workplace.Write("wrong.plc", "U4A0=I0A0*\n");
+  EXPECT_EQ(workplace.Run("verify wrong.plc").code, 1);
+}
+
+}  // namespace
+}  // namespace plcxx::driver

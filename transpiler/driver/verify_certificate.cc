@@ -1,0 +1,88 @@
+#include "transpiler/driver/verify_certificate.h"
+
+#include <nlohmann/json.hpp>
+
+#include "transpiler/compile/runtime_files.h"
+
+namespace plcxx::driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Without the folder: the certificate is the same wherever the sources stand.
+std::string FileName(const std::string& path) {
+  const size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+Json Hashed(const std::string& name, std::string_view bytes) {
+  return {{"file", name}, {"sha256", prove::Sha256(bytes)}};
+}
+
+std::string_view Name(prove::ProofResult result) {
+  switch (result) {
+    case prove::ProofResult::kProved:
+      return "proved";
+    case prove::ProofResult::kDifferent:
+      return "different";
+    case prove::ProofResult::kNotDecided:
+      return "not decided";
+  }
+  return "";
+}
+
+Json DifferenceJson(const prove::CodeDifference& difference) {
+  Json json = {{"what", difference.what}};
+  if (!difference.has_values) return json;
+  json["expected"] = difference.expected;
+  json["compiled"] = difference.compiled;
+  json["state"] = Json::object();
+  for (const prove::VariableValue& value : difference.state) json["state"][value.name] = value.value;
+  return json;
+}
+
+Json RoutineJson(const prove::RoutineProof& proof) {
+  Json json = {{"routine", proof.routine}, {"result", Name(proof.result)}};
+  if (!proof.reason.empty()) json["reason"] = proof.reason;
+  json["state_bytes"] = proof.bytes;
+  json["host_functions"] = proof.host_functions;
+  json["obligations"] = proof.obligations;
+  json["instructions"] = proof.instructions;
+  for (const prove::CodeDifference& difference : proof.differences)
+    json["differences"].push_back(DifferenceJson(difference));
+  return json;
+}
+
+}  // namespace
+
+std::string CertificateText(const Certificate& certificate) {
+  const Compilation& compilation = *certificate.compilation;
+  Json json = {{"program", compilation.name}, {"dialect", compilation.program.dialect},
+               {"plcxx", PLCXX_VERSION},      {"options", Json::object()},
+               {"sources", Json::array()},    {"generated", Json::array()},
+               {"runtime", Json::array()}};
+  for (const auto& [key, value] : compilation.options) json["options"][key] = value;
+  // All that was read, what options and includes name, too.
+  for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
+    const source::File& file = compilation.sources->Get(source::FileId(i));
+    json["sources"].push_back(Hashed(FileName(file.path), file.text));
+  }
+  for (const emit::OutputFile& file : *certificate.files) json["generated"].push_back(Hashed(file.name, file.text));
+  for (const compile::RuntimeFile& file : compile::RuntimeFiles())
+    json["runtime"].push_back(Hashed(file.name, file.text));
+  json["compiler"] = {{"version", certificate.toolchain->version}, {"flags", certificate.bitcode->flags}};
+  json["assumed"] = {"a bit that has a byte of its own is 0 or 1 there before a routine",
+                     "host functions write what their declarations say and nothing else",
+                     "a retentive copy that the host gives has the program's layout",
+                     "the compiler translates LLVM IR to the processor's instructions as LLVM defines it"};
+  bool all = true;
+  json["routines"] = Json::array();
+  for (const prove::RoutineProof& proof : *certificate.proofs) {
+    json["routines"].push_back(RoutineJson(proof));
+    all = all && proof.result == prove::ProofResult::kProved;
+  }
+  json["proved"] = all;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,26 @@
+// What plcxx verify has shown, as a file: for the records of a machine, and for pipelines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/compilation.h"
+#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/prove/compiled/bitcode.h"
+#include "transpiler/prove/compiled/verify.h"
+
+namespace plcxx::driver {
+
+struct Certificate {
+  const Compilation* compilation = nullptr;
+  const std::vector<emit::OutputFile>* files = nullptr;  // the generated code
+  const compile::Toolchain* toolchain = nullptr;
+  const prove::Bitcode* bitcode = nullptr;
+  const std::vector<prove::RoutineProof>* proofs = nullptr;
+};
+
+/// JSON; the same for the same sources, compiler and plcxx, wherever and whenever it is made.
+std::string CertificateText(const Certificate& certificate);
+
+}  // namespace plcxx::driver

@@ -1,0 +1,208 @@
+// plcxx verify: the compiled code of this very program, proved equal to what the program means.
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/driver/verify_certificate.h"
+#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/emittable.h"
+#include "transpiler/prove/compiled/bitcode.h"
+#include "transpiler/prove/compiled/verify.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  plcxx verify turret.sym turret.plc
+  plcxx verify mill.cld --certificate mill.verified.json
+  plcxx verify turret.plc -O s --time-limit 300
+
+The program is emitted and compiled by Clang to LLVM's instructions, with the flags of plcxx build. Each routine that the
+generated header declares is executed on symbols, once as the program means it and once as it was compiled, and both are
+proved equal for every state and every input: all of State, the result, and what host functions are told.
+What is told of a routine that is not: the first values that differ, and a state before it that shows it.
+Assumed is what the certificate lists.
+Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wrong use, 3 a fault of plcxx.)";
+
+constexpr uint64_t kMsPerSecond = 1000;
+
+struct VerifySettings {
+  CommonOptions common;
+  std::string name;
+  std::string compiler = prove::kVerifyCompiler;
+  std::string level = "2";
+  std::string certificate;
+  unsigned seconds = 60;
+  bool quiet = false;
+};
+
+std::string Hex(uint64_t value) {
+  if (value < 10) return std::to_string(value);
+  std::string digits;
+  for (; value != 0; value >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[value & 15]);
+  return "0x" + digits;
+}
+
+std::string DifferenceText(const prove::CodeDifference& difference) {
+  if (!difference.has_values) return "    " + difference.what + "\n";
+  std::string text = "    " + difference.what + ": " + Hex(difference.expected) + " by the program, " +
+                     Hex(difference.compiled) + " as compiled, with";
+  if (difference.state.empty()) text += " all 0";
+  for (size_t i = 0; i < difference.state.size(); ++i)
+    text += (i == 0 ? " " : ", ") + difference.state[i].name + "=" + Hex(difference.state[i].value);
+  return text + "\n";
+}
+
+std::string ProofText(const prove::RoutineProof& proof) {
+  std::string text = "  " + proof.routine + ": ";
+  switch (proof.result) {
+    case prove::ProofResult::kProved:
+      return text + "proved (" + std::to_string(proof.bytes) + " bytes of State, " +
+             std::to_string(proof.host_functions) + " host functions, " + std::to_string(proof.instructions) +
+             " instructions)\n";
+    case prove::ProofResult::kNotDecided:
+      return text + "not decided: " + proof.reason + "\n";
+    case prove::ProofResult::kDifferent:
+      break;
+  }
+  text += "different\n";
+  for (const prove::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+  return text;
+}
+
+/// One verification: from a compiled program to the certificate.
+class Verification {
+ public:
+  Verification(const VerifySettings& settings, Compilation& compilation, ProgressLine& progress)
+      : settings_(settings), compilation_(compilation), progress_(progress) {}
+
+  /// Whether all is proved.
+  bool Run();
+  const std::string& text() const { return text_; }
+
+ private:
+  bool FindCompiler();
+  bool Refuse(const std::string& reason);
+  bool WriteCertificate(const prove::Bitcode& bitcode);
+
+  const VerifySettings& settings_;
+  Compilation& compilation_;
+  ProgressLine& progress_;
+  compile::Toolchain toolchain_;
+  std::vector<emit::OutputFile> files_;
+  std::vector<prove::RoutineProof> proofs_;
+  std::string text_;
+};
+
+bool Verification::Refuse(const std::string& reason) {
+  text_ = compilation_.name + ": not verified: " + reason + "\n";
+  return false;
+}
+
+bool Verification::FindCompiler() {
+  const compile::Target& host = compile::Targets().front();
+  auto found = compile::FindToolchain(host, settings_.compiler);
+  if (const auto* missing = std::get_if<compile::MissingTool>(&found)) {
+    compilation_.diagnostics.Report({}, diag::NoCompiler, missing->command, missing->package);
+    return false;
+  }
+  toolchain_ = std::get<compile::Toolchain>(found);
+  return toolchain_.is_clang || Refuse("'" + settings_.compiler + "' is no Clang");
+}
+
+bool Verification::WriteCertificate(const prove::Bitcode& bitcode) {
+  OutputRequest output;
+  output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
+                                                                  .files = &files_,
+                                                                  .toolchain = &toolchain_,
+                                                                  .bitcode = &bitcode,
+                                                                  .proofs = &proofs_})});
+  output.protected_paths = PathsRead(compilation_);
+  const auto failure = WriteAll(output);
+  if (failure) ReportCannotWrite(*failure, compilation_);
+  return !failure;
+}
+
+bool Verification::Run() {
+  if (!compilation_.has_program) return Refuse("the sources are data only");
+  if (!FindCompiler()) return false;
+  progress_.Show("printing C++");
+  const emit::Emittable emittable = emit::Legalize(compilation_.program, {.name = compilation_.name});
+  files_ = emit::PrintCpp(emittable, *compilation_.sources);
+  progress_.Show("compiling");
+  auto compiled = prove::CompileToBitcode({.toolchain = &toolchain_, .level = settings_.level, .files = &files_});
+  if (const auto* failure = std::get_if<prove::BitcodeFailure>(&compiled)) {
+    std::cerr << failure->output;
+    return Refuse(failure->message);
+  }
+  const auto& bitcode = std::get<prove::Bitcode>(compiled);
+  const prove::LoadedCode loaded = prove::LoadCode(bitcode.files);
+  if (loaded.code == nullptr) return Refuse(loaded.reason);
+  prove::VerifyLimits limits;
+  limits.routine_ms = kMsPerSecond * settings_.seconds;
+  limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  proofs_ = prove::Verify(emittable, *loaded.code, limits);
+  bool all = true;
+  for (const prove::RoutineProof& proof : proofs_) {
+    text_ += ProofText(proof);
+    all = all && proof.result == prove::ProofResult::kProved;
+  }
+  text_ = compilation_.name + (all ? ": the compiled code is proved equal to the program\n" : ": not proved\n") + text_;
+  if (!settings_.certificate.empty() && !WriteCertificate(bitcode)) return false;
+  return all;
+}
+
+int RunVerify(const VerifySettings& settings) {
+  OutputOptions names;
+  names.name = settings.name;
+  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, names);
+  if (!request) return kWrongUse;
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  Compilation compilation = Compile(*request);
+  Verification verification(settings, compilation, progress);
+  const bool proved = compilation.ok() && verification.Run();
+  progress.Clear();
+  PrintDiagnostics(compilation, FormatOf(settings.common));
+  if (!settings.quiet || !proved) std::cerr << verification.text();
+  const int code = ExitCodeOf(compilation);
+  return code == kDone && !proved ? static_cast<int>(kProgramHasErrors) : code;
+}
+
+}  // namespace
+
+void AddVerify(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("verify", "Prove that the compiled code does what the program says");
+  const auto settings = std::make_shared<VerifySettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--name", settings->name, "Of the program; else from the first source with logic")
+      ->type_name("N")
+      ->group("Output");
+  command->add_option("--certificate", settings->certificate, "Write what was proved, of what, and how: JSON")
+      ->type_name("FILE")
+      ->group("Output");
+  command->add_option("--compiler", settings->compiler, "Clang 19, also behind a launcher; else clang++-19")
+      ->type_name("CMD")
+      ->group("Output");
+  command->add_option("-O", settings->level, "Level of optimization; else 2")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"1", "2", "3", "s", "z"}))
+      ->group("Output");
+  command->add_option("--time-limit", settings->seconds, "Seconds for one routine; else 60")
+      ->type_name("S")
+      ->check(CLI::Range(1u, 86'400u))
+      ->group("Limits");
+  command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return RunVerify(*settings); }; });
+}
+
+}  // namespace plcxx::driver
