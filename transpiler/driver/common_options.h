@@ -52,5 +52,6 @@ void AddReport(CLI::App& app, Run& run);
 void AddBuild(CLI::App& app, Run& run);
 void AddVerify(CLI::App& app, Run& run);
 void AddDiff(CLI::App& app, Run& run);
+void AddProve(CLI::App& app, Run& run);
 
 }  // namespace plcxx::driver

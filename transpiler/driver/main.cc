@@ -20,6 +20,7 @@ constexpr const char* kFooter = R"(Examples:
   plcxx test turret.yaml                            run scenarios
   plcxx sim turret.plc --for 3s --watch U4A8,W2K2   watch it run
   plcxx diff old new                                which outputs behave differently, and when
+  plcxx prove turret.plc --property turret.prop     what holds for all inputs, and what does not
   plcxx explain nc110-41                            what a message means
 
 plcxx COMMAND --help tells more about one command.
@@ -48,6 +49,7 @@ int Main(int argc, char** argv) {
   AddReport(app, run);
   AddVerify(app, run);
   AddDiff(app, run);
+  AddProve(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

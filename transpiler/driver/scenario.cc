@@ -204,17 +204,22 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
       scenario.expect_error = ReadExpectedError(entry.value);
     } else if (key == "warnings") {
       scenario.warnings = ReadWarnings(entry.value);
+    } else if (key == "properties") {
+      for (const YAML::Node& item : ListOrSingle(entry.value)) {
+        if (std::optional<MarkedText> word = Word(item, "a property")) scenario.properties.push_back(std::move(*word));
+      }
     } else if (key == "steps") {
       scenario.steps = ReadSteps(entry.value);
     } else {
-      RefuseKey(entry.key, "a scenario",
-                {"dialect", "sources", "options", "steps", "expect_error", "warnings", "name", "description"});
+      RefuseKey(
+          entry.key, "a scenario",
+          {"dialect", "sources", "options", "steps", "properties", "expect_error", "warnings", "name", "description"});
     }
   }
   if (!root.IsMap()) return scenario;
   if (scenario.steps && scenario.expect_error) {
     Fail(scenario.expect_error->mark, "'expect_error' stands instead of 'steps', not beside them");
-  } else if (!scenario.steps && !scenario.expect_error && !scenario.warnings) {
+  } else if (!scenario.steps && !scenario.expect_error && !scenario.warnings && scenario.properties.empty()) {
     Fail(Mark(root), "nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'");
   }
   return scenario;

@@ -110,6 +110,8 @@ struct Scenario {
   std::optional<ExpectedError> expect_error;
   std::optional<std::vector<ExpectedWarning>> warnings;  // an empty list: no warning at all
   std::optional<std::vector<ScenarioStep>> steps;
+  /// What `plcxx prove` proves of the program, and what is watched while the steps run.
+  std::vector<MarkedText> properties;
 };
 
 using ScenarioOrErrors = std::variant<Scenario, std::vector<ScenarioError>>;

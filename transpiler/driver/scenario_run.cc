@@ -36,18 +36,20 @@ class Runner {
         control_(run_.program, run_.dialect, run_.engines, std::move(run_.stub)) {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) { AfterPeriod(now_ms); };
-    clock_.interrupted = [this] { return run_.engines.difference().has_value(); };
+    clock_.interrupted = [this] { return run_.engines.difference().has_value() || Violation() != nullptr; };
   }
 
   Verdict Run() {
     clock_.PowerOn();
     control_.PowerOn();
+    if (run_.monitor != nullptr) run_.monitor->PowerOn();
     for (const PlannedStep& step : run_.plan.steps) {
       step_ = &step;
       Verdict verdict = std::visit([this](const auto& action) { return Do(action); }, step.written->action);
       // A difference explains a wrong value, so it is told first.
       if (run_.engines.difference()) return Differ(*run_.engines.difference());
       if (verdict) return verdict;
+      if (Violation() != nullptr) return Failed(step.written->mark, *Violation());
     }
     return std::nullopt;
   }
@@ -56,6 +58,12 @@ class Runner {
   void AfterPeriod(uint32_t now_ms) {
     if (run_.trace != nullptr) run_.trace->Record(before_power_cycles_ms_ + clock_.time_ms(), control_.Reader());
     control_.AfterPeriod(now_ms);
+    if (run_.monitor != nullptr) run_.monitor->AfterPeriod(run_.engines, now_ms);
+  }
+
+  /// Of a property; none: there is none so far.
+  const std::string* Violation() const {
+    return run_.monitor != nullptr && run_.monitor->violation() ? &*run_.monitor->violation() : nullptr;
   }
 
   std::string Failed(ScenarioMark mark, const std::string& message) const {
@@ -200,6 +208,7 @@ class Runner {
     control_.PowerOff();
     clock_.PowerCycle();
     control_.PowerOn();
+    if (run_.monitor != nullptr) run_.monitor->PowerOn();
     absent_values_ = absent_forces_;
     return std::nullopt;
   }

@@ -10,6 +10,7 @@
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/prove_monitor.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_plan.h"
 #include "transpiler/ir/program.h"
@@ -29,6 +30,7 @@ struct ScenarioRun {
   const sim::LastWrites* writes = nullptr;      // of the simulator; none without one
   std::unique_ptr<dialects::ControlStub> stub;  // may be none
   sim::Trace* trace = nullptr;                  // sampled after each period; may be none
+  PropertyMonitor* monitor = nullptr;           // of the scenario's properties; may be none
 };
 
 /// EngineFault of an engine passes through.

@@ -14,6 +14,9 @@
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/driver/compiled_engine.h"
 #include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/prove_machine.h"
+#include "transpiler/driver/prove_monitor.h"
+#include "transpiler/driver/prove_properties.h"
 #include "transpiler/driver/scenario_diagnostics.h"
 #include "transpiler/driver/scenario_plan.h"
 #include "transpiler/driver/scenario_run.h"
@@ -58,10 +61,11 @@ class Test {
     if (!scenario_.steps) return std::move(result_);
     const auto plan = PlanScenario(scenario_, *compilation.dialect, compilation.program);
     if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&plan)) {
-      std::string text;
-      for (const ScenarioError& error : *errors) text += (text.empty() ? "" : "\n") + ToText(error);
-      return End(TestOutcome::kUnusable, text);
+      return End(TestOutcome::kUnusable, ToText(*errors));
     }
+    std::vector<ScenarioError> errors;
+    PlanMonitor(compilation, errors);
+    if (!errors.empty()) return End(TestOutcome::kUnusable, ToText(errors));
     Failure failure;
     try {
       failure = RunSteps(compilation, std::get<ScenarioPlan>(plan));
@@ -73,6 +77,23 @@ class Test {
   }
 
  private:
+  static std::string ToText(const std::vector<ScenarioError>& errors) {
+    std::string text;
+    for (const ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + driver::ToText(error);
+    return text;
+  }
+
+  /// The scenario's properties are watched while its steps run.
+  void PlanMonitor(const Compilation& compilation, std::vector<ScenarioError>& errors) {
+    if (scenario_.properties.empty()) return;
+    const ir::Program& program = compilation.program;
+    const prove::Cells cells = prove::MakeCells(program);
+    const dialects::Dialect& dialect = *compilation.dialect;
+    monitor_ = std::make_unique<PropertyMonitor>(
+        program, cells,
+        WatchedProperties(scenario_, dialect.name, SurroundingsOf(dialect, program, cells, TimingOf(program)), errors));
+  }
+
   ScenarioResult End(TestOutcome outcome, std::string text) {
     result_.test.outcome = outcome;
     result_.test.text = std::move(text);
@@ -154,7 +175,8 @@ class Test {
                                    .engines = *engines.lockstep,
                                    .writes = engines.writes,
                                    .stub = MakeStub(compilation),
-                                   .trace = options_.waveform ? &trace : nullptr});
+                                   .trace = options_.waveform ? &trace : nullptr,
+                                   .monitor = monitor_.get()});
     if (options_.waveform) result_.waveform = sim::WriteVcd(trace, compilation.program.name);
     return failure;
   }
@@ -167,6 +189,7 @@ class Test {
   const Scenario& scenario_;
   const SuiteOptions& options_;
   ScenarioProgram& program_;
+  std::unique_ptr<PropertyMonitor> monitor_;
   ScenarioResult result_;
 };
 

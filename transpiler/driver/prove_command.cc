@@ -1,0 +1,254 @@
+// plcxx prove: properties of the machine, for all inputs and all scans.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/prove_machine.h"
+#include "transpiler/driver/prove_output.h"
+#include "transpiler/driver/scenario_program.h"
+#include "transpiler/driver/terminal.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kFooter = R"(Properties, one a line ('#' begins a comment); locations are written as in scenarios:
+  never U4A8 and U4A9                      not both, after any period
+  at most one of U4A8, U4A9, U4A10         (or: exactly one of)
+  W10K3 in 0..12                           (also = != < <= > >=, and 'is', 'is not')
+  I0K1 implies U21K8 is 0 within 1 slow    soon enough for 'set: {I0K1: 1}, run: {slow: 1}'; without 'within': at once
+  I0K1 for 3000 ms implies U4A8            once I0K1 has stood so long
+  U4A8 is never stuck within 20 slow       from every state some inputs make it 1, and some make it 0, in that time
+
+What is looked at is the state after each period, for all inputs, from power-on with all memory 0. Times are counted in
+slow passes, fast passes or ms, which are rounded up to periods. The slow part is taken as one piece, also where it
+is cut into slices.
+
+A violated property comes with a scenario, run before it is shown: with --counterexamples it is written to a file that
+'plcxx test' runs. 'properties:' in a scenario is a list of properties; 'plcxx test' watches them while the steps run.
+
+Examples:
+  plcxx prove turret.sym turret.plc --property turret.prop
+  plcxx prove turret.yaml                                  sources, options and properties of a scenario
+  plcxx prove turret.plc --property turret.prop --counterexamples failing --junit proofs.xml
+
+Exit codes: 0 all proved, 1 a property is violated or not decided, or the program has errors, 2 wrong use.)";
+
+struct ProveSettings {
+  CommonOptions common;
+  std::vector<std::string> files;
+  std::string form = "text", junit, counterexamples, time = "60s";
+  uint32_t most_periods = 50;
+  bool any_retentive = false;
+};
+
+std::optional<uint64_t> Milliseconds(const std::string& text) {
+  size_t digits = 0;
+  while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9') ++digits;
+  constexpr size_t kMostDigits = 7;
+  if (digits == 0 || digits > kMostDigits) return std::nullopt;
+  const uint64_t number = std::stoull(text.substr(0, digits));
+  const std::string unit = text.substr(digits);
+  if (number == 0) return std::nullopt;
+  if (unit == "ms") return number;
+  if (unit == "s") return number * 1000;
+  if (unit == "min") return number * 60'000;
+  return std::nullopt;
+}
+
+class Prove {
+ public:
+  explicit Prove(const ProveSettings& settings) : settings_(settings) {}
+
+  int Run() {
+    const std::optional<uint64_t> time = Milliseconds(settings_.time);
+    if (!time) return Wrong("'--time " + settings_.time + "' is no time: write it as in 60s, 500ms or 5min");
+    options_.time_ms = *time;
+    options_.most_periods = settings_.most_periods;
+    if (settings_.any_retentive) options_.retentive = prove::RetentiveMemory::kAny;
+    if (!MakeRequest()) return kWrongUse;
+    if (!scenario_ && settings_.files.empty()) {
+      return Wrong("there is nothing to prove: name a file of properties with --property, or a scenario that has some");
+    }
+    MakeProveMachine(request_, machine_);
+    Compilation& compilation = machine_.compilation;
+    if (!compilation.ok()) {
+      PrintDiagnosticsBeside(compilation, FormatOf(settings_.common));
+      return ExitCodeOf(compilation);
+    }
+    if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
+    if (const int code = ReadProperties(); code != kDone) return code;
+    progress_.Show("executing");
+    prove::PropertyChecker checker(machine_.version, options_);
+    if (!checker.refusal().empty()) {
+      PrintUsageError("nothing can be proved: " + checker.refusal());
+      return kWrongUse;
+    }
+    for (PlacedProperty& placed : properties_) Check(checker, std::move(placed));
+    return Finish();
+  }
+
+ private:
+  static int Wrong(const std::string& text) {
+    PrintUsageError(text);
+    return kWrongUse;
+  }
+
+  bool MakeRequest() {
+    std::optional<CompilationRequest> request = driver::MakeRequest(settings_.common);
+    if (!request) return false;
+    request_ = std::move(*request);
+    const std::vector<std::string>& sources = settings_.common.sources;
+    if (sources.size() != 1 || std::filesystem::path(sources.front()).extension() != ".yaml") return true;
+    ScenarioOrErrors read = ReadScenario(sources.front());
+    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
+      for (const ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+      return false;
+    }
+    scenario_ = std::move(std::get<Scenario>(read));
+    if (scenario_->sources.empty()) {
+      PrintUsageError(scenario_->path + ": no 'sources': the scenario names no program");
+      return false;
+    }
+    if (scenario_->properties.empty() && settings_.files.empty()) {
+      PrintUsageError(scenario_->path + ": no 'properties': there is nothing to prove");
+      return false;
+    }
+    CompilationRequest own = RequestOf(*scenario_, {{}, request_.options, request_.warnings});
+    own.include_directories = request_.include_directories;
+    own.macros = request_.macros;
+    request_ = std::move(own);
+    return true;
+  }
+
+  int ReadProperties() {
+    Compilation& compilation = machine_.compilation;
+    const dialects::Dialect& dialect = *compilation.dialect;
+    const prove::PropertySurroundings surroundings =
+        SurroundingsOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
+    const auto add = [this](std::vector<PlacedProperty> more) {
+      for (PlacedProperty& one : more) properties_.push_back(std::move(one));
+    };
+    diag::Engine diagnostics;
+    std::swap(diagnostics, compilation.diagnostics);  // warnings of the program are not this command's
+    if (scenario_ && !scenario_->properties.empty()) {
+      add(PropertiesOfScenario(*scenario_, dialect.name, surroundings, *compilation.sources, compilation.diagnostics));
+    }
+    for (const std::string& path : settings_.files) {
+      std::error_code none;
+      std::ifstream in(path, std::ios::binary);
+      if (!in || std::filesystem::is_directory(path, none)) return Wrong("cannot read '" + path + "'");
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      add(PropertiesOfFile(path, text, dialect.name, surroundings, *compilation.sources, compilation.diagnostics));
+    }
+    if (compilation.ok()) return kDone;
+    PrintDiagnosticsBeside(compilation, FormatOf(settings_.common));
+    return kWrongUse;
+  }
+
+  void Check(prove::PropertyChecker& checker, PlacedProperty placed) {
+    const std::string number = std::to_string(proved_.size() + 1);
+    ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}};
+    const prove::Property& property = proved.placed.property;
+    progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
+    proved.result = checker.Check(property);
+    if (proved.result.run) {
+      const std::string name = "property-" + number + ".yaml";
+      proved.scenario = MakePropertyScenario(machine_, request_, property, *proved.result.run,
+                                             {.directory = settings_.counterexamples, .name = name});
+      if (!settings_.counterexamples.empty() && !proved.scenario.steps.empty()) {
+        proved.file = (std::filesystem::path(settings_.counterexamples) / name).generic_string();
+      }
+    }
+    progress_.Clear();
+    if (settings_.form == "text") {
+      const Colours colours = ShowsColours(Stream::kOutput) ? Colours::kTerminal : Colours::kNone;
+      std::cout << ProveText(proved, colours) << std::flush;
+    }
+    proved_.push_back(std::move(proved));
+  }
+
+  int Finish() {
+    if (settings_.form == "json") {
+      std::cout << ProveJson(proved_);
+    } else {
+      std::cout << ProveSummary(proved_) << "\n";
+    }
+    OutputRequest output;
+    output.protected_paths = settings_.common.sources;
+    for (const std::string& path : settings_.files) output.protected_paths.push_back(path);
+    if (!settings_.junit.empty()) output.files.push_back({settings_.junit, JunitXml(ProveCases(proved_))});
+    for (const ProvedProperty& proved : proved_) {
+      if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
+    }
+    for (const emit::OutputFile& file : output.files) {
+      const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
+      std::error_code none;  // what is wrong is told when the file is written
+      if (!directory.empty()) std::filesystem::create_directories(directory, none);
+    }
+    if (!output.files.empty()) {
+      if (const std::optional<WriteFailure> failure = WriteAll(output)) {
+        return Wrong("cannot write '" + failure->path + "': " + failure->reason);
+      }
+    }
+    for (const ProvedProperty& proved : proved_) {
+      if (proved.result.verdict != prove::PropertyVerdict::kProved) return kProgramHasErrors;
+    }
+    return kDone;
+  }
+
+  const ProveSettings& settings_;
+  prove::CheckOptions options_;
+  CompilationRequest request_;
+  std::optional<Scenario> scenario_;
+  ProveMachine machine_;
+  ProgressLine progress_;
+  std::vector<PlacedProperty> properties_;
+  std::vector<ProvedProperty> proved_;
+};
+
+}  // namespace
+
+void AddProve(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("prove", "Prove properties of the machine for all inputs and all scans");
+  const auto settings = std::make_shared<ProveSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->take_all();
+  command
+      ->add_option("--counterexamples", settings->counterexamples,
+                   "Write a scenario for each violated property into this directory")
+      ->type_name("DIR");
+  command->add_option("--time", settings->time, "For one property, as in 500ms, 60s or 5min")
+      ->type_name("TIME")
+      ->default_str("60s");
+  command->add_option("--depth", settings->most_periods, "Periods of the longest run, and of the longest induction")
+      ->type_name("N")
+      ->default_str("50")
+      ->check(CLI::Range(1, 10000));
+  command->add_flag("--any-retentive", settings->any_retentive,
+                    "Retentive memory holds anything at power-on, instead of 0");
+  command->add_option("--format", settings->form, "Form of the result: text, json")
+      ->type_name("FORM")
+      ->default_str("text")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->add_option("--junit", settings->junit, "Write the results as JUnit XML, each property a test")
+      ->type_name("FILE");
+  command->footer(kFooter);
+  command->callback([settings, &run] { run = [settings] { return Prove(*settings).Run(); }; });
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,137 @@
+#include "transpiler/driver/prove_output.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace plcxx::driver {
+namespace {
+
+using prove::PropertyVerdict;
+
+std::string Count(uint32_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string_view NameOf(PropertyVerdict verdict) {
+  switch (verdict) {
+    case PropertyVerdict::kProved:
+      return "proved";
+    case PropertyVerdict::kViolated:
+      return "violated";
+    case PropertyVerdict::kUndecided:
+      return "not decided";
+  }
+  PLCXX_UNREACHABLE();
+}
+
+/// The lines below the property's own, without indentation.
+std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
+  const prove::PropertyResult& result = proved.result;
+  switch (result.verdict) {
+    case PropertyVerdict::kProved:
+      if (proved.placed.property.kind == prove::PropertyKind::kNeverStuck) {
+        std::string text = "within " + Count(result.periods, "period") + " from every state";
+        if (result.invariants > 0) text += ", with " + Count(result.invariants, "invariant");
+        return {text};
+      }
+      return {"by induction over " + Count(result.periods, "period") +
+              (result.invariants > 0 ? ", with " + Count(result.invariants, "invariant") : "")};
+    case PropertyVerdict::kViolated: {
+      std::vector<std::string> lines{"after " + Count(result.periods, "period") + ": " + proved.scenario.steps};
+      if (!result.reason.empty()) lines.push_back(result.reason);
+      if (!proved.scenario.reason.empty()) lines.push_back("not replayed: " + proved.scenario.reason);
+      if (!proved.file.empty()) lines.push_back("scenario: " + proved.file);
+      return lines;
+    }
+    case PropertyVerdict::kUndecided:
+      return {result.reason, "no run of up to " + Count(result.searched, "period") + " violates it"};
+  }
+  PLCXX_UNREACHABLE();
+}
+
+size_t CountOf(const std::vector<ProvedProperty>& all, PropertyVerdict verdict) {
+  return static_cast<size_t>(
+      std::ranges::count_if(all, [verdict](const ProvedProperty& one) { return one.result.verdict == verdict; }));
+}
+
+}  // namespace
+
+std::string ProveText(const ProvedProperty& proved, Colours colours) {
+  constexpr size_t kWidth = 13;
+  std::string name(NameOf(proved.result.verdict));
+  std::string_view colour = "\x1b[32m";
+  if (proved.result.verdict == PropertyVerdict::kViolated) {
+    name = "VIOLATED";
+    colour = "\x1b[31m";
+  } else if (proved.result.verdict == PropertyVerdict::kUndecided) {
+    colour = "\x1b[33m";
+  }
+  const std::string padding(kWidth - name.size(), ' ');
+  if (colours == Colours::kTerminal) name = std::string(colour) + name + "\x1b[0m";
+  std::string text = name + padding + proved.placed.property.text + "\n";
+  for (const std::string& line : DetailsOf(proved)) text += std::string(kWidth, ' ') + line + "\n";
+  return text;
+}
+
+std::string ProveSummary(const std::vector<ProvedProperty>& all) {
+  std::string text = std::to_string(all.size()) + (all.size() == 1 ? " property: " : " properties: ") +
+                     std::to_string(CountOf(all, PropertyVerdict::kProved)) + " proved";
+  for (const PropertyVerdict verdict : {PropertyVerdict::kViolated, PropertyVerdict::kUndecided}) {
+    const size_t count = CountOf(all, verdict);
+    if (count > 0) text += ", " + std::to_string(count) + " " + std::string(NameOf(verdict));
+  }
+  return text;
+}
+
+std::string ProveJson(const std::vector<ProvedProperty>& all) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ProvedProperty& proved : all) {
+    const prove::PropertyResult& result = proved.result;
+    nlohmann::ordered_json one;
+    one["property"] = proved.placed.property.text;
+    one["file"] = proved.placed.path;
+    one["line"] = proved.placed.property.line;
+    one["column"] = proved.placed.property.column;
+    one["verdict"] = NameOf(result.verdict);
+    one["searchedPeriods"] = result.searched;
+    switch (result.verdict) {
+      case PropertyVerdict::kProved:
+        one["periods"] = result.periods;
+        one["invariants"] = result.invariants;
+        break;
+      case PropertyVerdict::kViolated:
+        one["periods"] = result.periods;
+        one["steps"] = proved.scenario.steps;
+        one["replayed"] = proved.scenario.reason.empty();
+        if (!proved.scenario.reason.empty()) one["reason"] = proved.scenario.reason;
+        one["scenario"] = proved.scenario.yaml;
+        if (!proved.file.empty()) one["scenarioFile"] = proved.file;
+        break;
+      case PropertyVerdict::kUndecided:
+        one["reason"] = result.reason;
+        break;
+    }
+    list.push_back(std::move(one));
+  }
+  nlohmann::ordered_json report;
+  report["properties"] = std::move(list);
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::vector<TestCase> ProveCases(const std::vector<ProvedProperty>& all) {
+  std::vector<TestCase> cases;
+  for (const ProvedProperty& proved : all) {
+    TestCase test{.name = proved.placed.property.text, .group = proved.placed.path, .text = {}};
+    if (proved.result.verdict != PropertyVerdict::kProved) {
+      test.outcome =
+          proved.result.verdict == PropertyVerdict::kViolated ? TestOutcome::kFailed : TestOutcome::kUnusable;
+      test.text = std::string(NameOf(proved.result.verdict));
+      for (const std::string& line : DetailsOf(proved)) test.text += "\n" + line;
+    }
+    cases.push_back(std::move(test));
+  }
+  return cases;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,146 @@
+#include "transpiler/driver/prove_scenario.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+
+#include "transpiler/driver/scenario.h"
+#include "transpiler/driver/scenario_program.h"
+#include "transpiler/driver/scenario_suite.h"
+
+namespace plcxx::driver {
+namespace {
+
+using prove::CellId;
+
+std::string Quoted(const std::string& text) {
+  const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
+           c == '/';
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+/// `path`, which the request names, from `directory`.
+std::string PathFrom(const std::string& directory, const CompilationRequest& request, const std::string& path) {
+  const std::filesystem::path full = std::filesystem::absolute(std::filesystem::path(request.base_directory) / path);
+  const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory);
+  const std::filesystem::path relative = full.lexically_normal().lexically_relative((from / "").lexically_normal());
+  return relative.empty() ? full.generic_string() : relative.generic_string();
+}
+
+std::string Heading(const ProveMachine& machine, const CompilationRequest& request, const prove::Property& property,
+                    const std::string& directory) {
+  std::string text = "# A run that violates the property: it passes when the program has been repaired.\n";
+  text += "dialect: " + std::string(machine.compilation.dialect->name) + "\nsources: [";
+  std::string separator;
+  for (const std::string& source : request.sources) {
+    text += separator + Quoted(PathFrom(directory, request, source));
+    separator = ", ";
+  }
+  text += "]\n";
+  separator.clear();
+  std::string options;
+  for (const auto& [key, value] : machine.compilation.options) {
+    std::string written = value;
+    // A file that the option names stands where the sources do.
+    const std::filesystem::path file = std::filesystem::path(request.base_directory) / value;
+    std::error_code none;
+    if (!value.empty() && std::filesystem::is_regular_file(file, none)) written = PathFrom(directory, request, value);
+    options += separator + Quoted(key) + ": " + Quoted(written);
+    separator = ", ";
+  }
+  if (request.encoding) options += separator + "encoding: " + std::string(source::Name(*request.encoding));
+  if (!options.empty()) text += "options: {" + options + "}\n";
+  return text + "properties:\n- " + Quoted(property.text) + "\n";
+}
+
+/// The steps of the run; false: an input has no name.
+bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, PropertyScenario& scenario) {
+  std::vector<CellId> cells;
+  for (const auto& period : run.periods) {
+    for (const auto& part : period) {
+      for (const prove::InputValue& input : part) {
+        if (std::ranges::find(cells, input.cell) == cells.end()) cells.push_back(input.cell);
+      }
+    }
+  }
+  std::ranges::sort(cells);
+  const std::vector<InputWord> words = WordsOf(machine, cells);
+  if (std::ranges::any_of(words, [](const InputWord& word) { return word.name.empty(); })) return false;
+  const ir::Schedule& schedule = machine.compilation.program.schedule;
+  const std::string time = std::to_string(schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
+  const bool by_slow = machine.slices > 1;
+  std::map<CellId, bool> now;
+  uint32_t runs = 0;  // parts without a change in between
+  std::string steps;
+  const auto add_line = [&](const std::string& part) { scenario.steps += (scenario.steps.empty() ? "" : ", ") + part; };
+  const auto flush = [&] {
+    if (runs == 0) return;
+    const std::string count = by_slow ? std::to_string(runs) : std::to_string(uint64_t{runs} * std::stoul(time));
+    steps += by_slow ? "- run: {slow: " + count + "}\n" : "- run: {ms: " + count + "}\n";
+    add_line(by_slow ? "slow " + count : count + " ms");
+    runs = 0;
+  };
+  for (const auto& period : run.periods) {
+    for (const auto& part : period) {
+      if (!part.empty()) flush();
+      for (const prove::InputValue& input : part) now[input.cell] = input.value;
+      std::string sets;
+      for (const InputWord& word : words) {
+        const bool changes = std::ranges::any_of(part, [&](const prove::InputValue& input) {
+          return std::ranges::find(word.cells, input.cell) != word.cells.end();
+        });
+        if (!changes) continue;
+        uint64_t value = 0;
+        for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
+        sets += (sets.empty() ? "" : ", ") + Quoted(word.name) + ": " + std::to_string(value);
+        add_line(word.name + "=" + std::to_string(value));
+      }
+      if (!sets.empty()) steps += "- set: {" + sets + "}\n";
+      ++runs;
+    }
+  }
+  flush();
+  scenario.yaml += "steps:\n" + steps;
+  return true;
+}
+
+}  // namespace
+
+PropertyScenario MakePropertyScenario(const ProveMachine& machine, const CompilationRequest& request,
+                                      const prove::Property& property, const prove::PropertyRun& run,
+                                      const ScenarioPlace& place) {
+  PropertyScenario scenario;
+  scenario.yaml = Heading(machine, request, property, place.directory);
+  if (!WriteSteps(machine, run, scenario)) {
+    scenario.reason = "an input has no name that a scenario can set";
+    return scenario;
+  }
+  const std::string path = (std::filesystem::path(place.directory) / place.name).generic_string();
+  ScenarioOrErrors read = ParseScenario(path, scenario.yaml);
+  if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
+    scenario.reason = ToText(errors->front());
+    return scenario;
+  }
+  const Scenario& parsed = std::get<Scenario>(read);
+  CompilationRequest again = RequestOf(parsed, {});
+  again.include_directories = request.include_directories;
+  again.system_include_directories = request.system_include_directories;
+  again.macros = request.macros;
+  ScenarioProgram program(std::move(again));
+  const ScenarioResult result = TestScenario(parsed, {}, program);
+  const bool shown =
+      result.test.outcome == TestOutcome::kFailed && result.test.text.find("property '") != std::string::npos;
+  if (shown) return scenario;
+  scenario.reason = result.test.outcome == TestOutcome::kPassed
+                        ? "the simulation, with its slices and its simulated control, does not show it"
+                        : result.test.text.substr(0, result.test.text.find('\n'));
+  return scenario;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,27 @@
+// Counterexamples as scenarios: written from the run of a proof, and run in the simulator.
+#pragma once
+
+#include <string>
+
+#include "transpiler/driver/prove_machine.h"
+#include "transpiler/prove/properties/check.h"
+
+namespace plcxx::driver {
+
+struct PropertyScenario {
+  std::string yaml;
+  std::string steps;   // the same in one line: "set START=1, slow 1"
+  std::string reason;  // not empty: there is no such scenario, or it does not show the violation, and why
+};
+
+struct ScenarioPlace {
+  std::string directory;  // where it will stand: its sources are named from there
+  std::string name;       // of the file
+};
+
+/// The scenario fails as long as the property is violated, and passes when the program is repaired.
+PropertyScenario MakePropertyScenario(const ProveMachine& machine, const CompilationRequest& request,
+                                      const prove::Property& property, const prove::PropertyRun& run,
+                                      const ScenarioPlace& place);
+
+}  // namespace plcxx::driver

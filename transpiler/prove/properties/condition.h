@@ -1,0 +1,25 @@
+// What a property says about a run, as terms over the values of cells after each period.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "transpiler/prove/properties/property.h"
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+/// The value of a cell after a period; periods are counted from 1.
+using ValueAfter = std::function<TermId(CellId cell, uint32_t period)>;
+
+/// Whether `period` does not violate the property: a response that was due there has come. What lies before period 1
+/// has not held. Not for kNeverStuck.
+TermId HoldsAfter(Terms& terms, const Property& property, uint32_t period, const ValueAfter& value);
+
+/// How many periods HoldsAfter looks at, the present one included.
+uint32_t WindowOf(const Property& property);
+
+/// The value of an operand after a period, as wide as it is.
+TermId ValueOf(Terms& terms, const PropertyOperand& operand, uint32_t period, const ValueAfter& value);
+
+}  // namespace plcxx::prove

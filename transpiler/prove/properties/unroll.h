@@ -1,0 +1,78 @@
+// A program period by period: its state after each one as terms over the inputs so far.
+//
+// The inputs are what the host may write and the program does not, and the machine's inputs; they have new values in
+// every period, and where fast and slow part have periods of their own, before each part. Not its job: questions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+enum class Start : uint8_t {
+  kPowerOn,       // all memory as the program says; at power-on the host answers 0
+  kAnyRetentive,  // the same with any retentive memory, and whatever the host answers at power-on
+  kAnywhere       // any state at all, at any time
+};
+
+/// By cell: whether it is an input.
+std::vector<bool> InputsOf(const Version& version);
+/// Whether answers of the host can change what the program does: it has functions with results, beside the exchange of
+/// inputs, or texts of the operator arrive.
+bool AnswersMatter(const ir::Program& program);
+
+class Unrolled {
+ public:
+  /// `name` distinguishes the variables of several. All arguments by reference outlive it.
+  Unrolled(Terms& terms, const Version& version, const std::vector<bool>& inputs, Start start, HostAnswers answers,
+           std::string name);
+
+  /// One more period; false: `refusal` says why not.
+  bool Advance();
+  uint32_t periods() const { return static_cast<uint32_t>(states_.size() - 1); }
+  const Refusal& refusal() const { return refusal_; }
+
+  /// After a period; 0: at the start.
+  TermId Value(CellId cell, uint32_t period);
+  /// The variables of what is free at kAnywhere, as far as they have been asked for; by cell.
+  const std::map<CellId, TermId>& start_variables() const { return start_variables_; }
+
+  /// The variables of the inputs of a part of a period; by cell.
+  using Part = std::map<CellId, TermId>;
+  const std::vector<Part>& parts(uint32_t period) const { return inputs_of_[period]; }
+  /// Parts of each period between which inputs may change.
+  uint32_t part_count() const { return fast_parts_ == 0 ? 1 : fast_parts_; }
+
+  /// Instead of new variables, inputs are what this gives; asked at Advance.
+  std::function<TermId(CellId cell, uint32_t period, uint32_t part)> choose_input;
+  /// Instead of variables, the start is what this gives; only before the first Advance.
+  std::function<TermId(CellId cell)> choose_start;
+
+ private:
+  TermId Input(CellId cell, uint32_t period, uint32_t part);
+  TermId AtStart(CellId cell);
+  TermId Now(uint32_t period, uint32_t part);
+
+  Terms& terms_;
+  const Version& version_;
+  const std::vector<bool>& inputs_;
+  Start start_;
+  HostAnswers answers_;
+  std::string name_;
+  uint32_t fast_parts_ = 0;
+  Uses uses_;
+  TermId time_;                               // at the start of kAnywhere
+  std::vector<std::vector<TermId>> states_;   // by period and cell; none: as before
+  std::vector<std::vector<Part>> inputs_of_;  // by period
+  std::map<CellId, TermId> start_variables_;
+  Refusal refusal_;
+};
+
+}  // namespace plcxx::prove
