@@ -97,10 +97,11 @@ std::optional<std::string> CheckInclude(const LayerTable& table, const std::stri
   return "may not include \"" + header + "\"";
 }
 
-/// "nc110" and "dialects_common" are names of CMake targets; the folder is found by its last names.
-std::string FolderOfTarget(const std::string& target) {
+/// "sim", "dialects_common" and "prove_terms" are names of CMake targets: a folder, or one in a folder.
+std::string FolderOfTarget(std::string target) {
   if (target == "runtime") return "runtime_support/plcxx";
-  if (target == "dialects_common") return "transpiler/dialects/common";
+  const size_t border = target.find('_');
+  if (border != std::string::npos) target[border] = '/';
   return "transpiler/" + target;
 }
 
