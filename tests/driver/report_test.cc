@@ -7,7 +7,11 @@
 namespace plcxx::driver {
 namespace {
 
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 struct Table {
   Table() {
@@ -110,9 +114,35 @@ TEST(Report, AddressTableOfHost50) {
   EXPECT_THAT(result.out, HasSubstr("W5  parts\n  written: lathe.il:20\n  read:    lathe.il:20\n"));
 }
 
-TEST(Report, NeedsATable) {
+TEST(Report, APageWithoutATable) {
   const Table table;
-  EXPECT_EQ(table.work.Run("report names.sym main.plc").code, 2);
+  const auto result = table.work.Run("report names.sym main.plc -o out");
+  EXPECT_EQ(result.code, 0) << result.errors;
+  EXPECT_THAT(table.work.Files("out"), ElementsAre("main.html"));
+  const std::string page = table.work.Read("out/main.html");
+  EXPECT_THAT(page, HasSubstr("!DELAY(30)=I0A0*/!ZERO"));
+  EXPECT_THAT(page, HasSubstr("OnDelay(m[T5], m[I0A0] &amp; !m[ZERO], 3000, m[now]);"));
+  EXPECT_THAT(page, HasSubstr("<svg class=\"ladder\""));
+  EXPECT_THAT(page, Not(HasSubstr(table.work.Path("main.plc"))));
+  EXPECT_EQ(table.work.Run("report names.sym main.plc -o -").out, page) << "to standard output, the same";
+}
+
+TEST(Report, LadderPictures) {
+  const Table table;
+  EXPECT_EQ(table.work.Run("report names.sym main.plc --ladder -o out").code, 0);
+  EXPECT_THAT(table.work.Files("out"), Contains("main.slow.svg"));
+  EXPECT_THAT(table.work.Read("out/main.slow.svg"), HasSubstr(">ADONE</text>"));
+  EXPECT_THAT(table.work.Run("report names.sym main.plc --ladder -o -").out, StartsWith("<svg xmlns="));
+  EXPECT_EQ(table.work.Run("report names.sym main.plc --ladder --print-symbols").code, 2);
+}
+
+TEST(Report, NoPageOfAProgramWithErrors) {
+  const Table table;
+  table.work.Write("bad.plc", "$\nU4A0=(I0A0\n");
+  EXPECT_EQ(table.work.Run("report bad.plc -o out").code, 1);
+  EXPECT_FALSE(table.work.Has("out"));
+  EXPECT_EQ(table.work.Run("report main.plc names.sym -o main.plc").code, 1)
+      << "a file stands where the directory goes";
 }
 
 }  // namespace

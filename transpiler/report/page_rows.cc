@@ -150,9 +150,9 @@ std::string SearchIndex(const View& view) {
     for (const ir::StatementId id : row.statements) text += " " + view.PlaceOf(id);
     index["rows"].push_back(std::move(text));
   }
-  // "</script>" and "<!--" must not end or change the element that holds it.
+  // Letters beyond ASCII are escaped; "</script>" and "<!--" must not end or change the element that holds it.
   std::string safe;
-  for (const char c : index.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) {
+  for (const char c : index.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)) {
     if (c == '<' || c == '>' || c == '&') {
       safe += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
     } else {
