@@ -8,6 +8,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_output.h"
+#include "transpiler/driver/diff_page.h"
 #include "transpiler/driver/diff_sources.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
@@ -31,6 +32,7 @@ Examples:
   plcxx test found/U4A8.yaml --sources turret.plc          ... and fails on the new one
   plcxx diff old new --map LAMP=LAMP_H1                    what is the same though it has another name and address
   plcxx diff old new --format markdown                     for a merge request
+  plcxx diff old new --format html >review.html            both versions in one page, with ladder pictures
 
 With git, for a program in one file:
   git config diff.plc.command "plcxx diff --git-external"  and in .gitattributes: *.plc diff=plc
@@ -139,7 +141,11 @@ int RunDiff(const DiffSettings& settings) {
     PrintUsageError("cannot compare: " + diff.refusal);
     return kWrongUse;
   }
-  std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label}, settings.format);
+  if (settings.format == "html") {
+    std::cout << DiffPage(diff, old_side, new_side);
+  } else {
+    std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label}, settings.format);
+  }
   if (!settings.scenarios.empty()) {
     if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;
   }
@@ -165,10 +171,10 @@ void AddDiff(CLI::App& app, Run& run) {
       ->type_name("OLD=NEW");
   command->add_option("--counterexamples", settings->scenarios, "Write a scenario for each difference")
       ->type_name("DIR");
-  command->add_option("--format", settings->format, "text, markdown, json or sarif")
+  command->add_option("--format", settings->format, "text, markdown, json, sarif or html")
       ->type_name("FORMAT")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "markdown", "json", "sarif"}));
+      ->check(CLI::IsMember({"text", "markdown", "json", "sarif", "html"}));
   command->add_option("--time", settings->time, "What is not decided by then stays so")
       ->type_name("TIME")
       ->default_str("60s");

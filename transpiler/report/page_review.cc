@@ -62,7 +62,7 @@ void AppendReview(const View& old_view, const View& view, const Review& review, 
   for (const Finding& finding : review.findings) ++counts[static_cast<size_t>(finding.verdict)];
   out += "<section id=\"review\" aria-labelledby=\"h-review\">\n<h2 id=\"h-review\">Review: what changed</h2>\n<p>" +
          std::to_string(counts[0]) + " different, " + std::to_string(counts[1]) + " not decided, " +
-         std::to_string(counts[2]) + " proved equal.</p>\n";
+         std::to_string(counts[2] + review.equal) + " proved equal.</p>\n";
   out +=
       "<table><thead><tr><th>Place</th><th>Kind</th><th>Verdict</th><th>Old</th><th>New</th><th>What is "
       "known</th></tr></thead><tbody>";
