@@ -42,6 +42,7 @@ struct Counterexample {
   std::string scenario;              // YAML
   std::string steps;                 // the same in one line: "I0A3=1, slow 1"
   std::string old_value, new_value;  // of the item behind the last step
+  bool from_state = false;           // it begins with a state that is set; nobody knows whether the machine comes there
   bool confirmed = false;            // it was run on both
 };
 

@@ -227,9 +227,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::Version old_version = prove::MakeVersion(old_side.whole),
                        new_version = prove::MakeVersion(new_side.whole);
   const prove::Match match = MatchCells(old_version, new_version, same);
-  const RandomRuns runs = RunBoth(old_side, new_side, old_version, new_version, match, options);
+  std::optional<RandomRuns> runs;  // made when something is not proved equal at once
   prove::CompareLimits limits{.total_ms = options.time_ms, .progress = options.progress};
-  const auto known = [&runs](CellId old_cell, CellId) { return runs.difference_of.contains(old_cell); };
+  const auto known = [&](CellId old_cell, CellId) {
+    if (!runs) runs = RunBoth(old_side, new_side, old_version, new_version, match, options);
+    return runs->difference_of.contains(old_cell);
+  };
   const prove::CompareResult result = CompareVersions(old_version, new_version, match, known, limits);
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
@@ -241,7 +244,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       ++diff.equal;
       continue;
     }
-    if (gathered.item.verdict == ItemVerdict::kDifferent && !gathered.old_cells.empty()) {
+    const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
+    if (shown && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size() && runs) {
       gathered.item.counterexample = FindCounterexample(old_side, new_side,
                                                         {.old_words = old_named.words,
                                                          .new_words = new_named.words,
@@ -249,9 +253,17 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                                                          .kind = gathered.item.kind,
                                                          .old_cells = gathered.old_cells,
                                                          .run = gathered.worst->run,
-                                                         .runs = runs,
+                                                         .runs = *runs,
                                                          .match = match},
                                                         options);
+    }
+    // A state from which they differ is a difference when it can be set and both were run from it.
+    if (gathered.item.verdict == ItemVerdict::kUndecided && gathered.item.counterexample) {
+      if (gathered.item.counterexample->confirmed) {
+        gathered.item.verdict = ItemVerdict::kDifferent;
+      } else {
+        gathered.item.counterexample.reset();
+      }
     }
     diff.items.push_back(std::move(gathered.item));
   }

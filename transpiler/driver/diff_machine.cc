@@ -1,6 +1,7 @@
 #include "transpiler/driver/diff_machine.h"
 
 #include "transpiler/driver/diff_runs.h"
+#include "transpiler/driver/scenario_plan.h"
 
 namespace plcxx::driver {
 namespace {
@@ -34,7 +35,8 @@ std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
 }  // namespace
 
 DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version)
-    : program_(side.compilation.program),
+    : side_(side),
+      program_(side.compilation.program),
       version_(version),
       simulator_(side.compilation.program),
       control_(side.compilation.program, *side.compilation.dialect, simulator_,
@@ -48,12 +50,49 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version)
   control_.PowerOn();
 }
 
-void DiffMachine::SetBit(prove::CellId id, bool value) {
+void DiffMachine::SetCell(prove::CellId id, uint64_t value) {
   const prove::Cell cell = CellAt(*version_.program, version_.cells, id);
-  if (cell.kind != prove::CellKind::kBit) return;
-  const ir::Place place{
-      .name = {}, .address = {}, .type = ir::Type::kBit, .space = cell.space, .offset = cell.offset, .bit = cell.bit};
-  control_.Set(dialects::Location{.place = place}, value ? 1 : 0);
+  ir::Place place;
+  switch (cell.kind) {
+    case prove::CellKind::kCalls:
+      return;
+    case prove::CellKind::kField: {
+      const ir::FieldInfo& field = ir::Info(version_.program->states[cell.state].kind).fields[cell.field];
+      if (field.hidden || field.count != 1) return;  // no scenario can
+      place.type = field.type;
+      place.state = cell.state;
+      place.field = cell.field;
+      break;
+    }
+    case prove::CellKind::kBit:
+      place.type = ir::Type::kBit;
+      place.space = cell.space;
+      place.offset = cell.offset;
+      place.bit = cell.bit;
+      break;
+  }
+  dialects::Location location;
+  location.place = place;
+  control_.Set(location, value);
+}
+
+void DiffMachine::SetWord(const std::string& text, const std::string& value) {
+  const std::optional<dialects::Location> location = side_.compilation.dialect->locate(program_, text);
+  if (!location || location->absent) return;
+  if (location->text_input) {
+    simulator_.SendText(value);
+    return;
+  }
+  const std::optional<uint64_t> bits = ParseScenarioValue(value, location->place.type, *side_.compilation.dialect);
+  if (bits) control_.Set(*location, *bits);
+}
+
+bool DiffMachine::Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::* cell) {
+  for (const prove::SetCell& input : stimulus.inputs) {
+    if ((input.*cell).valid()) SetCell(input.*cell, input.value);
+  }
+  for (const auto& [location, value] : stimulus.words) SetWord(location, value);
+  return Advance(stimulus);
 }
 
 bool DiffMachine::Advance(const Stimulus& stimulus) {

@@ -19,9 +19,11 @@ class DiffMachine {
   /// Powers on. Both outlive the machine.
   DiffMachine(const DiffSide& side, const prove::Version& version);
 
-  void SetBit(prove::CellId cell, bool value);
-  /// false: the program got stuck.
-  bool Advance(const Stimulus& stimulus);
+  void SetCell(prove::CellId cell, uint64_t value);
+  /// As a scenario's `set`; what the version does not know is left out.
+  void SetWord(const std::string& location, const std::string& value);
+  /// Sets what the stimulus says, by the old or the new cells, and lets the time pass. false: the program got stuck.
+  bool Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::* cell);
   /// Takes a picture of all state.
   void Look();
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
@@ -29,6 +31,9 @@ class DiffMachine {
   uint64_t Seen(prove::CellId cell) const;
 
  private:
+  bool Advance(const Stimulus& stimulus);
+
+  const DiffSide& side_;
   const ir::Program& program_;
   const prove::Version& version_;
   sim::Simulator simulator_;

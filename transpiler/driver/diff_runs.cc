@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
+#include <utility>
+#include <variant>
 
 #include "transpiler/driver/diff_machine.h"
+#include "transpiler/driver/scenario.h"
 #include "transpiler/prove/meaning/meaning.h"
 
 namespace plcxx::driver {
@@ -12,8 +16,21 @@ namespace {
 
 using prove::CellId;
 
-constexpr int kMostRuns = 40, kSteps = 60;
+constexpr int kMostRuns = 20, kSteps = 60;
+constexpr int kMostDisturbed = 200, kDisturbances = 6;
 constexpr uint64_t kRandomShare = 5;  // of the time: a fifth
+
+/// The scenario files of one directory, sorted; none when there are none.
+std::vector<std::string> FindScenariosIn(const std::string& directory) {
+  std::vector<std::string> found;
+  std::error_code error;
+  const std::string where = directory.empty() ? "." : directory;
+  for (const auto& entry : std::filesystem::directory_iterator(where, error)) {
+    if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
 
 class Random {
  public:
@@ -54,7 +71,7 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, i
     Stimulus stimulus;
     for (prove::SetCell input : inputs) {
       if (step != 0 && !random.OneIn(one_in)) continue;
-      input.value = random.Next() % 4 < density;
+      input.value = random.Next() % 4 < density ? 1 : 0;
       stimulus.inputs.push_back(input);
     }
     if (random.OneIn(8)) {
@@ -67,6 +84,40 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, i
   return stimuli;
 }
 
+/// What the scenarios beside the first source do: their steps without what they expect.
+std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
+  std::vector<Stimuli> all;
+  const std::filesystem::path base = side.request.base_directory;
+  const std::filesystem::path source = base / side.request.sources.front();
+  const auto found = FindScenariosIn(source.parent_path().string());
+  for (const std::string& path : found) {
+    const ScenarioOrErrors read = ReadScenario(path);
+    const auto* const scenario = std::get_if<Scenario>(&read);
+    if (scenario == nullptr || !scenario->steps) continue;
+    Stimuli stimuli;
+    Stimulus next;
+    for (const ScenarioStep& step : *scenario->steps) {
+      if (const auto* const set = std::get_if<SetStep>(&step.action)) {
+        for (const Assignment& assignment : set->assignments) {
+          next.words.emplace_back(assignment.location.text, assignment.value.text);
+        }
+      } else if (const auto* const run = std::get_if<RunStep>(&step.action)) {
+        for (const RunPart& part : run->parts) {
+          if (part.unit == RunUnit::kFastTicks) continue;
+          (part.unit == RunUnit::kSlowCycles ? next.slow : next.ms) = part.count;
+          stimuli.push_back(std::exchange(next, {}));
+        }
+      } else if (!std::holds_alternative<ExpectStep>(step.action) &&
+                 !std::holds_alternative<ExpectCallsStep>(step.action) &&
+                 !std::holds_alternative<ExpectMessagesStep>(step.action)) {
+        break;  // forces and power cycles have no stimulus
+      }
+    }
+    if (!stimuli.empty()) all.push_back(std::move(stimuli));
+  }
+  return all;
+}
+
 }  // namespace
 
 RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
@@ -74,31 +125,54 @@ RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const pro
   RandomRuns result;
   const std::vector<prove::SetCell> inputs = InputsOf(old_version, new_version, match);
   std::vector<std::pair<CellId, CellId>> pairs;
+  const prove::Uses old_uses = UsesOf(old_version), new_uses = UsesOf(new_version);
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    if (match.new_of_old[i].valid() && IsState(old_version, CellId(i)))
-      pairs.emplace_back(CellId(i), match.new_of_old[i]);
+    if (!match.new_of_old[i].valid() || !(old_uses.writes[i] || new_uses.writes[match.new_of_old[i].index])) continue;
+    if (IsState(old_version, CellId(i))) pairs.emplace_back(CellId(i), match.new_of_old[i]);
   }
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms / kRandomShare);
-  Random random(0x9E3779B97F4A7C15);
-  for (int run = 0; run < kMostRuns && std::chrono::steady_clock::now() < end; ++run) {
-    if (options.progress) options.progress("random run " + std::to_string(run + 1));
-    Stimuli stimuli = MakeStimuli(random, inputs, run);
+  const auto late = [&] { return std::chrono::steady_clock::now() >= end; };
+  const auto run_both = [&](Stimuli stimuli) {
     DiffMachine old_machine(old_side, old_version), new_machine(new_side, new_version);
-    for (uint32_t step = 0; step < stimuli.size() && std::chrono::steady_clock::now() < end; ++step) {
-      const Stimulus& stimulus = stimuli[step];
-      for (const prove::SetCell& input : stimulus.inputs) {
-        old_machine.SetBit(input.old_cell, input.value);
-        new_machine.SetBit(input.new_cell, input.value);
-      }
-      if (!old_machine.Advance(stimulus) || !new_machine.Advance(stimulus)) break;
+    const auto run = static_cast<uint32_t>(result.runs.size());
+    for (uint32_t step = 0; step < stimuli.size() && !late(); ++step) {
+      if (!old_machine.Apply(stimuli[step], &prove::SetCell::old_cell)) break;
+      if (!new_machine.Apply(stimuli[step], &prove::SetCell::new_cell)) break;
       old_machine.Look();
       new_machine.Look();
       for (const auto& [old_cell, new_cell] : pairs) {
         if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
-        result.difference_of.try_emplace(old_cell, RandomRuns::Difference{static_cast<uint32_t>(run), step + 1});
+        // Shorter runs are better ones.
+        const auto [at, added] = result.difference_of.try_emplace(old_cell, RandomRuns::Difference{run, step + 1});
+        if (!added && step + 1 < at->second.steps) at->second = {run, step + 1};
       }
     }
     result.runs.push_back(std::move(stimuli));
+  };
+  Random random(0x9E3779B97F4A7C15);
+  const std::vector<Stimuli> known = StimuliOfScenarios(old_side);
+  for (int run = 0; run < kMostRuns && !late(); ++run) {
+    if (options.progress) options.progress("random run " + std::to_string(run + 1));
+    run_both(MakeStimuli(random, inputs, run));
+  }
+  for (const Stimuli& stimuli : known) {
+    if (options.progress) options.progress("scenarios");
+    if (!late()) run_both(stimuli);
+  }
+  // The machine at work, and then something unexpected.
+  for (int run = 0; run < kMostDisturbed && !known.empty() && !inputs.empty() && !late(); ++run) {
+    if (options.progress) options.progress("disturbed run " + std::to_string(run + 1));
+    Stimuli stimuli = known[random.Next() % known.size()];
+    stimuli.resize(1 + random.Next() % stimuli.size());
+    for (int step = 0; step < kDisturbances; ++step) {
+      Stimulus stimulus{.inputs = {}, .words = {}, .slow = 1};
+      for (uint64_t i = 0; i <= random.Next() % 3; ++i) {
+        stimulus.inputs.push_back(inputs[random.Next() % inputs.size()]);
+        stimulus.inputs.back().value = random.Next() & 1;
+      }
+      stimuli.push_back(std::move(stimulus));
+    }
+    run_both(std::move(stimuli));
   }
   return result;
 }

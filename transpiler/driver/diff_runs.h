@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/driver/diff.h"
@@ -16,7 +17,8 @@ namespace plcxx::driver {
 /// Inputs set, then time.
 struct Stimulus {
   std::vector<prove::SetCell> inputs;
-  uint32_t slow = 0;  // complete slow passes; 0: `ms`
+  std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
+  uint32_t slow = 0;                                       // complete slow passes; 0: `ms`
   uint32_t ms = 0;
 };
 using Stimuli = std::vector<Stimulus>;
@@ -29,7 +31,8 @@ struct RandomRuns {
   std::map<prove::CellId, Difference> difference_of;  // by old cell: the first one
 };
 
-/// Random runs of both versions from power-on, in the simulator, with the same inputs at the same time.
+/// Runs of both versions from power-on, in the simulator, with the same inputs at the same time: those of the scenarios
+/// that stand beside the sources, these with random inputs behind their first steps, and random ones.
 RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
                    const prove::Version& new_version, const prove::Match& match, const DiffOptions& options);
 

@@ -36,11 +36,8 @@ class Shortener {
   bool Shows(const Stimuli& stimuli, const std::vector<CellId>& old_cells, const std::vector<CellId>& new_cells) {
     DiffMachine old_machine(old_side_, old_version_), new_machine(new_side_, new_version_);
     for (const Stimulus& stimulus : stimuli) {
-      for (const prove::SetCell& input : stimulus.inputs) {
-        if (input.old_cell.valid()) old_machine.SetBit(input.old_cell, input.value);
-        if (input.new_cell.valid()) new_machine.SetBit(input.new_cell, input.value);
-      }
-      if (!old_machine.Advance(stimulus) || !new_machine.Advance(stimulus)) return false;
+      if (!old_machine.Apply(stimulus, &prove::SetCell::old_cell)) return false;
+      if (!new_machine.Apply(stimulus, &prove::SetCell::new_cell)) return false;
     }
     old_machine.Look();
     new_machine.Look();
@@ -63,15 +60,20 @@ class Shortener {
       for (size_t i = 0; i + piece < stimuli.size();) {
         Stimuli shorter;
         std::vector<prove::SetCell> carried;
+        std::vector<std::pair<std::string, std::string>> carried_words;
         for (size_t step = 0; step < stimuli.size(); ++step) {
           Stimulus stimulus = stimuli[step];
           std::vector<prove::SetCell> inputs = Merged(carried, stimulus.inputs);
+          std::vector<std::pair<std::string, std::string>> words = MergedWords(carried_words, stimulus.words);
           if (step >= i && step < i + piece) {
             carried = std::move(inputs);
+            carried_words = std::move(words);
             continue;
           }
           stimulus.inputs = std::move(inputs);
+          stimulus.words = std::move(words);
           carried.clear();
+          carried_words.clear();
           shorter.push_back(std::move(stimulus));
         }
         if (!try_without(std::move(shorter))) i += piece;
@@ -89,6 +91,13 @@ class Shortener {
         }
       }
     }
+    for (size_t step = 0; step < stimuli.size(); ++step) {
+      for (size_t i = 0; i < stimuli[step].words.size();) {
+        Stimuli shorter = stimuli;
+        shorter[step].words.erase(shorter[step].words.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!try_without(std::move(shorter))) ++i;
+      }
+    }
     for (Stimulus& stimulus : stimuli) {
       if (stimulus.ms == 0) continue;
       Stimuli shorter = stimuli;
@@ -104,6 +113,19 @@ class Shortener {
   const prove::Version& new_version() const { return new_version_; }
 
  private:
+  static std::vector<std::pair<std::string, std::string>> MergedWords(
+      std::vector<std::pair<std::string, std::string>> earlier,
+      const std::vector<std::pair<std::string, std::string>>& later) {
+    for (const auto& word : later) {
+      const auto same = std::ranges::find(earlier, word.first, &std::pair<std::string, std::string>::first);
+      if (same == earlier.end()) {
+        earlier.push_back(word);
+      } else {
+        same->second = word.second;
+      }
+    }
+    return earlier;
+  }
   static std::vector<prove::SetCell> Merged(std::vector<prove::SetCell> earlier,
                                             const std::vector<prove::SetCell>& later) {
     for (const prove::SetCell& input : later) {
@@ -126,7 +148,7 @@ class Shortener {
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name.
 std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequest& request,
                                                         const std::vector<prove::SetCell>& inputs,
-                                                        std::map<CellId, bool>& now) {
+                                                        std::map<CellId, uint64_t>& now) {
   std::vector<CellWord> words;
   std::set<std::string> taken;
   for (const prove::SetCell& input : inputs) {
@@ -138,8 +160,8 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequ
   for (const CellWord& word : words) {
     uint64_t value = 0;
     for (size_t i = 0; i < word.cells.size() && i < 64; ++i) {
-      const auto bit = now.find(word.cells[i]);
-      if (bit != now.end() && bit->second) value |= uint64_t{1} << i;
+      const auto cell = now.find(word.cells[i]);
+      if (cell != now.end()) value |= cell->second << i;
     }
     sets.emplace_back(word.name, std::to_string(value));
   }
@@ -178,7 +200,14 @@ std::string Heading(const DiffSide& side, const DiffOptions& options) {
     text += "options: {";
     separator.clear();
     for (const auto& [key, value] : side.request.options) {
-      text += separator + Quoted(key) + ": " + Quoted(value);
+      // A value that is a file of the program is named from where the scenario stands.
+      std::error_code error;
+      const bool is_file =
+          std::filesystem::is_regular_file(std::filesystem::path(side.request.base_directory) / value, error);
+      const std::string written = is_file ? RelativePath((std::filesystem::path(side.scenario_base) / value).string(),
+                                                         options.scenario_directory)
+                                          : value;
+      text += separator + Quoted(key) + ": " + Quoted(written);
       separator = ", ";
     }
     text += "}\n";
@@ -215,6 +244,7 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
   }
   if (request.run) {
     stimuli.clear();
+    // An arbitrary state is set before the first period; later inputs stay.
     for (const std::vector<prove::SetCell>& inputs : request.run->periods) {
       stimuli.push_back({.inputs = inputs, .slow = 1});
     }
@@ -228,14 +258,16 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
                                                      const CounterexampleRequest& request, const Stimuli& stimuli,
                                                      const DiffOptions& options) {
   Counterexample example;
+  example.from_state = request.run && request.run->from_state;
   std::string steps;
-  std::map<CellId, bool> now;
+  std::map<CellId, uint64_t> now;
   const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const Stimulus& stimulus : stimuli) {
-    const auto sets = SetsOf(request, stimulus.inputs, now);
+    std::vector<std::pair<std::string, std::string>> sets = SetsOf(request, stimulus.inputs, now);
+    sets.insert(sets.end(), stimulus.words.begin(), stimulus.words.end());
     std::string assignments;
     for (const auto& [name, value] : sets) {
-      add(assignments, Quoted(name) + ": " + value);
+      add(assignments, Quoted(name) + ": " + Quoted(value));
       add(example.steps, name + "=" + value);
     }
     if (!sets.empty()) steps += "- set: {" + assignments + "}\n";
@@ -249,12 +281,8 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
                        new_version = prove::MakeVersion(new_side.whole);
   DiffMachine old_machine(old_side, old_version), new_machine(new_side, new_version);
   for (const Stimulus& stimulus : stimuli) {
-    for (const prove::SetCell& input : stimulus.inputs) {
-      if (input.old_cell.valid()) old_machine.SetBit(input.old_cell, input.value);
-      if (input.new_cell.valid()) new_machine.SetBit(input.new_cell, input.value);
-    }
-    old_machine.Advance(stimulus);
-    new_machine.Advance(stimulus);
+    old_machine.Apply(stimulus, &prove::SetCell::old_cell);
+    new_machine.Apply(stimulus, &prove::SetCell::new_cell);
   }
   old_machine.Look();
   new_machine.Look();

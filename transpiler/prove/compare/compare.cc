@@ -152,6 +152,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
       if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
     }
   }
+  if (HasUndecided(comparison) && !comparison.Late()) SearchStates(comparison);
   return Finish(comparison, invariants);
 }
 

@@ -27,15 +27,17 @@ struct CompareLimits {
   std::function<void(const std::string& what)> progress;
 };
 
-/// An input as the host sets it before a period.
+/// An input, or a part of the state, as it is set before a period.
 struct SetCell {
   CellId old_cell, new_cell;  // either may be none
-  bool value = false;
+  uint64_t value = 0;
 };
 
-/// A run from power-on with all memory 0: what is set before each period; after the last one the pair differs.
+/// What is set before each period; after the last one the pair differs. It begins with power-on and all memory 0, or
+/// `from_state`: then the first period sets a part of the state, too, and nothing is known of how to come there.
 struct Run {
   std::vector<std::vector<SetCell>> periods;
+  bool from_state = false;
 };
 
 enum class PairVerdict : uint8_t {

@@ -42,6 +42,9 @@ struct Comparison {
   /// An input: the host writes it and no version does.
   bool IsInput(CellId old_cell) const;
 
+  /// The solver assumes the invariants, over the pairing's variables, until its Pop.
+  void PushInvariants();
+
   TermId NextOld(CellId cell);
   TermId NextNew(CellId cell);
 };
@@ -54,6 +57,8 @@ bool CheckPowerOn(Comparison& comparison);
 bool FindInductiveSet(Comparison& comparison);
 /// For the pairs that are undecided: runs from power-on that end with a difference.
 void SearchRuns(Comparison& comparison);
+/// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.
+void SearchStates(Comparison& comparison);
 /// Finds and proves invariants of both versions around the pairs that are undecided; questions assume them from then
 /// on.
 void AddInvariants(Comparison& comparison);

@@ -19,14 +19,7 @@ SweepLimits LimitsOf(const Comparison& comparison) {
 uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
   std::vector<TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(question.pair);
-  comparison.solver->Push();
-  for (const Which which : {Which::kOld, Which::kNew}) {
-    const bool is_old = which == Which::kOld;
-    for (const Invariant& invariant : is_old ? comparison.old_invariants : comparison.new_invariants) {
-      const auto value = [&](CellId cell) { return comparison.pairing.Initial(which, cell); };
-      comparison.solver->Assume(ConditionOf(comparison.terms, invariant, value));
-    }
-  }
+  comparison.PushInvariants();
   const std::vector<Verdict> verdicts = Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
   comparison.solver->Pop();
   uint32_t separated = 0;
@@ -97,6 +90,16 @@ std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
 }
 
 }  // namespace
+
+void Comparison::PushInvariants() {
+  solver->Push();
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    for (const Invariant& invariant : which == Which::kOld ? old_invariants : new_invariants) {
+      const auto value = [&](CellId cell) { return pairing.Initial(which, cell); };
+      solver->Assume(ConditionOf(terms, invariant, value));
+    }
+  }
+}
 
 void AddInvariants(Comparison& comparison) {
   comparison.Report("invariants");

@@ -64,10 +64,29 @@ Run RunOf(Comparison& comparison, const Unrolled& state) {
     for (const auto& [old_cell, variable] : inputs) {
       run.periods.back().push_back({.old_cell = CellId(old_cell),
                                     .new_cell = comparison.match.new_of_old[old_cell],
-                                    .value = comparison.solver->ValueOf(variable) != 0});
+                                    .value = comparison.solver->ValueOf(variable)});
     }
   }
   return run;
+}
+
+/// Which terms a term depends on; a byte's bits count with the byte.
+std::vector<bool> ConeOf(const Terms& terms, TermId root) {
+  std::vector<bool> cone(terms.size());
+  std::vector<TermId> open{root};
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (cone[id.index]) continue;
+    cone[id.index] = true;
+    terms.ForEachOperand(terms[id], [&open](TermId operand) { open.push_back(operand); });
+  }
+  for (uint32_t i = 0; i < terms.size(); ++i) {
+    const Term& term = terms[TermId(i)];
+    if (term.kind != TermKind::kExtract || !cone[term.a]) continue;
+    if (terms[TermId(term.a)].kind == TermKind::kVariable) cone[i] = true;
+  }
+  return cone;
 }
 
 }  // namespace
@@ -87,6 +106,29 @@ void SearchRuns(Comparison& comparison) {
       result.run = RunOf(comparison, state);
     }
   }
+}
+
+void SearchStates(Comparison& comparison) {
+  comparison.Report("states");
+  for (const PairResult& result : comparison.results) comparison.pairing.Join(result.old_cell);
+  if (!ExecutePeriods(comparison)) return;
+  comparison.PushInvariants();
+  for (PairResult& result : comparison.results) {
+    if (result.verdict != PairVerdict::kUndecided || !result.changed_itself || comparison.Late()) continue;
+    const TermId differ = comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
+    if (comparison.terms.IsFalse(differ)) continue;
+    if (comparison.solver->Check({&differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
+    Run run{.periods = {{}}, .from_state = true};
+    const std::vector<bool> cone = ConeOf(comparison.terms, differ);
+    for (const PairResult& other : comparison.results) {
+      const TermId initial = comparison.pairing.Initial(Which::kOld, other.old_cell);
+      if (initial.index >= cone.size() || !cone[initial.index]) continue;
+      run.periods[0].push_back(
+          {.old_cell = other.old_cell, .new_cell = other.new_cell, .value = comparison.solver->ValueOf(initial)});
+    }
+    result.run = std::move(run);
+  }
+  comparison.solver->Pop();
 }
 
 }  // namespace plcxx::prove

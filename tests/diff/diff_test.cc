@@ -1,0 +1,135 @@
+// plcxx diff: verdicts that are worked out by hand on small programs.
+#include "transpiler/driver/diff.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/temporary_directory.h"
+#include "transpiler/driver/diff_output.h"
+
+namespace plcxx::driver {
+namespace {
+
+struct Compared {
+  Diff diff;
+  const DiffItem* Find(const std::string& name) const {
+    const auto at = std::ranges::find(diff.items, name, &DiffItem::name);
+    return at == diff.items.end() ? nullptr : &*at;
+  }
+};
+
+Compared CompareTexts(const std::string& old_text, const std::string& new_text, DiffOptions options = {}) {
+  const testing_support::TemporaryDirectory directory;
+  const auto side = [&directory](const std::string& name, const std::string& text) {
+    CompilationRequest request;
+    request.sources = {directory.Write(name, text)};
+    request.dialect = "nc110";
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old.plc", old_text), new_side = side("new.plc", new_text);
+  EXPECT_TRUE(old_side.compilation.ok());
+  EXPECT_TRUE(new_side.compilation.ok());
+  Compared compared{CompareSides(old_side, new_side, options)};
+  EXPECT_EQ(compared.diff.refusal, "");
+  return compared;
+}
+
+std::string NamesOf(const Diff& diff) {
+  std::string names;
+  for (const DiffItem& item : diff.items) names += item.name + " ";
+  return names;
+}
+
+TEST(Diff, LogicWrittenInAnotherWayIsEqual) {
+  const Compared compared = CompareTexts("U4A8=I0A3*I0A4+I0A3*I0A5\n$\nU4A9=/(I0A6+U4A8)\n", "$\nU4A9=/I0A6*/U4A8\n");
+  EXPECT_NE(compared.Find("U4A8"), nullptr);  // gone: no longer equal
+  const Compared equal =
+      CompareTexts("U4A8=I0A3*I0A4+I0A3*I0A5\n$\nU4A9=/(I0A6+U4A8)\n", "U4A8=I0A3*(I0A5+I0A4)\n$\nU4A9=/I0A6*/U4A8\n");
+  EXPECT_EQ(NamesOf(equal.diff), "");
+  EXPECT_GE(equal.diff.equal, 2U);
+}
+
+TEST(Diff, ABrokenInterlockIsShownByItsShortestRun) {
+  const Compared compared =
+      CompareTexts("$\nU4A8=I0A3*/I0A4\nU4A9=U4A8*I0A5\nU4A10=I0A6\n", "$\nU4A8=I0A3\nU4A9=U4A8*I0A5\nU4A10=I0A6\n");
+  EXPECT_EQ(NamesOf(compared.diff), "U4A8 U4A9 ");
+  const DiffItem* const broken = compared.Find("U4A8");
+  ASSERT_NE(broken, nullptr);
+  EXPECT_EQ(broken->verdict, ItemVerdict::kDifferent);
+  EXPECT_TRUE(broken->changed_itself);
+  ASSERT_EQ(broken->new_statements.size(), 1U);
+  EXPECT_EQ(broken->new_statements[0].text, "U4A8=I0A3");
+  EXPECT_TRUE(broken->new_statements[0].changed);
+  ASSERT_TRUE(broken->counterexample.has_value());
+  EXPECT_TRUE(broken->counterexample->confirmed);
+  EXPECT_EQ(broken->counterexample->steps, "I0A3=1, I0A4=1, slow 1");
+  EXPECT_EQ(broken->counterexample->old_value, "0");
+  EXPECT_EQ(broken->counterexample->new_value, "1");
+  const DiffItem* const follows = compared.Find("U4A9");
+  ASSERT_NE(follows, nullptr);
+  EXPECT_EQ(follows->verdict, ItemVerdict::kDifferent);
+  EXPECT_EQ(follows->through, std::vector<std::string>{"U4A8"});
+}
+
+TEST(Diff, ALatchThatHoldsLongerIsFound) {
+  // Both set alike; only after I0A4 has come and gone they differ.
+  const Compared compared = CompareTexts("$\nU4A8=I0A3+U4A8*/I0A4\n", "$\nU4A8=I0A3+U4A8\n");
+  const DiffItem* const item = compared.Find("U4A8");
+  ASSERT_NE(item, nullptr);
+  ASSERT_TRUE(item->counterexample.has_value());
+  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->steps, "I0A3=1, slow 1, I0A3=0, I0A4=1, slow 1");
+}
+
+TEST(Diff, ATimeThatChangedIsFoundByWaiting) {
+  const Compared compared = CompareTexts("$\nT0I(10)=I0A3\nU4A8=T0U\n", "$\nT0I(20)=I0A3\nU4A8=T0U\n");
+  const DiffItem* const item = compared.Find("U4A8");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
+  ASSERT_TRUE(item->counterexample.has_value());
+  EXPECT_TRUE(item->counterexample->confirmed);
+}
+
+TEST(Diff, EqualWhereItCanBeReachedOnly) {
+  // Two flags that are never 1 together; from an arbitrary state the versions differ.
+  const std::string flags = "$\nU20K0=I0A3*/I0A4\nU20K1=I0A4*/I0A3\n";
+  const Compared compared = CompareTexts(flags + "U4A8=U20K0*/U20K1\n", flags + "U4A8=U20K0\n");
+  EXPECT_EQ(NamesOf(compared.diff), "");
+  // The flags hold for a scan: only an invariant tells that they exclude each other.
+  const std::string later = "$\nU4A8=U20K0*/U20K1\nU20K0=I0A3*/I0A4\nU20K1=I0A4*/I0A3\n";
+  const std::string later_new = "$\nU4A8=U20K0\nU20K0=I0A3*/I0A4\nU20K1=I0A4*/I0A3\n";
+  const Compared reachable = CompareTexts(later, later_new);
+  EXPECT_EQ(NamesOf(reachable.diff), "");
+  EXPECT_GE(reachable.diff.invariants, 1U);
+}
+
+TEST(Diff, AnInputThatMovedIsTheSameByMap) {
+  const Compared moved = CompareTexts("$\nU4A8=I0A3\n", "$\nU4A8=I0A5\n");
+  EXPECT_EQ(NamesOf(moved.diff), "U4A8 ");
+  const Compared mapped = CompareTexts("$\nU4A8=I0A3\n", "$\nU4A8=I0A5\n", {.same = {{"I0A3", "I0A5"}}});
+  EXPECT_EQ(NamesOf(mapped.diff), "");
+}
+
+TEST(Diff, OrderCountsOnlyWhereItIsRead) {
+  const Compared equal = CompareTexts("$\nU4A8=I0A3\nU4A9=I0A4\n", "$\nU4A9=I0A4\nU4A8=I0A3\n");
+  EXPECT_EQ(NamesOf(equal.diff), "");
+  // One scan later is another behaviour.
+  const Compared later = CompareTexts("$\nU20K0=I0A3\nU4A8=U20K0\n", "$\nU4A8=U20K0\nU20K0=I0A3\n");
+  EXPECT_EQ(NamesOf(later.diff), "U4A8 ");
+  EXPECT_EQ(later.diff.items[0].counterexample->steps, "I0A3=1, slow 1");
+}
+
+TEST(DiffOutput, SaysTheSameInEveryForm) {
+  const Compared compared = CompareTexts("$\nU4A8=I0A3*/I0A4\n", "$\nU4A8=I0A3\n");
+  const DiffNames names{"old", "new"};
+  EXPECT_NE(DiffText(compared.diff, names, diag::Colour::kOff).find("old -> new: 1 output differs; "),
+            std::string::npos);
+  EXPECT_NE(DiffMarkdown(compared.diff, names).find("| `U4A8` | different |"), std::string::npos);
+  EXPECT_NE(DiffJson(compared.diff, names).find("\"steps\": \"I0A3=1, I0A4=1, slow 1\""), std::string::npos);
+  EXPECT_NE(DiffSarif(compared.diff, names).find("\"ruleId\": \"behaviour-differs\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plcxx::driver
