@@ -165,7 +165,7 @@ class Prove {
     proved.result = checker.Check(property);
     if (proved.result.run) {
       const std::string name = "property-" + number + ".yaml";
-      proved.scenario = MakePropertyScenario(machine_, request_, property, *proved.result.run,
+      proved.scenario = MakePropertyScenario(machine_, request_, property, proved.result,
                                              {.directory = settings_.counterexamples, .name = name});
       if (!settings_.counterexamples.empty() && !proved.scenario.steps.empty()) {
         proved.file = (std::filesystem::path(settings_.counterexamples) / name).generic_string();

@@ -35,7 +35,9 @@ std::string PathFrom(const std::string& directory, const CompilationRequest& req
 
 std::string Heading(const ProveMachine& machine, const CompilationRequest& request, const prove::Property& property,
                     const std::string& directory) {
-  std::string text = "# A run that violates the property: it passes when the program has been repaired.\n";
+  std::string text = property.kind == prove::PropertyKind::kNeverStuck
+                         ? "# A run behind which no inputs move the output in time.\n"
+                         : "# A run that violates the property: it passes when the program has been repaired.\n";
   text += "dialect: " + std::string(machine.compilation.dialect->name) + "\nsources: [";
   std::string separator;
   for (const std::string& source : request.sources) {
@@ -113,13 +115,20 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
 }  // namespace
 
 PropertyScenario MakePropertyScenario(const ProveMachine& machine, const CompilationRequest& request,
-                                      const prove::Property& property, const prove::PropertyRun& run,
+                                      const prove::Property& property, const prove::PropertyResult& result,
                                       const ScenarioPlace& place) {
   PropertyScenario scenario;
+  const bool is_stuck = property.kind == prove::PropertyKind::kNeverStuck;
   scenario.yaml = Heading(machine, request, property, place.directory);
-  if (!WriteSteps(machine, run, scenario)) {
+  if (!WriteSteps(machine, *result.run, scenario)) {
     scenario.reason = "an input has no name that a scenario can set";
     return scenario;
+  }
+  if (is_stuck) {
+    const uint64_t ms = uint64_t{property.periods} * machine.compilation.program.schedule.period_ms;
+    scenario.yaml +=
+        "- run: {" + (machine.slices > 1 ? "slow: " + std::to_string(property.periods) : "ms: " + std::to_string(ms)) +
+        "}\n- expect: {" + Quoted(property.operands.front().text) + ": " + (result.stuck_at ? "1" : "0") + "}\n";
   }
   const std::string path = (std::filesystem::path(place.directory) / place.name).generic_string();
   ScenarioOrErrors read = ParseScenario(path, scenario.yaml);
@@ -127,19 +136,15 @@ PropertyScenario MakePropertyScenario(const ProveMachine& machine, const Compila
     scenario.reason = ToText(errors->front());
     return scenario;
   }
-  const Scenario& parsed = std::get<Scenario>(read);
-  CompilationRequest again = RequestOf(parsed, {});
-  again.include_directories = request.include_directories;
-  again.system_include_directories = request.system_include_directories;
-  again.macros = request.macros;
-  ScenarioProgram program(std::move(again));
-  const ScenarioResult result = TestScenario(parsed, {}, program);
-  const bool shown =
-      result.test.outcome == TestOutcome::kFailed && result.test.text.find("property '") != std::string::npos;
-  if (shown) return scenario;
-  scenario.reason = result.test.outcome == TestOutcome::kPassed
+  // The program as it was asked for: the directory of the scenario need not be there yet.
+  ScenarioProgram program(request);
+  const ScenarioResult ran = TestScenario(std::get<Scenario>(read), {}, program);
+  const bool violates =
+      ran.test.outcome == TestOutcome::kFailed && ran.test.text.find("property '") != std::string::npos;
+  if (is_stuck ? ran.test.outcome == TestOutcome::kPassed : violates) return scenario;
+  scenario.reason = ran.test.outcome == TestOutcome::kPassed
                         ? "the simulation, with its slices and its simulated control, does not show it"
-                        : result.test.text.substr(0, result.test.text.find('\n'));
+                        : ran.test.text.substr(0, ran.test.text.find('\n'));
   return scenario;
 }
 

@@ -134,9 +134,6 @@ bool PropertyChecker::TryInduction(const Property& property, uint32_t k, Propert
 }
 
 void PropertyChecker::FindInvariantsFor(const Property& property) {
-  // They are proved for the slow part's period alone.
-  if (version_.program->schedule.fast_ms != 0) return;
-  Report("invariants");
   const uint32_t window = WindowOf(property);
   // The cells that the nearest periods depend on; those of the next ones as far as there are not too many.
   std::vector<CellId> cells;
@@ -146,6 +143,13 @@ void PropertyChecker::FindInvariantsFor(const Property& property) {
       if (std::ranges::find(cells, cell) == cells.end()) cells.push_back(cell);
     }
   }
+  FindInvariantsAround(cells);
+}
+
+void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
+  // They are proved for the slow part's period alone.
+  if (version_.program->schedule.fast_ms != 0) return;
+  Report("invariants");
   invariants_ = FindInvariants(
       terms_, *solver_, version_, cells, [this](CellId cell) { return bool{inputs_[cell.index]}; }, RestMs() / 3);
 }

@@ -54,6 +54,7 @@ struct PropertyResult {
   uint32_t invariants = 0;  // that the proof assumes, all of them proved
   std::string reason;       // of kUndecided; lower case, no full stop
   std::optional<PropertyRun> run;
+  bool stuck_at = false;  // kViolated of kNeverStuck: what the output is behind the run, and stays
 };
 
 /// Checks the properties of one program one after the other; what they share is executed once.
@@ -79,12 +80,27 @@ class PropertyChecker {
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
   void FindInvariantsFor(const Property& property);
+  void FindInvariantsAround(const std::vector<CellId>& cells);
   PropertyRun RunOf(Unrolled& unrolled, TermId violated, uint32_t periods);
 
+  // "is never stuck" (stuck.cc).
+  /// Values of inputs, by period, part and cell; what is not in them is 0.
+  using Strategy = std::vector<std::vector<std::map<CellId, uint64_t>>>;
+  struct StuckSearch {
+    const Property& property;
+    bool wanted;  // the value that the output is to reach
+    std::vector<Strategy> strategies;
+    /// A state from which no inputs reach it; by cell, what is not in it is 0.
+    std::map<CellId, uint64_t> stuck;
+  };
+  enum class Reach : uint8_t { kAlways, kStuck, kUnknown };
   PropertyResult CheckNeverStuck(const Property& property);
-  /// Values of inputs, by period and cell; what is not in them is 0.
-  using Strategy = std::vector<std::map<CellId, bool>>;
-  std::optional<bool> ReachesFromSomewhere(const Property& property, bool wanted, PropertyResult& result);
+  Reach ReachFromAnywhere(StuckSearch& search, PropertyResult& result);
+  Reach ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result);
+  Reach FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state, uint64_t time,
+                     PropertyResult& result);
+  std::optional<TermId> Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from, uint32_t period,
+                                PropertyResult& result);
 
   const Version& version_;
   CheckOptions options_;

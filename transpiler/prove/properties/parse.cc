@@ -310,8 +310,7 @@ std::optional<int64_t> LineParser::Number() {
 uint32_t LineParser::Value() {
   const PropertyWord word = Now();
   const bool is_word = !word.quoted && std::ranges::find(kWords, word.text) != kWords.end();
-  const bool is_sign =
-      !word.quoted && (word.text.empty() || std::string_view("=<>(),!.").find(word.text[0]) != std::string_view::npos);
+  const bool is_sign = !word.quoted && word.text.find_first_not_of("=<>(),!.") == std::string::npos;
   if (failed() || word.is_end || is_word || is_sign) {
     Expected("a location, a number or '('");
     return 0;

@@ -84,9 +84,9 @@ TermId Unrolled::AtStart(CellId cell) {
   TermId& variable = start_variables_[cell];
   if (!variable.valid()) {
     const Cell what = CellAt(*version_.program, version_.cells, cell);
-    variable = choose_start ? choose_start(cell)
-                            : terms_.Variable(name_ + " " + CellName(*version_.program, what),
-                                              CellWidth(*version_.program, what));
+    variable = choose_start_ ? choose_start_(cell)
+                             : terms_.Variable(name_ + " " + CellName(*version_.program, what),
+                                               CellWidth(*version_.program, what));
   }
   return variable;
 }
@@ -110,6 +110,11 @@ TermId Unrolled::Now(uint32_t period, uint32_t part) {
   }
   const TermId offset = terms_.Const(passed & 0xFFFFFFFF, 32);
   return time_.valid() ? terms_.Add(time_, offset) : offset;
+}
+
+TermId Unrolled::TimeAfter(uint32_t period) {
+  const TermId passed = terms_.Const(uint64_t{period} * version_.program->schedule.period_ms & 0xFFFFFFFF, 32);
+  return time_.valid() ? terms_.Add(time_, passed) : passed;
 }
 
 bool Unrolled::Advance() {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/compare/match.h"
@@ -52,8 +53,13 @@ class Unrolled {
 
   /// Instead of new variables, inputs are what this gives; asked at Advance.
   std::function<TermId(CellId cell, uint32_t period, uint32_t part)> choose_input;
-  /// Instead of variables, the start is what this gives; only before the first Advance.
-  std::function<TermId(CellId cell)> choose_start;
+  /// Of kAnywhere, before the first Advance: the start is what this gives, at this time, instead of variables.
+  void StartFrom(std::function<TermId(CellId cell)> start, TermId time) {
+    choose_start_ = std::move(start);
+    time_ = time;
+  }
+  /// The time of period 0 at kAnywhere; of others, that of period `period`.
+  TermId TimeAfter(uint32_t period);
 
  private:
   TermId Input(CellId cell, uint32_t period, uint32_t part);
@@ -66,6 +72,7 @@ class Unrolled {
   Start start_;
   HostAnswers answers_;
   std::string name_;
+  std::function<TermId(CellId cell)> choose_start_;
   uint32_t fast_parts_ = 0;
   Uses uses_;
   TermId time_;                               // at the start of kAnywhere
