@@ -18,19 +18,6 @@ Element Plain(Shape shape) {
   return element;
 }
 
-/// Is one the other made safe for C++, "F8_1" of "F 8.1"?
-bool SameLetters(std::string_view a, std::string_view b) {
-  const auto plain = [](std::string_view text) {
-    std::string letters;
-    for (const char c : text) {
-      const bool letter = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c & 0x80) != 0;
-      if (letter) letters += c;
-    }
-    return letters;
-  };
-  return plain(a) == plain(b);
-}
-
 /// `parts` in series or in parallel; what is of the same kind already is joined, one part alone stays itself.
 Element Join(Shape shape, std::vector<Element> parts) {
   Element joined = Plain(shape);
@@ -56,10 +43,7 @@ Element NetworkBuilder::OfPlace(Shape shape, ir::PlaceId id, ir::ValueId index) 
   const ir::Place& place = program_.places[id];
   Element element = Plain(shape);
   element.name = text_.Place(id, index);
-  if (place.address != place.name) element.address = place.address;
-  if (!element.address.empty() && SameLetters(element.address, place.name)) {
-    element.name = std::exchange(element.address, {});
-  }
+  if (place.address != place.name && place.address != element.name) element.address = place.address;
   element.signal = uses_.of_place[id.index];
   element.local = !place.is_field() && program_.spaces[place.space].lifetime == ir::Lifetime::kRoutine;
   return element;

@@ -87,6 +87,19 @@ std::string ConstantText(const ir::Inst& inst) {
   return "0x" + digits;
 }
 
+/// Is one the other made safe for C++, "F8_1" of "F 8.1"?
+bool SameLetters(std::string_view a, std::string_view b) {
+  const auto plain = [](std::string_view text) {
+    std::string letters;
+    for (const char c : text) {
+      const bool letter = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c & 0x80) != 0;
+      if (letter) letters += c;
+    }
+    return letters;
+  };
+  return plain(a) == plain(b);
+}
+
 }  // namespace
 
 const char* ComparisonSign(ir::OpKind op) {
@@ -125,8 +138,10 @@ std::string ValueText::Of(ir::ValueId value) const { return Spell(value).text; }
 std::string ValueText::Definition(ir::ValueId value) const { return SpellDefinition(value).text; }
 
 std::string ValueText::Place(ir::PlaceId place, ir::ValueId index) const {
-  const std::string& name = program_.places[place].name;
-  return index.valid() && program_.places[place].indexed ? name + "[" + Of(index) + "]" : name;
+  const ir::Place& known = program_.places[place];
+  const bool spelled = !known.address.empty() && SameLetters(known.address, known.name);
+  const std::string& name = spelled ? known.address : known.name;
+  return index.valid() && known.indexed ? name + "[" + Of(index) + "]" : name;
 }
 
 std::string ValueText::Arguments(const ir::Call& call) const {

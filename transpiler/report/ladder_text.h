@@ -16,7 +16,7 @@ class ValueText {
   std::string Of(ir::ValueId value) const;
   /// What a local's name stands for; the same as Of for a value without one.
   std::string Definition(ir::ValueId value) const;
-  /// "homing[a]": a place as the source names it.
+  /// "homing[a]": a place as the source names it; its address where the name is that made safe for C++.
   std::string Place(ir::PlaceId place, ir::ValueId index) const;
   /// The arguments of a call, ", " between them.
   std::string Arguments(const ir::Call& call) const;
