@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/prove/compiled/host_surroundings.h"
+#include "transpiler/prove/compiled/local_sweep.h"
 #include "transpiler/prove/compiled/state_image.h"
 #include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/meaning/meaning.h"
@@ -128,7 +129,6 @@ void RoutineVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
     questions_.push_back({obligation.text, {terms_.Bit(false), obligation.never}});
     ++proof_.obligations;
   }
-  for (const Question& question : questions_) proof_.asked += question.pair.a != question.pair.b ? 1 : 0;
 }
 
 std::vector<TermId> RoutineVerifier::VariablesOf(const TermPair& pair) const {
@@ -177,6 +177,8 @@ void RoutineVerifier::Decide() {
       limits_.progress(routine_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
     };
   }
+  pairs = MakeAlike(terms_, *loaded.solver, pairs, limits_.routine_ms / 2);
+  for (const TermPair& pair : pairs) proof_.asked += pair.a != pair.b ? 1 : 0;
   const std::vector<Verdict> verdicts = Compare(terms_, *loaded.solver, pairs, sweep);
   proof_.result = ProofResult::kProved;
   for (size_t i = 0; i < verdicts.size(); ++i) {

@@ -1,0 +1,263 @@
+#include "transpiler/prove/compiled/local_sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <unordered_map>
+
+#include "transpiler/prove/terms/evaluate.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr int kVectors = 48;
+constexpr size_t kMostCandidates = 4;  // of one class that a term is compared with
+constexpr size_t kMostCopied = 3000;   // terms of one question
+constexpr uint32_t kQuestionMs = 200;  // for terms inside
+constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
+constexpr size_t kMostConstants = 4096;
+
+enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
+
+class LocalSweep {
+ public:
+  LocalSweep(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds)
+      : terms_(terms),
+        solver_(solver),
+        pairs_(pairs),
+        deadline_(std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds)) {}
+
+  std::vector<TermPair> Run();
+
+ private:
+  void MarkCones();
+  void Simulate();
+  void SimulateOnce(int vector);
+  uint64_t Sample(int vector, uint8_t width);
+  void SweepTerm(TermId id);
+  bool AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds);
+  /// A copy of a term in which what is shared, `depth` shared terms down, is a variable. Invalid: it is too large.
+  TermId Copy(TermId root, int depth);
+  TermId CutOf(TermId id);
+  bool IsShared(TermId id) const { return id.index < shared_.size() && shared_[id.index]; }
+  void Share(TermId id) {
+    if (id.index >= shared_.size()) shared_.resize(terms_.size());
+    shared_[id.index] = true;
+  }
+  TermId Representative(TermId id) const {
+    return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
+  }
+  bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
+  uint64_t Random() {
+    seed_ ^= seed_ << 13;
+    seed_ ^= seed_ >> 7;
+    seed_ ^= seed_ << 17;
+    return seed_;
+  }
+
+  Terms& terms_;
+  Solver& solver_;
+  std::span<const TermPair> pairs_;
+  std::chrono::steady_clock::time_point deadline_;
+  std::vector<uint8_t> sides_;
+  std::vector<TermId> cone_;
+  std::vector<uint64_t> constants_, signatures_, values_;
+  std::vector<TermId> representative_;
+  std::vector<bool> shared_;
+  std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
+  std::unordered_map<uint32_t, TermId> cuts_;                  // looked up only
+  std::unordered_map<uint64_t, TermId> copies_;                // of one question, by term and depth
+  bool cut_ = false;
+  uint64_t seed_ = 0x9E3779B97F4A7C15;
+};
+
+void LocalSweep::MarkCones() {
+  sides_.assign(terms_.size(), kNone);
+  for (const Side side : {kSideA, kSideB}) {
+    std::vector<TermId> open;
+    for (const TermPair& pair : pairs_) {
+      if (pair.a != pair.b) open.push_back(side == kSideA ? pair.a : pair.b);
+    }
+    while (!open.empty()) {
+      const TermId id = open.back();
+      open.pop_back();
+      if ((sides_[id.index] & side) != 0) continue;
+      sides_[id.index] |= side;
+      terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+    }
+  }
+  for (uint32_t i = 0; i < sides_.size(); ++i) {
+    if (sides_[i] == kNone) continue;
+    const TermId id(i);
+    cone_.push_back(id);
+    if (sides_[i] == kBoth) Share(id);
+    if (terms_.IsConst(id) && terms_.Width(id) > 1) constants_.push_back(terms_.Value(id));
+  }
+  std::ranges::sort(constants_);
+  constants_.erase(std::ranges::unique(constants_).begin(), constants_.end());
+  if (constants_.size() > kMostConstants) constants_.resize(kMostConstants);
+}
+
+/// Programs ask for their constants: so they are among the samples.
+uint64_t LocalSweep::Sample(int vector, uint8_t width) {
+  const uint64_t random = Random();
+  if (width == 1) {
+    const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
+    return (random & 255) < density ? 1 : 0;
+  }
+  switch (random >> 8 & 7) {
+    case 0:
+      return 0;
+    case 1:
+      return random >> 16 & 3;
+    case 2:
+      return ~uint64_t{0} - (random >> 16 & 3);
+    case 3:
+    case 4:
+      return Random();
+    default:
+      return constants_.empty() ? random : constants_[(random >> 16) % constants_.size()] + (random >> 11 & 3) - 1;
+  }
+}
+
+void LocalSweep::SimulateOnce(int vector) {
+  for (const TermId id : cone_) {
+    const Term& term = terms_[id];
+    const uint64_t value = EvaluateTerm(
+        terms_, term, [this](TermId operand) { return values_[operand.index]; },
+        [&](uint32_t) { return Sample(vector, term.width); });
+    values_[id.index] = value;
+    uint64_t& signature = signatures_[id.index];
+    signature = (signature ^ value) * 0x9E3779B97F4A7C15;
+    signature ^= signature >> 32;
+  }
+}
+
+void LocalSweep::Simulate() {
+  values_.assign(terms_.size(), 0);
+  signatures_.assign(terms_.size(), 0);
+  for (int vector = 0; vector < kVectors; ++vector) SimulateOnce(vector);
+}
+
+TermId LocalSweep::CutOf(TermId id) {
+  cut_ = true;
+  TermId& cut = cuts_[id.index];
+  if (!cut.valid()) cut = terms_.Variable("cut " + std::to_string(id.index), terms_.Width(id));
+  return cut;
+}
+
+TermId LocalSweep::Copy(TermId root, int depth) {
+  struct Open {
+    TermId id;
+    int depth;
+  };
+  const auto key = [](const Open& open) { return uint64_t{open.id.index} << 8 | static_cast<uint64_t>(open.depth); };
+  const auto depth_below = [this](const Open& open) { return IsShared(open.id) ? open.depth - 1 : open.depth; };
+  std::vector<Open> stack = {{root, depth}};
+  while (!stack.empty()) {
+    const Open open = stack.back();
+    if (copies_.contains(key(open))) {
+      stack.pop_back();
+      continue;
+    }
+    if (copies_.size() > kMostCopied) return {};
+    const Term term = terms_[open.id];
+    if (term.kind == TermKind::kConst || term.kind == TermKind::kVariable) {
+      copies_.emplace(key(open), open.id);
+      continue;
+    }
+    if (IsShared(open.id) && open.depth == 0) {
+      copies_.emplace(key(open), CutOf(open.id));
+      continue;
+    }
+    std::vector<TermId> operands;
+    bool ready = true;
+    const int below = depth_below(open);
+    std::vector<Open> missing;
+    terms_.ForEachOperand(term, [&](TermId operand) {
+      const auto found = copies_.find(key({operand, below}));
+      if (found != copies_.end()) {
+        operands.push_back(found->second);
+      } else {
+        missing.push_back({operand, below});
+        ready = false;
+      }
+    });
+    if (!ready) {
+      stack.insert(stack.end(), missing.begin(), missing.end());
+      continue;
+    }
+    copies_.emplace(key(open), terms_.Rebuild(term, operands));
+  }
+  return copies_.at(key({root, depth}));
+}
+
+bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds) {
+  if (a == b) return true;
+  for (const int depth : depths) {
+    copies_.clear();
+    cut_ = false;
+    const TermId one = Copy(a, depth);
+    const TermId other = one.valid() ? Copy(b, depth) : one;
+    if (!other.valid()) return false;
+    const TermId differ = terms_.Ne(one, other);
+    if (terms_.IsFalse(differ)) return true;
+    const Answer answer = terms_.IsTrue(differ) ? Answer::kPossible : solver_.Check({&differ, 1}, milliseconds);
+    if (answer == Answer::kNever) return true;
+    // Where nothing was cut, they do differ.
+    if (!cut_ || Late()) return false;
+  }
+  return false;
+}
+
+void LocalSweep::SweepTerm(TermId id) {
+  constexpr int kDepths[] = {0, 2, 5};
+  const Term term = terms_[id];
+  std::vector<TermId> operands;
+  bool changed = false;
+  terms_.ForEachOperand(term, [&](TermId operand) {
+    operands.push_back(Representative(operand));
+    changed = changed || operands.back() != operand;
+  });
+  TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  std::vector<TermId>& members = classes_[signatures_[id.index]];
+  if (sides_[id.index] == kSideB && !terms_.IsConst(now) && !IsShared(now) && !Late()) {
+    size_t tried = 0;
+    // The latest first: both executions go through the program in its order.
+    for (auto member = members.rbegin(); member != members.rend() && tried < kMostCandidates; ++member) {
+      const TermId other = Representative(*member);
+      if (sides_[member->index] == kSideB || terms_.Width(other) != term.width) continue;
+      ++tried;
+      if (!AreEqual(now, other, kDepths, kQuestionMs)) continue;
+      now = other;
+      break;
+    }
+  }
+  // What the other side has, too, from now on.
+  if (sides_[id.index] == kSideB && now.index < sides_.size() && (sides_[now.index] & kSideA) != 0) Share(now);
+  representative_[id.index] = now;
+  members.push_back(id);
+}
+
+std::vector<TermPair> LocalSweep::Run() {
+  constexpr int kDepths[] = {0, 1, 3, 8, 20};
+  std::vector<TermPair> alike(pairs_.begin(), pairs_.end());
+  if (std::ranges::all_of(alike, [](const TermPair& pair) { return pair.a == pair.b; })) return alike;
+  MarkCones();
+  Simulate();
+  representative_.assign(terms_.size(), TermId());
+  for (const TermId id : cone_) SweepTerm(id);
+  for (TermPair& pair : alike) {
+    if (pair.a == pair.b) continue;
+    pair = {Representative(pair.a), Representative(pair.b)};
+    if (AreEqual(pair.a, pair.b, kDepths, kLastMs)) pair.b = pair.a;
+  }
+  return alike;
+}
+
+}  // namespace
+
+std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds) {
+  return LocalSweep(terms, solver, pairs, milliseconds).Run();
+}
+
+}  // namespace plcxx::prove
