@@ -229,11 +229,13 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::Match match = MatchCells(old_version, new_version, same);
   std::optional<RandomRuns> runs;  // made when something is not proved equal at once
   prove::CompareLimits limits{.total_ms = options.time_ms, .progress = options.progress};
-  const auto known = [&](CellId old_cell, CellId) {
-    if (!runs) runs = RunBoth(old_side, new_side, old_version, new_version, match, options);
-    return runs->difference_of.contains(old_cell);
+  const auto find_different = [&](const std::vector<CellId>& cells) {
+    runs = RunBoth(old_side, new_side, old_version, new_version, match, cells, options);
+    std::vector<CellId> different;
+    for (const auto& [cell, difference] : runs->difference_of) different.push_back(cell);
+    return different;
   };
-  const prove::CompareResult result = CompareVersions(old_version, new_version, match, known, limits);
+  const prove::CompareResult result = CompareVersions(old_version, new_version, match, find_different, limits);
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   const Named old_named(old_side, old_version), new_named(new_side, new_version);

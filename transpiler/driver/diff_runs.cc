@@ -17,7 +17,7 @@ namespace {
 using prove::CellId;
 
 constexpr int kMostRuns = 20, kSteps = 60;
-constexpr int kMostDisturbed = 200, kDisturbances = 6;
+constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
 constexpr uint64_t kRandomShare = 5;  // of the time: a fifth
 
 /// The scenario files of one directory, sorted; none when there are none.
@@ -121,17 +121,16 @@ std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
 }  // namespace
 
 RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
-                   const prove::Version& new_version, const prove::Match& match, const DiffOptions& options) {
+                   const prove::Version& new_version, const prove::Match& match,
+                   const std::vector<prove::CellId>& cells, const DiffOptions& options) {
   RandomRuns result;
   const std::vector<prove::SetCell> inputs = InputsOf(old_version, new_version, match);
   std::vector<std::pair<CellId, CellId>> pairs;
-  const prove::Uses old_uses = UsesOf(old_version), new_uses = UsesOf(new_version);
-  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    if (!match.new_of_old[i].valid() || !(old_uses.writes[i] || new_uses.writes[match.new_of_old[i].index])) continue;
-    if (IsState(old_version, CellId(i))) pairs.emplace_back(CellId(i), match.new_of_old[i]);
-  }
+  for (const CellId cell : cells) pairs.emplace_back(cell, match.new_of_old[cell.index]);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms / kRandomShare);
-  const auto late = [&] { return std::chrono::steady_clock::now() >= end; };
+  // Some more runs than needed: a shorter one may come.
+  int spare = kSpareRuns;
+  const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
   const auto run_both = [&](Stimuli stimuli) {
     DiffMachine old_machine(old_side, old_version), new_machine(new_side, new_version);
     const auto run = static_cast<uint32_t>(result.runs.size());
@@ -148,6 +147,7 @@ RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const pro
       }
     }
     result.runs.push_back(std::move(stimuli));
+    if (result.difference_of.size() == pairs.size()) --spare;
   };
   Random random(0x9E3779B97F4A7C15);
   const std::vector<Stimuli> known = StimuliOfScenarios(old_side);

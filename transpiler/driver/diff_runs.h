@@ -32,9 +32,11 @@ struct RandomRuns {
 };
 
 /// Runs of both versions from power-on, in the simulator, with the same inputs at the same time: those of the scenarios
-/// that stand beside the sources, these with random inputs behind their first steps, and random ones.
+/// that stand beside the sources, these with random inputs behind their first steps, and random ones; until all of
+/// `cells` (old ones) have differed.
 RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
-                   const prove::Version& new_version, const prove::Match& match, const DiffOptions& options);
+                   const prove::Version& new_version, const prove::Match& match,
+                   const std::vector<prove::CellId>& cells, const DiffOptions& options);
 
 struct CounterexampleRequest {
   const CellWords& old_words;

@@ -65,6 +65,18 @@ bool HasUndecided(const Comparison& comparison) {
                              [](const PairResult& result) { return result.verdict == PairVerdict::kUndecided; });
 }
 
+void MarkDifferent(Comparison& comparison, const FindDifferent& find_different) {
+  std::vector<CellId> undecided;
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kUndecided) undecided.push_back(result.old_cell);
+  }
+  if (undecided.empty()) return;
+  comparison.Report("running both");
+  for (const CellId cell : find_different(undecided)) {
+    comparison.results[comparison.result_of_old[cell.index]].verdict = PairVerdict::kDifferent;
+  }
+}
+
 /// What is different for certain is not taken for equal; the rest is tried again.
 void JoinAllButDifferent(Comparison& comparison) {
   for (const PairResult& result : comparison.results) {
@@ -127,19 +139,14 @@ TermId Comparison::NextNew(CellId cell) {
 }
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
-                              const KnownDifferent& known_different, const CompareLimits& limits) {
+                              const FindDifferent& find_different, const CompareLimits& limits) {
   Comparison comparison(old_version, new_version, match, limits);
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
   // With everything taken for equal: which functions differ by themselves.
   if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
-  for (PairResult& result : comparison.results) {
-    if (result.verdict == PairVerdict::kUndecided && known_different &&
-        known_different(result.old_cell, result.new_cell)) {
-      result.verdict = PairVerdict::kDifferent;
-    }
-  }
+  if (find_different) MarkDifferent(comparison, find_different);
   uint32_t invariants = 0;
   if (HasUndecided(comparison)) SearchRuns(comparison);
   if (HasUndecided(comparison) && !comparison.Late()) {

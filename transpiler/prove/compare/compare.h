@@ -62,10 +62,11 @@ struct CompareResult {
   uint32_t invariants = 0;        // that were proved on the way and needed
 };
 
-/// A predicate for pairs of which a difference is known already (by running both versions): they are not proved.
-using KnownDifferent = std::function<bool(CellId old_cell, CellId new_cell)>;
+/// Asked once with the pairs (by old cell) that are not equal from every state: gives those of which running both
+/// versions has shown a difference.
+using FindDifferent = std::function<std::vector<CellId>(const std::vector<CellId>& old_cells)>;
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
-                              const KnownDifferent& known_different, const CompareLimits& limits);
+                              const FindDifferent& find_different, const CompareLimits& limits);
 
 }  // namespace plcxx::prove

@@ -35,7 +35,16 @@ uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& qu
 Surroundings SurroundingsOf(Comparison& comparison, Which which) {
   return {.initial = [&comparison, which](CellId cell) { return comparison.pairing.Initial(which, cell); },
           .now = comparison.now,
-          .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs};
+          .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs,
+          .host_bit =
+              [&comparison, which](CellId cell) {
+                // An input that the new version has at another place is the old one's.
+                const CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+                const Version& version = old_cell.valid() ? comparison.old_version : comparison.new_version;
+                const Cell at = CellAt(*version.program, version.cells, old_cell.valid() ? old_cell : cell);
+                return Environment::HostBit{(old_cell.valid() ? "" : "new ") + version.program->spaces[at.space].name,
+                                            at.offset, at.bit};
+              }};
 }
 
 bool TakeRefusal(Comparison& comparison, const Transition& transition, const char* which) {

@@ -9,6 +9,7 @@ Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routin
   Transition transition;
   Environment environment{.initial = surroundings.initial,
                           .observe = {},
+                          .host_bit = surroundings.host_bit,
                           .now = surroundings.now,
                           .host_answers = surroundings.answers == HostAnswers::kAny};
   environment.observe = [&](Memory& memory, ir::HostFunctionId function, TermId when) {

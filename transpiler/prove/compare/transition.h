@@ -31,7 +31,8 @@ struct Surroundings {
   std::function<TermId(CellId)> initial;
   TermId now;
   HostAnswers answers = HostAnswers::kAny;
-  std::vector<CellId> outputs;  // what observations look at
+  std::vector<CellId> outputs;                           // what observations look at
+  std::function<Environment::HostBit(CellId)> host_bit;  // see Environment; may be empty
 };
 
 /// The schedule's period.

@@ -176,8 +176,8 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   WriteCell(memory_.cells().OfCalls(call.host), calls);
   const bool answers = memory_.environment().host_answers;
   if (host.result != ir::Type::kNone) {
-    values_[id.index] = answers ? AnswerOf(terms_, host.name, calls, WidthOf(host.result))
-                                : terms_.Const(0, WidthOf(host.result));
+    values_[id.index] =
+        answers ? AnswerOf(terms_, host.name, calls, WidthOf(host.result)) : terms_.Const(0, WidthOf(host.result));
   }
   if (call.out.valid() && answers) {
     const ir::Place& out = program_.places[call.out];
@@ -193,9 +193,13 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
       if (!HostWrites(program_, host.access, space, offset)) continue;
-      const TermId byte = ByteFromHost(terms_, host.name, calls, program_.spaces[space].name, offset);
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        WriteCell(memory_.cells().OfBit(space, offset, bit), terms_.Extract(byte, bit, 1));
+        const CellId cell = memory_.cells().OfBit(space, offset, bit);
+        const auto& host_bit = memory_.environment().host_bit;
+        const Environment::HostBit known =
+            host_bit ? host_bit(cell) : Environment::HostBit{program_.spaces[space].name, offset, bit};
+        const TermId byte = ByteFromHost(terms_, host.name, calls, known.space, known.offset);
+        WriteCell(cell, terms_.Extract(byte, known.bit, 1));
       }
     }
   }

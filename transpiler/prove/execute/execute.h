@@ -30,6 +30,14 @@ struct Environment {
   /// Called at a call of a host function that reads the state, with the memory then and when it comes there; may be
   /// empty.
   std::function<void(Memory& memory, ir::HostFunctionId function, TermId when)> observe;
+  /// By which name the host knows a bit that it writes; empty: its own. Two versions that have an input at different
+  /// places name it alike.
+  struct HostBit {
+    std::string space;
+    uint32_t offset = 0;
+    uint8_t bit = 0;
+  };
+  std::function<HostBit(CellId cell)> host_bit;
   /// The answer to the schedule's `now`.
   TermId now;
   /// false: the host answers 0, gives no second result, and writes nothing.
