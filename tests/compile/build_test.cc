@@ -88,6 +88,7 @@ TEST(Build, SamplesOfAllDialects) {
         EXPECT_GT(partition.at("code_bytes"), 0) << partition;
         const bool whole_ns = partition.at("time_ns") == partition.at("cycles").get<uint64_t>() * 10;
         EXPECT_TRUE(whole_ns) << partition;
+        EXPECT_TRUE(partition.at("not_whole").empty()) << partition;
         if (partition.at("name") != sample.entry) continue;
         runs = true;
         EXPECT_GT(partition.at("instructions"), 300) << partition;

@@ -34,10 +34,10 @@ void slow(Host& host, uint32_t& value, uint32_t end) noexcept {
 constexpr uint32_t kLoopLine = 12;
 
 Figures Of(const ProgramCode& code, std::optional<uint64_t> rounds) {
-  const std::vector<KnownLoop> loops = {LoopAt("text.cpp", kText, kLoopLine, rounds)};
+  const LoopBounds bounds{.loops = {LoopAt("text.cpp", kText, kLoopLine, rounds)}};
   const uint32_t function = code.Find("sample::slow");
   EXPECT_NE(function, kNoFunction);
-  return Measurement(code, loops).From(function);
+  return Measurement(code, bounds).From(function);
 }
 
 TEST(Measurement, RoundsStackAndCallsCount) {
@@ -56,7 +56,45 @@ TEST(Measurement, RoundsStackAndCallsCount) {
     EXPECT_GT(ten.code_bytes, 20u);
     EXPECT_THAT(ten.host, ElementsAre("sample::fault"));
     EXPECT_THAT(Of(*code, std::nullopt).not_whole,
-                ElementsAre("loop without known bound in sample::slow: its repetitions are not in"));
+                ElementsAre("loop without known bound in sample::slow (text.cpp:12): its repetitions are not in"));
+  }
+}
+
+TEST(Measurement, LoopsOfABudgetShareItsRounds) {
+  for (const Tools& tools : InstalledTools()) {
+    SCOPED_TRACE(std::string(tools.target->name) + ", " + tools.toolchain.version);
+    const auto code = CompileText(kText, *tools.target, tools.toolchain);
+    ASSERT_TRUE(code);
+    LoopBounds bounds{.loops = {LoopAt("text.cpp", kText, kLoopLine, std::nullopt)}};
+    bounds.loops.front().budget = 7;
+    const uint32_t function = code->Find("sample::slow");
+    Measurement measurement(*code, bounds);
+    EXPECT_THAT(measurement.From(function).not_whole, testing::SizeIs(1));
+    const Figures shared = measurement.From(function, {{7, 20}});
+    EXPECT_THAT(shared.not_whole, IsEmpty());
+    // Compilers make two loops of one, for many rounds at once and for the rest: each may have all of its own rounds.
+    const Figures alone = Of(*code, 20), once = measurement.From(function, {{7, 0}});
+    EXPECT_LE(shared.longest.instructions, alone.longest.instructions);
+    EXPECT_LE(shared.longest.cycles, alone.longest.cycles);
+    EXPECT_GE(shared.longest.instructions, once.longest.instructions + 20 * 3);
+  }
+}
+
+// Loops that compilers make of an assignment go round at most once for each byte of the object.
+TEST(Measurement, ALoopOfTheCompilersOwnIsBoundedByTheLargestObject) {
+  constexpr const char* kCopies = R"(#include <stdint.h>
+namespace sample {
+struct Large { uint32_t words[300]; };
+void clear(Large& large) noexcept { large = Large{}; }
+}
+)";
+  constexpr uint64_t kBytes = 1200;
+  for (const Tools& tools : InstalledTools()) {
+    SCOPED_TRACE(std::string(tools.target->name) + ", " + tools.toolchain.version);
+    const auto code = CompileText(kCopies, *tools.target, tools.toolchain);
+    ASSERT_TRUE(code);
+    const LoopBounds bounds{.loops = {}, .largest_object = kBytes};
+    EXPECT_THAT(Measurement(*code, bounds).From(code->Find("sample::clear")).not_whole, IsEmpty());
   }
 }
 

@@ -82,7 +82,8 @@ class Components {
 
 class Finder {
  public:
-  Finder(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds) : nodes_(nodes), rounds_(rounds) {}
+  Finder(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds, std::map<uint32_t, uint64_t>* shared_rounds)
+      : nodes_(nodes), rounds_(rounds), shared_rounds_(shared_rounds) {}
 
   /// The longest way from `entry` to the end of each node of `inside`; within a loop without going back to `entry`.
   std::vector<std::optional<uint64_t>> Distances(const Nodes& inside, uint32_t entry, PathLoop* around) {
@@ -134,6 +135,10 @@ class Finder {
         if (edge.to == header || loop.shared) round = std::max(round, Sum(*inner[node], edge.cost));
       }
     }
+    if (rounds.budget && shared_rounds_ != nullptr) {
+      uint64_t& dearest = (*shared_rounds_)[*rounds.budget];
+      dearest = std::max(dearest, round);
+    }
     begin = Sum(begin, Product(round, rounds.same_as_around ? 0 : rounds.most.value_or(0)));
     for (const uint32_t node : blocks) {
       if (inner[node]) done[node] = Sum(begin, *inner[node]);
@@ -142,15 +147,17 @@ class Finder {
 
   const std::vector<PathNode>& nodes_;
   const RoundsOfLoop& rounds_;
+  std::map<uint32_t, uint64_t>* shared_rounds_;
 };
 
 }  // namespace
 
-uint64_t LongestPath(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds) {
+uint64_t LongestPath(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds,
+                     std::map<uint32_t, uint64_t>* shared_rounds) {
   if (nodes.empty()) return 0;
   Nodes all;
   for (uint32_t i = 0; i < nodes.size(); ++i) all.insert(all.end(), i);
-  const auto distances = Finder(nodes, rounds).Distances(all, 0, nullptr);
+  const auto distances = Finder(nodes, rounds, shared_rounds).Distances(all, 0, nullptr);
   uint64_t longest = 0;
   for (uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].leaves && distances[i]) longest = std::max(longest, *distances[i]);

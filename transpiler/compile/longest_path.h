@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace plcxx::compile {
@@ -32,6 +34,9 @@ struct PathLoop {
 struct Rounds {
   std::optional<uint64_t> most;  // none: not known, counted as no repetition
   bool same_as_around = false;   // it is a second way back of the loop around it: those rounds count for both
+  /// Beside `most`: rounds that it shares with other loops. How many these are is not counted in the path.
+  std::optional<uint32_t> budget;
+  std::string where;  // head of the loop in the text; empty: not found
 };
 
 using RoundsOfLoop = std::function<Rounds(const PathLoop& loop)>;
@@ -40,6 +45,8 @@ constexpr uint64_t kMostCost = uint64_t{1} << 60;  // sums saturate here
 
 /// From node 0 to any that leaves. A loop's way round counts as often as the loop makes rounds, then the way out; of a
 /// loop that is entered at several nodes all of them count as its first.
-uint64_t LongestPath(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds);
+/// By budget: the dearest round of its loops goes into `shared_rounds`, where that is given.
+uint64_t LongestPath(const std::vector<PathNode>& nodes, const RoundsOfLoop& rounds,
+                     std::map<uint32_t, uint64_t>* shared_rounds = nullptr);
 
 }  // namespace plcxx::compile

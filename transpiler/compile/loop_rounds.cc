@@ -127,16 +127,23 @@ void AddRuntimeLoops(std::vector<KnownLoop>& loops, uint64_t elements) {
 }
 
 Rounds RoundsOf(const ObjectFacts& object, const CodeFunction& function, const PathLoop& loop,
-                const std::vector<KnownLoop>& known) {
-  const Search search(object, function, known);
+                const LoopBounds& bounds) {
+  const Search search(object, function, bounds.loops);
   const std::vector<const KnownLoop*> candidates = search.Candidates(loop);
   if (candidates.empty() && loop.around != nullptr && !search.Candidates(*loop.around).empty()) {
     return {.most = 0, .same_as_around = true};  // compilers jump back to several places of one loop
   }
+  if (candidates.empty()) {
+    const bool clears = loop.nodes.size() == 1 && function.blocks[loop.header].calls.empty();
+    return {.most = clears && bounds.largest_object > 0 ? std::optional(bounds.largest_object) : std::nullopt};
+  }
   Rounds rounds;
+  rounds.where = candidates.front()->file + ":" + std::to_string(candidates.front()->first);
   for (const KnownLoop* candidate : candidates) {
-    if (!candidate->rounds) return {};
-    rounds.most = std::max(rounds.most.value_or(0), *candidate->rounds);
+    const bool other_budget = candidate->budget && rounds.budget && candidate->budget != rounds.budget;
+    if (other_budget || (!candidate->rounds && !candidate->budget)) return {.where = rounds.where};
+    if (candidate->budget) rounds.budget = candidate->budget;
+    rounds.most = std::max(rounds.most.value_or(0), candidate->rounds.value_or(0));
   }
   return rounds;
 }

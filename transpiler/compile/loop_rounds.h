@@ -14,6 +14,6 @@ namespace plcxx::compile {
 /// The most rounds of a loop of `function`, by the lines that its instructions come from: never too few where the
 /// text's loop is found, too many where several are in question. None: not found, or its bound is not known.
 Rounds RoundsOf(const ObjectFacts& object, const CodeFunction& function, const PathLoop& loop,
-                const std::vector<KnownLoop>& known);
+                const LoopBounds& bounds);
 
 }  // namespace plcxx::compile

@@ -10,10 +10,20 @@ namespace {
 
 constexpr uint64_t kThousandths = 1000;
 
+/// Of an endless sum: saturates.
+uint64_t Repeated(uint64_t cost, uint64_t times) {
+  return times != 0 && cost > kMostCost / times ? kMostCost : cost * times;
+}
+
+std::string Unbounded(const std::string& function, const std::string& where) {
+  return "loop without known bound in " + function + (where.empty() ? "" : " (" + where + ")") +
+         ": its repetitions are not in";
+}
+
 }  // namespace
 
-Measurement::Measurement(const ProgramCode& code, const std::vector<KnownLoop>& loops)
-    : code_(code), loops_(loops), own_(code.function_count()) {}
+Measurement::Measurement(const ProgramCode& code, const LoopBounds& bounds)
+    : code_(code), bounds_(bounds), own_(code.function_count()) {}
 
 const Measurement::Own& Measurement::Measure(uint32_t id) {
   Own& own = own_[id];
@@ -37,13 +47,14 @@ const Measurement::Own& Measurement::Measure(uint32_t id) {
     instructions.push_back(std::move(counted));
   }
   const RoundsOfLoop rounds = [&](const PathLoop& loop) {
-    const Rounds known = RoundsOf(code_.Object(id), function, loop, loops_);
-    if (!known.most)
-      own.not_whole.insert("loop without known bound in " + code_.Name(id) + ": its repetitions are not in");
+    Rounds known = RoundsOf(code_.Object(id), function, loop, bounds_);
+    if (!known.most && !known.budget) own.not_whole.insert(Unbounded(code_.Name(id), known.where));
+    if (known.budget) own.budget_loops.emplace(*known.budget, Unbounded(code_.Name(id), known.where));
     return known;
   };
   // Thousandths of cycles until the partition is summed up: `cycles` of a function's own path are thousandths.
-  own.longest = {LongestPath(instructions, rounds), LongestPath(cycles, rounds)};
+  own.longest = {LongestPath(instructions, rounds, &own.round_instructions),
+                 LongestPath(cycles, rounds, &own.round_cycles)};
   own.open = false;
   own.done = true;
   return own;
@@ -69,11 +80,11 @@ uint64_t Measurement::StackOf(uint32_t id) {
   return deepest;
 }
 
-Figures Measurement::From(uint32_t entry) {
+Figures Measurement::From(uint32_t entry, const std::map<uint32_t, uint64_t>& budgets) {
   Figures figures;
   figures.longest = Measure(entry).longest;
-  figures.longest.cycles = (figures.longest.cycles + kThousandths - 1) / kThousandths;
   figures.stack_bytes = StackOf(entry);
+  std::map<uint32_t, Path> dearest;  // round, by budget
   std::vector<uint32_t> reached = {entry};
   std::vector<bool> seen(code_.function_count());
   seen[entry] = true;
@@ -82,6 +93,12 @@ Figures Measurement::From(uint32_t entry) {
     const CodeFunction& function = code_.Function(id);
     figures.code_bytes += function.bytes;
     figures.not_whole.insert(own_[id].not_whole.begin(), own_[id].not_whole.end());
+    for (const auto& [budget, cost] : own_[id].round_instructions)
+      dearest[budget].instructions = std::max(dearest[budget].instructions, cost);
+    for (const auto& [budget, cost] : own_[id].round_cycles)
+      dearest[budget].cycles = std::max(dearest[budget].cycles, cost);
+    for (const auto& [budget, words] : own_[id].budget_loops)
+      if (!budgets.contains(budget)) figures.not_whole.insert(words);
     if (!function.frame_known) figures.not_whole.insert("the stack of " + code_.Name(id) + " is not known");
     for (const CodeBlock& block : function.blocks) {
       for (const CodeCall& call : block.calls) {
@@ -95,6 +112,15 @@ Figures Measurement::From(uint32_t entry) {
       }
     }
   }
+  for (const auto& [budget, round] : dearest) {
+    const auto most = budgets.find(budget);
+    if (most == budgets.end()) continue;
+    Path& longest = figures.longest;
+    figures.shared_rounds += most->second;
+    longest.instructions = std::min(longest.instructions + Repeated(round.instructions, most->second), kMostCost);
+    longest.cycles = std::min(longest.cycles + Repeated(round.cycles, most->second), kMostCost);
+  }
+  figures.longest.cycles = (figures.longest.cycles + kThousandths - 1) / kThousandths;
   return figures;
 }
 

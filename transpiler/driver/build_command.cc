@@ -54,7 +54,8 @@ The report, NAME.report.json, gets an object "build":
     stack_bytes          over its deepest path of calls, return addresses included
     code_bytes           of all functions that it reaches
     not_counted          host functions and support routines that it calls
-    not_whole            what is missing from the figures, in words
+    shared_rounds        of loops that the control's limit on rounds bounds together: all of them are in the figures
+    not_whole            what is missing from the figures, in words; an error where a limit of time is given
   code_bytes, constant_bytes            of the library
   retentive_bytes, volatile_bytes       of one State
 Files are written whole or not at all; a file that would not change keeps its time.

@@ -4,6 +4,7 @@
 
 #include "transpiler/compile/audit_module.h"
 #include "transpiler/compile/audit_rules.h"
+#include "transpiler/driver/build_budgets.h"
 #include "transpiler/ir/builder.h"
 
 namespace plcxx::driver {
@@ -98,20 +99,22 @@ void AuditObjects(const compile::ProgramCode& code, const emit::Emittable& emitt
 
 BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& emittable,
                      const std::vector<emit::OutputFile>& files) {
-  std::vector<compile::KnownLoop> loops;
+  compile::LoopBounds bounds{.loops = {}, .largest_object = emittable.layout.size};
   uint64_t elements = 0;
   for (const emit::Member& member : emittable.layout.members) elements = std::max<uint64_t>(elements, member.count);
-  compile::AddRuntimeLoops(loops, elements);
+  compile::AddRuntimeLoops(bounds.loops, elements);
   for (const emit::OutputFile& file : files) {
-    for (const emit::PrintedLoop& loop : file.loops)
-      loops.push_back(compile::LoopAt(file.name, file.text, loop.line, loop.rounds));
+    for (const emit::PrintedLoop& loop : file.loops) {
+      bounds.loops.push_back(compile::LoopAt(file.name, file.text, loop.line, loop.rounds));
+      if (loop.budget.valid()) bounds.loops.back().budget = loop.budget.index;
+    }
   }
   BuildFigures figures;
   figures.retentive_bytes = emittable.layout.retentive_bytes;
   figures.volatile_bytes = emittable.layout.size - emittable.layout.retentive_bytes;
   AddSections(code, figures);
   if (!code.objects().empty()) figures.timing = code.objects().front().timing;
-  compile::Measurement measurement(code, loops);
+  compile::Measurement measurement(code, bounds);
   const ir::Program& program = *emittable.program;
   const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
@@ -119,7 +122,8 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
     if (emit::SharesLocals(routine.kind) || (routine.simulation_only && !debug)) continue;
     const uint32_t function = code.Find(Qualified(emittable, routine.name));
     if (function == compile::kNoFunction) continue;
-    figures.partitions.push_back({routine.name, ir::RoutineId(i), measurement.From(function)});
+    const ir::RoutineId id(i);
+    figures.partitions.push_back({routine.name, id, measurement.From(function, BudgetRounds(program, id))});
   }
   return figures;
 }

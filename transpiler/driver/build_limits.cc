@@ -33,6 +33,8 @@ class LimitCheck {
 
   void Time(ir::RoutineKind kind, std::optional<uint64_t> limit) {
     if (!limit) return;
+    // A limit that was not shown to hold is not kept.
+    compilation_.diagnostics.MakeError(diag::NotMeasured.row);
     for (const PartitionFigures& partition : figures_.partitions) {
       if (compilation_.program.routines[partition.routine].kind != kind) continue;
       Doubt(partition);

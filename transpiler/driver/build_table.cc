@@ -51,6 +51,16 @@ Exclusions ExclusionsOf(const BuildFigures& figures) {
   return all;
 }
 
+/// "slow 262144, init 65536": why a longest path may be so much longer than the program looks.
+std::string SharedRounds(const BuildFigures& figures) {
+  std::string text;
+  for (const PartitionFigures& partition : figures.partitions) {
+    const uint64_t rounds = partition.figures.shared_rounds;
+    if (rounds != 0) text += (text.empty() ? "" : ", ") + partition.name + " " + std::to_string(rounds);
+  }
+  return text;
+}
+
 }  // namespace
 
 uint64_t Nanoseconds(uint64_t cycles, uint64_t clock_hz) {
@@ -73,6 +83,7 @@ nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& wa
                                   {"cycles", own.longest.cycles}, {"stack_bytes", own.stack_bytes},
                                   {"code_bytes", own.code_bytes}, {"not_counted", own.host},
                                   {"not_whole", own.not_whole}};
+    if (own.shared_rounds != 0) row["shared_rounds"] = own.shared_rounds;
     if (way.clock_hz != 0) row["time_ns"] = Nanoseconds(own.longest.cycles, way.clock_hz);
     build["partitions"].push_back(std::move(row));
   }
@@ -105,6 +116,8 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
   const Exclusions excluded = ExclusionsOf(figures);
   if (!excluded.host.empty()) text += "  not counted, host functions: " + Joined(excluded.host) + "\n";
   if (!excluded.support.empty()) text += "  not counted, support routines: " + Joined(excluded.support) + "\n";
+  const std::string shared = SharedRounds(figures);
+  if (!shared.empty()) text += "  rounds that loops share, all of them counted: " + shared + "\n";
   for (const std::string& missing : excluded.not_whole) text += "  not whole: " + missing + "\n";
   return text;
 }

@@ -18,6 +18,7 @@ namespace plcxx::emit {
 struct PrintedLoop {
   uint32_t line = 0;               // of its head, from 1
   std::optional<uint64_t> rounds;  // the most that it makes; none: only a budget that others share bounds it
+  ir::PlaceId budget = {};         // that budget
 };
 
 /// Whose the lines of a generated file are, from `line` (from 1) up to the next one's.

@@ -257,7 +257,11 @@ std::vector<PrintedLoop> PartPrinter::FindLoops(std::string_view text) const {
   if (found.size() != loops_.size()) return {};
   for (size_t i = 0; i < found.size(); ++i) {
     const ir::Loop& loop = program_.loops[loops_[i]];
-    if (loop.kind != ir::LoopBound::kBudget) found[i].rounds = loop.bound;
+    if (loop.kind == ir::LoopBound::kBudget) {
+      found[i].budget = loop.budget;
+    } else {
+      found[i].rounds = loop.bound;
+    }
   }
   return found;
 }
