@@ -27,6 +27,7 @@ constexpr const char* kFooter = R"(Properties, one a line ('#' begins a comment)
   never U4A8 and U4A9                      not both, after any period
   at most one of U4A8, U4A9, U4A10         (or: exactly one of)
   W10K3 in 0..12                           (also = != < <= > >=, and 'is', 'is not')
+  never bit 0 of W2K0 and bit 1 of W2K0    bits of a word, the least significant one is 0
   I0K1 implies U21K8 is 0 within 1 slow    soon enough for 'set: {I0K1: 1}, run: {slow: 1}'; without 'within': at once
   I0K1 for 3000 ms implies U4A8            once I0K1 has stood so long
   U4A8 is never stuck within 20 slow       from every state some inputs make it 1, and some make it 0, in that time

@@ -101,7 +101,10 @@ TermId ValueOf(Terms& terms, const PropertyOperand& operand, uint32_t period, co
     const TermId part = value(cell, period);
     number = number.valid() ? terms.Concat(part, number) : part;
   }
-  return number.valid() ? terms.Resize(number, operand.width) : terms.Const(0, operand.width);
+  if (!number.valid()) return terms.Const(0, operand.width);
+  const int rest = terms.Width(number) - operand.low_bit;
+  if (rest < operand.width) return terms.Resize(terms.Zext(number, operand.width), operand.width);
+  return terms.Extract(number, operand.low_bit, operand.width);
 }
 
 TermId HoldsAfter(Terms& terms, const Property& property, uint32_t period, const ValueAfter& value) {

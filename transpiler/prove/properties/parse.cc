@@ -12,9 +12,9 @@ namespace {
 constexpr int kMostNested = 200;
 
 /// Words with a meaning of their own; as locations they stand in quotes.
-constexpr std::array<std::string_view, 16> kWords = {"and", "or",    "not",     "implies", "within", "for",
-                                                     "in",  "is",    "exactly", "one",     "at",     "most",
-                                                     "of",  "never", "always",  "stuck"};
+constexpr std::array<std::string_view, 17> kWords = {"bit",  "and", "or",    "not",     "implies", "within",
+                                                     "for",  "in",  "is",    "exactly", "one",     "at",
+                                                     "most", "of",  "never", "always",  "stuck"};
 
 class LineParser {
  public:
@@ -73,6 +73,7 @@ class LineParser {
   uint32_t CountOf(ConditionKind kind);
   uint32_t Comparison();
   uint32_t Range(uint32_t value, const PropertyWord& word);
+  uint32_t BitOf();
   /// A location or a number.
   uint32_t Value();
   std::optional<int64_t> Number();
@@ -307,7 +308,33 @@ std::optional<int64_t> LineParser::Number() {
   return number;
 }
 
+/// Behind "bit": one bit of a word, counted from the least significant one.
+uint32_t LineParser::BitOf() {
+  const PropertyWord number_word = Now();
+  const std::optional<int64_t> number = Number();
+  if (number && !Take({"of"})) Expected("'of'");
+  if (failed()) return 0;
+  const PropertyWord word = Now();
+  const uint32_t value = Value();
+  if (failed()) return value;
+  if (OperandOf(value) == nullptr) {
+    Fail(word, {"'" + word.text + "'", "a location"});
+    return value;
+  }
+  PropertyOperand& operand = property_.operands[property_.conditions[value].operand];
+  if (*number < 0 || *number >= operand.width) {
+    Fail(number_word, PropertyFault::kNoFit,
+         {number_word.text, "a bit of " + operand.text, "0 to " + std::to_string(operand.width - 1)});
+    return value;
+  }
+  operand.low_bit = static_cast<uint8_t>(*number);
+  operand.width = 1;
+  operand.is_bit = true;
+  return value;
+}
+
 uint32_t LineParser::Value() {
+  if (Take({"bit"})) return BitOf();
   const PropertyWord word = Now();
   const bool is_word = !word.quoted && std::ranges::find(kWords, word.text) != kWords.end();
   const bool is_sign = !word.quoted && word.text.find_first_not_of("=<>(),!.") == std::string::npos;

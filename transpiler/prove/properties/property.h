@@ -22,6 +22,7 @@ struct PropertyOperand {
   std::string text;           // as the property writes it
   std::vector<CellId> cells;  // from the least significant bit, or one field; none: always 0, the program has no such
   uint8_t width = 1;          // of the value, 1 to 64 bits
+  uint8_t low_bit = 0;        // of the cells; with a width of 1 it is one bit of a word
   bool is_bit = false;
   bool has_sign = false;  // its value is read as two's complement
 };
