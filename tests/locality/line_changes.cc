@@ -22,10 +22,12 @@ Lines LinesOf(std::string_view text) {
 class Frontier {
  public:
   explicit Frontier(int most) : most_(most), furthest_(2 * static_cast<size_t>(most) + 1, -1) {}
-  int& operator[](int k) { return furthest_[static_cast<size_t>(k + most_)]; }
-  int operator[](int k) const { return furthest_[static_cast<size_t>(k + most_)]; }
+  int& operator[](int k) { return furthest_[IndexOf(k)]; }
+  int operator[](int k) const { return furthest_[IndexOf(k)]; }
 
  private:
+  size_t IndexOf(int k) const { return static_cast<size_t>(k) + static_cast<size_t>(most_); }
+
   int most_;
   std::vector<int> furthest_;
 };

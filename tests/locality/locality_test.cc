@@ -34,10 +34,10 @@ struct Edit {
 class EditedPrograms {
  public:
   explicit EditedPrograms(std::string dialect, uint32_t edits) : dialect_(std::move(dialect)) {
-    const compile::ProcessResult made =
-        compile::RunProcess({"python3", PLCXX_ROOT "/tests/locality/edited_programs.py", dialect_,
-                             std::to_string(kStatements), std::to_string(edits), directory_.path().string()},
-                            120);
+    const std::string script = std::string(PLCXX_ROOT) + "/tests/locality/edited_programs.py";
+    const compile::ProcessResult made = compile::RunProcess(
+        {"python3", script, dialect_, std::to_string(kStatements), std::to_string(edits), directory_.path().string()},
+        120);
     EXPECT_EQ(made.exit_code, 0) << made.output;
     std::ifstream rows(directory_.File("edits.txt"));
     for (std::string row; std::getline(rows, row);) {

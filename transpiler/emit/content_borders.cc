@@ -22,8 +22,8 @@ struct Finder {
 
 /// Of equal hashes the first one counts.
 bool Finder::IsLeastAround(size_t i) const {
-  for (size_t j = i; j-- > 0 && ends[i] - ends[j] < limits.least;)
-    if (Allowed(j) && candidates[j].hash <= candidates[i].hash) return false;
+  for (size_t j = i; j > 0 && ends[i] - ends[j - 1] < limits.least; --j)
+    if (Allowed(j - 1) && candidates[j - 1].hash <= candidates[i].hash) return false;
   for (size_t j = i + 1; j < ends.size() && ends[j] - ends[i] < limits.least; ++j)
     if (Allowed(j) && candidates[j].hash < candidates[i].hash) return false;
   return true;
