@@ -11,7 +11,8 @@ Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routin
                           .observe = {},
                           .host_bit = surroundings.host_bit,
                           .now = surroundings.now,
-                          .host_answers = surroundings.answers == HostAnswers::kAny};
+                          .host_answers = surroundings.answers == HostAnswers::kAny,
+                          .summarize_after = 16};
   environment.observe = [&](Memory& memory, ir::HostFunctionId function, TermId when) {
     Observation observation{.function = function, .when = when, .outputs = {}};
     for (const CellId cell : surroundings.outputs) observation.outputs.push_back(memory.Read(cell));

@@ -42,6 +42,9 @@ struct Environment {
   TermId now;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
+  /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
+  /// it reads (summary.h): two loops that are written alike are equal then, nothing else is known of them.
+  uint32_t summarize_after = 0;
   /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.
   uint32_t most_rounds = 4096;
   uint32_t most_terms = 20'000'000;

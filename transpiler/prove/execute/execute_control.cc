@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/execute/executor.h"
+#include "transpiler/prove/execute/summary.h"
 
 namespace plcxx::prove {
 
@@ -179,11 +180,33 @@ void Executor::ExecuteRepeat(ir::InstId, const ir::Inst& inst) {
 
 void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
+  const uint32_t most = memory_.environment().summarize_after;
+  const bool known = loop.kind == ir::LoopBound::kProven && loop.bound <= most;
+  if (most == 0 || known) {
+    UnrollLoop(id, loop);
+    return;
+  }
+  const Flow before = flow_;
+  memory_.BeginChanges();
+  const Unrolled unrolled = UnrollLoop(id, loop);
+  const std::vector<Memory::Change> changes = memory_.TakeChanges();
+  if (unrolled == Unrolled::kWhole) {
+    for (const Memory::Change& change : changes) memory_.Write(change.cell, change.value);
+    return;
+  }
+  flow_ = before;
+  ExecuteSummary(id);
+}
+
+Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop) {
+  const uint32_t most_unknown = memory_.environment().summarize_after;
   const TermId before = flow_.active;
   std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
   TermId done = terms_.Bit(false);
+  uint32_t unknown = 0;
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (loop.kind == ir::LoopBound::kProven && round >= loop.bound && !loop.condition.valid()) break;
+    if (round > 0 && flow_.active != before && most_unknown != 0 && ++unknown > most_unknown) return Unrolled::kGivenUp;
     if (round > memory_.environment().most_rounds) {
       Refuse("a loop may go round more than " + std::to_string(memory_.environment().most_rounds) + " times");
       break;
@@ -194,6 +217,47 @@ void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
     flow_.active = flow_.leaving.empty() ? before : terms_.Or(done, flow_.active);
   }
   for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
+  return Unrolled::kWhole;
+}
+
+void Executor::ExecuteSummary(ir::InstId id) {
+  const LoopSummary summary = SummarizeLoop(program_, memory_.cells(), id);
+  if (summary.opaque) {
+    Refuse(
+        "a loop that may go round any number of times calls a function that writes the state, or repeats another loop");
+    return;
+  }
+  // Its arguments, in words of up to 64 bits; one term then stands for all that the loop knows.
+  std::vector<TermId> arguments;
+  for (const ir::ValueId value : summary.outside) arguments.push_back(ValueOf(value.index));
+  TermId word;
+  for (const CellId cell : summary.cells) {
+    const TermId part = memory_.Read(cell);
+    if (word.valid() && terms_.Width(word) + terms_.Width(part) <= 64) {
+      word = terms_.Concat(part, word);
+      continue;
+    }
+    if (word.valid()) arguments.push_back(word);
+    word = part;
+  }
+  if (word.valid()) arguments.push_back(word);
+  arguments.push_back(memory_.environment().now);
+  uint64_t hash = 0xCBF29CE484222325;
+  for (const char c : summary.text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+  const std::string name = "loop " + std::to_string(hash) + "." + std::to_string(summary.text.size());
+  const TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
+  const auto result = [&](const std::string& what, uint8_t width) {
+    return terms_.Apply(terms_.Function(name + " " + what, width), {&known, 1});
+  };
+  for (const CellId cell : summary.written) {
+    const Cell at = CellAt(program_, memory_.cells(), cell);
+    WriteCell(cell, result(CellName(program_, at), CellWidth(program_, at)));
+  }
+  for (size_t i = 0; i < summary.targets.size(); ++i) {
+    const TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));
+    Leave(summary.targets[i], false, leaves);
+    flow_.active = terms_.And(flow_.active, terms_.Not(leaves));
+  }
 }
 
 TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, uint64_t round, TermId& done) {

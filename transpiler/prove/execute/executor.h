@@ -59,6 +59,9 @@ class Executor {
   void Leave(ir::InstId target, bool repeats, TermId when);
   TermId SelectedBy(const ir::SwitchCase& one, TermId selector);
   std::vector<TermId> CaseConditions(const std::vector<ir::SwitchCase>& cases, TermId selector);
+  enum class Unrolled : uint8_t { kWhole, kGivenUp };
+  Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop);
+  void ExecuteSummary(ir::InstId id);
   /// One round of a loop; gives when another one follows.
   TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, uint64_t round, TermId& done);
 
