@@ -103,7 +103,7 @@ class MutationTest : public ::testing::Test {
     std::string text;
     for (const RoutineProof& proof : Verify(emittable_, *loaded.code, {})) {
       if (proof.result == ProofResult::kProved) continue;
-      text += proof.routine + ": " + proof.reason;
+      text += proof.routine + (proof.result == ProofResult::kDifferent ? " different: " : ": ") + proof.reason;
       for (const CodeDifference& difference : proof.differences) text += difference.what + " ";
       text += "\n";
     }
@@ -139,10 +139,8 @@ TEST_F(MutationTest, ChangesAreCaught) {
     ASSERT_EQ(text.find(mutation.from, at + 1), std::string::npos) << mutation.name;
     text.replace(at, mutation.from.size(), mutation.to);
     const std::string verdict = Verdict();
-    EXPECT_NE(verdict, "") << mutation.name;
-    EXPECT_EQ(verdict.find("not compiled"), std::string::npos) << mutation.name << ": " << verdict;
     // It differs, and a state shows it; "not decided" would be too little.
-    EXPECT_NE(verdict.find(": "), std::string::npos) << verdict;
+    EXPECT_NE(verdict.find(" different: "), std::string::npos) << mutation.name << ": " << verdict;
     text = whole;
   }
 }

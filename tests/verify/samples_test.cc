@@ -38,8 +38,8 @@ TEST_P(SamplesTest, IsProved) {
   EXPECT_THAT(ran.errors, HasSubstr("the compiled code is proved equal to the program"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](const auto& info) {
-  const std::string folder = info.param.folder;
+INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](const auto& sample) {
+  const std::string folder = sample.param.folder;
   return folder.substr(0, folder.find('/'));
 });
 

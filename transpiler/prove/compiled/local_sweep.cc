@@ -10,10 +10,11 @@ namespace plcxx::prove {
 namespace {
 
 constexpr int kVectors = 48;
-constexpr size_t kMostCandidates = 4;  // of one class that a term is compared with
-constexpr size_t kMostCopied = 3000;   // terms of one question
-constexpr uint32_t kQuestionMs = 200;  // for terms inside
+constexpr size_t kMostCandidates = 3;  // of one class that a term is compared with
+constexpr size_t kMostCopied = 600;    // terms of one question
+constexpr uint32_t kQuestionMs = 100;  // for terms inside
 constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
+constexpr int kQuestionVectors = 24;
 constexpr size_t kMostConstants = 4096;
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
@@ -38,6 +39,8 @@ class LocalSweep {
   /// A copy of a term in which what is shared, `depth` shared terms down, is a variable. Invalid: it is too large.
   TermId Copy(TermId root, int depth);
   TermId CutOf(TermId id);
+  /// Whether sample values of its variables make a condition 1: most questions need no solver.
+  bool HappensInSamples(TermId condition);
   bool IsShared(TermId id) const { return id.index < shared_.size() && shared_[id.index]; }
   void Share(TermId id) {
     if (id.index >= shared_.size()) shared_.resize(terms_.size());
@@ -191,6 +194,29 @@ TermId LocalSweep::Copy(TermId root, int depth) {
   return copies_.at(key({root, depth}));
 }
 
+bool LocalSweep::HappensInSamples(TermId condition) {
+  std::vector<TermId> cone, open = {condition};
+  std::unordered_map<uint32_t, uint64_t> values;
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (!values.emplace(id.index, 0).second) continue;
+    cone.push_back(id);
+    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+  }
+  std::ranges::sort(cone);  // operands stand in front of what is made of them
+  for (int vector = 0; vector < kQuestionVectors; ++vector) {
+    for (const TermId id : cone) {
+      const Term& term = terms_[id];
+      values[id.index] = EvaluateTerm(
+          terms_, term, [&values](TermId operand) { return values[operand.index]; },
+          [&](uint32_t) { return Sample(vector, term.width); });
+    }
+    if (values[condition.index] != 0) return true;
+  }
+  return false;
+}
+
 bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds) {
   if (a == b) return true;
   for (const int depth : depths) {
@@ -201,8 +227,7 @@ bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint3
     if (!other.valid()) return false;
     const TermId differ = terms_.Ne(one, other);
     if (terms_.IsFalse(differ)) return true;
-    const Answer answer = terms_.IsTrue(differ) ? Answer::kPossible : solver_.Check({&differ, 1}, milliseconds);
-    if (answer == Answer::kNever) return true;
+    if (!HappensInSamples(differ) && solver_.Check({&differ, 1}, milliseconds) == Answer::kNever) return true;
     // Where nothing was cut, they do differ.
     if (!cut_ || Late()) return false;
   }
@@ -210,7 +235,7 @@ bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint3
 }
 
 void LocalSweep::SweepTerm(TermId id) {
-  constexpr int kDepths[] = {0, 2, 5};
+  constexpr int kDepths[] = {0, 2};
   const Term term = terms_[id];
   std::vector<TermId> operands;
   bool changed = false;
