@@ -103,7 +103,7 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
   EXPECT_THAT(
       Errors("sources: [a]\nstep: []\n"),
       ElementsAre(
-          "s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, sources, options, steps, expect_error, "
+          "s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, sources, options, steps, properties, expect_error, "
           "warnings, name, description",
           "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
   EXPECT_THAT(

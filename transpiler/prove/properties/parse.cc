@@ -231,7 +231,7 @@ uint32_t LineParser::CountOf(ConditionKind kind) {
   std::vector<uint32_t> children;
   do {
     const PropertyWord word = Now();
-    children.push_back(Primary());
+    children.push_back(Negation());
     if (!failed()) CheckBit(children.back(), word, "a list");
   } while (Take({","}));
   if (!failed() && children.size() < 2) Expected("','");

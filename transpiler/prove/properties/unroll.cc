@@ -8,6 +8,9 @@
 namespace plcxx::prove {
 namespace {
 
+/// A period that takes more is not worth waiting for: many of them are needed.
+constexpr uint32_t kMostRounds = 256, kMostTerms = 4'000'000;
+
 bool IsInbox(const Version& version, const Cell& cell) {
   return cell.kind == CellKind::kField && version.program->text_inbox.valid() &&
          cell.state == version.program->text_inbox;
@@ -130,9 +133,13 @@ bool Unrolled::Advance() {
     return Value(cell, period - 1);
   };
   const ir::Schedule& schedule = version_.program->schedule;
-  Memory memory(
-      terms_, *version_.program, version_.cells,
-      {.initial = initial, .observe = {}, .now = Now(period, 0), .host_answers = answers_ == HostAnswers::kAny});
+  Memory memory(terms_, *version_.program, version_.cells,
+                {.initial = initial,
+                 .observe = {},
+                 .now = Now(period, 0),
+                 .host_answers = answers_ == HostAnswers::kAny,
+                 .most_rounds = kMostRounds,
+                 .most_terms = kMostTerms});
   for (uint32_t part = 0; part < part_count() && refusal_.empty(); ++part) {
     memory.environment().now = Now(period, part);
     for (uint32_t i = 0; part > 0 && i < version_.cells.calls; ++i) {
