@@ -493,8 +493,17 @@ TEST(EmitComparisons, ForegoneOnesAreNoWarnings) {
   %12 = const i32 2
   %13 = ne.i32 %11 %12
   store a %13
+  %14 = load k
+  %15 = load k
+  %16 = eq.i8 %14 %15
+  store s %16
+  %17 = load w
+  %18 = sgt.i16 %17 %17
+  store b %18
 )"));
-  EXPECT_THAT(source, HasSubstr("m[b] = Less32(t1, 300);\n"));
+  EXPECT_THAT(source, HasSubstr("Equal8(m[k], m[k]);\n"));
+  EXPECT_THAT(source, HasSubstr("m[b] = SignedGreater16(t2, t2);\n"));
+  EXPECT_THAT(source, HasSubstr("Less32(t1, 300)"));
   EXPECT_THAT(source, HasSubstr("m[c] = GreaterEqual32(m[left], 0);\n"));
   EXPECT_THAT(source, HasSubstr("m[d] = m[w] == t1;\n"));
   EXPECT_THAT(source, HasSubstr("m[a] = NotEqual32(m[a], 2);\n"));

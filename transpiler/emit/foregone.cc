@@ -1,4 +1,4 @@
-// Comparisons of which compilers know the outcome, and say so in a warning: "m[V] > 255", "m[D] < 0".
+// Comparisons of which compilers know the outcome, and say so in a warning: "m[V] > 255", "m[D] < 0", "m[W] < m[W]".
 //
 // Spelled by the name of their function, they are as quiet as they are useless; leaving them out is not the emitter's
 // business.
@@ -37,9 +37,22 @@ bool Apart(const Interval& a, const Interval& b) { return a.high < b.low || b.hi
 /// Whether `a < b` holds for all values, or for none.
 bool OrderIsKnown(const Interval& a, const Interval& b) { return a.high < b.low || a.low >= b.high; }
 
+/// Whether both are spelled the same: one value, or two reads of one place.
+bool AreSame(const ir::Program& program, ir::ValueId left, ir::ValueId right) {
+  if (left == right) return true;
+  const ir::Inst& a = program[left];
+  const ir::Inst& b = program[right];
+  return ir::Info(a.op).shape == ir::Shape::kLoad && a.op == b.op && a.payload == b.payload && a.a == b.a && a.b == b.b;
+}
+
+bool IsComparison(const ir::OpInfo& info) {
+  return info.precedence == ir::Precedence::kRelational || info.precedence == ir::Precedence::kEquality;
+}
+
 }  // namespace
 
 bool IsForegone(const ir::Program& program, const ir::Inst& inst) {
+  if (IsComparison(ir::Info(inst.op)) && AreSame(program, ir::ValueId(inst.a), ir::ValueId(inst.b))) return true;
   const auto a = [&] { return IntervalOf(program, ir::ValueId(inst.a)); };
   const auto b = [&] { return IntervalOf(program, ir::ValueId(inst.b)); };
   switch (inst.op) {
