@@ -1,5 +1,6 @@
 // The comparison of two versions: cells in, items with names, causes and counterexamples out.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -55,8 +56,10 @@ std::set<std::string> TextsOf(const Compilation& compilation) {
 }
 
 std::string ShownPath(const DiffSide& side, const std::string& path) {
-  return !side.hidden_prefix.empty() && path.starts_with(side.hidden_prefix) ? path.substr(side.hidden_prefix.size())
-                                                                             : path;
+  if (!side.hidden_prefix.empty() && path.starts_with(side.hidden_prefix)) {
+    return path.substr(side.hidden_prefix.size());
+  }
+  return std::filesystem::path(path).lexically_normal().generic_string();
 }
 
 ItemStatement StatementOf(const Named& side, ir::StatementId id, const std::set<std::string>& other_texts) {
@@ -184,6 +187,11 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
     for (std::string& name : ReadItems(new_side, new_writers, items, gathered.item.name, false))
       through.insert(std::move(name));
     gathered.item.through.assign(through.begin(), through.end());
+    // In one scan a difference runs on through everything behind it; those statements are not where it comes from.
+    const auto changed = [](const ItemStatement& statement) { return statement.changed; };
+    const bool own = std::ranges::any_of(gathered.item.old_statements, changed) ||
+                     std::ranges::any_of(gathered.item.new_statements, changed);
+    if (!own && !through.empty()) gathered.item.changed_itself = false;
   }
 }
 

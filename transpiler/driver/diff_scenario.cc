@@ -106,6 +106,14 @@ class Shortener {
       same.slow = 1;
       if (try_without(std::move(shorter))) break;
     }
+    for (size_t step = 0; step < stimuli.size(); ++step) {
+      for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U}) {
+        if (stimuli[step].ms <= ms) break;
+        Stimuli shorter = stimuli;
+        shorter[step].ms = ms;
+        if (try_without(std::move(shorter))) break;
+      }
+    }
     return stimuli;
   }
 
@@ -145,6 +153,35 @@ class Shortener {
   prove::Version old_version_, new_version_;
 };
 
+/// Time that passes in several pieces, with nothing set between them, passes in one.
+Stimuli Joined(const Stimuli& stimuli) {
+  Stimuli joined;
+  for (const Stimulus& stimulus : stimuli) {
+    const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty();
+    if (!joined.empty() && !sets && (joined.back().slow == 0) == (stimulus.slow == 0)) {
+      joined.back().slow += stimulus.slow;
+      joined.back().ms += stimulus.ms;
+    } else {
+      joined.push_back(stimulus);
+    }
+  }
+  return joined;
+}
+
+/// As the old version names the cell, or the new one where only that one does; the cells are the old version's.
+CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
+  CellWord word = request.old_words.WordOf(old_cell);
+  const CellId new_cell = request.match.new_of_old[old_cell.index];
+  if (word.place || !new_cell.valid()) return word;
+  CellWord other = request.new_words.WordOf(new_cell);
+  if (!other.place) return word;
+  for (CellId& cell : other.cells) {
+    cell = request.match.old_of_new[cell.index];
+    if (!cell.valid()) return word;
+  }
+  return other;
+}
+
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name.
 std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequest& request,
                                                         const std::vector<prove::SetCell>& inputs,
@@ -153,7 +190,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequ
   std::set<std::string> taken;
   for (const prove::SetCell& input : inputs) {
     now[input.old_cell] = input.value;
-    CellWord word = request.old_words.WordOf(input.old_cell);
+    CellWord word = WordOfBoth(request, input.old_cell);
     if (taken.insert(word.name).second) words.push_back(std::move(word));
   }
   std::vector<std::pair<std::string, std::string>> sets;
@@ -182,8 +219,8 @@ std::string Quoted(const std::string& text) {
 std::string RelativePath(const std::string& path, const std::string& directory) {
   std::error_code error;
   const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory, error);
-  const std::filesystem::path relative =
-      std::filesystem::absolute(path, error).lexically_relative(from.lexically_normal());
+  const std::filesystem::path to = std::filesystem::absolute(path, error).lexically_normal();
+  const std::filesystem::path relative = to.lexically_relative(from.lexically_normal());
   return relative.empty() ? path : relative.generic_string();
 }
 
@@ -250,7 +287,7 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
     }
   }
   if (stimuli.empty() || !shortener.Shows(stimuli, request.old_cells, new_cells)) return std::nullopt;
-  stimuli = shortener.Shorten(std::move(stimuli), request.old_cells, new_cells);
+  stimuli = Joined(shortener.Shorten(std::move(stimuli), request.old_cells, new_cells));
   return DescribeCounterexample(old_side, new_side, request, stimuli, options);
 }
 
@@ -286,7 +323,7 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
   }
   old_machine.Look();
   new_machine.Look();
-  const CellWord word = request.old_words.WordOf(request.old_cells.front());
+  const CellWord word = WordOfBoth(request, request.old_cells.front());
   const auto value_of = [&](const DiffMachine& machine, bool is_old) {
     uint64_t value = 0;
     for (size_t i = 0; i < word.cells.size() && i < 64; ++i) {
