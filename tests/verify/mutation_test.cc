@@ -101,7 +101,7 @@ class MutationTest : public ::testing::Test {
     const LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
     if (loaded.code == nullptr) return loaded.reason;
     std::string text;
-    for (const RoutineProof& proof : Verify(emittable_, *loaded.code, {})) {
+    for (const RoutineProof& proof : Verify(emittable_, *loaded.code, RoutinesToVerify(compilation_.program), {})) {
       if (proof.result == ProofResult::kProved) continue;
       text += proof.routine + (proof.result == ProofResult::kDifferent ? " different: " : ": ") + proof.reason;
       for (const CodeDifference& difference : proof.differences) text += difference.what + " ";

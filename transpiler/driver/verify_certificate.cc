@@ -81,7 +81,8 @@ std::string CertificateText(const Certificate& certificate) {
     json["routines"].push_back(RoutineJson(proof));
     all = all && proof.result == prove::ProofResult::kProved;
   }
-  json["proved"] = all;
+  if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
+  json["proved"] = all && certificate.left_out.empty();
   return json.dump(2) + "\n";
 }
 

@@ -18,6 +18,7 @@ struct Certificate {
   const compile::Toolchain* toolchain = nullptr;
   const prove::Bitcode* bitcode = nullptr;
   const std::vector<prove::RoutineProof>* proofs = nullptr;
+  std::vector<std::string> left_out;  // routines that nobody asked for
 };
 
 /// JSON; the same for the same sources, compiler and plcxx, wherever and whenever it is made.

@@ -1,9 +1,11 @@
 // plcxx verify: the compiled code of this very program, proved equal to what the program means.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
@@ -40,6 +42,7 @@ struct VerifySettings {
   std::string compiler = prove::kVerifyCompiler;
   std::string level = "2";
   std::string certificate;
+  std::vector<std::string> routines;
   unsigned seconds = 60;
   bool quiet = false;
 };
@@ -91,6 +94,8 @@ class Verification {
  private:
   bool FindCompiler();
   bool Refuse(const std::string& reason);
+  /// Those that were asked for, all when none was; false when the program has no such routine.
+  bool ChooseRoutines();
   bool WriteCertificate(const prove::Bitcode& bitcode);
 
   const VerifySettings& settings_;
@@ -98,6 +103,8 @@ class Verification {
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
   std::vector<emit::OutputFile> files_;
+  std::vector<ir::RoutineId> routines_;
+  std::vector<std::string> left_out_;
   std::vector<prove::RoutineProof> proofs_;
   std::string text_;
 };
@@ -118,13 +125,32 @@ bool Verification::FindCompiler() {
   return toolchain_.is_clang || Refuse("'" + settings_.compiler + "' is no Clang");
 }
 
+bool Verification::ChooseRoutines() {
+  std::vector<std::string> names;
+  for (const ir::RoutineId id : prove::RoutinesToVerify(compilation_.program)) {
+    names.push_back(compilation_.program.routines[id].name);
+    const bool chosen =
+        settings_.routines.empty() || std::ranges::find(settings_.routines, names.back()) != settings_.routines.end();
+    if (chosen) {
+      routines_.push_back(id);
+    } else {
+      left_out_.push_back(names.back());
+    }
+  }
+  for (const std::string& asked : settings_.routines) {
+    if (std::ranges::find(names, asked) == names.end()) return Refuse("there is no routine " + asked);
+  }
+  return true;
+}
+
 bool Verification::WriteCertificate(const prove::Bitcode& bitcode) {
   OutputRequest output;
   output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
                                                                   .files = &files_,
                                                                   .toolchain = &toolchain_,
                                                                   .bitcode = &bitcode,
-                                                                  .proofs = &proofs_})});
+                                                                  .proofs = &proofs_,
+                                                                  .left_out = left_out_})});
   output.protected_paths = PathsRead(compilation_);
   const auto failure = WriteAll(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
@@ -133,7 +159,7 @@ bool Verification::WriteCertificate(const prove::Bitcode& bitcode) {
 
 bool Verification::Run() {
   if (!compilation_.has_program) return Refuse("the sources are data only");
-  if (!FindCompiler()) return false;
+  if (!FindCompiler() || !ChooseRoutines()) return false;
   progress_.Show("printing C++");
   const emit::Emittable emittable = emit::Legalize(compilation_.program, {.name = compilation_.name});
   files_ = emit::PrintCpp(emittable, *compilation_.sources);
@@ -149,13 +175,15 @@ bool Verification::Run() {
   prove::VerifyLimits limits;
   limits.routine_ms = kMsPerSecond * settings_.seconds;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
-  proofs_ = prove::Verify(emittable, *loaded.code, limits);
+  proofs_ = prove::Verify(emittable, *loaded.code, routines_, limits);
   bool all = true;
   for (const prove::RoutineProof& proof : proofs_) {
     text_ += ProofText(proof);
     all = all && proof.result == prove::ProofResult::kProved;
   }
-  text_ = compilation_.name + (all ? ": the compiled code is proved equal to the program\n" : ": not proved\n") + text_;
+  for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
+  const std::string what = left_out_.empty() ? "the compiled code is" : "what was asked for is";
+  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
   if (!settings_.certificate.empty() && !WriteCertificate(bitcode)) return false;
   return all;
 }
@@ -196,6 +224,10 @@ void AddVerify(CLI::App& app, Run& run) {
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"1", "2", "3", "s", "z"}))
       ->group("Output");
+  command->add_option("--routine", settings->routines, "Only this one: init, fast, slow, period ...; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->group("Limits");
   command->add_option("--time-limit", settings->seconds, "Seconds for one routine; else 60")
       ->type_name("S")
       ->check(CLI::Range(1u, 86'400u))

@@ -215,14 +215,20 @@ RoutineProof RoutineVerifier::Run() {
 
 }  // namespace
 
-std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits) {
-  std::vector<RoutineProof> proofs;
-  const ir::Program& program = *emittable.program;
+std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program) {
+  std::vector<ir::RoutineId> routines;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::Routine& routine = program.routines[ir::RoutineId(i)];
-    if (emit::SharesLocals(routine.kind) || routine.simulation_only) continue;
-    proofs.push_back(RoutineVerifier(emittable, code, limits, ir::RoutineId(i)).Run());
+    if (!emit::SharesLocals(routine.kind) && !routine.simulation_only) routines.emplace_back(i);
   }
+  return routines;
+}
+
+std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
+                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits) {
+  std::vector<RoutineProof> proofs;
+  for (const ir::RoutineId routine : routines)
+    proofs.push_back(RoutineVerifier(emittable, code, limits, routine).Run());
   return proofs;
 }
 

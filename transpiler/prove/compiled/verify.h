@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,11 @@ struct VerifyLimits {
   std::function<void(const std::string& text)> progress;  // may be empty
 };
 
-/// Of every routine that the generated header declares, in its order. `emittable` is what the code was printed from.
-std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits);
+/// The routines that the generated header declares, in its order.
+std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program);
+
+/// Of these routines. `emittable` is what the code was printed from.
+std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
+                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits);
 
 }  // namespace plcxx::prove
