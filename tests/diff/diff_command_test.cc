@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/driver/run_plcxx.h"
-#include "tests/temporary_directory.h"
 
 namespace plcxx::driver {
 namespace {
@@ -13,64 +12,63 @@ using testing::HasSubstr;
 class DiffCommand : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directory(directory_.path() / "old");
-    std::filesystem::create_directory(directory_.path() / "new");
-    old_ = directory_.Write("old/door.plc", "$\nU4A0=I0A0*/I0A1\n");
-    new_ = directory_.Write("new/door.plc", "$\nU4A0=I0A0\n");
+    std::filesystem::create_directory(place_.Path("old"));
+    std::filesystem::create_directory(place_.Path("new"));
+    place_.Write("old/door.plc", "$\nU4A0=I0A0*/I0A1\n");
+    place_.Write("new/door.plc", "$\nU4A0=I0A0\n");
   }
 
-  std::string Shell(const std::string& command) const {
-    return "cd '" + directory_.path().string() + "' && " + command;
-  }
-
-  testing_support::TemporaryDirectory directory_;
-  std::string old_, new_;
+  Workplace place_;
 };
 
 TEST_F(DiffCommand, TwoDirectoriesAreTwoPrograms) {
-  const PlcxxRun run = RunPlcxx("diff '" + directory_.File("old") + "' '" + directory_.File("new") + "'");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.output, HasSubstr("I0A0=1, I0A1=1, slow 1: 0 in the old version, 1 in the new one"));
-  EXPECT_THAT(run.output, HasSubstr("1 output differs"));
+  const Ran ran = place_.Run("diff old new");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("I0A0=1, I0A1=1, slow 1: 0 in the old version, 1 in the new one"));
+  EXPECT_THAT(ran.out, HasSubstr("old -> new: 1 output differs; "));
 }
 
 TEST_F(DiffCommand, EqualVersionsGiveZero) {
-  const PlcxxRun run = RunPlcxx("diff '" + old_ + "' '" + old_ + "'");
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.output, HasSubstr("no difference; "));
+  const Ran ran = place_.Run("diff old/door.plc old/door.plc");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("no difference; "));
 }
 
 TEST_F(DiffCommand, RevisionsOfGit) {
-  ASSERT_EQ(
-      std::system(Shell("git init -q . && cp old/door.plc door.plc && git add door.plc && "
-                        "git -c user.name=a -c user.email=a@example.com commit -q -m one && cp new/door.plc door.plc")
-                      .c_str()),
-      0);
-  const PlcxxRun run = RunPlcxxIn(directory_.path().string(), "diff --git HEAD.. door.plc");
-  EXPECT_EQ(run.exit_code, 1) << run.output << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("old * door.plc:2  U4A0=I0A0*/I0A1"));
-  EXPECT_THAT(run.output, HasSubstr("HEAD -> the work tree: 1 output differs"));
-  const PlcxxRun wrong = RunPlcxxIn(directory_.path().string(), "diff --git nowhere.. door.plc");
-  EXPECT_EQ(wrong.exit_code, 2);
+  const std::string commands =
+      "cd '" + place_.Path(".") +
+      "' && git init -q . && cp old/door.plc door.plc && git add door.plc && git -c user.name=a -c "
+      "user.email=a@example.com commit -q -m one && cp new/door.plc door.plc";
+  ASSERT_EQ(std::system(commands.c_str()), 0);
+  const Ran ran = place_.Run("diff --git HEAD.. door.plc");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("old * door.plc:2  U4A0=I0A0*/I0A1"));
+  EXPECT_THAT(ran.out, HasSubstr("HEAD -> the work tree: 1 output differs"));
+  const Ran wrong = place_.Run("diff --git nowhere.. door.plc");
+  EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.errors, HasSubstr("--git: 'nowhere'"));
 }
 
 TEST_F(DiffCommand, AsAToolOfGitItIsNeverBroken) {
-  const PlcxxRun run =
-      RunPlcxx("diff --git-external door.plc '" + old_ + "' 1234567 100644 '" + new_ + "' 89abcde 100644");
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.output, HasSubstr("door.plc (old) -> door.plc (new): 1 output differs"));
+  const Ran ran = place_.Run("diff --git-external door.plc old/door.plc 1234567 100644 new/door.plc 89abcde 100644");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("door.plc (old) -> door.plc (new): 1 output differs"));
+}
+
+TEST_F(DiffCommand, AScenarioPassesOnTheOldVersionOnly) {
+  EXPECT_EQ(place_.Run("diff old new --counterexamples found").code, 1);
+  EXPECT_EQ(place_.Run("test found/U4A0.yaml --engine sim").code, 0);
+  EXPECT_EQ(place_.Run("test found/U4A0.yaml --engine sim --sources new/door.plc").code, 1);
 }
 
 TEST_F(DiffCommand, SaysWhatIsWrong) {
-  EXPECT_THAT(RunPlcxx("diff '" + old_ + "'").errors, HasSubstr("diff takes an old and a new program"));
-  EXPECT_THAT(RunPlcxx("diff '" + old_ + "' '" + new_ + "' --map I0A0").errors,
-              HasSubstr("--map takes OLD=NEW, not 'I0A0'"));
-  EXPECT_THAT(RunPlcxx("diff '" + old_ + "' '" + new_ + "' --map I0A0=NONE").errors,
-              HasSubstr("'NONE' is no location of"));
-  EXPECT_THAT(RunPlcxx("diff '" + old_ + "' '" + new_ + "' --time soon").errors, HasSubstr("'soon' is no time"));
-  const PlcxxRun broken = RunPlcxx("diff '" + old_ + "' '" + directory_.Write("wrong.plc", "$\nU4A0=\n") + "'");
-  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(place_.Run("diff old").errors, HasSubstr("diff takes an old and a new program"));
+  EXPECT_THAT(place_.Run("diff old new --map I0A0").errors, HasSubstr("--map takes OLD=NEW, not 'I0A0'"));
+  EXPECT_THAT(place_.Run("diff old new --map I0A0=NONE").errors, HasSubstr("'NONE' is no location of"));
+  EXPECT_THAT(place_.Run("diff old new --time soon").errors, HasSubstr("'soon' is no time"));
+  place_.Write("wrong.plc", "$\nU4A0=\n");
+  const Ran broken = place_.Run("diff old/door.plc wrong.plc");
+  EXPECT_EQ(broken.code, 2) << broken;
   EXPECT_THAT(broken.errors, HasSubstr("cannot be compared: it has errors"));
 }
 
