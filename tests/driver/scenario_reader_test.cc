@@ -100,12 +100,11 @@ TEST(ScenarioReader, ExpectedErrors) {
 }
 
 TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
-  EXPECT_THAT(
-      Errors("sources: [a]\nstep: []\n"),
-      ElementsAre(
-          "s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, sources, options, steps, properties, expect_error, "
-          "warnings, name, description",
-          "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
+  EXPECT_THAT(Errors("sources: [a]\nstep: []\n"),
+              ElementsAre("s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, sources, options, steps, "
+                          "properties, expect_error, "
+                          "warnings, name, description",
+                          "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
   EXPECT_THAT(
       Errors("steps:\n- wait: 3\n- run: {slow: 1, hours: 2}\n"),
       ElementsAre(
