@@ -1,6 +1,9 @@
-// The machines of samples/, each verified by the tool itself; and what the tool says and writes.
+// The machines of samples/, verified by the tool itself: those routines that it proves in
+// seconds; and what the tool says and writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,11 +23,16 @@ struct Sample {
 constexpr Sample kSamples[] = {
     {"nc110/lathe_16k20",
      "lathe.sym fast.plc spindle.plc turret.plc --set iocfil=IOCFIL --set axcfil=AXCFIL --set pgcfil=PGCFIL "
-     "--set messages=RUMES5 --set menu=LGCMNU --set help=HELP"},
-    {"host50/ck6150", "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il"},
-    {"prostep/mill_fnd32", "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep"},
-    {"technol/mcv_750", "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol"},
-    {"hnc/mill_xk7132", "mill.cld"},
+     "--set messages=RUMES5 --set menu=LGCMNU --set help=HELP --routine init --routine fast"},
+    {"host50/ck6150",
+     "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il --routine init --routine fast"},
+    {"prostep/mill_fnd32",
+     "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep --routine init --routine refresh_inputs "
+     "--routine refresh_outputs --routine PM1 --routine PM2 --routine PM9"},
+    {"technol/mcv_750",
+     "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol --routine init --routine fast "
+     "--routine requests"},
+    {"hnc/mill_xk7132", "mill.cld --routine init --routine slow"},
 };
 
 std::string FolderOf(const Sample& sample) { return std::string(PLCXX_ROOT "/samples/") + sample.folder; }
@@ -33,9 +41,11 @@ class SamplesTest : public ::testing::TestWithParam<Sample> {};
 
 TEST_P(SamplesTest, IsProved) {
   const Workplace workplace;
-  const Ran ran = workplace.Run(std::string("verify ") + GetParam().arguments, "", "", FolderOf(GetParam()));
-  EXPECT_EQ(ran.code, 0) << ran;
-  EXPECT_THAT(ran.errors, HasSubstr("the compiled code is proved equal to the program"));
+  // Not by Run: solver and LLVM together take more address space than it leaves.
+  const std::string command = "cd '" + FolderOf(GetParam()) + "' && timeout 300 " PLCXX_BINARY " verify " +
+                              GetParam().arguments + " >'" + workplace.Path("said") + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << workplace.Read("said");
+  EXPECT_THAT(workplace.Read("said"), HasSubstr("what was asked for is proved equal to the program"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](const auto& sample) {
