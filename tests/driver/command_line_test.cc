@@ -76,15 +76,6 @@ TEST(CommandLine, WrongUseIsTwo) {
   }
 }
 
-TEST(CommandLine, OtherVersionsCommandsSaySo) {
-  const Workplace work;
-  for (const std::string arguments : {"diff a b"}) {
-    const Ran ran = work.Run(arguments);
-    EXPECT_EQ(ran.code, 2) << arguments;
-    EXPECT_THAT(ran.errors, HasSubstr("comes with a later version")) << arguments;
-  }
-}
-
 TEST(CommandLine, ProgramWithErrorsIsOne) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);
