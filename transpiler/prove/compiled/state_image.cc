@@ -81,10 +81,11 @@ void StateImage::PlaceStates() {
     const ir::StateKind kind = program_.states[ir::StateId(i)].kind;
     uint32_t cell = cells_.states[i];
     const auto fields = ir::Info(kind).fields;
-    for (uint8_t field = 0; field < fields.size(); ++field) {
+    for (size_t field = 0; field < fields.size(); ++field) {
       const uint32_t width = ir::Bytes(fields[field].type);
       for (uint32_t element = 0; element < fields[field].count; ++element, ++cell) {
-        const uint32_t offset = layout_.states[i].offset + emit::FieldOffset(kind, field) + element * width;
+        const uint32_t offset =
+            layout_.states[i].offset + emit::FieldOffset(kind, static_cast<uint8_t>(field)) + element * width;
         places_[cell] = offset;
         for (uint32_t byte = 0; byte < width; ++byte) {
           bytes_[offset + byte] = {

@@ -137,11 +137,12 @@ void Executor::RunLevel(const FlowLevel& level, Passage entry, TermId context, s
   const size_t count = level.nodes.size();
   std::vector<std::vector<Passage>> incoming(count);
   std::vector<TermId> since_dominator(count), since_head(count);
+  incoming.front().push_back(std::move(entry));
   for (uint32_t i = 0; i < count && !refused(); ++i) {
     const FlowNode& node = level.nodes[i];
     Passage here;
     if (i == 0) {
-      here = std::move(entry);
+      here = std::move(incoming[i].front());
       since_dominator[i] = since_head[i] = terms_.Bit(true);
     } else {
       if (incoming[i].empty()) continue;
