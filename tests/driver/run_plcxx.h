@@ -63,7 +63,7 @@ class Workplace {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   static constexpr const char* kLimits = "";  // sanitizers reserve more address space than there is memory
 #else
-  static constexpr const char* kLimits = "ulimit -v 600000 && ";
+  static constexpr const char* kLimits = "ulimit -v 900000 && ";
 #endif
   testing_support::TemporaryDirectory directory_;
 };

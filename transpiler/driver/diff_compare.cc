@@ -1,5 +1,6 @@
 // The comparison of two versions: cells in, items with names, causes and counterexamples out.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -141,57 +142,64 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
   return items;
 }
 
-bool Touches(const StatementAccess& access, const std::vector<CellId>& cells) {
-  return std::ranges::any_of(cells,
-                             [&access](CellId cell) { return access.begin <= cell.index && cell.index < access.end; });
-}
+constexpr uint32_t kNone = 0xFFFFFFFF;
+constexpr int kMostExamples = 60;
+constexpr uint64_t kExampleShare = 15;  // of the time
 
-std::vector<ir::StatementId> Writers(const Named& side, const std::vector<CellId>& cells) {
-  std::set<ir::StatementId> writers;
+/// What the statements of one version do with the items, by index of the item.
+struct Touched {
+  std::vector<std::set<ir::StatementId>> writers;
+  std::map<ir::StatementId, std::set<uint32_t>> reads;  // differing items only
+};
+
+Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::vector<CellId> Gathered::* cells) {
+  std::vector<uint32_t> item_of(side.version.cells.count, kNone);
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    if (items[i].item.verdict == ItemVerdict::kEqual) continue;
+    for (const CellId cell : items[i].*cells) item_of[cell.index] = i;
+  }
+  Touched touched{.writers = std::vector<std::set<ir::StatementId>>(items.size()), .reads = {}};
   for (const StatementAccess& access : side.accesses) {
-    if (access.writes && access.statement.valid() && Touches(access, cells)) writers.insert(access.statement);
+    if (!access.statement.valid()) continue;
+    for (uint32_t cell = access.begin; cell < access.end; ++cell) {
+      if (item_of[cell] == kNone) continue;
+      if (access.writes) {
+        touched.writers[item_of[cell]].insert(access.statement);
+      } else {
+        touched.reads[access.statement].insert(item_of[cell]);
+      }
+    }
   }
-  return {writers.begin(), writers.end()};
-}
-
-/// Differing items whose cells the statements read.
-std::vector<std::string> ReadItems(const Named& side, const std::vector<ir::StatementId>& statements,
-                                   const std::vector<Gathered>& items, const std::string& own, bool is_old) {
-  std::vector<std::string> names;
-  for (const Gathered& other : items) {
-    if (other.item.verdict == ItemVerdict::kEqual || other.item.name == own) continue;
-    const std::vector<CellId>& cells = is_old ? other.old_cells : other.new_cells;
-    const bool reads = std::ranges::any_of(side.accesses, [&](const StatementAccess& access) {
-      return !access.writes && std::ranges::binary_search(statements, access.statement) && Touches(access, cells);
-    });
-    if (reads) names.push_back(other.item.name);
-  }
-  return names;
+  return touched;
 }
 
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
   const std::set<std::string> old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
-  for (Gathered& gathered : items) {
-    if (gathered.item.verdict == ItemVerdict::kEqual) continue;
-    const std::vector<ir::StatementId> old_writers = Writers(old_side, gathered.old_cells);
-    const std::vector<ir::StatementId> new_writers = Writers(new_side, gathered.new_cells);
-    for (const ir::StatementId id : old_writers) {
-      gathered.item.old_statements.push_back(StatementOf(old_side, id, new_texts));
-    }
-    for (const ir::StatementId id : new_writers) {
-      gathered.item.new_statements.push_back(StatementOf(new_side, id, old_texts));
-    }
+  const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
+  const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    DiffItem& item = items[i].item;
+    if (item.verdict == ItemVerdict::kEqual) continue;
     std::set<std::string> through;
-    for (std::string& name : ReadItems(old_side, old_writers, items, gathered.item.name, true))
-      through.insert(std::move(name));
-    for (std::string& name : ReadItems(new_side, new_writers, items, gathered.item.name, false))
-      through.insert(std::move(name));
-    gathered.item.through.assign(through.begin(), through.end());
+    const auto add = [&](const Named& side, const Touched& touched, const std::set<std::string>& other_texts,
+                         std::vector<ItemStatement>& statements) {
+      for (const ir::StatementId id : touched.writers[i]) {
+        statements.push_back(StatementOf(side, id, other_texts));
+        const auto reads = touched.reads.find(id);
+        if (reads == touched.reads.end()) continue;
+        for (const uint32_t other : reads->second) {
+          if (other != i) through.insert(items[other].item.name);
+        }
+      }
+    };
+    add(old_side, old_touched, new_texts, item.old_statements);
+    add(new_side, new_touched, old_texts, item.new_statements);
+    item.through.assign(through.begin(), through.end());
     // In one scan a difference runs on through everything behind it; those statements are not where it comes from.
     const auto changed = [](const ItemStatement& statement) { return statement.changed; };
-    const bool own = std::ranges::any_of(gathered.item.old_statements, changed) ||
-                     std::ranges::any_of(gathered.item.new_statements, changed);
-    if (!own && !through.empty()) gathered.item.changed_itself = false;
+    const bool own =
+        std::ranges::any_of(item.old_statements, changed) || std::ranges::any_of(item.new_statements, changed);
+    if (!own && !through.empty()) item.changed_itself = false;
   }
 }
 
@@ -235,12 +243,14 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::Version old_version = prove::MakeVersion(old_side.whole),
                        new_version = prove::MakeVersion(new_side.whole);
   const prove::Match match = MatchCells(old_version, new_version, same);
-  std::optional<RandomRuns> runs;  // made when something is not proved equal at once
+  RandomRuns runs;  // made when something is not proved equal at once
   prove::CompareLimits limits{.total_ms = options.time_ms, .progress = options.progress};
-  const auto find_different = [&](const std::vector<CellId>& cells) {
-    runs = RunBoth(old_side, new_side, old_version, new_version, match, cells, options);
+  const auto find_different = [&](const std::vector<CellId>& cells, prove::Effort effort) {
+    RunBoth(old_side, new_side,
+            {.old_version = old_version, .new_version = new_version, .match = match, .cells = cells, .effort = effort},
+            options, runs);
     std::vector<CellId> different;
-    for (const auto& [cell, difference] : runs->difference_of) different.push_back(cell);
+    for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
     return different;
   };
   const prove::CompareResult result = CompareVersions(old_version, new_version, match, find_different, limits);
@@ -249,13 +259,22 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::vector<Gathered> items = Gather(result, old_named, new_named);
   AddCauses(items, old_named, new_named);
+  // Outputs first, and what changed itself: with many differences not every one gets a run of its own.
+  std::ranges::stable_sort(
+      items, {}, [](const Gathered& gathered) { return std::pair(gathered.item.kind, !gathered.item.changed_itself); });
+  ExampleBudget budget{
+      .left = kMostExamples,
+      .end = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare),
+      .old_program = ScenarioProgram(old_side.request),
+      .new_program = ScenarioProgram(new_side.request)};
   for (Gathered& gathered : items) {
     if (gathered.item.verdict == ItemVerdict::kEqual) {
       ++diff.equal;
       continue;
     }
     const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
-    if (shown && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size() && runs) {
+    const bool affordable = budget.left > 0 && std::chrono::steady_clock::now() < budget.end;
+    if (shown && affordable && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size()) {
       gathered.item.counterexample = FindCounterexample(old_side, new_side,
                                                         {.old_words = old_named.words,
                                                          .new_words = new_named.words,
@@ -263,9 +282,9 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                                                          .kind = gathered.item.kind,
                                                          .old_cells = gathered.old_cells,
                                                          .run = gathered.worst->run,
-                                                         .runs = *runs,
+                                                         .runs = runs,
                                                          .match = match},
-                                                        options);
+                                                        options, budget);
     }
     // A state from which they differ is a difference when it can be set and both were run from it.
     if (gathered.item.verdict == ItemVerdict::kUndecided && gathered.item.counterexample) {
@@ -277,7 +296,6 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     }
     diff.items.push_back(std::move(gathered.item));
   }
-  std::ranges::stable_sort(diff.items, {}, &DiffItem::kind);
   return diff;
 }
 

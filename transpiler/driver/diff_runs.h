@@ -1,6 +1,7 @@
 // Running both versions beside each other: what differs is found, shortened, and written as a scenario.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_items.h"
+#include "transpiler/driver/scenario_program.h"
 #include "transpiler/prove/compare/compare.h"
 #include "transpiler/prove/compare/match.h"
 
@@ -31,12 +33,19 @@ struct RandomRuns {
   std::map<prove::CellId, Difference> difference_of;  // by old cell: the first one
 };
 
+struct RunRequest {
+  const prove::Version& old_version;
+  const prove::Version& new_version;
+  const prove::Match& match;
+  const std::vector<prove::CellId>& cells;  // old ones: what is looked at
+  prove::Effort effort{};
+};
+
 /// Runs of both versions from power-on, in the simulator, with the same inputs at the same time: those of the scenarios
-/// that stand beside the sources, these with random inputs behind their first steps, and random ones; until all of
-/// `cells` (old ones) have differed.
-RandomRuns RunBoth(const DiffSide& old_side, const DiffSide& new_side, const prove::Version& old_version,
-                   const prove::Version& new_version, const prove::Match& match,
-                   const std::vector<prove::CellId>& cells, const DiffOptions& options);
+/// that stand beside the sources, these with random inputs behind their first steps, and random ones. A thorough search
+/// ends when all of the cells have differed, or with its share of the time. Adds to `result`.
+void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
+             RandomRuns& result);
 
 struct CounterexampleRequest {
   const CellWords& old_words;
@@ -49,13 +58,21 @@ struct CounterexampleRequest {
   const prove::Match& match;
 };
 
+/// What all counterexamples of a comparison may cost together, and the programs that they are replayed on.
+struct ExampleBudget {
+  int left = 0;
+  std::chrono::steady_clock::time_point end;
+  ScenarioProgram old_program, new_program;
+};
+
 /// The shortest scenario that could be found: it has been run on both versions, unless `confirmed` is false.
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
-                                                 const CounterexampleRequest& request, const DiffOptions& options);
+                                                 const CounterexampleRequest& request, const DiffOptions& options,
+                                                 ExampleBudget& budget);
 
 /// The scenario of a run that shows the difference.
 std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                      const CounterexampleRequest& request, const Stimuli& stimuli,
-                                                     const DiffOptions& options);
+                                                     const DiffOptions& options, ExampleBudget& budget);
 
 }  // namespace plcxx::driver

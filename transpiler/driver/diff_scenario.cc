@@ -25,10 +25,10 @@ struct Words {
 
 class Shortener {
  public:
-  Shortener(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request)
+  Shortener(const DiffSide& old_side, const DiffSide& new_side, const ExampleBudget& budget)
       : old_side_(old_side),
         new_side_(new_side),
-        request_(request),
+        budget_(budget),
         old_version_(prove::MakeVersion(old_side.whole)),
         new_version_(prove::MakeVersion(new_side.whole)) {}
 
@@ -51,7 +51,8 @@ class Shortener {
   Stimuli Shorten(Stimuli stimuli, const std::vector<CellId>& old_cells, const std::vector<CellId>& new_cells) {
     size_t tries = 0;
     const auto try_without = [&](Stimuli shorter) {
-      if (++tries > kMostTries || !Shows(shorter, old_cells, new_cells)) return false;
+      if (++tries > kMostTries || std::chrono::steady_clock::now() > budget_.end) return false;
+      if (!Shows(shorter, old_cells, new_cells)) return false;
       stimuli = std::move(shorter);
       return true;
     };
@@ -149,7 +150,7 @@ class Shortener {
 
   const DiffSide& old_side_;
   const DiffSide& new_side_;
-  const CounterexampleRequest& request_;
+  const ExampleBudget& budget_;
   prove::Version old_version_, new_version_;
 };
 
@@ -253,11 +254,10 @@ std::string Heading(const DiffSide& side, const DiffOptions& options) {
 }
 
 /// Whether a scenario passes: run in the simulator.
-bool Passes(const std::string& scenario, const DiffSide& side, const DiffOptions& options) {
+bool Passes(const std::string& scenario, ScenarioProgram& program, const DiffOptions& options) {
   const std::string path = (std::filesystem::path(options.scenario_directory) / "counterexample.yaml").string();
   ScenarioOrErrors read = ParseScenario(path, scenario);
   if (!std::holds_alternative<Scenario>(read)) return false;
-  ScenarioProgram program(side.request);
   SuiteOptions suite;
   suite.platforms.clear();
   return TestScenario(std::get<Scenario>(read), suite, program).test.outcome == TestOutcome::kPassed;
@@ -266,8 +266,9 @@ bool Passes(const std::string& scenario, const DiffSide& side, const DiffOptions
 }  // namespace
 
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
-                                                 const CounterexampleRequest& request, const DiffOptions& options) {
-  Shortener shortener(old_side, new_side, request);
+                                                 const CounterexampleRequest& request, const DiffOptions& options,
+                                                 ExampleBudget& budget) {
+  Shortener shortener(old_side, new_side, budget);
   const prove::Match& match = request.match;
   std::vector<CellId> new_cells;
   for (const CellId cell : request.old_cells) new_cells.push_back(match.new_of_old[cell.index]);
@@ -288,12 +289,13 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
   }
   if (stimuli.empty() || !shortener.Shows(stimuli, request.old_cells, new_cells)) return std::nullopt;
   stimuli = Joined(shortener.Shorten(std::move(stimuli), request.old_cells, new_cells));
-  return DescribeCounterexample(old_side, new_side, request, stimuli, options);
+  --budget.left;
+  return DescribeCounterexample(old_side, new_side, request, stimuli, options, budget);
 }
 
 std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                      const CounterexampleRequest& request, const Stimuli& stimuli,
-                                                     const DiffOptions& options) {
+                                                     const DiffOptions& options, ExampleBudget& budget) {
   Counterexample example;
   example.from_state = request.run && request.run->from_state;
   std::string steps;
@@ -348,7 +350,8 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
                               example.new_value + " in the new one.\n" + Heading(old_side, options);
   example.scenario =
       heading + "steps:\n" + steps + "- expect: {" + Quoted(word.name) + ": " + example.old_value + "}\n";
-  example.confirmed = Passes(example.scenario, old_side, options) && !Passes(example.scenario, new_side, options);
+  example.confirmed =
+      Passes(example.scenario, budget.old_program, options) && !Passes(example.scenario, budget.new_program, options);
   return example;
 }
 

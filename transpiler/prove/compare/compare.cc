@@ -65,15 +65,20 @@ bool HasUndecided(const Comparison& comparison) {
                              [](const PairResult& result) { return result.verdict == PairVerdict::kUndecided; });
 }
 
-void MarkDifferent(Comparison& comparison, const FindDifferent& find_different) {
-  std::vector<CellId> undecided;
+void MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort) {
+  std::vector<CellId> asked;
+  bool any = false;
   for (const PairResult& result : comparison.results) {
-    if (result.verdict == PairVerdict::kUndecided) undecided.push_back(result.old_cell);
+    const bool open = !comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided;
+    any = any || open;
+    // A short run looks at everything at once; a thorough one for what is left.
+    if (open || effort == Effort::kQuick) asked.push_back(result.old_cell);
   }
-  if (undecided.empty()) return;
+  if (!any) return;
   comparison.Report("running both");
-  for (const CellId cell : find_different(undecided)) {
+  for (const CellId cell : find_different(asked, effort)) {
     comparison.results[comparison.result_of_old[cell.index]].verdict = PairVerdict::kDifferent;
+    comparison.pairing.Separate(cell);
   }
 }
 
@@ -144,16 +149,19 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
   // With everything taken for equal: which functions differ by themselves.
-  if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison)) return Finish(comparison, 0);
+  if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
+  // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
+  if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
+  if (!FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
-  if (find_different) MarkDifferent(comparison, find_different);
+  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
   uint32_t invariants = 0;
   if (HasUndecided(comparison)) SearchRuns(comparison);
   if (HasUndecided(comparison) && !comparison.Late()) {
     // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
     // be reached.
     JoinAllButDifferent(comparison);
-    if (ExecutePeriods(comparison)) {
+    if (ExecutePart(comparison, Part::kPeriod)) {
       AddInvariants(comparison);
       invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
       if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);

@@ -62,9 +62,9 @@ struct CompareResult {
   uint32_t invariants = 0;        // that were proved on the way and needed
 };
 
-/// Asked once with the pairs (by old cell) that are not equal from every state: gives those of which running both
-/// versions has shown a difference.
-using FindDifferent = std::function<std::vector<CellId>(const std::vector<CellId>& old_cells)>;
+enum class Effort : uint8_t { kQuick, kThorough };
+/// Asked with pairs (by old cell): gives those of which running both versions shows a difference.
+using FindDifferent = std::function<std::vector<CellId>(const std::vector<CellId>& old_cells, Effort effort)>;
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
                               const FindDifferent& find_different, const CompareLimits& limits);

@@ -49,12 +49,13 @@ struct Comparison {
   TermId NextNew(CellId cell);
 };
 
-/// Executes a period of both over the pairing; false: comparison.refusal says why not.
-bool ExecutePeriods(Comparison& comparison);
+/// Executes a part of both over the pairing; false: comparison.refusal says why not.
+bool ExecutePart(Comparison& comparison, Part part);
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
-/// Takes out what fails until nothing does. False as above.
-bool FindInductiveSet(Comparison& comparison);
+/// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
+/// last one. False as above.
+bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);
 /// For the pairs that are undecided: runs from power-on that end with a difference.
 void SearchRuns(Comparison& comparison);
 /// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.

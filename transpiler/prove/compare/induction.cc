@@ -12,7 +12,10 @@ struct Question {
 };
 
 SweepLimits LimitsOf(const Comparison& comparison) {
-  return {.pair_ms = comparison.limits.question_ms, .total_ms = comparison.RestMs(), .progress = {}};
+  return {.pair_ms = comparison.limits.question_ms,
+          .total_ms = comparison.RestMs(),
+          .any_values_count = comparison.old_invariants.empty() && comparison.new_invariants.empty(),
+          .progress = {}};
 }
 
 /// Separates the pairs of which a question is not answered by "equal"; gives their number.
@@ -125,10 +128,11 @@ void AddInvariants(Comparison& comparison) {
   }
 }
 
-bool ExecutePeriods(Comparison& comparison) {
-  comparison.old_next = RunPeriod(comparison.terms, comparison.old_version, SurroundingsOf(comparison, Which::kOld));
+bool ExecutePart(Comparison& comparison, Part part) {
+  Terms& terms = comparison.terms;
+  comparison.old_next = RunPart(terms, comparison.old_version, part, SurroundingsOf(comparison, Which::kOld));
   if (TakeRefusal(comparison, comparison.old_next, "old")) return false;
-  comparison.new_next = RunPeriod(comparison.terms, comparison.new_version, SurroundingsOf(comparison, Which::kNew));
+  comparison.new_next = RunPart(terms, comparison.new_version, part, SurroundingsOf(comparison, Which::kNew));
   return !TakeRefusal(comparison, comparison.new_next, "new");
 }
 
@@ -149,20 +153,23 @@ bool CheckPowerOn(Comparison& comparison) {
   return true;
 }
 
-bool FindInductiveSet(Comparison& comparison) {
-  for (uint32_t round = 1;; ++round) {
-    comparison.Report("round " + std::to_string(round));
-    if (!ExecutePeriods(comparison)) return false;
-    std::vector<Question> questions;
-    for (uint32_t i = 0; i < comparison.results.size(); ++i) {
-      PairResult& result = comparison.results[i];
-      if (!comparison.pairing.IsEqual(result.old_cell)) continue;
-      const TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
-      if (pair.a != pair.b) questions.push_back({pair, i});
-    }
-    AddObservations(comparison, comparison.old_next, comparison.new_next, questions);
-    const uint32_t separated = SeparateFailing(comparison, questions);
-    if (round == 1) {
+bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
+  for (uint32_t round = 1; round <= most_rounds; ++round) {
+    uint32_t separated = 0;
+    for (const Part part : {Part::kFast, Part::kPeriod}) {
+      if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+      comparison.Report("round " + std::to_string(round));
+      if (!ExecutePart(comparison, part)) return false;
+      std::vector<Question> questions;
+      for (uint32_t i = 0; i < comparison.results.size(); ++i) {
+        PairResult& result = comparison.results[i];
+        if (!comparison.pairing.IsEqual(result.old_cell)) continue;
+        const TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
+        if (pair.a != pair.b) questions.push_back({pair, i});
+      }
+      AddObservations(comparison, comparison.old_next, comparison.new_next, questions);
+      separated += SeparateFailing(comparison, questions);
+      if (round > 1) continue;
       for (const Question& question : questions) {
         PairResult& result = comparison.results[question.result];
         result.changed_itself = result.changed_itself || !comparison.pairing.IsEqual(result.old_cell);
@@ -175,6 +182,7 @@ bool FindInductiveSet(Comparison& comparison) {
       return true;
     }
   }
+  return true;
 }
 
 }  // namespace plcxx::prove

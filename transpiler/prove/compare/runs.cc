@@ -37,12 +37,17 @@ bool Advance(Comparison& comparison, Unrolled& state) {
       SetInput(comparison, state, old_cell.index);
       return state.inputs.back()[old_cell.index];
     };
-    const Transition next = RunPeriod(
-        comparison.terms, version, {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
-    for (uint32_t i = 0; i < values.size(); ++i) {
-      if (next.next[i].valid()) values[i] = next.next[i];
+    for (const Part part : {Part::kFast, Part::kPeriod}) {
+      if (part == Part::kFast && !HasFastPart(version)) continue;
+      const Transition next =
+          RunPart(comparison.terms, version, part,
+                  {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
+      if (!next.refusal.empty()) return false;
+      for (uint32_t i = 0; i < values.size(); ++i) {
+        if (next.next[i].valid()) values[i] = next.next[i];
+      }
     }
-    return next.refusal.empty();
+    return true;
   };
   return run(Which::kOld) && run(Which::kNew);
 }
@@ -111,7 +116,7 @@ void SearchRuns(Comparison& comparison) {
 void SearchStates(Comparison& comparison) {
   comparison.Report("states");
   for (const PairResult& result : comparison.results) comparison.pairing.Join(result.old_cell);
-  if (!ExecutePeriods(comparison)) return;
+  if (!ExecutePart(comparison, Part::kPeriod)) return;
   comparison.PushInvariants();
   for (PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided || !result.changed_itself || comparison.Late()) continue;

@@ -34,8 +34,11 @@ bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit) {
   return at != space.initial.end() && at->offset == offset && (at->value >> bit & 1) != 0;
 }
 
-Transition RunPeriod(Terms& terms, const Version& version, const Surroundings& surroundings) {
-  return RunRoutine(terms, version, version.program->schedule.period, surroundings);
+bool HasFastPart(const Version& version) { return version.program->schedule.fast_ms != 0; }
+
+Transition RunPart(Terms& terms, const Version& version, Part part, const Surroundings& surroundings) {
+  const ir::Schedule& schedule = version.program->schedule;
+  return RunRoutine(terms, version, part == Part::kFast ? schedule.fast_only : schedule.period, surroundings);
 }
 
 Transition RunInit(Terms& terms, const Version& version, const Surroundings& surroundings) {

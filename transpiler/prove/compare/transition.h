@@ -35,8 +35,11 @@ struct Surroundings {
   std::function<Environment::HostBit(CellId)> host_bit;  // see Environment; may be empty
 };
 
-/// The schedule's period.
-Transition RunPeriod(Terms& terms, const Version& version, const Surroundings& surroundings);
+/// What runs by itself: the schedule's period, and, where it has a time of its own, the fast part.
+enum class Part : uint8_t { kPeriod, kFast };
+/// Schedule::fast_ms: the period is the slow part alone then.
+bool HasFastPart(const Version& version);
+Transition RunPart(Terms& terms, const Version& version, Part part, const Surroundings& surroundings);
 /// Power-on: `initial` is asked for the calls only, memory is as the program says.
 Transition RunInit(Terms& terms, const Version& version, const Surroundings& surroundings);
 

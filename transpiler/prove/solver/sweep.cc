@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kVectors = 24;
 constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
-constexpr size_t kMostTermsToRefine = 50'000;  // a counterexample is evaluated on cones up to this size
+constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
+constexpr size_t kMostRefuted = 400;           // questions that were answered by "possible"; then no more are asked
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
@@ -45,11 +46,14 @@ class Sweeper {
   Terms& terms_;
   Solver& solver_;
   std::span<const TermPair> pairs_;
+  std::vector<TermPair> open_pairs_;
+  size_t refuted_ = 0;
   const SweepLimits& limits_;
   Clock::time_point deadline_;
   std::vector<uint8_t> sides_;  // by TermId
   std::vector<TermId> cone_;    // of the pairs that are not one term, operands first
   std::vector<uint64_t> signatures_, values_;
+  std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
   std::vector<TermId> representative_;
   std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
   uint64_t seed_ = 0x9E3779B97F4A7C15;
@@ -110,7 +114,8 @@ void Sweeper::Simulate() {
   }
 }
 
-/// The values by which the solver told two terms apart tell others apart, too.
+/// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
+/// compared looks at the signatures as well.
 void Sweeper::Refine() {
   if (cone_.size() > kMostTermsToRefine) return;
   std::vector<std::pair<uint32_t, uint64_t>> variables;
@@ -122,12 +127,6 @@ void Sweeper::Refine() {
     const auto at = std::ranges::lower_bound(variables, std::pair(number, uint64_t{0}));
     return at != variables.end() && at->first == number ? at->second : 0;
   });
-  std::unordered_map<uint64_t, std::vector<TermId>> classes;
-  for (const auto& [old_signature, members] : classes_) {
-    for (const TermId member : members) classes[signatures_[member.index]].push_back(member);
-  }
-  for (auto& [signature, members] : classes) std::ranges::sort(members);
-  classes_ = std::move(classes);
 }
 
 Answer Sweeper::Differ(TermId a, TermId b, uint32_t milliseconds) {
@@ -146,10 +145,10 @@ void Sweeper::SweepTerm(TermId id) {
   });
   TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
   // A constant is its own best form; what both sides have in common needs no question.
-  const bool asks = sides_[id.index] != kBoth && !terms_.IsConst(now) && !Late();
+  const bool asks = sides_[id.index] != kBoth && !terms_.IsConst(now) && !Late() && refuted_ < kMostRefuted;
   if (asks) {
     size_t tried = 0;
-    for (const TermId member : std::vector<TermId>(classes_[signatures_[id.index]])) {
+    for (const TermId member : std::vector<TermId>(classes_[class_of_[id.index]])) {
       const TermId other = Representative(member);
       if (other == now) break;
       // An answer to the question before may have told them apart.
@@ -162,11 +161,14 @@ void Sweeper::SweepTerm(TermId id) {
         now = other;
         break;
       }
-      if (answer == Answer::kPossible) Refine();
+      if (answer == Answer::kPossible) {
+        ++refuted_;
+        Refine();
+      }
     }
   }
   representative_[id.index] = now;
-  classes_[signatures_[id.index]].push_back(id);
+  classes_[class_of_[id.index]].push_back(id);
 }
 
 std::vector<Verdict> Sweeper::Run() {
@@ -176,6 +178,20 @@ std::vector<Verdict> Sweeper::Run() {
   if (open == 0) return verdicts;
   MarkCones();
   Simulate();
+  if (limits_.any_values_count) {
+    // What random values tell apart needs no question; the cones of the rest are smaller.
+    std::vector<TermPair> rest(pairs_.begin(), pairs_.end());
+    for (size_t i = 0; i < rest.size(); ++i) {
+      if (signatures_[rest[i].a.index] == signatures_[rest[i].b.index]) continue;
+      verdicts[i] = Verdict::kDifferent;
+      rest[i].b = rest[i].a;
+    }
+    open_pairs_ = std::move(rest);
+    pairs_ = open_pairs_;
+    cone_.clear();
+    MarkCones();
+  }
+  class_of_ = signatures_;
   representative_.assign(terms_.size(), TermId());
   for (const TermId id : cone_) SweepTerm(id);
   size_t done = 0;

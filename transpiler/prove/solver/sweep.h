@@ -27,9 +27,11 @@ struct TermPair {
 };
 
 struct SweepLimits {
-  uint32_t inner_ms = 100;                                // for a question about two terms inside
-  uint32_t pair_ms = 2000;                                // for the question about a pair
-  uint64_t total_ms = 60'000;                             // for all; later pairs are undecided
+  uint32_t inner_ms = 100;     // for a question about two terms inside
+  uint32_t pair_ms = 2000;     // for the question about a pair
+  uint64_t total_ms = 60'000;  // for all; later pairs are undecided
+  /// Nothing is assumed, so that two terms that differ for random values differ.
+  bool any_values_count = false;
   std::function<void(size_t done, size_t all)> progress;  // of the pairs that are not one term; may be empty
 };
 
