@@ -60,11 +60,6 @@ void SetVerdicts(Comparison& comparison) {
   }
 }
 
-bool HasUndecided(const Comparison& comparison) {
-  return std::ranges::any_of(comparison.results,
-                             [](const PairResult& result) { return result.verdict == PairVerdict::kUndecided; });
-}
-
 void MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort) {
   std::vector<CellId> asked;
   bool any = false;
@@ -94,12 +89,14 @@ void JoinAllButDifferent(Comparison& comparison) {
 }
 
 CompareResult Finish(Comparison& comparison, uint32_t invariants) {
+  const bool many = comparison.UndecidedCount() > kMostLookedAt;
   CompareResult result{.pairs = std::move(comparison.results), .refusal = comparison.refusal, .invariants = invariants};
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
+                  : many            ? "a change reaches it, and too much else to look at each"
                                     : "no run of " + std::to_string(comparison.limits.most_periods) +
-                                          " periods from power-on shows a difference, and equality is not proved";
+                               " periods from power-on shows a difference, and equality is not proved";
   }
   if (result.refusal.empty()) AddUnmatched(comparison, result.pairs);
   return result;
@@ -116,11 +113,16 @@ Comparison::Comparison(const Version& old_side, const Version& new_side, const M
       pairing(terms, old_side, new_side, matching),
       old_uses(UsesOf(old_side)),
       new_uses(UsesOf(new_side)),
+      round_ms(compare_limits.total_ms / 40),
       now(terms.Variable("now", 32)),
       deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
   LoadedSolver loaded = LoadSolver(terms);
   solver = std::move(loaded.solver);
   refusal = std::move(loaded.reason);
+}
+
+uint32_t Comparison::UndecidedCount() const {
+  return static_cast<uint32_t>(std::ranges::count(results, PairVerdict::kUndecided, &PairResult::verdict));
 }
 
 uint64_t Comparison::RestMs() const {
@@ -156,8 +158,14 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   SetVerdicts(comparison);
   if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
   uint32_t invariants = 0;
-  if (HasUndecided(comparison)) SearchRuns(comparison);
-  if (HasUndecided(comparison) && !comparison.Late()) {
+  // One by one is for a few; behind a change that reaches everything there are too many.
+  const auto has_few = [&comparison] {
+    const uint32_t undecided = comparison.UndecidedCount();
+    return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
+  };
+  comparison.round_ms = limits.total_ms / 4;
+  if (has_few()) SearchRuns(comparison);
+  if (has_few()) {
     // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
     // be reached.
     JoinAllButDifferent(comparison);
@@ -167,7 +175,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
       if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
     }
   }
-  if (HasUndecided(comparison) && !comparison.Late()) SearchStates(comparison);
+  if (has_few()) SearchStates(comparison);
   return Finish(comparison, invariants);
 }
 

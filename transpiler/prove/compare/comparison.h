@@ -27,6 +27,8 @@ struct Comparison {
   Pairing pairing;
   Uses old_uses, new_uses;
   std::vector<CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
+  /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
+  uint64_t round_ms;
   TermId now;
   std::vector<PairResult> results;      // of matched state, ascending by old cell
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
@@ -36,6 +38,8 @@ struct Comparison {
 
   uint64_t RestMs() const;
   bool Late() const { return RestMs() == 0; }
+  uint32_t UndecidedCount() const;
+
   void Report(const std::string& what) const {
     if (limits.progress) limits.progress(what);
   }
@@ -56,6 +60,9 @@ bool CheckPowerOn(Comparison& comparison);
 /// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
 /// last one. False as above.
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);
+/// So many undecided pairs are looked at one by one; more of them are the wake of a change that reaches everything.
+inline constexpr uint32_t kMostLookedAt = 400;
+
 /// For the pairs that are undecided: runs from power-on that end with a difference.
 void SearchRuns(Comparison& comparison);
 /// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.

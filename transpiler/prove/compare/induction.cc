@@ -13,7 +13,7 @@ struct Question {
 
 SweepLimits LimitsOf(const Comparison& comparison) {
   return {.pair_ms = comparison.limits.question_ms,
-          .total_ms = comparison.RestMs(),
+          .total_ms = std::min(comparison.RestMs(), comparison.round_ms),
           .any_values_count = comparison.old_invariants.empty() && comparison.new_invariants.empty(),
           .progress = {}};
 }

@@ -12,7 +12,8 @@ namespace {
 constexpr int kVectors = 24;
 constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
 constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
-constexpr size_t kMostRefuted = 400;           // questions that were answered by "possible"; then no more are asked
+constexpr size_t kMostTermsToSpread = 2'000'000;
+constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
@@ -28,7 +29,7 @@ class Sweeper {
 
   void MarkCones();
   void Simulate();
-  void Refine();
+  void Refine(TermId one, TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
   uint64_t Random() {
     seed_ ^= seed_ << 13;
@@ -116,16 +117,23 @@ void Sweeper::Simulate() {
 
 /// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
 /// compared looks at the signatures as well.
-void Sweeper::Refine() {
-  if (cone_.size() > kMostTermsToRefine) return;
-  std::vector<std::pair<uint32_t, uint64_t>> variables;
-  for (const TermId id : cone_) {
-    if (terms_[id].kind == TermKind::kVariable) variables.emplace_back(terms_[id].a, solver_.ValueOf(id));
+void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
+  if (cone_.size() > most_terms) return;
+  // What the question did not depend on may be anything.
+  std::unordered_map<uint32_t, uint64_t> known;  // by variable; looked up only
+  std::vector<bool> seen(terms_.size());
+  std::vector<TermId> open{one, other};
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (seen[id.index]) continue;
+    seen[id.index] = true;
+    if (terms_[id].kind == TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
+    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
   }
-  std::ranges::sort(variables);
-  EvaluateVector([&](uint32_t number, uint8_t) {
-    const auto at = std::ranges::lower_bound(variables, std::pair(number, uint64_t{0}));
-    return at != variables.end() && at->first == number ? at->second : 0;
+  EvaluateVector([&](uint32_t number, uint8_t width) {
+    const auto at = known.find(number);
+    return at != known.end() ? at->second : width == 1 ? Random() & 1 : Random();
   });
 }
 
@@ -163,7 +171,7 @@ void Sweeper::SweepTerm(TermId id) {
       }
       if (answer == Answer::kPossible) {
         ++refuted_;
-        Refine();
+        Refine(now, other, kMostTermsToRefine);
       }
     }
   }
@@ -200,7 +208,13 @@ std::vector<Verdict> Sweeper::Run() {
     if (limits_.progress) limits_.progress(++done, open);
     const TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
     if (a == b) continue;
+    // An answer to another pair may show this one, too.
+    if (limits_.any_values_count && signatures_[pairs_[i].a.index] != signatures_[pairs_[i].b.index]) {
+      verdicts[i] = Verdict::kDifferent;
+      continue;
+    }
     const Answer answer = Late() ? Answer::kUnknown : Differ(a, b, limits_.pair_ms);
+    if (limits_.any_values_count && answer == Answer::kPossible) Refine(a, b, kMostTermsToSpread);
     verdicts[i] = answer == Answer::kNever      ? Verdict::kEqual
                   : answer == Answer::kPossible ? Verdict::kDifferent
                                                 : Verdict::kUndecided;
