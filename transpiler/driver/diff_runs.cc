@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -19,7 +20,7 @@ using prove::CellId;
 constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
 constexpr uint64_t kRandomShare = 5, kQuickShare = 40;  // of the time: a fifth, a fortieth
-constexpr int kQuickRuns = 6;
+constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr size_t kMostSought = 400;
 
 /// The scenario files of one directory, sorted; none when there are none.
@@ -82,6 +83,43 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, i
       stimulus.slow = 1;
     }
     stimuli.push_back(std::move(stimulus));
+  }
+  return stimuli;
+}
+
+/// The inputs from which the cells are computed, over a few statements and scans.
+std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vector<bool> wanted,
+                                         const std::vector<prove::SetCell>& inputs, CellId prove::SetCell::* cell) {
+  const std::vector<StatementAccess> accesses = AccessesOf(version);
+  const auto touches = [&wanted](const StatementAccess& access) {
+    for (uint32_t i = access.begin; i < access.end; ++i) {
+      if (wanted[i]) return true;
+    }
+    return false;
+  };
+  for (int depth = 0; depth < kInputDepth; ++depth) {
+    std::set<ir::StatementId> writers;
+    for (const StatementAccess& access : accesses) {
+      if (access.writes && access.statement.valid() && touches(access)) writers.insert(access.statement);
+    }
+    for (const StatementAccess& access : accesses) {
+      if (access.writes || !writers.contains(access.statement)) continue;
+      std::fill(wanted.begin() + access.begin, wanted.begin() + access.end, true);
+    }
+  }
+  std::vector<prove::SetCell> behind;
+  for (const prove::SetCell& input : inputs) {
+    if (wanted[(input.*cell).index]) behind.push_back(input);
+  }
+  return behind;
+}
+
+/// All that matters is set once, and then nothing happens for longer and longer.
+Stimuli HoldStimuli(Random& random, const std::vector<prove::SetCell>& inputs) {
+  Stimuli stimuli{{.inputs = inputs, .words = {}, .slow = 1}};
+  for (prove::SetCell& input : stimuli.front().inputs) input.value = random.Next() >> 7 & 1;
+  for (const uint32_t ms : {500U, 1000U, 2000U, 5000U, 20'000U}) {
+    stimuli.push_back({.inputs = {}, .words = {}, .slow = 0, .ms = ms});
   }
   return stimuli;
 }
@@ -158,6 +196,14 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   };
   Random random(quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03);
   const std::vector<Stimuli> known = StimuliOfScenarios(old_side);
+  std::vector<bool> wanted(new_version.cells.count);
+  for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
+  std::vector<prove::SetCell> behind;
+  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::SetCell::new_cell);
+  for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
+    if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
+    run_both(HoldStimuli(random, behind));
+  }
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));
     run_both(MakeStimuli(random, inputs, run));
