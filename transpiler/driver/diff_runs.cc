@@ -169,8 +169,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   const std::vector<prove::SetCell> inputs = InputsOf(old_version, new_version, request.match);
   std::vector<std::pair<CellId, CellId>> pairs;
   for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
-  const auto end = std::chrono::steady_clock::now() +
-                   std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare));
+  const auto begin = std::chrono::steady_clock::now();
+  const auto end = begin + std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare));
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
@@ -201,6 +201,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   std::vector<prove::SetCell> behind;
   if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::SetCell::new_cell);
   for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
+    if (std::chrono::steady_clock::now() > begin + (end - begin) / 4) break;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
     run_both(HoldStimuli(random, behind));
   }
@@ -218,10 +219,18 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     Stimuli stimuli = known[random.Next() % known.size()];
     stimuli.resize(1 + random.Next() % stimuli.size());
     for (int step = 0; step < kDisturbances; ++step) {
-      Stimulus stimulus{.inputs = {}, .words = {}, .slow = 1};
+      // A whole pass, or a period only: then the slow part may be half done.
+      Stimulus stimulus{.inputs = {}, .words = {}};
+      if (random.OneIn(2)) {
+        stimulus.ms = old_side.compilation.program.schedule.period_ms;
+      } else {
+        stimulus.slow = 1;
+      }
       for (uint64_t i = 0; i <= random.Next() % 3; ++i) {
-        stimulus.inputs.push_back(inputs[random.Next() % inputs.size()]);
-        stimulus.inputs.back().value = random.Next() & 1;
+        // Mostly what matters.
+        const std::vector<prove::SetCell>& from = behind.empty() || random.OneIn(4) ? inputs : behind;
+        stimulus.inputs.push_back(from[random.Next() % from.size()]);
+        stimulus.inputs.back().value = random.Next() >> 7 & 1;
       }
       stimuli.push_back(std::move(stimulus));
     }

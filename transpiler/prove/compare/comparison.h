@@ -54,7 +54,7 @@ struct Comparison {
 };
 
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
-bool ExecutePart(Comparison& comparison, Part part);
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny);
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
 /// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the

@@ -128,11 +128,15 @@ void AddInvariants(Comparison& comparison) {
   }
 }
 
-bool ExecutePart(Comparison& comparison, Part part) {
-  Terms& terms = comparison.terms;
-  comparison.old_next = RunPart(terms, comparison.old_version, part, SurroundingsOf(comparison, Which::kOld));
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers) {
+  const auto run = [&](Which which) {
+    Surroundings surroundings = SurroundingsOf(comparison, which);
+    surroundings.answers = answers;
+    return RunPart(comparison.terms, comparison.pairing.version(which), part, surroundings);
+  };
+  comparison.old_next = run(Which::kOld);
   if (TakeRefusal(comparison, comparison.old_next, "old")) return false;
-  comparison.new_next = RunPart(terms, comparison.new_version, part, SurroundingsOf(comparison, Which::kNew));
+  comparison.new_next = run(Which::kNew);
   return !TakeRefusal(comparison, comparison.new_next, "new");
 }
 
