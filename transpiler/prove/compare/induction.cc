@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "transpiler/prove/compare/comparison.h"
+#include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
 namespace {
@@ -77,26 +78,19 @@ void AddObservations(Comparison& comparison, const Transition& old_next, const T
 std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
   const bool is_old = which == Which::kOld;
   const Version& version = is_old ? comparison.old_version : comparison.new_version;
-  std::vector<TermId> open;
+  std::vector<TermId> next;
   for (const PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided) continue;
-    open.push_back(is_old ? comparison.NextOld(result.old_cell) : comparison.NextNew(result.new_cell));
+    next.push_back(is_old ? comparison.NextOld(result.old_cell) : comparison.NextNew(result.new_cell));
   }
-  std::vector<bool> seen(comparison.terms.size());
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (seen[id.index]) continue;
-    seen[id.index] = true;
-    comparison.terms.ForEachOperand(comparison.terms[id], [&open](TermId operand) { open.push_back(operand); });
-  }
+  const std::vector<TermId> cone = ConeOf(comparison.terms, next);
   std::vector<CellId> cells;
   const Uses& uses = is_old ? comparison.old_uses : comparison.new_uses;
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
     const CellId cell(i);
     if (!uses.reads[i] || !IsState(version, cell)) continue;
     const TermId initial = comparison.pairing.Initial(which, cell);
-    if (initial.index < seen.size() && seen[initial.index]) cells.push_back(cell);
+    if (std::ranges::binary_search(cone, initial)) cells.push_back(cell);
   }
   return cells;
 }

@@ -7,6 +7,7 @@
 
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 
 namespace plcxx::prove {
@@ -114,21 +115,12 @@ void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
 }
 
 void Finder::Simulate() {
-  std::vector<TermId> cone;
-  std::vector<bool> seen(terms_.size());
-  std::vector<TermId> open;
-  for (const CellId cell : state_) open.push_back(Next(cell));
-  for (const CellId cell : state_) open.push_back(init_.next[cell.index]);
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (id.index >= seen.size()) seen.resize(terms_.size());
-    if (seen[id.index]) continue;
-    seen[id.index] = true;
-    cone.push_back(id);
-    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+  std::vector<TermId> roots;
+  for (const CellId cell : state_) {
+    roots.push_back(Next(cell));
+    roots.push_back(init_.next[cell.index]);
   }
-  std::ranges::sort(cone);
+  const std::vector<TermId> cone = ConeOf(terms_, roots);
   std::vector<uint64_t> values(terms_.size());
   std::map<uint32_t, CellId> cell_of;  // by variable
   for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "transpiler/prove/compare/comparison.h"
+#include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
 namespace {
@@ -75,23 +76,16 @@ Run RunOf(Comparison& comparison, const Unrolled& state) {
   return run;
 }
 
-/// Which terms a term depends on; a byte's bits count with the byte.
-std::vector<bool> ConeOf(const Terms& terms, TermId root) {
-  std::vector<bool> cone(terms.size());
-  std::vector<TermId> open{root};
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (cone[id.index]) continue;
-    cone[id.index] = true;
-    terms.ForEachOperand(terms[id], [&open](TermId operand) { open.push_back(operand); });
-  }
+/// By TermId: what a term depends on; a byte's bits count with the byte.
+std::vector<bool> BitsBehind(const Terms& terms, TermId root) {
+  std::vector<bool> behind(terms.size());
+  for (const TermId id : ConeOf(terms, {&root, 1})) behind[id.index] = true;
   for (uint32_t i = 0; i < terms.size(); ++i) {
     const Term& term = terms[TermId(i)];
-    if (term.kind != TermKind::kExtract || !cone[term.a]) continue;
-    if (terms[TermId(term.a)].kind == TermKind::kVariable) cone[i] = true;
+    if (term.kind != TermKind::kExtract || !behind[term.a]) continue;
+    if (terms[TermId(term.a)].kind == TermKind::kVariable) behind[i] = true;
   }
-  return cone;
+  return behind;
 }
 
 }  // namespace
@@ -125,10 +119,10 @@ void SearchStates(Comparison& comparison) {
     if (comparison.terms.IsFalse(differ)) continue;
     if (comparison.solver->Check({&differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
     Run run{.periods = {{}}, .from_state = true};
-    const std::vector<bool> cone = ConeOf(comparison.terms, differ);
+    const std::vector<bool> behind = BitsBehind(comparison.terms, differ);
     for (const PairResult& other : comparison.results) {
       const TermId initial = comparison.pairing.Initial(Which::kOld, other.old_cell);
-      if (initial.index >= cone.size() || !cone[initial.index]) continue;
+      if (initial.index >= behind.size() || !behind[initial.index]) continue;
       run.periods[0].push_back(
           {.old_cell = other.old_cell, .new_cell = other.new_cell, .value = comparison.solver->ValueOf(initial)});
     }

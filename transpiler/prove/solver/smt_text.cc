@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <vector>
 
 #include "transpiler/prove/solver/solver.h"
+#include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
 namespace {
@@ -116,28 +116,12 @@ std::string Definition(const Terms& terms, const Term& term) {
   PLCXX_UNREACHABLE();
 }
 
-/// The terms that the conditions depend on, operands first.
-std::vector<TermId> Cone(const Terms& terms, std::span<const TermId> conditions) {
-  std::vector<bool> seen(terms.size());
-  std::vector<TermId> open(conditions.begin(), conditions.end()), cone;
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (seen[id.index]) continue;
-    seen[id.index] = true;
-    cone.push_back(id);
-    terms.ForEachOperand(terms[id], [&open](TermId operand) { open.push_back(operand); });
-  }
-  std::ranges::sort(cone);  // a term is always younger than its operands
-  return cone;
-}
-
 }  // namespace
 
 std::string SmtText(const Terms& terms, std::span<const TermId> conditions) {
   std::string text = "(set-logic QF_UFBV)\n";
   std::vector<bool> declared(terms.function_count());
-  for (const TermId id : Cone(terms, conditions)) {
+  for (const TermId id : ConeOf(terms, conditions)) {
     const Term& term = terms[id];
     if (term.kind == TermKind::kConst) continue;
     if (term.kind == TermKind::kVariable) {

@@ -1,9 +1,11 @@
 #include "transpiler/prove/solver/sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <unordered_map>
 
+#include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 
 namespace plcxx::prove {
@@ -63,17 +65,11 @@ class Sweeper {
 void Sweeper::MarkCones() {
   sides_.assign(terms_.size(), kNone);
   for (const Side side : {kSideA, kSideB}) {
-    std::vector<TermId> open;
+    std::vector<TermId> roots;
     for (const TermPair& pair : pairs_) {
-      if (pair.a != pair.b) open.push_back(side == kSideA ? pair.a : pair.b);
+      if (pair.a != pair.b) roots.push_back(side == kSideA ? pair.a : pair.b);
     }
-    while (!open.empty()) {
-      const TermId id = open.back();
-      open.pop_back();
-      if ((sides_[id.index] & side) != 0) continue;
-      sides_[id.index] |= side;
-      terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
-    }
+    for (const TermId id : ConeOf(terms_, roots)) sides_[id.index] |= side;
   }
   for (uint32_t i = 0; i < sides_.size(); ++i) {
     if (sides_[i] != kNone) cone_.emplace_back(i);
@@ -121,15 +117,8 @@ void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
   if (cone_.size() > most_terms) return;
   // What the question did not depend on may be anything.
   std::unordered_map<uint32_t, uint64_t> known;  // by variable; looked up only
-  std::vector<bool> seen(terms_.size());
-  std::vector<TermId> open{one, other};
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (seen[id.index]) continue;
-    seen[id.index] = true;
+  for (const TermId id : ConeOf(terms_, std::array{one, other})) {
     if (terms_[id].kind == TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
-    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
   }
   EvaluateVector([&](uint32_t number, uint8_t width) {
     const auto at = known.find(number);

@@ -1,0 +1,14 @@
+// What terms depend on.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+/// All that the roots are made of, themselves included; ascending, which is operands first.
+std::vector<TermId> ConeOf(const Terms& terms, std::span<const TermId> roots);
+
+}  // namespace plcxx::prove
