@@ -15,6 +15,7 @@ constexpr int kVectors = 24;
 constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
 constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
 constexpr size_t kMostTermsToSpread = 2'000'000;
+constexpr size_t kMostRefutedFirst = 20;
 constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
@@ -50,7 +51,7 @@ class Sweeper {
   Solver& solver_;
   std::span<const TermPair> pairs_;
   std::vector<TermPair> open_pairs_;
-  size_t refuted_ = 0;
+  size_t refuted_ = 0, refuted_first_ = 0;
   const SweepLimits& limits_;
   Clock::time_point deadline_;
   std::vector<uint8_t> sides_;  // by TermId
@@ -141,8 +142,14 @@ void Sweeper::SweepTerm(TermId id) {
     changed = changed || operands.back() != operand;
   });
   TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
-  // A constant is its own best form; what both sides have in common needs no question.
-  const bool asks = sides_[id.index] != kBoth && !terms_.IsConst(now) && !Late() && refuted_ < kMostRefuted;
+  // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
+  // sides have in common needs no question.
+  const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
+  // The second side looks for its counterpart in the first; the other way round pays now and then only.
+  const bool first_side = sides_[id.index] == kSideA;
+  const size_t refuted = first_side ? refuted_first_ : refuted_;
+  const bool asks =
+      !found && !terms_.IsConst(now) && !Late() && refuted < (first_side ? kMostRefutedFirst : kMostRefuted);
   if (asks) {
     size_t tried = 0;
     for (const TermId member : std::vector<TermId>(classes_[class_of_[id.index]])) {
@@ -159,7 +166,7 @@ void Sweeper::SweepTerm(TermId id) {
         break;
       }
       if (answer == Answer::kPossible) {
-        ++refuted_;
+        ++(first_side ? refuted_first_ : refuted_);
         Refine(now, other, kMostTermsToRefine);
       }
     }
