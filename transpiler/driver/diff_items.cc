@@ -11,6 +11,7 @@ namespace {
 using prove::Cell;
 using prove::CellId;
 using prove::CellKind;
+using prove::IsInside;
 using prove::Version;
 
 std::string NameOf(const ir::Place& place) { return place.address.empty() ? place.name : place.address; }
@@ -139,9 +140,9 @@ CellWords::CellWords(const Version& version, const Compilation& compilation)
 }
 
 CellWord CellWords::OfPlace(const ir::Place& place) const {
+  const ir::Program& program = *version_.program;
   CellWord word{.name = NameOf(place), .place = place, .cells = {}};
-  const auto [begin, end] = CellRange(version_, place);
-  for (uint32_t cell = begin; cell < end; ++cell) word.cells.emplace_back(cell);
+  if (IsInside(program, place)) word.cells = CellsOf(program, version_.cells, place);
   return word;
 }
 

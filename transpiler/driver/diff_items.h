@@ -14,7 +14,7 @@ namespace plcxx::driver {
 struct CellWord {
   std::string name;                  // "W3K0"
   std::optional<ir::Place> place;    // none: the program has no place there ("U byte 17")
-  std::vector<prove::CellId> cells;  // of the word, ascending
+  std::vector<prove::CellId> cells;  // of the word, from the least significant bit
 };
 
 class CellWords {

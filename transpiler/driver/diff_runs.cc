@@ -10,12 +10,13 @@
 
 #include "transpiler/driver/diff_machine.h"
 #include "transpiler/driver/scenario.h"
-#include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/random.h"
 
 namespace plcxx::driver {
 namespace {
 
 using prove::CellId;
+using prove::Random;
 
 constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
@@ -34,21 +35,6 @@ std::vector<std::string> FindScenariosIn(const std::string& directory) {
   std::ranges::sort(found);
   return found;
 }
-
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  uint64_t Next() {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return state_;
-  }
-  bool OneIn(uint64_t n) { return Next() % n == 0; }
-
- private:
-  uint64_t state_;
-};
 
 /// The pairs that the host writes and a version reads, by the names of inputs that a scenario can set.
 std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const prove::Version& new_version,

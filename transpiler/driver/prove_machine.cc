@@ -15,30 +15,8 @@ namespace plcxx::driver {
 namespace {
 
 using prove::CellId;
+using prove::IsInside;
 using prove::PropertyOperand;
-
-/// The cells of a place, from the least significant bit.
-std::vector<CellId> CellsOf(const ir::Program& program, const prove::Cells& cells, const ir::Place& place) {
-  if (place.is_field()) {
-    const uint32_t field = prove::FieldTermIndex(program.states[place.state].kind, place.field);
-    return {CellId(cells.states[place.state.index] + field)};
-  }
-  if (place.type == ir::Type::kBit) return {cells.OfBit(place.space, place.offset, place.bit)};
-  std::vector<CellId> bits;
-  const uint32_t bytes = ir::Bytes(place.type);
-  for (uint32_t i = 0; i < bytes; ++i) {
-    const bool is_big = program.spaces[place.space].order == ir::ByteOrder::kBig;
-    const uint32_t at = place.offset + (is_big ? bytes - 1 - i : i);
-    for (uint8_t bit = 0; bit < 8; ++bit) bits.push_back(cells.OfBit(place.space, at, bit));
-  }
-  return bits;
-}
-
-bool IsInside(const ir::Program& program, const ir::Place& place) {
-  if (place.is_field()) return true;
-  return place.space.valid() && !place.indexed &&
-         uint64_t{place.offset} + ir::Bytes(place.type) <= program.spaces[place.space].bytes;
-}
 
 prove::LocatedOperand OperandOf(const ir::Program& program, const prove::Cells& cells,
                                 const dialects::Location& location, std::string_view word) {

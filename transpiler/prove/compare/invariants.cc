@@ -9,6 +9,7 @@
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
 namespace {
@@ -34,12 +35,6 @@ class Finder {
   void Guess();
   void DropWrongAtPowerOn();
   bool Prove();
-  uint64_t Random() {
-    seed_ ^= seed_ << 13;
-    seed_ ^= seed_ >> 7;
-    seed_ ^= seed_ << 17;
-    return seed_;
-  }
 
   Terms& terms_;
   Solver& solver_;
@@ -55,7 +50,7 @@ class Finder {
   std::vector<uint8_t> seen_pairs_;         // by two bits of interest: which of the four combinations occurred
   std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
   std::vector<Invariant> guesses_;
-  uint64_t seed_ = 0x2545F4914F6CDD1D;
+  Random random_{0x2545F4914F6CDD1D};
   std::chrono::steady_clock::time_point deadline_;
 };
 
@@ -151,7 +146,7 @@ void Finder::Simulate() {
     for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_;
          ++period, now += period_ms) {
       for (const CellId cell : inputs_) {
-        if (period == 0 || Random() % one_in == 0) inputs[cell] = Random() & 1;
+        if (period == 0 || random_.Next() % one_in == 0) inputs[cell] = random_.Next() & 1;
       }
       evaluate();
       for (const CellId cell : state_) state[cell] = values[Next(cell).index];

@@ -44,31 +44,14 @@ class Matcher {
   Match match_;
 };
 
-/// Of a place that is not indexed: first cell and number.
-std::pair<CellId, uint32_t> CellsOf(const Version& version, const ir::Place& place) {
-  if (place.is_field()) {
-    const ir::StateKind kind = version.program->states[place.state].kind;
-    return {CellId(version.cells.states[place.state.index] + FieldTermIndex(kind, place.field)), 1};
-  }
-  if (place.type == ir::Type::kBit) return {version.cells.OfBit(place.space, place.offset, place.bit), 1};
-  return {version.cells.OfBit(place.space, place.offset, 0), 8 * ir::Bytes(place.type)};
-}
-
-bool IsInside(const Version& version, const ir::Place& place) {
-  if (place.is_field()) return true;
-  return place.space.valid() &&
-         uint64_t{place.offset} + ir::Bytes(place.type) <= version.program->spaces[place.space].bytes;
-}
-
 void Matcher::Places(const ir::Place& one, const ir::Place& other) {
-  if (one.type != other.type || one.indexed || other.indexed) return;
-  if (!IsInside(old_, one) || !IsInside(new_, other)) return;
-  const auto [from, count] = CellsOf(old_, one);
-  const auto [to, same_count] = CellsOf(new_, other);
-  for (uint32_t i = 0; i < std::min(count, same_count); ++i) {
-    if (!IsFree(CellId(from.index + i), CellId(to.index + i))) return;
+  if (one.type != other.type || !IsInside(*old_.program, one) || !IsInside(*new_.program, other)) return;
+  const std::vector<CellId> from = CellsOf(*old_.program, old_.cells, one);
+  const std::vector<CellId> to = CellsOf(*new_.program, new_.cells, other);
+  for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
+    if (!IsFree(from[i], to[i])) return;
   }
-  for (uint32_t i = 0; i < std::min(count, same_count); ++i) Pair(CellId(from.index + i), CellId(to.index + i));
+  for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) Pair(from[i], to[i]);
 }
 
 template <class Accept>
@@ -100,7 +83,7 @@ void Matcher::ByAddress() {
 void Matcher::InternalByName() {
   std::map<std::string, const ir::Place*> by_name;
   const auto is_candidate = [](const Version& version, const ir::Place& place) {
-    return !place.is_field() && !place.indexed && !place.name.empty() && IsInside(version, place) &&
+    return !place.is_field() && !place.name.empty() && IsInside(*version.program, place) &&
            version.program->spaces[place.space].lifetime != ir::Lifetime::kRoutine;
   };
   for (const ir::Place& place : new_.program->places) {
@@ -196,7 +179,7 @@ Uses UsesOf(const Version& version) {
   Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
   const auto note = [&](std::vector<bool>& what, const ir::Place& place) {
     if (place.is_field()) {
-      what[CellsOf(version, place).first.index] = true;
+      what[CellsOf(program, version.cells, place).front().index] = true;
       return;
     }
     const uint32_t size = program.spaces[place.space].bytes;

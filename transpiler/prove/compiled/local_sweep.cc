@@ -4,7 +4,9 @@
 #include <chrono>
 #include <unordered_map>
 
+#include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
 namespace {
@@ -50,12 +52,6 @@ class LocalSweep {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
   bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
-  uint64_t Random() {
-    seed_ ^= seed_ << 13;
-    seed_ ^= seed_ >> 7;
-    seed_ ^= seed_ << 17;
-    return seed_;
-  }
 
   Terms& terms_;
   Solver& solver_;
@@ -70,23 +66,17 @@ class LocalSweep {
   std::unordered_map<uint32_t, TermId> cuts_;                  // looked up only
   std::unordered_map<uint64_t, TermId> copies_;                // of one question, by term and depth
   bool cut_ = false;
-  uint64_t seed_ = 0x9E3779B97F4A7C15;
+  Random random_{0x9E3779B97F4A7C15};
 };
 
 void LocalSweep::MarkCones() {
   sides_.assign(terms_.size(), kNone);
   for (const Side side : {kSideA, kSideB}) {
-    std::vector<TermId> open;
+    std::vector<TermId> roots;
     for (const TermPair& pair : pairs_) {
-      if (pair.a != pair.b) open.push_back(side == kSideA ? pair.a : pair.b);
+      if (pair.a != pair.b) roots.push_back(side == kSideA ? pair.a : pair.b);
     }
-    while (!open.empty()) {
-      const TermId id = open.back();
-      open.pop_back();
-      if ((sides_[id.index] & side) != 0) continue;
-      sides_[id.index] |= side;
-      terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
-    }
+    for (const TermId id : ConeOf(terms_, roots)) sides_[id.index] |= side;
   }
   for (uint32_t i = 0; i < sides_.size(); ++i) {
     if (sides_[i] == kNone) continue;
@@ -102,7 +92,7 @@ void LocalSweep::MarkCones() {
 
 /// Programs ask for their constants: so they are among the samples.
 uint64_t LocalSweep::Sample(int vector, uint8_t width) {
-  const uint64_t random = Random();
+  const uint64_t random = random_.Next();
   if (width == 1) {
     const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
     return (random & 255) < density ? 1 : 0;
@@ -116,7 +106,7 @@ uint64_t LocalSweep::Sample(int vector, uint8_t width) {
       return ~uint64_t{0} - (random >> 16 & 3);
     case 3:
     case 4:
-      return Random();
+      return random_.Next();
     default:
       return constants_.empty() ? random : constants_[(random >> 16) % constants_.size()] + (random >> 11 & 3) - 1;
   }

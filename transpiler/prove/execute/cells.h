@@ -48,4 +48,10 @@ uint8_t CellWidth(const ir::Program& program, const Cell& cell);
 /// The same for the same cell of two versions of a program: "U.10.3", "T5.elapsed_ms", "calls of fault".
 std::string CellName(const ir::Program& program, const Cell& cell);
 
+/// Of a place that is not indexed and lies in memory: its cells from the least significant bit, whatever the space's
+/// byte order.
+std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, const ir::Place& place);
+/// Whether a place is a field, or is not indexed and lies wholly in its space.
+bool IsInside(const ir::Program& program, const ir::Place& place);
+
 }  // namespace plcxx::prove

@@ -1,22 +1,13 @@
 #include "transpiler/prove/properties/cone.h"
 
-#include <algorithm>
-
+#include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 
 namespace plcxx::prove {
 
-Cone::Cone(const Terms& terms, TermId top) : terms_(terms), top_(top), has_(terms.size()) {
-  std::vector<TermId> open{top};
-  while (!open.empty()) {
-    const TermId id = open.back();
-    open.pop_back();
-    if (has_[id.index]) continue;
-    has_[id.index] = true;
-    order_.push_back(id);
-    terms.ForEachOperand(terms[id], [&open](TermId operand) { open.push_back(operand); });
-  }
-  std::ranges::sort(order_);  // a term is made after its operands
+Cone::Cone(const Terms& terms, TermId top)
+    : terms_(terms), top_(top), has_(terms.size()), order_(ConeOf(terms, {&top, 1})) {
+  for (const TermId id : order_) has_[id.index] = true;
 }
 
 uint64_t Cone::Evaluate(std::span<const uint64_t> variables) const {

@@ -7,6 +7,7 @@
 
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
 namespace {
@@ -34,12 +35,6 @@ class Sweeper {
   void Simulate();
   void Refine(TermId one, TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
-  uint64_t Random() {
-    seed_ ^= seed_ << 13;
-    seed_ ^= seed_ >> 7;
-    seed_ ^= seed_ << 17;
-    return seed_;
-  }
   void SweepTerm(TermId id);
   Answer Differ(TermId a, TermId b, uint32_t milliseconds);
   bool Late() const { return Clock::now() >= deadline_; }
@@ -60,7 +55,7 @@ class Sweeper {
   std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
   std::vector<TermId> representative_;
   std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
-  uint64_t seed_ = 0x9E3779B97F4A7C15;
+  Random random_{0x9E3779B97F4A7C15};
 };
 
 void Sweeper::MarkCones() {
@@ -97,16 +92,16 @@ void Sweeper::Simulate() {
   for (int vector = 0; vector < kVectors; ++vector) {
     const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
     EvaluateVector([&](uint32_t, uint8_t width) -> uint64_t {
-      if (width == 1) return (Random() & 255) < density ? 1 : 0;
-      switch (Random() % 4) {
+      if (width == 1) return (random_.Next() & 255) < density ? 1 : 0;
+      switch (random_.Next() % 4) {
         case 0:
           return 0;
         case 1:
-          return Random() % 5;
+          return random_.Next() % 5;
         case 2:
-          return ~uint64_t{0} - Random() % 3;
+          return ~uint64_t{0} - random_.Next() % 3;
         default:
-          return Random();
+          return random_.Next();
       }
     });
   }
@@ -123,7 +118,7 @@ void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
   }
   EvaluateVector([&](uint32_t number, uint8_t width) {
     const auto at = known.find(number);
-    return at != known.end() ? at->second : width == 1 ? Random() & 1 : Random();
+    return at != known.end() ? at->second : width == 1 ? random_.Next() & 1 : random_.Next();
   });
 }
 
