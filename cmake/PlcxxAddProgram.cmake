@@ -76,6 +76,7 @@ function(plcxx_add_program TARGET_NAME)
       list(APPEND COMMAND --compiler ${ARG_COMPILER})
     endif()
     list(APPEND OUTPUTS ${DIRECTORY}/lib${NAME}.a)
+    list(APPEND BYPRODUCTS ${DIRECTORY}/lib${NAME}.objects)
   else()
     set(COMMAND emit)
     set(PARTS 1)
@@ -94,7 +95,7 @@ function(plcxx_add_program TARGET_NAME)
 
   add_custom_command(
     OUTPUT ${OUTPUTS}
-    BYPRODUCTS ${DIRECTORY}/${NAME}.map.json ${DIRECTORY}/${NAME}.report.json
+    BYPRODUCTS ${DIRECTORY}/${NAME}.map.json ${DIRECTORY}/${NAME}.report.json ${BYPRODUCTS}
     COMMAND plcxx::plcxx ${COMMAND} ${ARGUMENTS}
     DEPENDS ${INPUTS} plcxx::plcxx
     DEPFILE ${DIRECTORY}.d

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -113,6 +115,133 @@ TEST(Build, TheSameAgainWritesNothing) {
     const std::string name = std::filesystem::relative(path, work.Path("out")).string();
     EXPECT_EQ(work.Read("out/" + name), work.Read("elsewhere/deeper/" + name)) << name;
   }
+}
+
+/// A compiler that counts its calls for objects.
+std::string CountingCompiler(const Workplace& work) {
+  work.Write("counting-g++", "#!/bin/sh\ncase \"$*\" in *\" -c \"*) echo \"$*\" >> '" + work.Path("compiled") +
+                                 "';; esac\nexec g++ \"$@\"\n");
+  std::filesystem::permissions(work.Path("counting-g++"), std::filesystem::perms::owner_all);
+  return " --compiler '" + work.Path("counting-g++") + "'";
+}
+
+/// How often it compiled since this was asked last.
+size_t Compiled(const Workplace& work) {
+  if (!work.Has("compiled")) return 0;
+  const std::string lines = work.Read("compiled");
+  std::filesystem::remove(work.Path("compiled"));
+  return static_cast<size_t>(std::ranges::count(lines, '\n'));
+}
+
+TEST(Build, AnUnchangedSourceIsNotCompiledAgain) {
+  const Workplace work;
+  std::string text = "$\n";
+  for (int i = 0; i < 3200; ++i)
+    text += "U" + std::to_string(100 + i / 32) + "K" + std::to_string(i % 32) + " = I0A" + std::to_string(i % 8) + "\n";
+  work.Write("p.plc", text);
+  const std::string compiler = CountingCompiler(work);
+  const auto build = [&](const std::string& more) {
+    const Ran ran = RunIn(work, ".", "build p.plc -q --target host -o out" + more + compiler);
+    EXPECT_EQ(ran.code, 0) << ran;
+    return Compiled(work);
+  };
+  const size_t all = build("");
+  EXPECT_GE(all, 3u);
+  const Times before = TimesOf(work.Path("out"));
+  EXPECT_EQ(build(""), 0u);
+  EXPECT_EQ(TimesOf(work.Path("out")), before);
+
+  const size_t edited = text.find("I0A3", text.size() / 2);
+  text.replace(edited, 4, "I0A4");
+  work.Write("p.plc", text);
+  EXPECT_EQ(build(""), 1u);
+  EXPECT_EQ(build(" -O 1"), all);
+  EXPECT_EQ(build(" -O 1"), 0u);
+
+  // A compiler of another time is another compiler.
+  const auto later = std::filesystem::last_write_time(work.Path("counting-g++")) + std::chrono::seconds(2);
+  std::filesystem::last_write_time(work.Path("counting-g++"), later);
+  EXPECT_EQ(build(" -O 1"), all);
+
+  // Neither a library that somebody else wrote nor a record that is damaged is believed.
+  const std::string library = work.Read("out/libp.a");
+  work.Write("out/libp.a", "!<arch>\n");
+  EXPECT_EQ(build(" -O 1"), all);
+  EXPECT_EQ(work.Read("out/libp.a"), library);
+  work.Write("out/libp.objects", "p.o\n\n0 0 p.o\n");
+  EXPECT_EQ(build(" -O 1"), all);
+  std::filesystem::remove(work.Path("out/libp.a"));
+  EXPECT_EQ(build(" -O 1"), all);
+  EXPECT_EQ(work.Read("out/libp.a"), library);
+}
+
+TEST(Build, EachSliceHasItsFigures) {
+  const Workplace work;
+  CopySample(work, kSamples[0]);
+  const std::string command = "build " + std::string(kSamples[0].arguments) +
+                              " --name sample --clock 1MHz -o ../out --target host --set slices=4 ";
+  const Ran ran = RunIn(work, "sample", command);
+  ASSERT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("\n    slice 3 "));
+  const auto report = nlohmann::json::parse(work.Read("out/sample.report.json"));
+  uint64_t fast = 0, slow = 0, period = 0, dearest = 0, sum = 0;
+  for (const auto& partition : report.at("build").at("partitions")) {
+    const uint64_t count = partition.at("instructions");
+    if (partition.at("name") == "fast") fast = count;
+    if (partition.at("name") == "period") period = count;
+    if (partition.at("name") != "slow") continue;
+    slow = count;
+    ASSERT_EQ(partition.at("slices").size(), 4u);
+    for (uint64_t i = 0; i < 4; ++i) {
+      const auto& slice = partition.at("slices")[i];
+      EXPECT_EQ(slice.at("slice"), i);
+      EXPECT_GT(slice.at("cycles"), 0) << slice;
+      EXPECT_GT(slice.at("time_ns"), 0) << slice;
+      EXPECT_LE(slice.at("stack_bytes"), partition.at("stack_bytes")) << slice;
+      EXPECT_LT(slice.at("code_bytes"), partition.at("code_bytes")) << slice;
+      EXPECT_TRUE(slice.at("not_whole").empty()) << slice;
+      dearest = std::max(dearest, slice.at("instructions").get<uint64_t>());
+      sum += slice.at("instructions").get<uint64_t>();
+    }
+  }
+  EXPECT_EQ(dearest, slow);
+  EXPECT_LT(sum, 3 * slow);
+  EXPECT_GT(period, fast + slow);
+  // The statements that the error names are those of the slice.
+  const Ran above = RunIn(work, "sample", command + "--max-slow-us 1000");
+  EXPECT_EQ(above.code, 1) << above;
+  EXPECT_THAT(above.errors, HasSubstr("partition 'slow, slice 0' takes "));
+  EXPECT_THAT(above.errors, Not(HasSubstr("slice 2' takes ")));
+}
+
+// PROSTEP: the modules of the loop are the slices. HOST 50: the networks, in equal parts; where jumps lead from one
+// slice to another, each may be as long as the whole.
+TEST(Build, SlicesOfOtherLanguages) {
+  const Workplace work;
+  CopySample(work, kSamples[2]);
+  const Ran mill =
+      RunIn(work, "sample",
+            "build " + std::string(kSamples[2].arguments) + " --target host -o ../mill --max-slow-us 1 --clock 1GHz");
+  EXPECT_EQ(mill.code, 1);
+  EXPECT_THAT(mill.errors, HasSubstr("\n    slice 7 "));
+  EXPECT_THAT(mill.errors, HasSubstr("partition 'slow, slice 1' takes "));
+  EXPECT_THAT(mill.errors, HasSubstr("loop.plc:"));
+  const auto networks = [](const char* jump) {
+    std::string text = "SLOWDIV 2\nOPTION SLICES=SLICED\nSLOW\n";
+    for (int i = 0; i < 8; ++i) {
+      const std::string number = std::to_string(i);
+      text += "NETWORK \"n" + number + "\"\nLD %I" + number + "\nOUT %Q" + number + "\n" + (i == 1 ? jump : "");
+    }
+    return text + "END_SLOW\n";
+  };
+  work.Write("choice.il", networks(""));
+  const Ran choice = RunIn(work, ".", "build choice.il --target host -o choice");
+  EXPECT_EQ(choice.code, 0) << choice;
+  EXPECT_THAT(choice.errors, HasSubstr("\n    slice 1 "));
+  work.Write("joined.il", networks("LBL J7\n"));
+  const Ran joined = RunIn(work, ".", "build joined.il --target host -o joined");
+  EXPECT_EQ(joined.code, 0) << joined;
+  EXPECT_THAT(joined.errors, HasSubstr("slow: jumps lead from slice to slice"));
 }
 
 TEST(Build, ClangTakesThePlaceOfGcc) {

@@ -4,12 +4,15 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "transpiler/compile/child_process.h"
+#include "transpiler/compile/known_objects.h"
 #include "transpiler/compile/runtime_files.h"
+#include "transpiler/support/sha256.h"
 
 namespace plcxx::compile {
 namespace {
@@ -40,6 +43,44 @@ bool WriteSources(const LibraryRequest& request, std::vector<std::string>& sourc
   return written;
 }
 
+std::string BytesOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// The objects of the library, with what they are made of; `bytes` is empty of those that are to be compiled.
+KnownObjects TakeUnchanged(const LibraryRequest& request) {
+  namespace fs = std::filesystem;
+  const std::string common = CommonInputs(*request.toolchain, *request.files);
+  KnownObjects objects;
+  for (const emit::OutputFile& file : *request.files) {
+    if (!file.name.ends_with(".cpp")) continue;
+    const std::string object = ObjectName(file.name);
+    objects[object].inputs = InputsOf(*request.toolchain, *request.target, request.level, file, object, common);
+  }
+  const fs::path library = fs::path(request.previous) / ("lib" + request.name);
+  const KnownObjects known = ReadRecord(BytesOf(library.string() + ".objects"));
+  std::vector<std::string> wanted;
+  for (const auto& [name, object] : objects) {
+    const auto found = known.find(name);
+    if (found != known.end() && found->second.inputs == object.inputs) wanted.push_back(name);
+  }
+  if (wanted.empty()) return objects;
+  // What the archiver does not find stays to be compiled; what it gives is looked at.
+  TakeObjects(request.toolchain->archiver, library.string() + ".a", wanted, request.directory);
+  for (const std::string& name : wanted) {
+    const fs::path place = fs::path(request.directory) / name;
+    const std::string& bytes = known.at(name).bytes;
+    std::error_code failed;
+    if (support::Sha256(BytesOf(place)) == bytes) {
+      objects[name].bytes = bytes;
+    } else {
+      fs::remove(place, failed);
+    }
+  }
+  return objects;
+}
+
 /// Compiles all of them, `jobs` at a time; the fault of the first one that has any.
 std::optional<RefusedSource> CompileAll(const LibraryRequest& request, const std::vector<std::string>& sources) {
   std::atomic<size_t> next = 0;
@@ -58,7 +99,7 @@ std::optional<RefusedSource> CompileAll(const LibraryRequest& request, const std
     }
   };
   std::vector<std::thread> workers;
-  const size_t count = std::clamp<size_t>(request.jobs, 1, sources.size());
+  const size_t count = std::clamp<size_t>(request.jobs, 1, std::max<size_t>(sources.size(), 1));
   for (size_t i = 1; i < count; ++i) workers.emplace_back(work);
   work();
   for (std::thread& worker : workers) worker.join();
@@ -73,10 +114,20 @@ std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& reques
   if (!WriteSources(request, sources)) {
     return RefusedSource{"", "cannot write into the temporary directory " + request.directory, ""};
   }
+  KnownObjects objects = TakeUnchanged(request);
+  std::vector<std::string> changed;
+  for (const std::string& source : sources) {
+    if (objects.at(ObjectName(source)).bytes.empty()) changed.push_back(source);
+  }
   request.progress("compiling");
-  if (auto fault = CompileAll(request, sources)) return *fault;
+  if (auto fault = CompileAll(request, changed)) return *fault;
+  for (const std::string& source : changed) {
+    const std::string object = ObjectName(source);
+    objects.at(object).bytes = support::Sha256(BytesOf(std::filesystem::path(request.directory) / object));
+  }
 
   Library library;
+  library.record = RecordText(objects);
   library.archive = "lib" + request.name + ".a";
   std::vector<std::string> command = {request.toolchain->archiver, "rcsD", library.archive};
   for (const std::string& source : sources) {

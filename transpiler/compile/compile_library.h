@@ -21,6 +21,7 @@ struct LibraryRequest {
   unsigned jobs = 1;                                     // compilers at the same time
   const std::vector<emit::OutputFile>* files = nullptr;  // those that end in .hpp and .cpp count
   std::string directory;                                 // exists, empty
+  std::string previous;  // directory that may hold the library of an earlier build; empty: the current one
   std::function<void(std::string_view)> progress;
 };
 
@@ -33,6 +34,7 @@ struct RefusedSource {
 struct Library {
   std::vector<std::string> objects;  // names below the request's directory
   std::string archive;               // likewise
+  std::string record;                // the text of lib<name>.objects, for the next build (known_objects.h)
 };
 
 std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& request);

@@ -22,8 +22,17 @@ std::string Unbounded(const std::string& function, const std::string& where) {
 
 }  // namespace
 
-Measurement::Measurement(const ProgramCode& code, const LoopBounds& bounds)
-    : code_(code), bounds_(bounds), own_(code.function_count()) {}
+Measurement::Measurement(const ProgramCode& code, const LoopBounds& bounds, std::vector<bool> impossible)
+    : code_(code), bounds_(bounds), impossible_(std::move(impossible)), own_(code.function_count()) {
+  impossible_.resize(code.function_count());
+}
+
+bool Measurement::IsPossible(uint32_t caller, const CodeBlock& block) const {
+  return std::ranges::none_of(block.calls, [&](const CodeCall& call) {
+    const uint32_t callee = code_.Callee(caller, call);
+    return callee != kNoFunction && impossible_[callee];
+  });
+}
 
 const Measurement::Own& Measurement::Measure(uint32_t id) {
   Own& own = own_[id];
@@ -32,6 +41,11 @@ const Measurement::Own& Measurement::Measure(uint32_t id) {
   const CodeFunction& function = code_.Function(id);
   std::vector<PathNode> cycles, instructions;
   for (const CodeBlock& block : function.blocks) {
+    if (!IsPossible(id, block)) {  // no path leads through it: nothing is behind it, and it does not leave
+      cycles.emplace_back();
+      instructions.emplace_back();
+      continue;
+    }
     PathNode node{.cost = block.cycles_k, .successors = {}, .leaves = block.leaves};
     for (const CodeEdge& edge : block.successors) node.successors.push_back({edge.block, edge.cycles_k});
     PathNode counted{.cost = block.instructions, .successors = node.successors, .leaves = block.leaves};
@@ -68,11 +82,14 @@ uint64_t Measurement::StackOf(uint32_t id) {
   const CodeFunction& function = code_.Function(id);
   uint64_t deepest = function.frame_bytes;
   for (const CodeBlock& block : function.blocks) {
+    if (!IsPossible(id, block)) continue;
     for (const CodeCall& call : block.calls) {
       const uint32_t callee = code_.Callee(id, call);
       if (callee == kNoFunction) continue;
       // What is jumped to as the last thing finds the stack as this function did.
-      deepest = std::max(deepest, StackOf(callee) + (call.tail ? 0 : function.frame_bytes));
+      const uint64_t bytes = StackOf(callee) + (call.tail ? 0 : function.frame_bytes);
+      if (bytes > deepest) own.deepest_callee = callee;
+      deepest = std::max(deepest, bytes);
     }
   }
   own.open = false;
@@ -84,6 +101,10 @@ Figures Measurement::From(uint32_t entry, const std::map<uint32_t, uint64_t>& bu
   Figures figures;
   figures.longest = Measure(entry).longest;
   figures.stack_bytes = StackOf(entry);
+  for (uint32_t id = entry; id != kNoFunction && figures.deepest.size() < code_.function_count();
+       id = own_[id].deepest_callee) {
+    figures.deepest.push_back({code_.Name(id), code_.Function(id).frame_bytes});
+  }
   std::map<uint32_t, Path> dearest;  // round, by budget
   std::vector<uint32_t> reached = {entry};
   std::vector<bool> seen(code_.function_count());
@@ -101,6 +122,7 @@ Figures Measurement::From(uint32_t entry, const std::map<uint32_t, uint64_t>& bu
       if (!budgets.contains(budget)) figures.not_whole.insert(words);
     if (!function.frame_known) figures.not_whole.insert("the stack of " + code_.Name(id) + " is not known");
     for (const CodeBlock& block : function.blocks) {
+      if (!IsPossible(id, block)) continue;
       for (const CodeCall& call : block.calls) {
         const uint32_t callee = code_.Callee(id, call);
         if (callee == kNoFunction) {

@@ -46,9 +46,15 @@ struct Path {
   uint64_t cycles = 0;        // saturates
 };
 
+struct StackFrame {
+  std::string function;  // as the source calls it
+  uint64_t bytes = 0;    // its own, return address included
+};
+
 struct Figures {
   Path longest;
   uint64_t stack_bytes = 0;
+  std::vector<StackFrame> deepest;  // the calls that take them, from the partition on
   uint64_t code_bytes = 0;          // of all functions that can be reached
   uint64_t shared_rounds = 0;       // of the budgets that its loops take from
   std::set<std::string> host;       // functions called that no object has, as the source calls them
@@ -57,7 +63,8 @@ struct Figures {
 
 class Measurement {
  public:
-  Measurement(const ProgramCode& code, const LoopBounds& bounds);
+  /// `impossible`, by function: none of the paths that are measured calls it. Empty: all may be called.
+  Measurement(const ProgramCode& code, const LoopBounds& bounds, std::vector<bool> impossible = {});
 
   /// From a function on, with all that it calls. Calls in circles count once: the audit refuses them. `budgets`: how
   /// many rounds the loops of a budget make together, all of them as dear as the dearest one.
@@ -67,6 +74,7 @@ class Measurement {
   struct Own {
     Path longest;
     std::optional<uint64_t> stack_bytes;
+    uint32_t deepest_callee = kNoFunction;
     std::set<std::string> not_whole;                                // callees excluded
     std::map<uint32_t, uint64_t> round_instructions, round_cycles;  // by budget: the dearest round
     std::map<uint32_t, std::string> budget_loops;                   // one for each budget, in words
@@ -75,10 +83,12 @@ class Measurement {
   };
   const Own& Measure(uint32_t function);
   uint64_t StackOf(uint32_t function);
+  bool IsPossible(uint32_t caller, const CodeBlock& block) const;
 
   const ProgramCode& code_;
   const LoopBounds& bounds_;
-  std::vector<Own> own_;  // by function
+  std::vector<bool> impossible_;  // by function
+  std::vector<Own> own_;          // likewise
 };
 
 }  // namespace plcxx::compile

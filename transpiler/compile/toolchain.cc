@@ -107,8 +107,12 @@ std::vector<std::string> CompileCommand(const Toolchain& toolchain, const Target
   for (const std::string& flag : FlagsOf(target)) command.push_back(flag);
   command.push_back("-O" + level);
   for (const std::string_view flag : kFlags) command.emplace_back(flag);
-  // GCC would split a function in two, and the measurement takes functions as wholes.
-  if (!toolchain.is_clang) command.emplace_back("-fno-reorder-blocks-and-partition");
+  // GCC would split a function in two, and call one function for another one of the same code: the measurement takes
+  // functions as wholes, and tells slices apart by what they call.
+  if (!toolchain.is_clang) {
+    command.emplace_back("-fno-reorder-blocks-and-partition");
+    command.emplace_back("-fno-ipa-icf");
+  }
   command.push_back("-ffile-prefix-map=" + directory + "=.");
   command.insert(command.end(), {"-I", ".", "-c", source, "-o", object});
   return command;

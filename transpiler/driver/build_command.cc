@@ -56,9 +56,11 @@ The report, NAME.report.json, gets an object "build":
     not_counted          host functions and support routines that it calls
     shared_rounds        of loops that the control's limit on rounds bounds together: all of them are in the figures
     not_whole            what is missing from the figures, in words; an error where a limit of time is given
+    slices               of a sliced part, the same for each slice; the figures of the part bound all of them
   code_bytes, constant_bytes            of the library
   retentive_bytes, volatile_bytes       of one State
-Files are written whole or not at all; a file that would not change keeps its time.
+Files are written whole or not at all; a file that would not change keeps its time. A source is compiled again when it,
+a header, the options or the compiler changed: libNAME.objects says what the objects in libNAME.a were made of.
 Exit codes: 0 built, 1 the program has errors or the audit found some (nothing written), 2 wrong use, 3 a fault of plcxx.)";
 
 struct BuildSettings {
@@ -135,6 +137,7 @@ class Build {
                                              .jobs = Jobs(),
                                              .files = &files_,
                                              .directory = directory.path(),
+                                             .previous = settings_.output.directory,
                                              .progress = [this](std::string_view text) { progress_.Show(text); }});
     if (const auto* refused = std::get_if<compile::RefusedSource>(&compiled)) {
       progress_.Clear();
@@ -147,6 +150,7 @@ class Build {
     const auto& library = std::get<compile::Library>(compiled);
     if (!settings_.no_audit) Examine(directory.path(), library, emittable);
     files_.push_back({library.archive, BytesOf(std::filesystem::path(directory.path()) / library.archive)});
+    files_.push_back({"lib" + compilation_.name + ".objects", library.record});
     return compilation_.ok();
   }
 
@@ -161,7 +165,7 @@ class Build {
     if (!compilation_.ok()) return;  // of code that must not be, figures mean nothing
     progress_.Show("measuring");
     figures_ = Measure(*code, emittable, files_);
-    CheckLimits(*figures_, settings_.limits, clock_hz_, compilation_);
+    CheckLimits(*figures_, settings_.limits, clock_hz_, emittable, compilation_);
   }
 
   void Write() {

@@ -5,7 +5,9 @@
 #include "transpiler/compile/audit_module.h"
 #include "transpiler/compile/audit_rules.h"
 #include "transpiler/driver/build_budgets.h"
+#include "transpiler/driver/build_slices.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/slices.h"
 
 namespace plcxx::driver {
 namespace {
@@ -123,7 +125,19 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
     const uint32_t function = code.Find(Qualified(emittable, routine.name));
     if (function == compile::kNoFunction) continue;
     const ir::RoutineId id(i);
-    figures.partitions.push_back({routine.name, id, measurement.From(function, BudgetRounds(program, id))});
+    const std::map<uint32_t, uint64_t> budgets = BudgetRounds(program, id);
+    PartitionFigures partition{.name = routine.name,
+                               .routine = id,
+                               .figures = measurement.From(function, budgets),
+                               .slices = {},
+                               .slices_join = false};
+    for (const SliceCode& slice : SlicesOf(code, emittable, id)) {
+      compile::Measurement one(code, bounds, slice.impossible);
+      partition.slices.push_back({slice.slice, slice.piece, one.From(function, budgets)});
+    }
+    // One that emission has not cut (ir::Routine::sliced) has one slice.
+    partition.slices_join = partition.slices.empty() && ir::TakesSlice(routine) && !routine.sliced;
+    figures.partitions.push_back(std::move(partition));
   }
   return figures;
 }

@@ -15,10 +15,18 @@
 
 namespace plcxx::driver {
 
+struct SliceFigures {
+  uint64_t slice = 0;
+  ir::RegionId piece;  // of the program
+  compile::Figures figures;
+};
+
 struct PartitionFigures {
   std::string name;  // "fast"
   ir::RoutineId routine;
-  compile::Figures figures;
+  compile::Figures figures;          // of a sliced one: a bound on each slice
+  std::vector<SliceFigures> slices;  // ascending
+  bool slices_join = false;          // jumps lead from slice to slice, so that each may be as long as the whole
 };
 
 struct BuildFigures {

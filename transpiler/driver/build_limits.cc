@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "transpiler/cost/cost_model.h"
+#include "transpiler/driver/build_slices.h"
+#include "transpiler/ir/builder.h"
+#include "transpiler/ir/slices.h"
+#include "transpiler/ir/uses.h"
 
 namespace plcxx::driver {
 namespace {
@@ -13,35 +18,88 @@ namespace {
 constexpr uint64_t kNsPerUs = 1000;
 constexpr size_t kStatementsNamed = 3;
 
-/// The statements that the cost model prices highest, dearest first: by time, or by code.
-std::vector<cost::StatementCost> Costliest(const ir::Program& program, const std::vector<ir::RoutineId>& routines,
-                                           uint64_t cost::Cost::* price) {
-  std::vector<cost::StatementCost> all;
-  for (const ir::RoutineId routine : routines) {
-    const std::vector<cost::StatementCost> own = cost::EstimateRoutine(program, routine).statements;
-    all.insert(all.end(), own.begin(), own.end());
+using Price = uint64_t cost::Cost::*;
+
+/// The statements that the cost model prices highest, dearest first: by time, or by code. Those of `regions` (by
+/// RegionId) alone.
+std::vector<ir::StatementId> Costliest(const ir::Program& program, const std::vector<bool>& regions, Price price) {
+  std::set<uint32_t> inside;
+  for (uint32_t i = 0; i < regions.size(); ++i) {
+    if (!regions[i]) continue;
+    for (const ir::InstId id : program.regions[ir::RegionId(i)].insts) {
+      if (program[id].op == ir::OpKind::kStatement) inside.insert(program[id].payload);
+    }
   }
-  std::ranges::stable_sort(all, std::greater(), [price](const cost::StatementCost& cost) { return cost.own.*price; });
-  if (all.size() > kStatementsNamed) all.resize(kStatementsNamed);
-  return all;
+  std::vector<cost::StatementCost> all;
+  for (uint32_t i = 0; i < program.routines.size() && !inside.empty(); ++i) {
+    for (const cost::StatementCost& row : cost::EstimateRoutine(program, ir::RoutineId(i)).statements) {
+      if (inside.contains(row.statement.index)) all.push_back(row);
+    }
+  }
+  std::ranges::stable_sort(all, std::greater(), [price](const cost::StatementCost& row) { return row.own.*price; });
+  std::vector<ir::StatementId> first;
+  for (size_t i = 0; i < std::min(all.size(), kStatementsNamed); ++i) first.push_back(all[i].statement);
+  return first;
+}
+
+ir::StatementId FirstStatement(const ir::Program& program, ir::RegionId region, uint32_t begin, uint32_t end) {
+  ir::StatementId first;
+  const auto take = [&](ir::InstId id) {
+    if (!first.valid() && program[id].op == ir::OpKind::kStatement) first = ir::StatementId(program[id].payload);
+  };
+  for (uint32_t i = begin; i < end && !first.valid(); ++i) {
+    const ir::InstId id = program.regions[region].insts[i];
+    take(id);
+    if (!ir::OwnsRegions(program[id])) continue;
+    for (const ir::RegionId owned : ir::OwnedRegions(program, program[id])) ir::ForEachInst(program, owned, take);
+  }
+  return first;
+}
+
+/// Where the functions begin that take most of the deepest stack: the largest frame first.
+std::vector<ir::StatementId> LargestFrames(const emit::Emittable& emittable, std::vector<compile::StackFrame> frames) {
+  const ir::Program& program = *emittable.program;
+  std::ranges::stable_sort(frames, std::greater(), &compile::StackFrame::bytes);
+  std::vector<ir::StatementId> statements;
+  for (const compile::StackFrame& frame : frames) {
+    const std::string prefix = emittable.namespace_name + "::";
+    const std::string name = frame.function.starts_with(prefix) ? frame.function.substr(prefix.size()) : "";
+    ir::StatementId first;
+    const auto chunk = std::ranges::find(emittable.chunks, name, &emit::Chunk::name);
+    const auto routine = std::ranges::find(emittable.routine_names, name);
+    if (chunk != emittable.chunks.end()) {
+      first = FirstStatement(program, chunk->region, chunk->begin, chunk->end);
+    } else if (routine != emittable.routine_names.end()) {
+      const auto index = static_cast<uint32_t>(routine - emittable.routine_names.begin());
+      const ir::RegionId body = program.routines[ir::RoutineId(index)].body;
+      const auto size = static_cast<uint32_t>(program.regions[body].insts.size());
+      first = FirstStatement(program, body, 0, size);
+    }
+    if (first.valid() && statements.size() < kStatementsNamed) statements.push_back(first);
+  }
+  return statements;
 }
 
 class LimitCheck {
  public:
-  LimitCheck(const BuildFigures& figures, uint64_t clock_hz, Compilation& compilation)
-      : figures_(figures), clock_hz_(clock_hz), compilation_(compilation) {}
+  LimitCheck(const BuildFigures& figures, uint64_t clock_hz, const emit::Emittable& emittable, Compilation& compilation)
+      : figures_(figures),
+        clock_hz_(clock_hz),
+        emittable_(emittable),
+        program_(compilation.program),
+        diagnostics_(compilation.diagnostics) {}
 
   void Time(ir::RoutineKind kind, std::optional<uint64_t> limit) {
     if (!limit) return;
     // A limit that was not shown to hold is not kept.
-    compilation_.diagnostics.MakeError(diag::NotMeasured.row);
+    diagnostics_.MakeError(diag::NotMeasured.row);
     for (const PartitionFigures& partition : figures_.partitions) {
-      if (compilation_.program.routines[partition.routine].kind != kind) continue;
+      const ir::Routine& routine = program_.routines[partition.routine];
+      if (!IsMeant(routine, kind)) continue;
       Doubt(partition);
-      const uint64_t us = (Nanoseconds(partition.figures.longest.cycles, clock_hz_) + kNsPerUs - 1) / kNsPerUs;
-      if (us <= *limit) continue;
-      const auto statements = Costliest(compilation_.program, {partition.routine}, &cost::Cost::time_ns);
-      Name(compilation_.diagnostics.Report(Range(statements), diag::OverTime, partition.name, us, *limit), statements);
+      if (partition.slices.empty()) Time(partition.name, partition.figures, routine.body, *limit);
+      for (const SliceFigures& slice : partition.slices)
+        Time(partition.name + ", slice " + std::to_string(slice.slice), slice.figures, slice.piece, *limit);
     }
   }
 
@@ -49,39 +107,55 @@ class LimitCheck {
     if (!limit) return;
     for (const PartitionFigures& partition : figures_.partitions) {
       Doubt(partition);
-      if (partition.figures.stack_bytes <= *limit) continue;
-      compilation_.diagnostics.Report({}, diag::OverBytes, "the stack of partition '" + partition.name + "'",
-                                      partition.figures.stack_bytes, *limit);
+      const compile::Figures& own = partition.figures;
+      if (own.stack_bytes <= *limit) continue;
+      const auto statements = LargestFrames(emittable_, own.deepest);
+      Name(diagnostics_.Report(Range(statements), diag::OverBytes, "the stack of partition '" + partition.name + "'",
+                               own.stack_bytes, *limit),
+           statements);
     }
   }
 
   void Code(std::optional<uint64_t> limit) {
     if (!limit || figures_.code_bytes <= *limit) return;
-    std::vector<ir::RoutineId> routines;
-    for (const PartitionFigures& partition : figures_.partitions) routines.push_back(partition.routine);
-    const auto statements = Costliest(compilation_.program, routines, &cost::Cost::code_bytes);
-    Name(compilation_.diagnostics.Report(Range(statements), diag::OverBytes, "the code", figures_.code_bytes, *limit),
-         statements);
+    const auto statements =
+        Costliest(program_, std::vector<bool>(program_.regions.size(), true), &cost::Cost::code_bytes);
+    Name(diagnostics_.Report(Range(statements), diag::OverBytes, "the code", figures_.code_bytes, *limit), statements);
   }
 
  private:
-  source::Range Range(const std::vector<cost::StatementCost>& statements) const {
-    return statements.empty() ? source::Range() : compilation_.program.statements[statements.front().statement].range;
+  /// Where a routine takes a slice, it is the slow part, with all that it calls.
+  bool IsMeant(const ir::Routine& routine, ir::RoutineKind kind) const {
+    const bool sliced = std::ranges::any_of(figures_.partitions, [this](const PartitionFigures& other) {
+      return ir::TakesSlice(program_.routines[other.routine]);
+    });
+    return kind == ir::RoutineKind::kSlow && sliced ? ir::TakesSlice(routine) : routine.kind == kind;
   }
-  void Name(diag::Diagnostic& reported, const std::vector<cost::StatementCost>& statements) const {
+  void Time(const std::string& name, const compile::Figures& own, ir::RegionId from, uint64_t limit) {
+    const uint64_t us = (Nanoseconds(own.longest.cycles, clock_hz_) + kNsPerUs - 1) / kNsPerUs;
+    if (us <= limit) return;
+    const auto statements = Costliest(program_, RegionsFrom(program_, from), &cost::Cost::time_ns);
+    Name(diagnostics_.Report(Range(statements), diag::OverTime, name, us, limit), statements);
+  }
+  source::Range Range(const std::vector<ir::StatementId>& statements) const {
+    return statements.empty() ? source::Range() : program_.statements[statements.front()].range;
+  }
+  void Name(diag::Diagnostic& reported, const std::vector<ir::StatementId>& statements) const {
     for (size_t i = 1; i < statements.size(); ++i) {
-      reported.notes.push_back({compilation_.program.statements[statements[i].statement].range, "costly, too"});
+      reported.notes.push_back({program_.statements[statements[i]].range, "costly, too"});
     }
   }
   void Doubt(const PartitionFigures& partition) {
     for (const std::string& missing : partition.figures.not_whole) {
-      compilation_.diagnostics.Report({}, diag::NotMeasured, partition.name, missing);
+      diagnostics_.Report({}, diag::NotMeasured, partition.name, missing);
     }
   }
 
   const BuildFigures& figures_;
   uint64_t clock_hz_;
-  Compilation& compilation_;
+  const emit::Emittable& emittable_;
+  const ir::Program& program_;
+  diag::Engine& diagnostics_;
 };
 
 }  // namespace
@@ -105,8 +179,9 @@ std::optional<uint64_t> ParseClock(std::string_view text) {
   return static_cast<uint64_t>(std::llround(hz));
 }
 
-void CheckLimits(const BuildFigures& figures, const BuildLimits& limits, uint64_t clock_hz, Compilation& compilation) {
-  LimitCheck check(figures, clock_hz, compilation);
+void CheckLimits(const BuildFigures& figures, const BuildLimits& limits, uint64_t clock_hz,
+                 const emit::Emittable& emittable, Compilation& compilation) {
+  LimitCheck check(figures, clock_hz, emittable, compilation);
   check.Time(ir::RoutineKind::kFast, limits.fast_us);
   check.Time(ir::RoutineKind::kSlow, limits.slow_us);
   check.Stack(limits.stack_bytes);

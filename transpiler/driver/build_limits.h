@@ -19,6 +19,7 @@ struct BuildLimits {
 std::optional<uint64_t> ParseClock(std::string_view text);
 
 /// Reports what is above a limit, at the costliest statements; and what a limit was compared with but is not whole.
-void CheckLimits(const BuildFigures& figures, const BuildLimits& limits, uint64_t clock_hz, Compilation& compilation);
+void CheckLimits(const BuildFigures& figures, const BuildLimits& limits, uint64_t clock_hz,
+                 const emit::Emittable& emittable, Compilation& compilation);
 
 }  // namespace plcxx::driver

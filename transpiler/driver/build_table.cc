@@ -61,6 +61,26 @@ std::string SharedRounds(const BuildFigures& figures) {
   return text;
 }
 
+/// "us" rounded up to tenths, where the clock is known.
+std::string TableRow(const std::string& name, size_t width, const compile::Figures& own, uint64_t clock_hz) {
+  std::string text = "  " + Left(name, width) + Right(own.longest.instructions, 16) + Right(own.longest.cycles, 10);
+  if (clock_hz != 0) text += Right(Microseconds(Nanoseconds(own.longest.cycles, clock_hz)), 10);
+  return text + Right(own.stack_bytes, 10) + Right(own.code_bytes, 10) + "\n";
+}
+
+void AddFigures(nlohmann::ordered_json& row, const compile::Figures& own, uint64_t clock_hz) {
+  row["instructions"] = own.longest.instructions;
+  row["cycles"] = own.longest.cycles;
+  row["stack_bytes"] = own.stack_bytes;
+  row["code_bytes"] = own.code_bytes;
+  row["not_counted"] = own.host;
+  row["not_whole"] = own.not_whole;
+  if (own.shared_rounds != 0) row["shared_rounds"] = own.shared_rounds;
+  if (clock_hz != 0) row["time_ns"] = Nanoseconds(own.longest.cycles, clock_hz);
+}
+
+std::string SliceName(const SliceFigures& slice) { return "  slice " + std::to_string(slice.slice); }
+
 }  // namespace
 
 uint64_t Nanoseconds(uint64_t cycles, uint64_t clock_hz) {
@@ -78,13 +98,13 @@ nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& wa
   build["timing"] = figures.timing;
   build["partitions"] = nlohmann::ordered_json::array();
   for (const PartitionFigures& partition : figures.partitions) {
-    const compile::Figures& own = partition.figures;
-    nlohmann::ordered_json row = {{"name", partition.name},       {"instructions", own.longest.instructions},
-                                  {"cycles", own.longest.cycles}, {"stack_bytes", own.stack_bytes},
-                                  {"code_bytes", own.code_bytes}, {"not_counted", own.host},
-                                  {"not_whole", own.not_whole}};
-    if (own.shared_rounds != 0) row["shared_rounds"] = own.shared_rounds;
-    if (way.clock_hz != 0) row["time_ns"] = Nanoseconds(own.longest.cycles, way.clock_hz);
+    nlohmann::ordered_json row = {{"name", partition.name}};
+    AddFigures(row, partition.figures, way.clock_hz);
+    for (const SliceFigures& slice : partition.slices) {
+      nlohmann::ordered_json piece = {{"slice", slice.slice}};
+      AddFigures(piece, slice.figures, way.clock_hz);
+      row["slices"].push_back(std::move(piece));
+    }
     build["partitions"].push_back(std::move(row));
   }
   build["code_bytes"] = figures.code_bytes;
@@ -97,15 +117,17 @@ nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& wa
 std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const std::string& program) {
   const bool timed = way.clock_hz != 0;
   size_t width = 10;
-  for (const PartitionFigures& partition : figures.partitions) width = std::max(width, partition.name.size() + 1);
+  for (const PartitionFigures& partition : figures.partitions) {
+    width = std::max(width, partition.name.size() + 1);
+    for (const SliceFigures& slice : partition.slices) width = std::max(width, SliceName(slice).size() + 1);
+  }
   std::string text = program + " for " + std::string(way.target->name) + ", " + way.toolchain->version + ", -O" +
                      way.level + "\n  " + Left("longest path", width + 4) + "instructions    cycles" +
                      (timed ? "        us" : "") + "     stack      code\n";
   for (const PartitionFigures& partition : figures.partitions) {
-    const compile::Figures& own = partition.figures;
-    text += "  " + Left(partition.name, width) + Right(own.longest.instructions, 16) + Right(own.longest.cycles, 10);
-    if (timed) text += Right(Microseconds(Nanoseconds(own.longest.cycles, way.clock_hz)), 10);
-    text += Right(own.stack_bytes, 10) + Right(own.code_bytes, 10) + "\n";
+    text += TableRow(partition.name, width, partition.figures, way.clock_hz);
+    for (const SliceFigures& slice : partition.slices)
+      text += TableRow(SliceName(slice), width, slice.figures, way.clock_hz);
   }
   text += "  code " + std::to_string(figures.code_bytes) + ", constants " + std::to_string(figures.constant_bytes) +
           ", retentive " + std::to_string(figures.retentive_bytes) + ", volatile " +
@@ -113,6 +135,10 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
   text += "  cycles: " + figures.timing;
   if (timed) text += "; " + std::to_string(way.clock_hz / kHzPerMhz) + " MHz";
   text += "\n";
+  for (const PartitionFigures& partition : figures.partitions) {
+    if (partition.slices_join)
+      text += "  " + partition.name + ": jumps lead from slice to slice, each may take as long as its row says\n";
+  }
   const Exclusions excluded = ExclusionsOf(figures);
   if (!excluded.host.empty()) text += "  not counted, host functions: " + Joined(excluded.host) + "\n";
   if (!excluded.support.empty()) text += "  not counted, support routines: " + Joined(excluded.support) + "\n";

@@ -83,10 +83,12 @@ std::string PartPrinter::Prototype(const std::string& head, const Locals& locals
   return text + ") noexcept;\n";
 }
 
-/// What stands before the type of a routine. A subroutine of a program in one file is nobody else's.
+/// What stands before the type of a routine. A subroutine of a program in one file is nobody else's. One that a slice
+/// calls stays a function, as the chunks of slices do.
 std::string PartPrinter::Linkage(ir::RoutineId id, const std::vector<bool>& called) const {
-  if (emittable_.parts.size() > 1 || !SharesLocals(program_.routines[id].kind)) return "";
-  return called[id.index] ? "static " : "[[maybe_unused]] static ";
+  const std::string whole = emittable_.called_by_slice[id.index] ? "[[gnu::noinline]] " : "";
+  if (emittable_.parts.size() > 1 || !SharesLocals(program_.routines[id].kind)) return whole;
+  return whole + (called[id.index] ? "static " : "[[maybe_unused]] static ");
 }
 
 void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {

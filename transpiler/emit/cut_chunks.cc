@@ -5,6 +5,8 @@
 // Which statements a border lies behind follows from the statements' own texts (their ids), so that inserting one moves
 // the borders next to it at most. Values never cross a statement, so any statement's end can be a border. What leaves a
 // block or loop around the region stays where it is, for no jump leads out of a function; its neighbours may be chunks.
+// The statements of a slice are functions of their own however few they are: what is called tells what a slice
+// executes.
 
 #include <algorithm>
 #include <unordered_set>
@@ -15,6 +17,7 @@
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/items.h"
+#include "transpiler/ir/slices.h"
 
 namespace plcxx::emit {
 namespace {
@@ -39,10 +42,13 @@ struct Cutter {
   bool Stays(ir::RegionId region, const ir::Item& item) const;
   void VisitNested(ir::RegionId region, const ir::Item& item);
   void Visit(ir::RegionId region);
-  void Cut(ir::RegionId region);
-  std::vector<bool> BordersOf(ir::RegionId region, const std::vector<ir::Item>& items, const std::vector<bool>& stays);
+  enum class Stretches : uint8_t { kLongOnes, kAll };  // which become functions between two that stay
+  void Cut(ir::RegionId region, Stretches which = Stretches::kLongOnes);
+  std::vector<bool> BordersOf(ir::RegionId region, const std::vector<ir::Item>& items, const std::vector<bool>& stays,
+                              Stretches which);
   void AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last, uint32_t count,
                 size_t first_nested);
+  void CutPiece(ir::RegionId region);
 };
 
 void Cutter::Measure(ir::RegionId region, uint32_t at_depth) {
@@ -120,8 +126,8 @@ void Cutter::Visit(ir::RegionId region) {
 
 /// By item: whether a function ends with it.
 std::vector<bool> Cutter::BordersOf(ir::RegionId region, const std::vector<ir::Item>& items,
-                                    const std::vector<bool>& stays) {
-  const bool whole = std::ranges::none_of(stays, [](bool stay) { return stay; });
+                                    const std::vector<bool>& stays, Stretches which) {
+  const bool whole = which == Stretches::kAll || std::ranges::none_of(stays, [](bool stay) { return stay; });
   std::vector<bool> borders(items.size());
   for (size_t first = 0; first < items.size();) {
     std::vector<BorderCandidate> stretch;
@@ -143,11 +149,11 @@ std::vector<bool> Cutter::BordersOf(ir::RegionId region, const std::vector<ir::I
   return borders;
 }
 
-void Cutter::Cut(ir::RegionId region) {
+void Cutter::Cut(ir::RegionId region, Stretches which) {
   const std::vector<ir::Item> items = ir::Items(program, region);
   std::vector<bool> stays;
   for (const ir::Item& item : items) stays.push_back(Stays(region, item));
-  const std::vector<bool> borders = BordersOf(region, items, stays);
+  const std::vector<bool> borders = BordersOf(region, items, stays, which);
   size_t first = 0;
   size_t first_nested = emittable.chunks.size();
   uint32_t count = 0;
@@ -199,11 +205,37 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
   emittable.chunks.push_back(std::move(chunk));
 }
 
+/// A piece of a sliced routine; and what it calls beside the functions of its statements.
+void Cutter::CutPiece(ir::RegionId region) {
+  Cut(region, Stretches::kAll);
+  const std::vector<ir::InstId>& insts = program.regions[region].insts;
+  const auto note = [&](ir::InstId id) {
+    const ir::Inst& inst = program[id];
+    if (inst.op == ir::OpKind::kCall)
+      emittable.called_by_slice[program.calls[ir::CallId(inst.payload)].routine.index] = true;
+  };
+  uint32_t at = 0;
+  const auto note_until = [&](uint32_t end) {
+    for (; at < end; ++at) {
+      note(insts[at]);
+      for (const ir::RegionId owned : ir::OwnedRegions(program, program[insts[at]])) {
+        ir::ForEachInst(program, owned, note);
+      }
+    }
+  };
+  for (const uint32_t chunk : emittable.region_chunks[region.index]) {
+    note_until(emittable.chunks[chunk].begin);
+    at = emittable.chunks[chunk].end;
+  }
+  note_until(static_cast<uint32_t>(insts.size()));
+}
+
 }  // namespace
 
 void CutChunks(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.region_chunks.assign(program.regions.size(), {});
+  emittable.called_by_slice.assign(program.routines.size(), false);
   Cutter cutter{.emittable = emittable,
                 .program = program,
                 .statements = std::vector<uint32_t>(program.regions.size()),
@@ -224,7 +256,11 @@ void CutChunks(Emittable& emittable) {
     const ir::RegionId body = program.routines[ir::RoutineId(i)].body;
     if (!body.valid()) continue;
     cutter.routine = ir::RoutineId(i);
-    cutter.Visit(body);
+    const std::vector<ir::SlicePiece> pieces = ir::SlicePieces(program, cutter.routine);
+    for (const ir::SlicePiece& piece : pieces) {
+      if (emittable.region_chunks[piece.region.index].empty()) cutter.CutPiece(piece.region);
+    }
+    if (pieces.empty()) cutter.Visit(body);
   }
 }
 

@@ -105,6 +105,7 @@ struct Emittable {
   std::unordered_map<uint32_t, Landing> landings;  // by InstId, of blocks and loops that have anything
   std::vector<std::string> functions;              // of runtime_support that expressions call, sorted
   std::vector<bool> host_used;                     // by HostFunctionId
+  std::vector<bool> called_by_slice;               // by RoutineId: a piece of a sliced routine calls it
 };
 
 /// `program` is structured, sliced and optimized, and outlives the result.

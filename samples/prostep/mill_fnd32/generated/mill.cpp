@@ -602,7 +602,7 @@ to_F5_6:;
 }
 
 // PM 9: loop module, while F 251.0 is 1.
-void PM9(State& m, Host&) noexcept {
+[[gnu::noinline]] void PM9(State& m, Host&) noexcept {
   // ; === PM 9: zalaczanie, hydraulika, zezwolenia, wrzeciono ======================
   // :MOD PM 9
   // :A I 3.0             przycisk hydrauliki na pulpicie
@@ -712,7 +712,7 @@ void PM9(State& m, Host&) noexcept {
 }
 
 // PM 10: loop module, while F 251.1 is 1.
-void PM10(State& m, Host& host) noexcept {
+[[gnu::noinline]] void PM10(State& m, Host& host) noexcept {
   uint16_t ax = 0;
   uint32_t nc_value = 0;
 
@@ -1020,7 +1020,7 @@ static void PM21(State& m, uint16_t& ax, Host& host) noexcept {
 }
 
 // PM 12: loop module, while F 251.3 is 1.
-void PM12(State& m, Host&) noexcept {
+[[gnu::noinline]] void PM12(State& m, Host&) noexcept {
   // ; === PM 12: smarowanie, chlodziwo, transporter, oslona =========================
   // :MOD PM 12
   // ; --- smarowanie: co 10 min, na klawisz i po zalaczeniu
@@ -1173,7 +1173,7 @@ void PM12(State& m, Host&) noexcept {
 }
 
 // PM 13: loop module, while F 251.4 is 1.
-void PM13(State& m, Host&) noexcept {
+[[gnu::noinline]] void PM13(State& m, Host&) noexcept {
   uint16_t ax = 0;
 
   // ; === PM 13: liczniki, komunikaty, lampy ========================================
@@ -1281,7 +1281,7 @@ void PM13(State& m, Host&) noexcept {
 }
 
 // PM 11: loop module, while F 251.2 is 1.
-void PM11(State& m, Host& host) noexcept {
+[[gnu::noinline]] void PM11(State& m, Host& host) noexcept {
   bool s = false;
   uint16_t ax = 0;
 
