@@ -22,12 +22,11 @@ SECTIONS {
 }
 """
 
-MAIN = r"""
+# Start, timer and output of both boards: calls Measure() and ends.
+PROCESSOR = r"""
 #include <stddef.h>
 #include <stdint.h>
 extern "C" {
-void reference_scan(uint32_t); void reference_set(uint32_t); uint64_t reference_sum();
-void generated_init(); void generated_scan(uint32_t); void generated_set(uint32_t); uint64_t generated_sum();
 extern uint32_t bss_begin[], bss_end[];
 void* memset(void* to, int value, size_t size) {
   volatile unsigned char* at = static_cast<unsigned char*>(to);
@@ -78,15 +77,34 @@ static void Print(uint64_t value) {
   do { *--at = static_cast<char>('0' + value % 10); value /= 10; } while (value > 0);
   Print(at);
 }
+void Measure();
+extern "C" void run() {
+  for (uint32_t* at = bss_begin; at != bss_end; ++at) *at = 0;
+  StartTicks();
+  Measure();
+#if defined(__arm__)
+  Semihost(0x18, reinterpret_cast<void*>(0x20026));
+#else
+  const uintptr_t done[2] = {0x20026, 0};
+  Semihost(0x18, done);
+#endif
+  for (;;) {}
+}
+"""
+
+# A scan of generated code against the same by hand.
+COMPARISON = r"""
+extern "C" {
+void reference_scan(uint32_t); void reference_set(uint32_t); uint64_t reference_sum();
+void generated_init(); void generated_scan(uint32_t); void generated_set(uint32_t); uint64_t generated_sum();
+}
 static uint64_t total[2], worst[2];
 static void Note(int which, uint32_t ticks) {
   const uint64_t count = static_cast<uint64_t>(ticks) * kInstructions;
   total[which] += count;
   if (count > worst[which]) worst[which] = count;
 }
-extern "C" void run() {
-  for (uint32_t* at = bss_begin; at != bss_end; ++at) *at = 0;
-  StartTicks();
+void Measure() {
   generated_init();
   uint32_t t = 0, seed = 1;
   const uint32_t scans = 200;
@@ -103,13 +121,6 @@ extern "C" void run() {
     if (reference_sum() != generated_sum()) Print("different ");
   }
   for (int which = 0; which < 2; ++which) { Print(total[which] / scans); Print(worst[which]); }
-#if defined(__arm__)
-  Semihost(0x18, reinterpret_cast<void*>(0x20026));
-#else
-  const uintptr_t done[2] = {0x20026, 0};
-  Semihost(0x18, done);
-#endif
-  for (;;) {}
 }
 """
 
@@ -123,29 +134,36 @@ BOARDS = {
     "RV32": {
         "prefix": "riscv64-unknown-elf-",
         "flags": ["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
-        "main": ["-march=rv32imac_zicsr", "-mabi=ilp32", "-mcmodel=medany"],
+        "main": ["-march=rv32imac_zicsr", "-mabi=ilp32", "-mcmodel=medany", "-mno-relax"],
         "link": ("0x80000000", ""),
         "qemu": ["qemu-system-riscv32", "-machine", "virt", "-bios", "none", "-m", "64M"],
     },
 }
 
 
-def instructions(name, directory, sources, count, period):
-    """{"M4 instr/stmt": of the generated scan, its ratio to the one by hand, its worst scan to its mean}; {} without tools."""
+def execute(name, directory, main, objects, flags=()):
+    """What `main`, behind PROCESSOR and linked with the objects, prints on that board; None without tools."""
     board = BOARDS[name]
     if shutil.which(board["prefix"] + "g++") is None or shutil.which(board["qemu"][0]) is None:
-        return {}
-    (directory / "emulated.cpp").write_text(f"#define PERIOD {period}\n" + MAIN)
+        return None
+    (directory / "emulated.cpp").write_text(PROCESSOR + main)
     (directory / "emulated.ld").write_text(LINK % board["link"])
     release = ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-ffreestanding", "-fno-tree-loop-distribute-patterns"]
     compiler = [board["prefix"] + "g++", *release]
-    subprocess.run([*compiler, *board.get("main", board["flags"]), "-c", "emulated.cpp", "-o", "emulated.o"], cwd=directory, check=True)
-    subprocess.run([*compiler, *board["flags"], "-nostartfiles", "-nostdlib", "-Wl,--no-warn-rwx-segments", "-T", "emulated.ld", *[s.stem + ".o" for s in sources],
-                    "emulated.o", "-lgcc", "-o", "emulated.elf"], cwd=directory, check=True)
+    subprocess.run([*compiler, *board.get("main", board["flags"]), *flags, "-c", "emulated.cpp", "-o", "emulated.o"], cwd=directory, check=True)
+    subprocess.run([*compiler, *board["flags"], "-nostartfiles", "-nostdlib", "-Wl,--no-warn-rwx-segments", "-T", "emulated.ld", "emulated.o",
+                    *objects, "-lgcc", "-o", "emulated.elf"], cwd=directory, check=True)
     run = subprocess.run([*board["qemu"], "-icount", "shift=0", "-nographic", "-monitor", "none", "-serial", "none",
                           "-semihosting-config", "enable=on,target=native", "-kernel", "emulated.elf"],
                          cwd=directory, capture_output=True, text=True, timeout=600)
-    text = run.stdout + run.stderr
+    return run.stdout + run.stderr
+
+
+def instructions(name, directory, sources, count, period):
+    """{"M4 instr/stmt": of the generated scan, its ratio to the one by hand, its worst scan to its mean}; {} without tools."""
+    text = execute(name, directory, f"#define PERIOD {period}\n" + COMPARISON, [s.stem + ".o" for s in sources])
+    if text is None:
+        return {}
     if "different" in text:
         raise SystemExit(f"{name}: generated code and the one by hand differ in {directory}")
     numbers = re.findall(r"\d+", text)
