@@ -5,12 +5,30 @@
 #include "transpiler/prove/meaning/meaning.h"
 
 namespace plcxx::prove {
+namespace {
+
+/// By SpaceId: the bytes that places of the program reach.
+std::vector<uint32_t> ReachedBytes(const ir::Program& program) {
+  std::vector<uint32_t> reached(program.spaces.size());
+  for (const ir::Place& place : program.places) {
+    if (place.is_field() || !place.space.valid()) continue;
+    const uint32_t end = place.indexed ? place.high : place.offset + ir::Bytes(place.type);
+    uint32_t& bytes = reached[place.space.index];
+    bytes = std::max(bytes, std::min(end, program.spaces[place.space].bytes));
+  }
+  return reached;
+}
+
+}  // namespace
 
 Cells MakeCells(const ir::Program& program) {
   Cells cells;
-  for (const ir::Space& space : program.spaces) {
+  const std::vector<uint32_t> reached = ReachedBytes(program);
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    const ir::Space& space = program.spaces[ir::SpaceId(i)];
     cells.spaces.push_back(cells.count);
-    cells.count += 8 * space.bytes;
+    cells.bytes.push_back(space.lifetime == ir::Lifetime::kRoutine ? reached[i] : space.bytes);
+    cells.count += 8 * cells.bytes.back();
   }
   for (const ir::StateInstance& state : program.states) {
     cells.states.push_back(cells.count);

@@ -31,6 +31,8 @@ struct Cell {
 
 struct Cells {
   std::vector<uint32_t> spaces;  // by SpaceId: cell of bit 0 of byte 0
+  /// By SpaceId: bytes that have cells; of locals only those that the program names, a front end may reserve far more.
+  std::vector<uint32_t> bytes;
   std::vector<uint32_t> states;  // by StateId: first cell
   uint32_t calls = 0;            // cell of host function 0
   uint32_t count = 0;

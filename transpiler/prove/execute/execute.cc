@@ -12,6 +12,8 @@ Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> a
   return Executor(memory).Run(routine, arguments);
 }
 
+Refusal ExecutePart(Memory& memory, const Stretch& part) { return Executor(memory).RunPart(part); }
+
 Executor::Executor(Memory& memory)
     : memory_(memory),
       terms_(memory.terms()),
@@ -37,6 +39,19 @@ Refusal Executor::Run(ir::RoutineId id, std::span<const TermId> arguments) {
   return std::move(refusal_);
 }
 
+Refusal Executor::RunPart(const Stretch& part) {
+  flow_ = {.active = terms_.Bit(true), .leaving = {}};
+  if (!part.region.valid()) {
+    ExecuteRoutine(program_.routines[part.routine]);
+    return std::move(refusal_);
+  }
+  for (uint32_t i = part.begin; i < part.end && !terms_.IsFalse(flow_.active); ++i) {
+    const ir::InstId id = program_.regions[part.region].insts[i];
+    ExecuteInst(id, program_[id]);
+  }
+  return std::move(refusal_);
+}
+
 void Executor::ExecuteRoutine(const ir::Routine& routine) {
   for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) ExecuteRegion(region);
 }
@@ -45,7 +60,7 @@ void Executor::ClearLocals() {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     if (program_.spaces[space].lifetime != ir::Lifetime::kRoutine) continue;
-    for (uint32_t bit = 0; bit < 8 * program_.spaces[space].bytes; ++bit) {
+    for (uint32_t bit = 0; bit < 8 * memory_.cells().bytes[i]; ++bit) {
       WriteCell(memory_.cells().OfBit(space, bit / 8, static_cast<uint8_t>(bit % 8)), terms_.Bit(false));
     }
   }
@@ -53,10 +68,21 @@ void Executor::ClearLocals() {
 
 void Executor::ExecuteRegion(ir::RegionId region) {
   if (!region.valid()) return;
-  for (const ir::InstId id : program_.regions[region].insts) {
-    if (terms_.IsFalse(flow_.active)) return;
-    ExecuteInst(id, program_[id]);
+  const std::vector<ir::InstId>& insts = program_.regions[region].insts;
+  for (uint32_t at = 0; at < insts.size() && !terms_.IsFalse(flow_.active);) {
+    if (IsReplaced(region, at)) continue;
+    ExecuteInst(insts[at], program_[insts[at]]);
+    ++at;
   }
+}
+
+bool Executor::IsReplaced(ir::RegionId region, uint32_t& at) {
+  ReplacedParts* replaced = memory_.environment().replaced;
+  if (replaced == nullptr) return false;
+  const auto changes = replaced->Part(memory_, region, at);
+  if (!changes) return false;
+  for (const CellChange& change : *changes) WriteCell(change.cell, change.value);
+  return true;
 }
 
 void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
@@ -148,7 +174,7 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       const ir::Space& space = program_.spaces[ir::SpaceId(i)];
       if (space.lifetime != ir::Lifetime::kRoutine) continue;
-      for (uint32_t bit = 0; bit < 8 * space.bytes; ++bit) {
+      for (uint32_t bit = 0; bit < 8 * memory_.cells().bytes[i]; ++bit) {
         const CellId cell(memory_.cells().spaces[i] + bit);
         callers.emplace_back(cell, memory_.Read(cell));
       }
@@ -158,7 +184,13 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
     WritePlace(program_.places[routine.parameter_places[i]], ValueOf(call.arguments[i].index));
   }
-  ExecuteRoutine(routine);
+  ReplacedParts* replaced = memory_.environment().replaced;
+  const auto changes = replaced == nullptr ? std::nullopt : replaced->Call(memory_, call.routine);
+  if (changes) {
+    for (const CellChange& change : *changes) WriteCell(change.cell, change.value);
+  } else {
+    ExecuteRoutine(routine);
+  }
   if (routine.result_place.valid()) values_[id.index] = ReadPlace(program_.places[routine.result_place]);
   for (const auto& [cell, value] : callers) WriteCell(cell, value);
 }
