@@ -3,7 +3,8 @@
 
     bench.py [--plcxx build/bin/plcxx] [--quick] [--dialect nc110] ...
 
-Times are processor seconds of one core. Columns: transpiling (time, time per statement, peak memory), g++ -O2 of the generated code, cost of a scan against the
+Times are processor seconds of one core. Columns: transpiling (time, time per statement, peak memory), g++ -O2 of the generated code, what
+the audit adds to `plcxx build`, cost of a scan against the
 same program written by hand with one byte per bit and 250 statements a function; code size on x86-64, Cortex-M4, RV32, and
 on the latter two the instructions of a scan in the emulator, their ratio, the worst scan against the mean, and the longest path of
 `plcxx build` against the worst scan.
@@ -92,6 +93,20 @@ def longest_path(plcxx, source, target, directory):
     return next(part["instructions"] for part in report["build"]["partitions"] if part["name"] == "period")
 
 
+def audit_share(plcxx, dialect, source, directory):
+    """What audit, measurement and report add to the time of `plcxx build` for the host, compilers included."""
+    command = emit_command(plcxx, dialect, source)
+    command[command.index("emit")] = "build"
+    times = []
+    for name, options in (("plain", ["--no-audit"]), ("audited", [])):
+        command[command.index("-o") + 1] = name
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([*command, "--target", "host", "-j", "1", *options], cwd=directory, check=True, capture_output=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return times[1] / times[0] - 1
+
+
 def measure(plcxx, dialect, count, base):
     directory = base / f"{dialect}{count}"
     source, period, write_glue = write_sources(dialect, count, directory)
@@ -103,6 +118,7 @@ def measure(plcxx, dialect, count, base):
     generated = sorted(p for p in directory.glob("program*.cpp"))
     release = ["-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti"]
     row["g++ s"] = compile_all(["g++"], release, generated, directory)
+    row["audit share"] = audit_share(plcxx, dialect, source, directory)
     row["x86 B/stmt"] = text_size("size", generated, directory) / count
     reference = directory / "reference.cpp"
     row["ref g++ s"] = compile_all(["g++"], release, [reference], directory)

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/driver/run_plcxx.h"
 #include "transpiler/compile/child_process.h"
@@ -244,6 +246,61 @@ TEST(Build, SlicesOfOtherLanguages) {
   EXPECT_THAT(joined.errors, HasSubstr("slow: jumps lead from slice to slice"));
 }
 
+/// "12.2" of a compiler's first line.
+bool IsGccOfReadme(const std::string& target) {
+  const auto found = compile::FindToolchain(*compile::FindTarget(target), "");
+  const auto* toolchain = std::get_if<compile::Toolchain>(&found);
+  return toolchain != nullptr && !toolchain->is_clang && toolchain->version.find(" 12.2.") != std::string::npos;
+}
+
+/// The README's table: `target` and the numbers of its columns, without what is not a digit.
+std::map<std::string, std::vector<uint64_t>> ReadmeTable() {
+  std::map<std::string, std::vector<uint64_t>> table;
+  std::ifstream readme(std::string(PLCXX_ROOT) + "/README.md");
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    if (line.starts_with("| target | period: instructions | cycles | at 168 MHz | stack | code | volatile |"))
+      inside = true;
+    if (!line.starts_with("|")) inside = false;
+    if (!inside || !line.starts_with("| `")) continue;
+    std::istringstream cells(line.substr(line.find('`', 3) + 1));
+    std::vector<uint64_t>& numbers = table[line.substr(3, line.find('`', 3) - 3)];
+    std::string cell;
+    for (std::getline(cells, cell, '|'); std::getline(cells, cell, '|');) {
+      std::erase_if(cell, [](char letter) { return letter < '0' || letter > '9'; });
+      numbers.push_back(std::stoull(cell));
+    }
+  }
+  return table;
+}
+
+TEST(Build, TheTableOfTheReadmeIsCurrent) {
+  const auto table = ReadmeTable();
+  EXPECT_EQ(table.size(), 4u);
+  for (const auto& [target, numbers] : table) {
+    SCOPED_TRACE(target);
+    ASSERT_EQ(numbers.size(), 6u);
+    if (!IsGccOfReadme(target)) continue;
+    const Workplace work;
+    CopySample(work, kSamples[0]);
+    const Ran ran = RunIn(
+        work, "sample",
+        "build lathe.sym fast.plc spindle.plc turret.plc --clock 168MHz --name sample -o ../out --target " + target);
+    ASSERT_EQ(ran.code, 0) << ran;
+    const auto report = nlohmann::json::parse(work.Read("out/sample.report.json"));
+    const auto& build = report.at("build");
+    const auto& parts = build.at("partitions");
+    const auto period = std::ranges::find_if(parts, [](const auto& part) { return part.at("name") == "period"; });
+    ASSERT_NE(period, parts.end());
+    constexpr uint64_t kNsPerUs = 1000;
+    const uint64_t us = (period->at("time_ns").template get<uint64_t>() + kNsPerUs / 2) / kNsPerUs;
+    const std::vector<uint64_t> now = {period->at("instructions"), period->at("cycles"),   us,
+                                       period->at("stack_bytes"),  build.at("code_bytes"), build.at("volatile_bytes")};
+    for (size_t i = 0; i < now.size(); ++i)  // as good as the reader's trust: two of a hundred
+      EXPECT_NEAR(static_cast<double>(numbers[i]), static_cast<double>(now[i]), 1 + static_cast<double>(now[i]) / 50);
+  }
+}
+
 TEST(Build, ClangTakesThePlaceOfGcc) {
   const auto clang = compile::FindToolchain(*compile::FindTarget("rv32imac"), "clang++-19");
   if (std::holds_alternative<compile::MissingTool>(clang)) GTEST_SKIP() << "clang++-19 is not there";
@@ -273,6 +330,9 @@ TEST(Build, WrongUseIsToldBeforeAnythingIsDone) {
   EXPECT_THAT(errors("--target host --max-fast-us 5"), HasSubstr("needs the processor's clock"));
   EXPECT_THAT(errors("--target host --max-code 5 --no-audit"), HasSubstr("--no-audit leaves out"));
   EXPECT_THAT(errors("--target host -O 7"), HasSubstr("error"));
+  EXPECT_THAT(errors("--target host --clock 1MHz --max-fast-us -3"), HasSubstr("'-3' is no whole number"));
+  EXPECT_THAT(errors("--target host --max-code 99999999999999999999"), HasSubstr("is no whole number"));
+  EXPECT_THAT(errors("--target host --max-stack 1.5"), HasSubstr("'1.5' is no whole number"));
   EXPECT_THAT(work.Files("."), Not(Contains("plcxx")));
 }
 

@@ -1,5 +1,6 @@
 // plcxx build: sources to C++, objects and a library for a target; what was built is audited and measured.
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -279,8 +280,17 @@ void AddBuild(CLI::App& app, Run& run) {
   command->add_option("--clock", settings->clock, "The processor's clock (168MHz): the table and the report get times")
       ->type_name("F")
       ->group("Limits");
+  // CLI11 takes "-3" for a very large number.
+  const CLI::Validator whole_number(
+      [](const std::string& text) -> std::string {
+        uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc() && end == text.data() + text.size();
+        return whole ? "" : "'" + text + "' is no whole number";
+      },
+      "");
   const auto limit = [&](const char* name, std::optional<uint64_t>& value, const char* unit, const char* meaning) {
-    command->add_option(name, value, meaning)->type_name(unit)->group("Limits");
+    command->add_option(name, value, meaning)->check(whole_number)->type_name(unit)->group("Limits");
   };
   limit("--max-fast-us", settings->limits.fast_us, "US", "The longest that one call of the fast part may take");
   limit("--max-slow-us", settings->limits.slow_us, "US", "Likewise of the slow part: its longest slice");
