@@ -121,6 +121,48 @@ TEST(Diff, OrderCountsOnlyWhereItIsRead) {
   EXPECT_EQ(later.diff.items[0].counterexample->steps, "I0A3=1, slow 1");
 }
 
+TEST(Diff, ChangedStatementsAreToldFromTheirWake) {
+  const std::string rest = "U200K1=U200K0*I0A5\nU4A8=U200K1+I0A6\n";
+  const Compared compared = CompareTexts("$\nU200K0=I0A3*I0A4\n" + rest, "$\nU200K0=I0A3+I0A4\n" + rest);
+  EXPECT_EQ(NamesOf(compared.diff), "U4A8 U200K0 U200K1 ");
+  EXPECT_TRUE(compared.Find("U200K0")->changed_itself);
+  EXPECT_FALSE(compared.Find("U200K1")->changed_itself);
+  EXPECT_FALSE(compared.Find("U4A8")->changed_itself);
+  EXPECT_EQ(compared.Find("U4A8")->through, std::vector<std::string>{"U200K1"});
+}
+
+TEST(Diff, AValueThatDiffersInTheMiddleOfAScanHasItsStatementShown) {
+  // Behind the scan U20K0 is the same in both; U4A8 has read it before.
+  const std::string rest = "U4A8=U20K0*I0A5\nU20K0=I0A6\n";
+  const Compared compared = CompareTexts("$\nU20K0=I0A3*I0A4\n" + rest, "$\nU20K0=I0A3\n" + rest);
+  EXPECT_EQ(NamesOf(compared.diff), "U4A8 ");
+  const DiffItem& item = compared.diff.items[0];
+  EXPECT_EQ(item.verdict, ItemVerdict::kDifferent);
+  ASSERT_EQ(item.new_statements.size(), 2U);
+  EXPECT_EQ(item.new_statements[1].text, "U20K0=I0A3");
+  EXPECT_TRUE(item.new_statements[1].changed);
+}
+
+TEST(Diff, TheWakeOfAChangeThatReachesEverythingIsCounted) {
+  // A row of flags, each a scan behind the one before it; the change is at its beginning, behind inputs that no random
+  // run sets alike.
+  std::string row, condition;
+  for (int i = 499; i > 0; --i) {
+    const auto name = [](int k) { return "U" + std::to_string(200 + k / 32) + "K" + std::to_string(k % 32); };
+    row += name(i) + "=" + name(i - 1) + "\n";
+  }
+  for (int i = 0; i < 28; ++i) condition += (i == 0 ? "I0A" : i % 3 == 0 ? "*I0A" : "*/I0A") + std::to_string(i);
+  const Compared compared = CompareTexts("$\n" + row + "U200K0=" + condition + "\n",
+                                         "$\n" + row + "U200K0=" + condition + "*I1A0\n", {.time_ms = 600'000});
+  EXPECT_EQ(compared.diff.items.size(), 500U);
+  EXPECT_EQ(std::ranges::count_if(compared.diff.items, &DiffItem::changed_itself), 1);
+  EXPECT_TRUE(compared.diff.items[0].changed_itself);
+  EXPECT_EQ(compared.diff.items[0].verdict, ItemVerdict::kDifferent);
+  const std::string text = DiffText(compared.diff, {.old_label = "old", .new_label = "new"}, diag::Colour::kOff);
+  EXPECT_NE(text.find("and 479 more that are not decided, at most through what stands above"), std::string::npos)
+      << text;
+}
+
 TEST(DiffOutput, SaysTheSameInEveryForm) {
   const Compared compared = CompareTexts("$\nU4A8=I0A3*/I0A4\n", "$\nU4A8=I0A3\n");
   const DiffNames names{"old", "new"};

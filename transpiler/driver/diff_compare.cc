@@ -144,7 +144,7 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 15;  // of the time
+constexpr uint64_t kExampleShare = 12;  // of the time
 
 /// What the statements of one version do with the items, by index of the item.
 struct Touched {
@@ -173,6 +173,26 @@ Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::ve
   return touched;
 }
 
+/// The changed statements that write what `readers` read: a value may be another one in the middle of a scan only, and
+/// what has it then is not in the list.
+std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::StatementId>& readers,
+                                        const std::set<std::string>& other_texts) {
+  std::vector<bool> read(side.version.cells.count);
+  for (const StatementAccess& access : side.accesses) {
+    if (access.writes || !readers.contains(access.statement)) continue;
+    for (uint32_t cell = access.begin; cell < access.end; ++cell) read[cell] = true;
+  }
+  std::set<ir::StatementId> writers;
+  for (const StatementAccess& access : side.accesses) {
+    if (!access.writes || !access.statement.valid()) continue;
+    for (uint32_t cell = access.begin; cell < access.end; ++cell) {
+      if (read[cell]) writers.insert(access.statement);
+    }
+  }
+  std::erase_if(writers, [&](ir::StatementId id) { return !StatementOf(side, id, other_texts).changed; });
+  return writers;
+}
+
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
   const std::set<std::string> old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
   const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
@@ -195,11 +215,16 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
     add(old_side, old_touched, new_texts, item.old_statements);
     add(new_side, new_touched, old_texts, item.new_statements);
     item.through.assign(through.begin(), through.end());
-    // In one scan a difference runs on through everything behind it; those statements are not where it comes from.
-    const auto changed = [](const ItemStatement& statement) { return statement.changed; };
-    const bool own =
-        std::ranges::any_of(item.old_statements, changed) || std::ranges::any_of(item.new_statements, changed);
-    if (!own && !through.empty()) item.changed_itself = false;
+    const auto is_changed = [](const std::vector<ItemStatement>& statements) {
+      return std::ranges::any_of(statements, &ItemStatement::changed);
+    };
+    if (!item.changed_itself || is_changed(item.old_statements) || is_changed(item.new_statements)) continue;
+    for (const ir::StatementId id : ChangedBefore(old_side, old_touched.writers[i], new_texts)) {
+      item.old_statements.push_back(StatementOf(old_side, id, new_texts));
+    }
+    for (const ir::StatementId id : ChangedBefore(new_side, new_touched.writers[i], old_texts)) {
+      item.new_statements.push_back(StatementOf(new_side, id, old_texts));
+    }
   }
 }
 
@@ -262,19 +287,26 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   // Outputs first, and what changed itself: with many differences not every one gets a run of its own.
   std::ranges::stable_sort(
       items, {}, [](const Gathered& gathered) { return std::pair(gathered.item.kind, !gathered.item.changed_itself); });
-  ExampleBudget budget{
-      .left = kMostExamples,
-      .end = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare),
-      .old_program = ScenarioProgram(old_side.request),
-      .new_program = ScenarioProgram(new_side.request)};
+  const auto is_shown = [](const Gathered& gathered) {
+    const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
+    return shown && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size();
+  };
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare);
+  auto waiting = std::ranges::count_if(items, is_shown);
+  ExampleBudget budget{.left = kMostExamples,
+                       .end = end,
+                       .old_program = ScenarioProgram(old_side.request),
+                       .new_program = ScenarioProgram(new_side.request)};
   for (Gathered& gathered : items) {
     if (gathered.item.verdict == ItemVerdict::kEqual) {
       ++diff.equal;
       continue;
     }
-    const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
-    const bool affordable = budget.left > 0 && std::chrono::steady_clock::now() < budget.end;
-    if (shown && affordable && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size()) {
+    const Clock::time_point now = Clock::now();
+    if (is_shown(gathered) && budget.left > 0 && now < end) {
+      // Each has its share, and what the ones before it left over.
+      budget.end = now + (end - now) / std::max<int64_t>(1, std::min<int64_t>(waiting--, budget.left));
       gathered.item.counterexample = FindCounterexample(old_side, new_side,
                                                         {.old_words = old_named.words,
                                                          .new_words = new_named.words,

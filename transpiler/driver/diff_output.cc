@@ -58,9 +58,22 @@ std::string Paint(std::string text, const char* code, diag::Colour colour) {
 /// Why an item is in the list.
 std::string Cause(const DiffItem& item) {
   std::string text;
-  if (!item.changed_itself && !item.through.empty()) text = "through " + Joined(item.through, 4);
-  if (item.verdict == ItemVerdict::kUndecided) text += (text.empty() ? "" : "; ") + item.reason;
+  const bool undecided = item.verdict == ItemVerdict::kUndecided;
+  if (!item.changed_itself && !item.through.empty()) {
+    text = (undecided ? "at most through " : "through ") + Joined(item.through, 4);
+  }
+  if (undecided) text += (text.empty() ? "" : "; ") + item.reason;
   return text;
+}
+
+/// Of the wake of a change that reaches everything a few are enough; the outputs are shown all.
+constexpr size_t kMostOfWake = 20;
+bool IsWake(const DiffItem& item) {
+  return item.verdict == ItemVerdict::kUndecided && !item.changed_itself && item.kind != ItemKind::kOutput;
+}
+std::string RestOfWake(size_t count) {
+  return "and " + std::to_string(count) + " more that are not decided, at most through what stands above" +
+         " (--format json lists them)";
 }
 
 void AddStatements(std::string& text, std::string_view side, const std::vector<ItemStatement>& statements,
@@ -133,8 +146,9 @@ std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colo
   std::string text;
   for (const ItemKind kind : kKinds) {
     bool titled = false;
+    size_t wake = 0;
     for (const DiffItem& item : diff.items) {
-      if (item.kind != kind) continue;
+      if (item.kind != kind || (IsWake(item) && ++wake > kMostOfWake)) continue;
       if (!titled) text += std::string(WordsOf(kind).title) + "\n";
       titled = true;
       const char* const code = item.verdict == ItemVerdict::kDifferent ? "1;31" : "1;33";
@@ -149,6 +163,7 @@ std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colo
       }
       if (item.counterexample) text += "      " + ExampleText(*item.counterexample, names) + "\n";
     }
+    if (wake > kMostOfWake) text += "  " + RestOfWake(wake - kMostOfWake) + "\n";
     if (titled) text += "\n";
   }
   return text + names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
@@ -159,8 +174,9 @@ std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
                      EscapedMarkdown(names.new_label) + "\n\n" + DiffSummary(diff) + ".\n";
   for (const ItemKind kind : kKinds) {
     bool titled = false;
+    size_t wake = 0;
     for (const DiffItem& item : diff.items) {
-      if (item.kind != kind) continue;
+      if (item.kind != kind || (IsWake(item) && ++wake > kMostOfWake)) continue;
       if (!titled) {
         text += "\n**" + std::string(WordsOf(kind).title) +
                 "**\n\n| | verdict | statements | shown by |\n|---|---|---|---|\n";
@@ -184,6 +200,7 @@ std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
               (item.counterexample ? EscapedMarkdown(ExampleText(*item.counterexample, names)) : std::string()) +
               " |\n";
     }
+    if (wake > kMostOfWake) text += "\n" + RestOfWake(wake - kMostOfWake) + "\n";
   }
   return text;
 }

@@ -61,7 +61,7 @@ struct CounterexampleRequest {
 /// What all counterexamples of a comparison may cost together, and the programs that they are replayed on.
 struct ExampleBudget {
   int left = 0;
-  std::chrono::steady_clock::time_point end;
+  std::chrono::steady_clock::time_point end;  // of the search for a shorter one
   ScenarioProgram old_program, new_program;
 };
 

@@ -16,6 +16,7 @@ namespace {
 using prove::CellId;
 
 constexpr size_t kMostTries = 400;
+constexpr size_t kMostShown = 12;  // of what one step sets, in the line of text; the scenario has all
 
 /// One step in words of a scenario.
 struct Words {
@@ -317,10 +318,11 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
     std::vector<std::pair<std::string, std::string>> sets = SetsOf(request, stimulus.inputs, now);
     sets.insert(sets.end(), stimulus.words.begin(), stimulus.words.end());
     std::string assignments;
-    for (const auto& [name, value] : sets) {
-      add(assignments, Quoted(name) + ": " + Quoted(value));
-      add(example.steps, name + "=" + value);
+    for (const auto& [name, value] : sets) add(assignments, Quoted(name) + ": " + Quoted(value));
+    for (size_t i = 0; i < sets.size() && i < kMostShown; ++i) {
+      add(example.steps, sets[i].first + "=" + sets[i].second);
     }
+    if (sets.size() > kMostShown) add(example.steps, std::to_string(sets.size() - kMostShown) + " more");
     if (!sets.empty()) steps += "- set: {" + assignments + "}\n";
     const std::string run =
         stimulus.slow != 0 ? "slow: " + std::to_string(stimulus.slow) : "ms: " + std::to_string(stimulus.ms);

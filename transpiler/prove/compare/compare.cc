@@ -94,9 +94,10 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
-                  : many            ? "a change reaches it, and too much else to look at each"
-                                    : "no run of " + std::to_string(comparison.limits.most_periods) +
-                               " periods from power-on shows a difference, and equality is not proved";
+                  : !pair.changed_itself && many
+                      ? "too much is behind the change to look at each"
+                      : "no run of " + std::to_string(comparison.limits.most_periods) +
+                            " periods from power-on shows a difference, and equality is not proved";
   }
   if (result.refusal.empty()) AddUnmatched(comparison, result.pairs);
   return result;
@@ -131,6 +132,10 @@ uint64_t Comparison::RestMs() const {
   return ms > 0 ? static_cast<uint64_t>(ms) : 0;
 }
 
+bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
+  return result.verdict == PairVerdict::kUndecided && (count <= kMostLookedAt || result.changed_itself);
+}
+
 bool Comparison::IsInput(CellId old_cell) const {
   return IsInputPair(old_version, old_uses, new_uses, match, old_cell);
 }
@@ -152,20 +157,17 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   AddMatched(comparison);
   // With everything taken for equal: which functions differ by themselves.
   if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
+  if (!SeparateWake(comparison)) return Finish(comparison, 0);
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
   if (!FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
   if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
   uint32_t invariants = 0;
-  // One by one is for a few; behind a change that reaches everything there are too many.
-  const auto has_few = [&comparison] {
-    const uint32_t undecided = comparison.UndecidedCount();
-    return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
-  };
   comparison.round_ms = limits.total_ms / 4;
-  if (has_few()) SearchRuns(comparison);
-  if (has_few()) {
+  SearchRuns(comparison);
+  const uint32_t undecided = comparison.UndecidedCount();
+  if (undecided > 0 && undecided <= kMostLookedAt && !comparison.Late()) {
     // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
     // be reached.
     JoinAllButDifferent(comparison);
@@ -175,7 +177,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
       if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
     }
   }
-  if (has_few()) SearchStates(comparison);
+  SearchStates(comparison);
   return Finish(comparison, invariants);
 }
 

@@ -50,7 +50,8 @@ enum class PairVerdict : uint8_t {
 struct PairResult {
   CellId old_cell, new_cell;  // one of them none: the other version has no such cell
   PairVerdict verdict = PairVerdict::kUndecided;
-  /// The one-period function itself differs, with all else equal: the change is in its own statements.
+  /// What its own statements do differs, with every value that they read equal. Of others that are undecided it is
+  /// proved that they behave alike in every run in which those with such a change do.
   bool changed_itself = false;
   std::optional<Run> run;
   std::string reason;  // of kUndecided

@@ -39,6 +39,8 @@ struct Comparison {
   uint64_t RestMs() const;
   bool Late() const { return RestMs() == 0; }
   uint32_t UndecidedCount() const;
+  /// Whether an undecided pair is worth a search of its own; `count` is UndecidedCount().
+  bool IsLookedAt(const PairResult& result, uint32_t count) const;
 
   void Report(const std::string& what) const {
     if (limits.progress) limits.progress(what);
@@ -53,14 +55,30 @@ struct Comparison {
   TermId NextNew(CellId cell);
 };
 
+/// Whether two terms are one, for the sake of a pair.
+struct Question {
+  TermPair pair;
+  uint32_t result;  // index of Comparison::results
+};
+/// Under the invariants.
+std::vector<Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
+/// What the host sees in the middle of a period, of old_next and new_next: the same functions in the same order, at the
+/// same time, with the same outputs. A call that only one of them makes counts as a difference of the calls.
+void AddObservations(Comparison& comparison, std::vector<Question>& questions);
+
+/// What a version gets instead of a value that it writes; see Environment::cut.
+using CutOf = std::function<TermId(Which which, CellId cell, TermId value)>;
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
-bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny);
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const CutOf& cut = {});
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
 /// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
 /// last one. False as above.
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);
-/// So many undecided pairs are looked at one by one; more of them are the wake of a change that reaches everything.
+/// Of the pairs that are not equal in one period from the same state: which have a change in their own statements, and
+/// which are the wake of those. To be called when exactly these pairs are separated. False as above.
+bool SeparateWake(Comparison& comparison);
+/// So many undecided pairs are looked at one by one; of more only those with a change of their own.
 inline constexpr uint32_t kMostLookedAt = 400;
 
 /// For the pairs that are undecided: runs from power-on that end with a difference.

@@ -1,16 +1,12 @@
 // From any state in which the set is equal, one more period leaves it equal.
 #include <algorithm>
+#include <set>
 
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
 namespace {
-
-struct Question {
-  TermPair pair;
-  uint32_t result;  // index of Comparison::results
-};
 
 SweepLimits LimitsOf(const Comparison& comparison) {
   return {.pair_ms = comparison.limits.question_ms,
@@ -21,11 +17,7 @@ SweepLimits LimitsOf(const Comparison& comparison) {
 
 /// Separates the pairs of which a question is not answered by "equal"; gives their number.
 uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
-  std::vector<TermPair> pairs;
-  for (const Question& question : questions) pairs.push_back(question.pair);
-  comparison.PushInvariants();
-  const std::vector<Verdict> verdicts = Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
-  comparison.solver->Pop();
+  const std::vector<Verdict> verdicts = Answers(comparison, questions);
   uint32_t separated = 0;
   for (size_t i = 0; i < questions.size(); ++i) {
     const PairResult& result = comparison.results[questions[i].result];
@@ -57,42 +49,30 @@ bool TakeRefusal(Comparison& comparison, const Transition& transition, const cha
   return true;
 }
 
-/// What the host sees in the middle of a period: the same functions in the same order, at the same time, with the same
-/// outputs. A call that only one of them makes counts as a difference of the calls.
-void AddObservations(Comparison& comparison, const Transition& old_next, const Transition& new_next,
-                     std::vector<Question>& questions) {
-  Terms& terms = comparison.terms;
-  for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
-    const Observation& one = old_next.observations[i];
-    const Observation& other = new_next.observations[i];
-    for (size_t output = 0; output < one.outputs.size(); ++output) {
-      const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
-      if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
-      const TermId a = terms.And(one.when, one.outputs[output]), b = terms.And(other.when, other.outputs[output]);
-      if (a != b) questions.push_back({{a, b}, result});
-    }
-  }
-}
-
-/// The cells of one version from whose values the next ones of the undecided pairs are computed.
+/// The cells of one version from whose values the next ones of the undecided pairs are computed, by either version:
+/// what one of them reads may stand in another place of the other one.
 std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
-  const bool is_old = which == Which::kOld;
-  const Version& version = is_old ? comparison.old_version : comparison.new_version;
   std::vector<TermId> next;
   for (const PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided) continue;
-    next.push_back(is_old ? comparison.NextOld(result.old_cell) : comparison.NextNew(result.new_cell));
+    next.push_back(comparison.NextOld(result.old_cell));
+    next.push_back(comparison.NextNew(result.new_cell));
   }
   const std::vector<TermId> cone = ConeOf(comparison.terms, next);
-  std::vector<CellId> cells;
-  const Uses& uses = is_old ? comparison.old_uses : comparison.new_uses;
-  for (uint32_t i = 0; i < version.cells.calls; ++i) {
-    const CellId cell(i);
-    if (!uses.reads[i] || !IsState(version, cell)) continue;
-    const TermId initial = comparison.pairing.Initial(which, cell);
-    if (std::ranges::binary_search(cone, initial)) cells.push_back(cell);
+  std::set<CellId> cells;
+  for (const Which side : {Which::kOld, Which::kNew}) {
+    const Version& version = side == Which::kOld ? comparison.old_version : comparison.new_version;
+    const Uses& uses = side == Which::kOld ? comparison.old_uses : comparison.new_uses;
+    const std::vector<CellId>& partners =
+        side == Which::kOld ? comparison.match.new_of_old : comparison.match.old_of_new;
+    for (uint32_t i = 0; i < version.cells.calls; ++i) {
+      if (!uses.reads[i] || !IsState(version, CellId(i))) continue;
+      if (!std::ranges::binary_search(cone, comparison.pairing.Initial(side, CellId(i)))) continue;
+      const CellId cell = side == which ? CellId(i) : partners[i];
+      if (cell.valid()) cells.insert(cell);
+    }
   }
-  return cells;
+  return {cells.begin(), cells.end()};
 }
 
 }  // namespace
@@ -103,6 +83,30 @@ void Comparison::PushInvariants() {
     for (const Invariant& invariant : which == Which::kOld ? old_invariants : new_invariants) {
       const auto value = [&](CellId cell) { return pairing.Initial(which, cell); };
       solver->Assume(ConditionOf(terms, invariant, value));
+    }
+  }
+}
+
+std::vector<Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
+  std::vector<TermPair> pairs;
+  for (const Question& question : questions) pairs.push_back(question.pair);
+  comparison.PushInvariants();
+  std::vector<Verdict> verdicts = Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
+  comparison.solver->Pop();
+  return verdicts;
+}
+
+void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
+  Terms& terms = comparison.terms;
+  const Transition &old_next = comparison.old_next, &new_next = comparison.new_next;
+  for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
+    const Observation& one = old_next.observations[i];
+    const Observation& other = new_next.observations[i];
+    for (size_t output = 0; output < one.outputs.size(); ++output) {
+      const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
+      if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
+      const TermId a = terms.And(one.when, one.outputs[output]), b = terms.And(other.when, other.outputs[output]);
+      if (a != b) questions.push_back({{a, b}, result});
     }
   }
 }
@@ -122,10 +126,11 @@ void AddInvariants(Comparison& comparison) {
   }
 }
 
-bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers) {
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const CutOf& cut) {
   const auto run = [&](Which which) {
     Surroundings surroundings = SurroundingsOf(comparison, which);
     surroundings.answers = answers;
+    if (cut) surroundings.cut = [&cut, which](CellId cell, TermId value) { return cut(which, cell, value); };
     return RunPart(comparison.terms, comparison.pairing.version(which), part, surroundings);
   };
   comparison.old_next = run(Which::kOld);
@@ -148,6 +153,11 @@ bool CheckPowerOn(Comparison& comparison) {
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
   SeparateFailing(comparison, questions);
+  // What differs from power-on on is not the wake of anything.
+  for (const Question& question : questions) {
+    PairResult& result = comparison.results[question.result];
+    result.changed_itself = result.changed_itself || !comparison.pairing.IsEqual(result.old_cell);
+  }
   return true;
 }
 
@@ -165,13 +175,8 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
         const TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
         if (pair.a != pair.b) questions.push_back({pair, i});
       }
-      AddObservations(comparison, comparison.old_next, comparison.new_next, questions);
+      AddObservations(comparison, questions);
       separated += SeparateFailing(comparison, questions);
-      if (round > 1) continue;
-      for (const Question& question : questions) {
-        PairResult& result = comparison.results[question.result];
-        result.changed_itself = result.changed_itself || !comparison.pairing.IsEqual(result.old_cell);
-      }
     }
     if (separated == 0) return true;
     if (comparison.Late()) {

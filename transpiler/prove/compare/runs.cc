@@ -91,12 +91,14 @@ std::vector<bool> BitsBehind(const Terms& terms, TermId root) {
 }  // namespace
 
 void SearchRuns(Comparison& comparison) {
+  if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
   Unrolled state = PowerOn(comparison);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && !comparison.Late(); ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
     if (!Advance(comparison, state)) return;
+    const uint32_t undecided = comparison.UndecidedCount();
     for (PairResult& result : comparison.results) {
-      if (result.verdict != PairVerdict::kUndecided || comparison.Late()) continue;
+      if (!comparison.IsLookedAt(result, undecided) || comparison.Late()) continue;
       const TermId differ =
           comparison.terms.Ne(state.old_state[result.old_cell.index], state.new_state[result.new_cell.index]);
       if (comparison.terms.IsFalse(differ)) continue;
@@ -108,6 +110,7 @@ void SearchRuns(Comparison& comparison) {
 }
 
 void SearchStates(Comparison& comparison) {
+  if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
   comparison.Report("states");
   for (const PairResult& result : comparison.results) comparison.pairing.Join(result.old_cell);
   // Inputs are a part of the state here: a scenario sets them, and the host leaves them alone.

@@ -10,6 +10,7 @@ Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routin
   Environment environment{.initial = surroundings.initial,
                           .observe = {},
                           .host_bit = surroundings.host_bit,
+                          .cut = surroundings.cut,
                           .now = surroundings.now,
                           .host_answers = surroundings.answers == HostAnswers::kAny,
                           .summarize_after = 16};

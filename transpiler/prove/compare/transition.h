@@ -33,6 +33,7 @@ struct Surroundings {
   HostAnswers answers = HostAnswers::kAny;
   std::vector<CellId> outputs;                           // what observations look at
   std::function<Environment::HostBit(CellId)> host_bit;  // see Environment; may be empty
+  std::function<TermId(CellId, TermId)> cut;             // see Environment; may be empty
 };
 
 /// What runs by itself: the schedule's period, and, where it has a time of its own, the fast part.

@@ -154,6 +154,9 @@ void Executor::ExecuteStore(ir::InstId, const ir::Inst& inst) {
     WriteAt(place, ValueOf(inst.b), ValueOf(inst.a));
   } else {
     WritePlace(place, ValueOf(inst.a));
+    // What was stored is not loaded again where it is known: it is the location's value there, too.
+    const bool is_cut = memory_.environment().cut && terms_.IsTrue(flow_.active) && IsInside(program_, place);
+    if (is_cut) values_[inst.a] = ReadPlace(place);
   }
 }
 

@@ -38,6 +38,8 @@ struct Environment {
     uint8_t bit = 0;
   };
   std::function<HostBit(CellId cell)> host_bit;
+  /// Told every value that a cell gets, it gives the one that the cell has from then on; empty: the same.
+  std::function<TermId(CellId cell, TermId value)> cut;
   /// The answer to the schedule's `now`.
   TermId now;
   /// false: the host answers 0, gives no second result, and writes nothing.

@@ -22,6 +22,7 @@ TermId Memory::Read(CellId cell) {
 }
 
 void Memory::Write(CellId cell, TermId value) {
+  if (environment_.cut) value = environment_.cut(cell, value);
   if (!open_stamps_.empty() && stamps_[cell.index] != open_stamps_.back()) {
     undo_.back().push_back({.cell = cell,
                             .before = Read(cell),

@@ -1,0 +1,74 @@
+// Which pairs have a change of their own, and which differ at most because others do.
+//
+// Both versions are executed from the same state, and every value that one of the differing cells gets is replaced by
+// an unknown that is the same for both: the k-th value of a cell. A pair whose k-th values are equal for all k,
+// whatever the unknowns are, has no change of its own: a value of it differs only when one that it is computed from
+// does. A host function sees outputs in the middle of a period; when it sees others, the change is that of the output.
+#include <map>
+
+#include "transpiler/prove/compare/comparison.h"
+
+namespace plcxx::prove {
+namespace {
+
+/// By old cell: the values that it gets, in their order.
+using Values = std::map<uint32_t, std::vector<TermId>>;
+
+}  // namespace
+
+bool SeparateWake(Comparison& comparison) {
+  std::vector<bool> is_cut(comparison.old_version.cells.count);
+  std::vector<CellId> cells;  // old ones
+  for (const PairResult& result : comparison.results) {
+    if (comparison.pairing.IsEqual(result.old_cell)) continue;
+    is_cut[result.old_cell.index] = true;
+    cells.push_back(result.old_cell);
+  }
+  if (cells.empty()) return true;
+  comparison.Report("where the changes are");
+  for (const CellId cell : cells) comparison.pairing.Join(cell);
+  std::map<std::pair<uint32_t, size_t>, TermId> unknowns;
+  std::vector<bool> has_change(comparison.old_version.cells.count);
+  bool executed = true;
+  for (const Part part : {Part::kFast, Part::kPeriod}) {
+    if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+    Values old_values, new_values;
+    const auto cut = [&](Which which, CellId cell, TermId value) {
+      const CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+      if (!old_cell.valid() || !is_cut[old_cell.index]) return value;
+      std::vector<TermId>& values = (which == Which::kOld ? old_values : new_values)[old_cell.index];
+      values.push_back(value);
+      TermId& unknown = unknowns[{old_cell.index, values.size()}];
+      if (!unknown.valid()) {
+        unknown = comparison.terms.Variable(
+            "value " + std::to_string(values.size()) + " of cell " + std::to_string(old_cell.index),
+            comparison.terms.Width(value));
+      }
+      return unknown;
+    };
+    executed = ExecutePart(comparison, part, HostAnswers::kAny, cut);
+    if (!executed) break;
+    std::vector<Question> questions;
+    for (const CellId cell : cells) {
+      const std::vector<TermId>&one = old_values[cell.index], &other = new_values[cell.index];
+      if (one.size() != other.size()) has_change[cell.index] = true;
+      for (size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
+        if (one[k] != other[k]) questions.push_back({{one[k], other[k]}, comparison.result_of_old[cell.index]});
+      }
+    }
+    AddObservations(comparison, questions);
+    const std::vector<Verdict> verdicts = Answers(comparison, questions);
+    for (size_t i = 0; i < questions.size(); ++i) {
+      const PairResult& result = comparison.results[questions[i].result];
+      if (verdicts[i] != Verdict::kEqual) has_change[result.old_cell.index] = true;
+    }
+  }
+  for (PairResult& result : comparison.results) {
+    if (!is_cut[result.old_cell.index]) continue;
+    comparison.pairing.Separate(result.old_cell);
+    result.changed_itself = result.changed_itself || has_change[result.old_cell.index];
+  }
+  return executed;
+}
+
+}  // namespace plcxx::prove
