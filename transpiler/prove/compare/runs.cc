@@ -4,6 +4,8 @@
 
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
+#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
 namespace {
@@ -92,22 +94,79 @@ std::vector<bool> BitsBehind(const Terms& terms, TermId root) {
 
 void SearchRuns(Comparison& comparison) {
   if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
+  // Behind a change that reaches everything the questions are large, and a state answers them sooner than a run.
+  const bool many = comparison.UndecidedCount() > kMostLookedAt;
+  const uint64_t end_ms =
+      many ? comparison.RestMs() - std::min(comparison.RestMs(), comparison.limits.total_ms / 30) : 0;
   Unrolled state = PowerOn(comparison);
-  for (uint32_t period = 1; period <= comparison.limits.most_periods && !comparison.Late(); ++period) {
+  for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
     if (!Advance(comparison, state)) return;
     const uint32_t undecided = comparison.UndecidedCount();
     for (PairResult& result : comparison.results) {
-      if (!comparison.IsLookedAt(result, undecided) || comparison.Late()) continue;
+      if (!comparison.IsLookedAt(result, undecided) || comparison.RestMs() <= end_ms) continue;
       const TermId differ =
           comparison.terms.Ne(state.old_state[result.old_cell.index], state.new_state[result.new_cell.index]);
       if (comparison.terms.IsFalse(differ)) continue;
-      if (comparison.solver->Check({&differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
+      const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
+      const Answer answer = comparison.solver->Check({&differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+      if (answer != Answer::kPossible) continue;
       result.verdict = PairVerdict::kDifferent;
       result.run = RunOf(comparison, state);
     }
   }
 }
+
+namespace {
+
+/// A pair that is looked at, and the term that is 1 where one period makes them differ.
+struct OpenPair {
+  PairResult* result;
+  TermId differ;
+};
+
+/// The state in which the cells behind the pair have the given values.
+Run FromState(Comparison& comparison, const OpenPair& pair, const std::function<uint64_t(TermId initial)>& value_of) {
+  Run run{.periods = {{}}, .from_state = true};
+  const std::vector<bool> behind = BitsBehind(comparison.terms, pair.differ);
+  for (const PairResult& other : comparison.results) {
+    const TermId initial = comparison.pairing.Initial(Which::kOld, other.old_cell);
+    if (initial.index >= behind.size() || !behind[initial.index]) continue;
+    run.periods[0].push_back({.old_cell = other.old_cell, .new_cell = other.new_cell, .value = value_of(initial)});
+  }
+  return run;
+}
+
+/// Most pairs differ in some of a few random states, where the solver would look for long in a large program.
+void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs) {
+  constexpr int kStates = 64;
+  std::vector<TermId> roots;
+  for (const OpenPair& pair : pairs) roots.push_back(pair.differ);
+  const std::vector<TermId> cone = ConeOf(comparison.terms, roots);
+  std::vector<uint64_t> values(comparison.terms.size());
+  Random random(0x2545F4914F6CDD1D);
+  for (int state = 0; state < kStates && !comparison.Late(); ++state) {
+    // Bits of every density: much of a machine is 0.
+    const uint64_t density = uint64_t{8} << state % 5;
+    for (const TermId id : cone) {
+      const Term& term = comparison.terms[id];
+      values[id.index] = EvaluateTerm(
+          comparison.terms, term, [&](TermId operand) { return values[operand.index]; },
+          [&](uint32_t) {
+            return term.width == 1 ? uint64_t{(random.Next() & 255) < density} : random.Next() & random.Next();
+          });
+    }
+    const auto value_of = [&](TermId initial) {
+      const Term& term = comparison.terms[initial];
+      return term.kind == TermKind::kExtract ? values[term.a] >> term.b & 1 : values[initial.index];
+    };
+    for (const OpenPair& pair : pairs) {
+      if (!pair.result->run && values[pair.differ.index] != 0) pair.result->run = FromState(comparison, pair, value_of);
+    }
+  }
+}
+
+}  // namespace
 
 void SearchStates(Comparison& comparison) {
   if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
@@ -115,21 +174,19 @@ void SearchStates(Comparison& comparison) {
   for (const PairResult& result : comparison.results) comparison.pairing.Join(result.old_cell);
   // Inputs are a part of the state here: a scenario sets them, and the host leaves them alone.
   if (!ExecutePart(comparison, Part::kPeriod, HostAnswers::kNothing)) return;
-  comparison.PushInvariants();
+  std::vector<OpenPair> pairs;
   for (PairResult& result : comparison.results) {
-    if (result.verdict != PairVerdict::kUndecided || !result.changed_itself || comparison.Late()) continue;
+    if (result.verdict != PairVerdict::kUndecided || !result.changed_itself) continue;
     const TermId differ = comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
-    if (comparison.terms.IsFalse(differ)) continue;
-    if (comparison.solver->Check({&differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
-    Run run{.periods = {{}}, .from_state = true};
-    const std::vector<bool> behind = BitsBehind(comparison.terms, differ);
-    for (const PairResult& other : comparison.results) {
-      const TermId initial = comparison.pairing.Initial(Which::kOld, other.old_cell);
-      if (initial.index >= behind.size() || !behind[initial.index]) continue;
-      run.periods[0].push_back(
-          {.old_cell = other.old_cell, .new_cell = other.new_cell, .value = comparison.solver->ValueOf(initial)});
-    }
-    result.run = std::move(run);
+    if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
+  }
+  const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
+  if (any_state && comparison.UndecidedCount() > kMostLookedAt) TryRandomStates(comparison, pairs);
+  comparison.PushInvariants();
+  for (const OpenPair& pair : pairs) {
+    if (pair.result->run || comparison.Late()) continue;
+    if (comparison.solver->Check({&pair.differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
+    pair.result->run = FromState(comparison, pair, [&](TermId initial) { return comparison.solver->ValueOf(initial); });
   }
   comparison.solver->Pop();
 }
