@@ -37,9 +37,9 @@ constexpr uint32_t RootFraction(uint32_t number, int power) {
   return static_cast<uint32_t>(root);
 }
 
-template <size_t Count>
-constexpr std::array<uint32_t, Count> Roots(int power) {
-  std::array<uint32_t, Count> roots{};
+template <size_t kCount>
+constexpr std::array<uint32_t, kCount> Roots(int power) {
+  std::array<uint32_t, kCount> roots{};
   uint32_t prime = 2;
   for (uint32_t& root : roots) {
     root = RootFraction(prime, power);
