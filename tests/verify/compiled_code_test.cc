@@ -72,8 +72,10 @@ class CompiledCodeTest : public ::testing::Test {
     LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
     if (loaded.code == nullptr) return {.refusal = loaded.reason};
     EchoHost host(terms_);
-    return loaded.code->Execute(terms_, host,
-                                {.function = "t::f", .state_bytes = kBytes, .further_slots = 1, .most_rounds = 64});
+    CodeRun run{.function = "t::f", .state_bytes = kBytes, .further_slots = 1, .arguments = {}, .most_rounds = 64};
+    run.arguments.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
+    run.arguments.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
+    return loaded.code->Execute(terms_, host, run);
   }
 
   /// Executes f at several levels of optimization and compares with `expected` for random states.

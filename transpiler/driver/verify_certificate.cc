@@ -48,6 +48,7 @@ Json RoutineJson(const prove::RoutineProof& proof) {
   json["host_functions"] = proof.host_functions;
   json["obligations"] = proof.obligations;
   json["instructions"] = proof.instructions;
+  if (!proof.relies_on.empty()) json["relies_on"] = proof.relies_on;
   for (const prove::CodeDifference& difference : proof.differences)
     json["differences"].push_back(DifferenceJson(difference));
   return json;
@@ -78,8 +79,8 @@ std::string CertificateText(const Certificate& certificate) {
   bool all = true;
   json["routines"] = Json::array();
   for (const prove::RoutineProof& proof : *certificate.proofs) {
-    json["routines"].push_back(RoutineJson(proof));
-    all = all && proof.result == prove::ProofResult::kProved;
+    json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof));
+    if (proof.exported) all = all && proof.result == prove::ProofResult::kProved;
   }
   if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
   json["proved"] = all && certificate.left_out.empty();

@@ -68,9 +68,10 @@ std::string ProofText(const prove::RoutineProof& proof) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
     case prove::ProofResult::kProved:
-      return text + "proved (" + std::to_string(proof.bytes) + " bytes of State, " +
-             std::to_string(proof.host_functions) + " host functions, " + std::to_string(proof.instructions) +
-             " instructions)\n";
+      text += "proved (" + std::to_string(proof.bytes) + " bytes of State, " + std::to_string(proof.host_functions) +
+              " host functions, " + std::to_string(proof.instructions) + " instructions";
+      if (!proof.relies_on.empty()) text += "; with " + std::to_string(proof.relies_on.size()) + " proved functions";
+      return text + ")\n";
     case prove::ProofResult::kNotDecided:
       return text + "not decided: " + proof.reason + "\n";
     case prove::ProofResult::kDifferent:
@@ -178,6 +179,7 @@ bool Verification::Run() {
   proofs_ = prove::Verify(emittable, *loaded.code, routines_, limits);
   bool all = true;
   for (const prove::RoutineProof& proof : proofs_) {
+    if (!proof.exported) continue;
     text_ += ProofText(proof);
     all = all && proof.result == prove::ProofResult::kProved;
   }

@@ -9,8 +9,10 @@
 // Not its job: what the bytes mean, and whether the outcome is right (verify.h).
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,16 +31,21 @@ class CodeMemory {
   virtual ~CodeMemory() = default;
   virtual TermId Read(uint32_t slot) = 0;
   virtual void Write(uint32_t slot, TermId value) = 0;
+  /// When execution comes here, as a term of width 1.
+  virtual TermId When() const = 0;
+  /// `never` (width 1) becomes an Obligation of the execution: where it comes here, it must be 0.
+  virtual void Require(TermId never, const char* text) = 0;
 };
 
 struct HostArgument {
-  enum class Kind : uint8_t { kValue, kHost, kMemory };
+  enum class Kind : uint8_t { kValue, kHost, kMemory, kUnknownPointer };
   Kind kind = Kind::kValue;
-  TermId value;       // kValue
-  uint32_t slot = 0;  // kMemory: where the bytes begin that it points to
+  TermId value;           // kValue
+  uint32_t slot = 0;      // kMemory: where the bytes begin that it points to
+  std::string_view name;  // of the function's parameter; empty: it has none there
 };
 
-/// A call of a function that the code declares and does not define.
+/// A call that the surroundings answer: of a function that the code declares and does not define, or that they replace.
 struct HostRequest {
   std::string_view function;  // as the source calls it: "lathe::fault"
   std::span<const HostArgument> arguments;
@@ -53,16 +60,41 @@ class CodeSurroundings {
   virtual ~CodeSurroundings() = default;
   /// What a slot holds before anything wrote it; asked once.
   virtual TermId Initial(uint32_t slot) = 0;
+  /// Whether calls of a function that the code defines come to CallHost, too, instead of being followed.
+  virtual bool Replaces(std::string_view) const { return false; }
   /// Does what the host does to `memory`, and gives its result. A reason in `refusal` ends the execution.
   virtual TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) = 0;
 };
 
-/// A call of a partition from outside: its arguments are State, `arguments`, Host.
+/// One argument of a function as the source declares it.
+struct CodeArgument {
+  enum class Kind : uint8_t { kState, kHost, kValue, kMemory };
+  Kind kind = Kind::kValue;
+  std::string name;              // of the parameter
+  TermId value;                  // kValue
+  uint32_t slot = 0, bytes = 0;  // kMemory: a variable of the caller's, by reference
+};
+
+/// Of a parameter that is the value at a reference "s" at the time of the call, "s.4.val": how many bytes behind it.
+inline std::optional<uint32_t> PromotedOffset(std::string_view parameter, std::string_view reference) {
+  constexpr std::string_view kEnd = ".val";
+  if (!parameter.starts_with(reference) || !parameter.ends_with(kEnd)) return std::nullopt;
+  parameter.remove_prefix(reference.size());
+  if (parameter.size() < kEnd.size() + 2 || parameter.front() != '.') return std::nullopt;
+  const std::string_view digits = parameter.substr(1, parameter.size() - kEnd.size() - 1);
+  uint32_t offset = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), offset);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return offset;
+}
+
+/// A call of a function of the code. Compilers may leave out parameters of functions that only the file itself calls,
+/// and pass a variable's value instead of a reference: such parameters are found by their names.
 struct CodeRun {
   std::string function;  // "lathe::fast"
   uint32_t state_bytes = 0;
   uint32_t further_slots = 0;
-  std::vector<TermId> arguments;
+  std::vector<CodeArgument> arguments;
   uint32_t most_rounds = 4096;       // of one loop
   uint32_t most_terms = 20'000'000;  // that the execution may make
 };
@@ -88,6 +120,9 @@ class CompiledCode {
   CompiledCode& operator=(const CompiledCode&) = delete;
   virtual ~CompiledCode() = default;
   virtual CodeOutcome Execute(Terms& terms, CodeSurroundings& surroundings, const CodeRun& run) = 0;
+  /// The names of the parameters that a function has after compilation (of one without name, empty); none: the code
+  /// has no such function.
+  virtual std::optional<std::vector<std::string>> Parameters(const std::string& function) const = 0;
 };
 
 struct LoadedCode {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
@@ -16,7 +18,9 @@ constexpr size_t kMostCandidates = 3;  // of one class that a term is compared w
 constexpr size_t kMostCopied = 600;    // terms of one question
 constexpr uint32_t kQuestionMs = 100;  // for terms inside
 constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
-constexpr int kQuestionVectors = 24;
+constexpr int kQuestionVectors = 64;
+constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
+constexpr size_t kMostTermsOfAllValues = 200;
 constexpr size_t kMostConstants = 4096;
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
@@ -41,8 +45,10 @@ class LocalSweep {
   /// A copy of a term in which what is shared, `depth` shared terms down, is a variable. Invalid: it is too large.
   TermId Copy(TermId root, int depth);
   TermId CutOf(TermId id);
-  /// Whether sample values of its variables make a condition 1: most questions need no solver.
-  bool HappensInSamples(TermId condition);
+  /// What values of its variables say of a condition, samples or all that there are: most questions need no solver.
+  Answer AskValues(TermId condition);
+  std::vector<TermId> ConeFrom(TermId condition);
+  uint64_t ValueFor(const std::function<uint64_t(const Term& variable)>& variable);
   bool IsShared(TermId id) const { return id.index < shared_.size() && shared_[id.index]; }
   void Share(TermId id) {
     if (id.index >= shared_.size()) shared_.resize(terms_.size());
@@ -65,6 +71,8 @@ class LocalSweep {
   std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
   std::unordered_map<uint32_t, TermId> cuts_;                  // looked up only
   std::unordered_map<uint64_t, TermId> copies_;                // of one question, by term and depth
+  std::vector<TermId> question_;                               // all terms of the last one
+  std::vector<uint64_t> question_values_;                      // by TermId
   bool cut_ = false;
   Random random_{0x9E3779B97F4A7C15};
 };
@@ -184,27 +192,58 @@ TermId LocalSweep::Copy(TermId root, int depth) {
   return copies_.at(key({root, depth}));
 }
 
-bool LocalSweep::HappensInSamples(TermId condition) {
+/// Of the last term of `question_`.
+uint64_t LocalSweep::ValueFor(const std::function<uint64_t(const Term& variable)>& variable) {
+  for (const TermId id : question_) {
+    const Term& term = terms_[id];
+    question_values_[id.index] = EvaluateTerm(
+        terms_, term, [this](TermId operand) { return question_values_[operand.index]; },
+        [&](uint32_t) { return variable(term); });
+  }
+  return question_values_[question_.back().index];
+}
+
+Answer LocalSweep::AskValues(TermId condition) {
+  question_ = ConeFrom(condition);
+  if (question_values_.size() < terms_.size()) question_values_.resize(terms_.size());
+  uint32_t bits = 0;
+  bool known = true;  // what functions give is, too
+  for (const TermId id : question_) {
+    const Term& term = terms_[id];
+    if (term.kind == TermKind::kVariable) bits += term.width;
+    known = known && term.kind != TermKind::kApply;
+  }
+  if (known && bits <= kMostBits && question_.size() <= kMostTermsOfAllValues) {
+    for (uint64_t number = 0; number < uint64_t{1} << bits; ++number) {
+      uint64_t rest = number;
+      const auto next = [&rest](const Term& term) {
+        const uint64_t value = Masked(rest, term.width);
+        rest = term.width < 64 ? rest >> term.width : 0;
+        return value;
+      };
+      if (ValueFor(next) != 0) return Answer::kPossible;
+    }
+    return Answer::kNever;
+  }
+  for (int vector = 0; vector < kQuestionVectors; ++vector) {
+    if (ValueFor([&](const Term& term) { return Sample(vector, term.width); }) != 0) return Answer::kPossible;
+  }
+  return Answer::kUnknown;
+}
+
+/// Operands first.
+std::vector<TermId> LocalSweep::ConeFrom(TermId condition) {
   std::vector<TermId> cone, open = {condition};
-  std::unordered_map<uint32_t, uint64_t> values;
+  std::unordered_set<uint32_t> seen;
   while (!open.empty()) {
     const TermId id = open.back();
     open.pop_back();
-    if (!values.emplace(id.index, 0).second) continue;
+    if (!seen.insert(id.index).second) continue;
     cone.push_back(id);
     terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
   }
-  std::ranges::sort(cone);  // operands stand in front of what is made of them
-  for (int vector = 0; vector < kQuestionVectors; ++vector) {
-    for (const TermId id : cone) {
-      const Term& term = terms_[id];
-      values[id.index] = EvaluateTerm(
-          terms_, term, [&values](TermId operand) { return values[operand.index]; },
-          [&](uint32_t) { return Sample(vector, term.width); });
-    }
-    if (values[condition.index] != 0) return true;
-  }
-  return false;
+  std::ranges::sort(cone);
+  return cone;
 }
 
 bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds) {
@@ -217,7 +256,9 @@ bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint3
     if (!other.valid()) return false;
     const TermId differ = terms_.Ne(one, other);
     if (terms_.IsFalse(differ)) return true;
-    if (!HappensInSamples(differ) && solver_.Check({&differ, 1}, milliseconds) == Answer::kNever) return true;
+    Answer answer = AskValues(differ);
+    if (answer == Answer::kUnknown) answer = solver_.Check({&differ, 1}, milliseconds);
+    if (answer == Answer::kNever) return true;
     // Where nothing was cut, they do differ.
     if (!cut_ || Late()) return false;
   }

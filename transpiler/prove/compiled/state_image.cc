@@ -44,6 +44,8 @@ StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, c
   }
   PlaceSpaces();
   PlaceStates();
+  for (const StateByte& byte : bytes_)
+    is_bit_.push_back(byte.kind == ByteKind::kCell && CellWidth(program, CellAt(program, cells, byte.cell)) == 1);
   HashLayout();
 }
 

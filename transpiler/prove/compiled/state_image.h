@@ -34,6 +34,8 @@ class StateImage {
 
   uint32_t size() const { return static_cast<uint32_t>(bytes_.size()); }
   const StateByte& operator[](uint32_t offset) const { return bytes_[offset]; }
+  /// Whether a byte is a bit of its own, 0 or 1.
+  bool IsBit(uint32_t offset) const { return is_bit_[offset]; }
   /// Where the retentive block begins and ends, its hash included; both 0 when there is none.
   uint32_t retentive_begin() const { return retentive_begin_; }
   uint32_t retentive_end() const { return retentive_end_; }
@@ -66,6 +68,7 @@ class StateImage {
   const emit::Layout& layout_;
   const Cells& cells_;
   std::vector<StateByte> bytes_;
+  std::vector<bool> is_bit_;         // by offset
   std::vector<uint32_t> places_;     // by CellId: the byte of State that holds it, or its first; kNowhere: none
   std::vector<uint32_t> units_;      // by offset: first byte of the word that it belongs to
   std::vector<uint8_t> unit_bytes_;  // by offset of that first byte

@@ -1,12 +1,16 @@
 #include "transpiler/prove/compiled/verify.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "transpiler/prove/compiled/host_surroundings.h"
 #include "transpiler/prove/compiled/local_sweep.h"
+#include "transpiler/prove/compiled/replaced_call.h"
 #include "transpiler/prove/compiled/state_image.h"
+#include "transpiler/prove/compiled/units.h"
 #include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/solver/solver.h"
@@ -18,18 +22,98 @@ namespace {
 constexpr size_t kMostDifferences = 8;
 constexpr size_t kMostValues = 60;  // of a state that is shown
 
-/// One routine: both executions, and their comparison.
-class RoutineVerifier {
+/// What all proofs of one program share.
+struct Program {
+  Program(const emit::Emittable& printed, CompiledCode& compiled, const VerifyLimits& given)
+      : emittable(printed),
+        ir(*printed.program),
+        code(compiled),
+        limits(given),
+        cells(MakeCells(ir)),
+        image(ir, printed.layout, cells),
+        units(MakeUnits(printed, cells)),
+        calls(units.all.size()) {}
+
+  std::string CppName(const Unit& unit) const { return emittable.namespace_name + "::" + unit.name; }
+
+  const emit::Emittable& emittable;
+  const ir::Program& ir;
+  CompiledCode& code;
+  const VerifyLimits& limits;
+  Cells cells;
+  StateImage image;
+  Units units;
+  std::vector<std::unique_ptr<ReplacedCall>> calls;  // by UnitId: of those that are proved
+};
+
+/// The calls that are replaced while one function is executed, on either side.
+class Replaced : public ReplacedParts {
  public:
-  RoutineVerifier(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits, ir::RoutineId id)
-      : emittable_(emittable),
-        program_(*emittable.program),
-        code_(code),
-        limits_(limits),
-        id_(id),
-        routine_(program_.routines[id]),
-        cells_(MakeCells(program_)),
-        image_(program_, emittable.layout, cells_) {}
+  Replaced(const Program& program, Terms& terms, TermId hash, CallLog::Matching matching)
+      : program_(program), hash_(hash), log_(terms, matching) {}
+
+  std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine) override {
+    const ReplacedCall* call = Of(program_.units.of_routines[routine.index]);
+    return call == nullptr ? std::nullopt : std::optional(call->OnCells(memory, hash_, log_));
+  }
+  std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at) override {
+    const UnitId unit = program_.units.At(program_.emittable, region, at);
+    const ReplacedCall* call = Of(unit);
+    if (call == nullptr) return std::nullopt;
+    at = call->unit().part.end;
+    return call->OnCells(memory, hash_, log_);
+  }
+  CallLog& log() { return log_; }
+  const ReplacedCall* OfFunction(std::string_view name) const {
+    const auto call = std::ranges::find_if(program_.calls, [&](const auto& one) {
+      return one != nullptr && name.ends_with(one->unit().name) && program_.CppName(one->unit()) == name;
+    });
+    return call == program_.calls.end() ? nullptr : call->get();
+  }
+
+ private:
+  const ReplacedCall* Of(UnitId unit) const { return unit.valid() ? program_.calls[unit.index].get() : nullptr; }
+
+  const Program& program_;
+  TermId hash_;
+  CallLog log_;
+};
+
+/// The host, and the functions that are replaced.
+class Surroundings : public HostSurroundings {
+ public:
+  Surroundings(Terms& terms, const Program& program, TermId now, Replaced* replaced,
+               std::function<TermId(uint32_t slot)> initial)
+      : HostSurroundings(terms, program.emittable, program.image, now, std::move(initial)),
+        terms_(terms),
+        replaced_(replaced) {}
+
+  bool Replaces(std::string_view function) const override {
+    return replaced_ != nullptr && replaced_->OfFunction(function) != nullptr;
+  }
+  TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
+    const ReplacedCall* call = replaced_ == nullptr ? nullptr : replaced_->OfFunction(request.function);
+    if (call != nullptr) return call->OnCode(terms_, memory, request, replaced_->log(), refusal);
+    return HostSurroundings::CallHost(memory, request, refusal);
+  }
+
+ private:
+  Terms& terms_;
+  Replaced* replaced_;
+};
+
+/// What is done with calls of functions that are proved; the first is the cheapest, the last finds differences.
+enum class Callees : uint8_t { kReplacedInOrder, kReplacedByArguments, kFollowed };
+
+/// One function: both executions, and their comparison.
+class UnitVerifier {
+ public:
+  UnitVerifier(const Program& program, const Unit& unit, Callees callees)
+      : program_(program),
+        unit_(unit),
+        callees_(callees),
+        routine_(program.ir.routines[unit.part.routine]),
+        image_(program.image) {}
 
   RoutineProof Run();
 
@@ -39,36 +123,43 @@ class RoutineVerifier {
     TermPair pair;  // the IR's, the code's
   };
 
-  bool is_init() const { return routine_.kind == ir::RoutineKind::kInit; }
+  /// A chunk or subroutine: it works on its caller's locals.
+  bool is_inner() const { return unit_.part.region.valid() || emit::SharesLocals(routine_.kind); }
+  bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
+  uint32_t locals_begin() const { return image_.size() + program_.ir.host_functions.size(); }
   Environment MakeEnvironment();
   void Observe(Memory& memory, ir::HostFunctionId function, TermId when);
   TermId InitialSlot(uint32_t slot);
+  void MakeArguments();
+  std::string ExecuteProgram(Memory& memory);
   CodeOutcome ExecuteCode();
   void Ask(Memory& memory, const CodeOutcome& outcome);
   void Decide();
   CodeDifference Show(Solver& solver, const Question& question);
   std::vector<TermId> VariablesOf(const TermPair& pair) const;
 
-  const emit::Emittable& emittable_;
-  const ir::Program& program_;
-  CompiledCode& code_;
-  const VerifyLimits& limits_;
-  ir::RoutineId id_;
+  const Program& program_;
+  const Unit& unit_;
+  Callees callees_;
   const ir::Routine& routine_;
-  Cells cells_;
   StateImage image_;
   Terms terms_;
   TermId now_, hash_;
-  std::vector<TermId> arguments_;
+  std::vector<CodeArgument> arguments_;
+  std::vector<TermId> values_, references_;  // of the arguments, in the unit's order
+  std::vector<uint32_t> slots_;              // of the references
+  std::vector<TermId> local_bytes_;
+  std::unique_ptr<Replaced> replaced_;
   std::vector<Question> questions_;
   RoutineProof proof_;
 };
 
-Environment RoutineVerifier::MakeEnvironment() {
+Environment UnitVerifier::MakeEnvironment() {
   Environment environment;
   environment.now = now_;
+  environment.replaced = replaced_.get();
   environment.initial = [this](CellId cell) {
-    const bool power_on = is_init() && CellAt(program_, cells_, cell).kind != CellKind::kCalls;
+    const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
     return power_on ? image_.CellAtPowerOn(terms_, cell) : image_.CellBefore(terms_, cell);
   };
   environment.observe = [this](Memory& memory, ir::HostFunctionId function, TermId when) {
@@ -77,8 +168,8 @@ Environment RoutineVerifier::MakeEnvironment() {
   return environment;
 }
 
-void RoutineVerifier::Observe(Memory& memory, ir::HostFunctionId function, TermId when) {
-  const ir::HostFunction& host = program_.host_functions[function];
+void UnitVerifier::Observe(Memory& memory, ir::HostFunctionId function, TermId when) {
+  const ir::HostFunction& host = program_.ir.host_functions[function];
   const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
   const uint32_t begin = retentive ? image_.retentive_begin() : 0;
   const uint32_t end = retentive ? image_.retentive_end() : image_.size();
@@ -87,43 +178,91 @@ void RoutineVerifier::Observe(Memory& memory, ir::HostFunctionId function, TermI
     if (image_[at].kind == ByteKind::kNothing) continue;
     bytes.push_back(image_.ByteFor(terms_, at, [&memory](CellId cell) { return memory.Read(cell); }, hash_));
   }
-  const CellId counter = cells_.OfCalls(function);
+  const CellId counter = program_.cells.OfCalls(function);
   const TermId calls = memory.Read(counter);
   memory.Write(counter, terms_.Ite(when, HavingSeen(terms_, host.name, calls, bytes), calls));
 }
 
-TermId RoutineVerifier::InitialSlot(uint32_t slot) {
-  if (slot >= image_.size()) return image_.CellBefore(terms_, cells_.OfCalls(ir::HostFunctionId(slot - image_.size())));
+TermId UnitVerifier::InitialSlot(uint32_t slot) {
+  if (slot >= locals_begin()) return local_bytes_[slot - locals_begin()];
+  if (slot >= image_.size())
+    return image_.CellBefore(terms_, program_.cells.OfCalls(ir::HostFunctionId(slot - image_.size())));
   // Before init the memory may hold anything.
   return is_init() ? terms_.Variable("State byte " + std::to_string(slot), 8) : image_.ByteBefore(terms_, slot);
 }
 
-CodeOutcome RoutineVerifier::ExecuteCode() {
-  HostSurroundings surroundings(terms_, emittable_, image_, now_, [this](uint32_t slot) { return InitialSlot(slot); });
-  CodeRun run;
-  run.function = emittable_.namespace_name + "::" + emittable_.routine_names[id_.index];
-  run.state_bytes = image_.size();
-  run.further_slots = program_.host_functions.size();
-  run.arguments = arguments_;
-  return code_.Execute(terms_, surroundings, run);
+void UnitVerifier::MakeArguments() {
+  const auto variable = [this](ir::PlaceId id) {
+    return terms_.Variable(program_.emittable.place_names[id.index], WidthOf(program_.ir.places[id].type));
+  };
+  arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
+  for (const ir::PlaceId id : unit_.values) {
+    values_.push_back(variable(id));
+    arguments_.push_back({.name = program_.emittable.place_names[id.index], .value = values_.back()});
+  }
+  for (const ir::PlaceId id : unit_.references) {
+    references_.push_back(variable(id));
+    slots_.push_back(locals_begin() + static_cast<uint32_t>(local_bytes_.size()));
+    const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
+    const TermId wide = terms_.Zext(references_.back(), static_cast<uint8_t>(8 * bytes));
+    for (uint32_t i = 0; i < bytes; ++i) local_bytes_.push_back(terms_.Extract(wide, static_cast<uint8_t>(8 * i), 8));
+    arguments_.push_back({.kind = CodeArgument::Kind::kMemory,
+                          .name = program_.emittable.place_names[id.index],
+                          .value = {},
+                          .slot = slots_.back(),
+                          .bytes = bytes});
+  }
+  arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
 }
 
-void RoutineVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
+std::string UnitVerifier::ExecuteProgram(Memory& memory) {
+  if (!is_inner()) return Execute(memory, unit_.part.routine, values_);
+  for (size_t i = 0; i < values_.size(); ++i) memory.WritePlace(program_.ir.places[unit_.values[i]], values_[i]);
+  for (size_t i = 0; i < references_.size(); ++i)
+    memory.WritePlace(program_.ir.places[unit_.references[i]], references_[i]);
+  return ExecutePart(memory, unit_.part);
+}
+
+CodeOutcome UnitVerifier::ExecuteCode() {
+  Surroundings surroundings(terms_, program_, now_, replaced_.get(),
+                            [this](uint32_t slot) { return InitialSlot(slot); });
+  CodeRun run;
+  run.function = program_.CppName(unit_);
+  run.state_bytes = image_.size();
+  run.further_slots = program_.ir.host_functions.size() + static_cast<uint32_t>(local_bytes_.size());
+  run.arguments = arguments_;
+  return program_.code.Execute(terms_, surroundings, run);
+}
+
+void UnitVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
   const auto cell = [&memory](CellId id) { return memory.Read(id); };
   for (uint32_t at = 0; at < image_.size(); ++at) {
     if (image_[at].kind == ByteKind::kNothing) continue;
     questions_.push_back({image_.NameOf(at), {image_.ByteFor(terms_, at, cell, hash_), outcome.slots[at]}});
     ++proof_.bytes;
   }
-  for (uint32_t i = 0; i < program_.host_functions.size(); ++i) {
+  for (uint32_t i = 0; i < program_.ir.host_functions.size(); ++i) {
     const ir::HostFunctionId host(i);
-    if (!emittable_.host_used[i] || host == program_.schedule.now) continue;
-    questions_.push_back({"calls of " + program_.host_functions[host].name,
-                          {memory.Read(cells_.OfCalls(host)), outcome.slots[image_.size() + i]}});
+    if (!program_.emittable.host_used[i] || host == program_.ir.schedule.now) continue;
+    questions_.push_back({"calls of " + program_.ir.host_functions[host].name,
+                          {memory.Read(program_.cells.OfCalls(host)), outcome.slots[image_.size() + i]}});
     ++proof_.host_functions;
   }
-  if (routine_.result_place.valid()) {
-    questions_.push_back({"the result", {memory.ReadPlace(program_.places[routine_.result_place]), outcome.result}});
+  for (size_t i = 0; i < references_.size(); ++i) {
+    const ir::PlaceId id = unit_.references[i];
+    const TermId value = memory.ReadPlace(program_.ir.places[id]);
+    const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
+    const TermId wide = terms_.Zext(value, static_cast<uint8_t>(8 * bytes));
+    for (uint32_t k = 0; k < bytes; ++k)
+      questions_.push_back({program_.emittable.place_names[id.index],
+                            {terms_.Extract(wide, static_cast<uint8_t>(8 * k), 8), outcome.slots[slots_[i] + k]}});
+  }
+  if (unit_.result.valid() && outcome.result.valid()) {
+    questions_.push_back({"the result", {memory.ReadPlace(program_.ir.places[unit_.result]), outcome.result}});
+  }
+  if (replaced_ != nullptr) {
+    for (const CallLog::Claim& claim : replaced_->log().claims())
+      questions_.push_back({"what " + claim.call->unit().name + " is called with", {claim.program, claim.code}});
   }
   for (const Obligation& obligation : outcome.obligations) {
     questions_.push_back({obligation.text, {terms_.Bit(false), obligation.never}});
@@ -131,7 +270,7 @@ void RoutineVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
   }
 }
 
-std::vector<TermId> RoutineVerifier::VariablesOf(const TermPair& pair) const {
+std::vector<TermId> UnitVerifier::VariablesOf(const TermPair& pair) const {
   std::vector<bool> seen(terms_.size());
   std::vector<TermId> open = {pair.a, pair.b}, variables;
   while (!open.empty()) {
@@ -146,10 +285,10 @@ std::vector<TermId> RoutineVerifier::VariablesOf(const TermPair& pair) const {
   return variables;
 }
 
-CodeDifference RoutineVerifier::Show(Solver& solver, const Question& question) {
+CodeDifference UnitVerifier::Show(Solver& solver, const Question& question) {
   CodeDifference difference{.what = question.what};
   const TermId differ = terms_.Ne(question.pair.a, question.pair.b);
-  if (solver.Check({&differ, 1}, limits_.question_ms) != Answer::kPossible) return difference;
+  if (solver.Check({&differ, 1}, program_.limits.question_ms) != Answer::kPossible) return difference;
   difference.has_values = true;
   difference.expected = solver.ValueOf(question.pair.a);
   difference.compiled = solver.ValueOf(question.pair.b);
@@ -161,7 +300,7 @@ CodeDifference RoutineVerifier::Show(Solver& solver, const Question& question) {
   return difference;
 }
 
-void RoutineVerifier::Decide() {
+void UnitVerifier::Decide() {
   LoadedSolver loaded = LoadSolver(terms_);
   if (loaded.solver == nullptr) {
     proof_.reason = loaded.reason;
@@ -170,14 +309,14 @@ void RoutineVerifier::Decide() {
   std::vector<TermPair> pairs;
   for (const Question& question : questions_) pairs.push_back(question.pair);
   SweepLimits sweep;
-  sweep.pair_ms = limits_.question_ms;
-  sweep.total_ms = limits_.routine_ms;
-  if (limits_.progress) {
+  sweep.pair_ms = program_.limits.question_ms;
+  sweep.total_ms = program_.limits.routine_ms;
+  if (program_.limits.progress) {
     sweep.progress = [this](size_t done, size_t all) {
-      limits_.progress(routine_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
+      program_.limits.progress(unit_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
     };
   }
-  pairs = MakeAlike(terms_, *loaded.solver, pairs, limits_.routine_ms / 2);
+  pairs = MakeAlike(terms_, *loaded.solver, pairs, program_.limits.routine_ms / 2);
   for (const TermPair& pair : pairs) proof_.asked += pair.a != pair.b ? 1 : 0;
   const std::vector<Verdict> verdicts = Compare(terms_, *loaded.solver, pairs, sweep);
   proof_.result = ProofResult::kProved;
@@ -193,16 +332,21 @@ void RoutineVerifier::Decide() {
   }
 }
 
-RoutineProof RoutineVerifier::Run() {
-  proof_.routine = routine_.name;
-  if (limits_.progress) limits_.progress(routine_.name);
+RoutineProof UnitVerifier::Run() {
+  proof_.routine = is_inner() ? unit_.name : routine_.name;
+  proof_.exported = !is_inner();
+  if (program_.limits.progress) program_.limits.progress(proof_.routine);
   image_.MakeVariables(terms_);
   now_ = terms_.Variable("now", 32);
   hash_ = is_init() ? terms_.Const(image_.layout_hash(), 32) : image_.HashBefore(terms_);
-  for (const ir::Parameter& parameter : routine_.parameters)
-    arguments_.push_back(terms_.Variable("parameter " + parameter.name, WidthOf(parameter.type)));
-  Memory memory(terms_, program_, cells_, MakeEnvironment());
-  proof_.reason = Execute(memory, id_, arguments_);
+  if (callees_ != Callees::kFollowed) {
+    const bool in_order = callees_ == Callees::kReplacedInOrder;
+    replaced_ = std::make_unique<Replaced>(program_, terms_, hash_,
+                                           in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments);
+  }
+  MakeArguments();
+  Memory memory(terms_, program_.ir, program_.cells, MakeEnvironment());
+  proof_.reason = ExecuteProgram(memory);
   if (!proof_.reason.empty()) return std::move(proof_);
   const CodeOutcome outcome = ExecuteCode();
   proof_.instructions = outcome.instructions;
@@ -211,6 +355,53 @@ RoutineProof RoutineVerifier::Run() {
   Ask(memory, outcome);
   Decide();
   return std::move(proof_);
+}
+
+/// All functions of a program, callees first.
+class Verification {
+ public:
+  Verification(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits)
+      : program_(emittable, code, limits), proved_(program_.units.all.size()) {}
+
+  void ProveRoutine(ir::RoutineId routine) { Prove(program_.units.of_routines[routine.index]); }
+  std::vector<RoutineProof> TakeProofs() { return std::move(proofs_); }
+
+ private:
+  void Prove(UnitId id);
+
+  Program program_;
+  std::vector<bool> proved_;  // by UnitId: looked at
+  std::vector<RoutineProof> proofs_;
+};
+
+void Verification::Prove(UnitId id) {
+  if (!id.valid() || proved_[id.index]) return;
+  proved_[id.index] = true;
+  const Unit& unit = program_.units[id];
+  for (const UnitId callee : unit.callees) Prove(callee);
+  const bool inner = unit.part.region.valid() || emit::SharesLocals(program_.ir.routines[unit.part.routine].kind);
+  const auto parameters = program_.code.Parameters(program_.CppName(unit));
+  // What the compiler has put into its callers is proved there.
+  if (inner && !parameters) return;
+  std::vector<std::string> relies_on;
+  for (const UnitId callee : unit.callees) {
+    if (program_.calls[callee.index] != nullptr) relies_on.push_back(program_.units[callee].name);
+  }
+  RoutineProof proof;
+  for (const Callees callees : {Callees::kReplacedInOrder, Callees::kReplacedByArguments, Callees::kFollowed}) {
+    if (callees != Callees::kFollowed && relies_on.empty()) continue;
+    // What is not so for unknown functions may be so for these.
+    proof = UnitVerifier(program_, unit, callees).Run();
+    if (proof.result != ProofResult::kProved) continue;
+    if (callees != Callees::kFollowed) proof.relies_on = std::move(relies_on);
+    break;
+  }
+  const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
+  if (proof.result == ProofResult::kProved && !init && parameters) {
+    auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, unit, *parameters);
+    if (!call->is_opaque()) program_.calls[id.index] = std::move(call);
+  }
+  proofs_.push_back(std::move(proof));
 }
 
 }  // namespace
@@ -226,10 +417,9 @@ std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program) {
 
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
                                  std::span<const ir::RoutineId> routines, const VerifyLimits& limits) {
-  std::vector<RoutineProof> proofs;
-  for (const ir::RoutineId routine : routines)
-    proofs.push_back(RoutineVerifier(emittable, code, limits, routine).Run());
-  return proofs;
+  Verification verification(emittable, code, limits);
+  for (const ir::RoutineId routine : routines) verification.ProveRoutine(routine);
+  return verification.TakeProofs();
 }
 
 }  // namespace plcxx::prove

@@ -1,5 +1,8 @@
-// Whether compiled code does what the typed IR says: routine by routine, for every state and every input.
+// Whether compiled code does what the typed IR says: function by function, for every state and every input.
 //
+// Callees come first: a function that is proved is, where others call it, one unknown function of what it may read, on
+// both sides. One that is not proved by itself is followed where it is called, and so are all when a caller cannot be
+// proved otherwise.
 // Both are executed on terms from the same state: the IR by prove/execute, with the meanings of prove/meaning; the code
 // by the module, instruction by instruction. Afterwards every byte of State must be what the IR's cells say, the
 // routine's result must be the same, and every host function must have been told the same, in the same order, with the
@@ -35,6 +38,7 @@ enum class ProofResult : uint8_t { kProved, kDifferent, kNotDecided };
 
 struct RoutineProof {
   std::string routine;
+  bool exported = true;  // the generated header declares it; others are steps on the way
   ProofResult result = ProofResult::kNotDecided;
   std::string reason;                       // of kNotDecided
   uint64_t bytes = 0;                       // of State, compared
@@ -42,6 +46,7 @@ struct RoutineProof {
   uint64_t obligations = 0;                 // shown to be impossible
   uint64_t instructions = 0;                // of LLVM that were executed
   uint64_t asked = 0;                       // comparisons that are not one term
+  std::vector<std::string> relies_on;       // functions whose proofs this one takes for granted
   std::vector<CodeDifference> differences;  // not more than a few
 };
 
@@ -54,7 +59,8 @@ struct VerifyLimits {
 /// The routines that the generated header declares, in its order.
 std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program);
 
-/// Of these routines. `emittable` is what the code was printed from.
+/// Of these routines, and of the functions that they call, callees first. `emittable` is what the code was printed
+/// from.
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
                                  std::span<const ir::RoutineId> routines, const VerifyLimits& limits);
 

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,33 @@
 namespace plcxx::prove {
 
 class Memory;
+
+/// A cell and what it becomes.
+struct CellChange {
+  CellId cell;
+  TermId value;
+};
+
+/// A part of a program: a routine, or the instructions [begin, end) of one region of it.
+struct Stretch {
+  ir::RoutineId routine;
+  ir::RegionId region;  // none: the whole routine
+  uint32_t begin = 0, end = 0;
+};
+
+/// Parts of a program that are not executed: what they do is told by somebody who has looked at them alone.
+class ReplacedParts {
+ public:
+  ReplacedParts() = default;
+  ReplacedParts(const ReplacedParts&) = delete;
+  ReplacedParts& operator=(const ReplacedParts&) = delete;
+  virtual ~ReplacedParts() = default;
+  /// What a call of a routine does, whose parameters stand in their places; none: it is executed.
+  virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine) = 0;
+  /// What the part of a region does that begins at its instruction `at`, which becomes the one behind it; none: that
+  /// instruction is executed.
+  virtual std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at) = 0;
+};
 
 /// What surrounds an execution.
 struct Environment {
@@ -42,6 +70,7 @@ struct Environment {
   std::function<TermId(CellId cell, TermId value)> cut;
   /// The answer to the schedule's `now`.
   TermId now;
+  ReplacedParts* replaced = nullptr;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
@@ -68,10 +97,7 @@ class Memory {
 
   /// From here on changed cells are remembered; TakeChanges ends the innermost Begin: it gives the changed cells with
   /// their values, ascending, and puts the values before it back.
-  struct Change {
-    CellId cell;
-    TermId value;
-  };
+  using Change = CellChange;
   void BeginChanges();
   std::vector<Change> TakeChanges();
 
@@ -106,6 +132,9 @@ using Refusal = std::string;
 
 /// Executes a routine whose parameters get `arguments`, as a call of it from outside does: named locals are 0.
 Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> arguments = {});
+
+/// Executes a part of a program where it stands: named locals are what `memory` says.
+Refusal ExecutePart(Memory& memory, const Stretch& part);
 
 /// The functions that stand for host calls; compiled code is executed with the same ones. `function` is the name of
 /// the host function.

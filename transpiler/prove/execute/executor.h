@@ -27,6 +27,7 @@ class Executor {
   Executor(Memory& memory);
 
   Refusal Run(ir::RoutineId routine, std::span<const TermId> arguments);
+  Refusal RunPart(const Stretch& part);
 
  private:
   /// What one arm of a branch did, taken back.
@@ -38,6 +39,8 @@ class Executor {
 
   void ExecuteRoutine(const ir::Routine& routine);
   void ExecuteRegion(ir::RegionId region);
+  /// Whether somebody else has told what happens here.
+  bool IsReplaced(ir::RegionId region, uint32_t& at);
   void ExecuteInst(ir::InstId id, const ir::Inst& inst);
   // One for each operation that is the IR's own.
 #define PLCXX_PURE(...)

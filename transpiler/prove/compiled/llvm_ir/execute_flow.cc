@@ -27,30 +27,6 @@ const FlowLevel* FlowCache::Of(const llvm::Function& function) {
   return flow->level.get();
 }
 
-CodeOutcome Executor::Run(const llvm::Function& function) {
-  std::vector<CodeValue> arguments;
-  arguments.push_back(PointerTo(1));
-  for (const TermId argument : run_.arguments) arguments.push_back({.term = argument});
-  arguments.push_back(PointerTo(2));
-  bool fits = function.arg_size() == arguments.size();
-  for (unsigned i = 0; fits && i < function.arg_size(); ++i) {
-    const llvm::Type& type = *function.getArg(i)->getType();
-    fits = IsSupported(type) && type.isPointerTy() == !arguments[i].targets.empty() &&
-           (type.isPointerTy() || WidthOf(type) == terms_.Width(arguments[i].term));
-  }
-  if (!fits) {
-    Refuse("the parameters of " + run_.function + " are others than expected");
-    return std::move(outcome_);
-  }
-  context_ = terms_.Bit(true);
-  const CodeValue result = Call(function, std::move(arguments));
-  if (refused()) return std::move(outcome_);
-  outcome_.result = result.term;
-  for (uint32_t slot = 0; slot < run_.state_bytes + run_.further_slots; ++slot)
-    outcome_.slots.push_back(ReadSlot(slot));
-  return std::move(outcome_);
-}
-
 void Executor::Refuse(std::string reason) {
   if (!refused()) outcome_.refusal = std::move(reason);
 }

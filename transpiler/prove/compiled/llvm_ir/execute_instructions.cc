@@ -318,7 +318,8 @@ CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
     Refuse("instruction 'call' with an argument that is too wide");
     return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
   }
-  if (callee->isDeclaration()) return ExecuteHostCall(call, *callee);
+  const std::string& name = flows_.NameOf(*callee);
+  if (callee->isDeclaration() || surroundings_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
   std::vector<CodeValue> arguments;
   for (const llvm::Use& argument : call.args()) arguments.push_back(ValueOf(argument));
   return Call(*callee, std::move(arguments));

@@ -1,5 +1,4 @@
 // Executor: LLVM's own functions, and the host's.
-#include <llvm/Demangle/Demangle.h>
 #include <llvm/IR/Intrinsics.h>
 
 #include <string>
@@ -13,12 +12,6 @@ namespace {
 
 constexpr uint64_t kLongestTransfer = 1 << 16;
 
-/// "lathe::fault" of "lathe::fault(lathe::Host&, unsigned int)".
-std::string SourceName(const llvm::Function& function) {
-  const std::string text = llvm::demangle(function.getName());
-  return text.substr(0, text.find('('));
-}
-
 }  // namespace
 
 /// The memory as the host gets it.
@@ -27,32 +20,36 @@ class HostMemory : public CodeMemory {
   explicit HostMemory(Executor& executor) : executor_(executor) {}
   TermId Read(uint32_t slot) override { return executor_.ReadSlot(slot); }
   void Write(uint32_t slot, TermId value) override { executor_.slots_.Set(slot, value); }
+  TermId When() const override { return executor_.context_; }
+  void Require(TermId never, const char* text) override { executor_.Require(never, text); }
 
  private:
   Executor& executor_;
 };
 
-CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee) {
+CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name) {
   const llvm::Type& type = *call.getType();
-  const std::string name = SourceName(callee);
   std::vector<HostArgument> arguments;
   for (const llvm::Use& operand : call.args()) {
     const CodeValue value = ValueOf(operand);
+    const unsigned number = call.getArgOperandNo(&operand);
+    const std::string_view parameter = number < callee.arg_size() ? callee.getArg(number)->getName() : "";
     if (value.term.valid()) {
-      arguments.push_back({.kind = HostArgument::Kind::kValue, .value = value.term});
+      arguments.push_back({.kind = HostArgument::Kind::kValue, .value = value.term, .name = parameter});
       continue;
     }
     const bool known = value.targets.size() == 1 && terms_.IsConst(value.targets.front().offset);
     const Object* object = known ? &objects_[value.targets.front().object] : nullptr;
     const uint64_t offset = known ? terms_.Value(value.targets.front().offset) : 0;
     if (object != nullptr && object->kind == ObjectKind::kHost && offset == 0) {
-      arguments.push_back({.kind = HostArgument::Kind::kHost});
+      arguments.push_back({.kind = HostArgument::Kind::kHost, .name = parameter});
     } else if (object != nullptr && (object->kind == ObjectKind::kState || object->kind == ObjectKind::kLocal) &&
                offset < object->bytes) {
-      arguments.push_back(
-          {.kind = HostArgument::Kind::kMemory, .slot = object->first_slot + static_cast<uint32_t>(offset)});
+      arguments.push_back({.kind = HostArgument::Kind::kMemory,
+                           .slot = object->first_slot + static_cast<uint32_t>(offset),
+                           .name = parameter});
     } else {
-      Refuse("a call of " + name + " with a pointer that is not known");
+      arguments.push_back({.kind = HostArgument::Kind::kUnknownPointer, .name = parameter});
     }
   }
   const uint8_t width = type.isVoidTy() ? uint8_t{0} : WidthOf(type);

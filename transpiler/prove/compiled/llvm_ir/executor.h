@@ -68,9 +68,12 @@ struct FunctionFlow {
 class FlowCache {
  public:
   const FlowLevel* Of(const llvm::Function& function);
+  /// As the source calls it: "lathe::fault" of "lathe::fault(lathe::Host&, unsigned int)".
+  const std::string& NameOf(const llvm::Function& function);
 
  private:
   std::unordered_map<const llvm::Function*, std::unique_ptr<FunctionFlow>> flows_;  // looked up only
+  std::unordered_map<const llvm::Function*, std::string> names_;                    // looked up only
 };
 
 class Executor {
@@ -83,6 +86,11 @@ class Executor {
  private:
   using Values = llvm::DenseMap<const llvm::Value*, CodeValue>;
   friend class HostMemory;
+
+  // The function that is asked for (entry.cc).
+  bool Bind(const llvm::Function& function, std::vector<CodeValue>& values);
+  bool BindOne(const llvm::Argument& parameter, const CodeArgument& argument, CodeValue& value);
+  bool BindByName(const llvm::Argument& parameter, CodeValue& value);
 
   // Flow (execute_flow.cc).
   CodeValue Call(const llvm::Function& function, std::vector<CodeValue> arguments);
@@ -119,7 +127,7 @@ class Executor {
   TermId Convert(const llvm::CastInst& inst);
   CodeValue ElementPointer(const llvm::GetElementPtrInst& inst);
   CodeValue ExecuteCall(const llvm::CallInst& call);
-  CodeValue ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee);
+  CodeValue ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name);
   CodeValue ExecuteIntrinsic(const llvm::IntrinsicInst& call);
   TermId IntegerIntrinsic(const llvm::IntrinsicInst& call);
   TermId CountBits(const llvm::IntrinsicInst& call, TermId a);

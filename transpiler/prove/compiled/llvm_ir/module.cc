@@ -2,7 +2,6 @@
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/Analysis/LoopInfo.h>
 #include <llvm/Bitcode/BitcodeReader.h>
-#include <llvm/Demangle/Demangle.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/Linker/Linker.h>
@@ -50,8 +49,7 @@ class Code : public CompiledCode {
     for (llvm::Function& function : *code->module_) {
       if (function.isDeclaration()) continue;
       CloseLoops(function);
-      const std::string text = llvm::demangle(function.getName());
-      if (!function.hasLocalLinkage()) code->functions_.emplace(text.substr(0, text.find('(')), &function);
+      code->functions_.emplace(code->flows_.NameOf(function), &function);
     }
     return code;
   }
@@ -60,6 +58,14 @@ class Code : public CompiledCode {
     const auto found = functions_.find(run.function);
     if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
     return Executor(*module_, flows_, terms, surroundings, run).Run(*found->second);
+  }
+
+  std::optional<std::vector<std::string>> Parameters(const std::string& function) const override {
+    const auto found = functions_.find(function);
+    if (found == functions_.end()) return std::nullopt;
+    std::vector<std::string> names;
+    for (const llvm::Argument& parameter : found->second->args()) names.push_back(parameter.getName().str());
+    return names;
   }
 
  private:

@@ -1,0 +1,108 @@
+// A call of a function that has been proved, as one unknown function of what it may read: the same on the IR's cells
+// and on the code's bytes, so that callers are compared without looking into it again.
+//
+// Where both sides make the same calls in the same order, the n-th one gives the same unknown on both, and it remains
+// to be shown that it is called alike; else what a call gives is a function of all its arguments. In: a unit. Out: what
+// it changes, on either side. Bits that have a byte of their own must be 0 or 1 in the code's State when it is called,
+// for that was assumed when it was proved. Not its job: whether the unit is proved.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/compiled/state_image.h"
+#include "transpiler/prove/compiled/units.h"
+
+namespace plcxx::prove {
+
+/// "m", the locals, "host": the names of a unit's parameters in C++, in this order.
+std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit);
+
+class ReplacedCall;
+
+/// The replaced calls of one routine, first those of the IR, then those of the code.
+class CallLog {
+ public:
+  enum class Matching : uint8_t { kByOrder, kByArguments };
+
+  CallLog(Terms& terms, Matching matching) : terms_(terms), matching_(matching) {}
+
+  /// What stands for a call: 64 bits.
+  TermId CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments);
+  /// None: the program makes another call there.
+  TermId CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when);
+
+  /// What has to be equal so that calls give the same.
+  struct Claim {
+    const ReplacedCall* call = nullptr;
+    TermId program, code;
+  };
+  const std::vector<Claim>& claims() const { return claims_; }
+
+ private:
+  TermId ByArguments(const ReplacedCall& call, std::span<const TermId> arguments);
+
+  struct Entry {
+    const ReplacedCall* call = nullptr;
+    std::vector<TermId> arguments;
+    TermId known;
+  };
+  Terms& terms_;
+  Matching matching_;
+  std::vector<Entry> entries_;
+  size_t next_ = 0;  // of the code's
+  std::vector<Claim> claims_;
+};
+
+class ReplacedCall {
+ public:
+  /// `parameters`: what the compiled function has left of its parameters; a local that it does not get does not matter.
+  ReplacedCall(const emit::Emittable& emittable, const Cells& cells, const StateImage& image, const Unit& unit,
+               const std::vector<std::string>& parameters);
+
+  const Unit& unit() const { return unit_; }
+  /// Whether there is anything in it that has no place in State: then calls of it have to be followed.
+  bool is_opaque() const { return opaque_; }
+
+  std::vector<CellChange> OnCells(Memory& memory, TermId hash, CallLog& log) const;
+  /// The result, if it has one. A reason in `refusal` when the call does not fit the function's declaration.
+  TermId OnCode(Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log, std::string& refusal) const;
+
+ private:
+  enum class Kind : uint8_t { kByte, kField, kCalls, kLayout, kValue, kReference };
+  /// One of the things that it may read, and perhaps write.
+  struct Item {
+    Kind kind{};
+    uint32_t offset = 0;  // kByte, kField: in State; kLayout: of the retentive block
+    CellId cell;          // kByte: the first of eight; kField, kCalls
+    ir::PlaceId place;    // kValue, kReference
+    uint8_t width = 8;
+    bool written = false;
+    std::string name;  // for the function that gives what is written
+  };
+  /// Where the arguments of one call are.
+  struct Bound {
+    std::vector<TermId> values;   // by item, of kValue and of references whose value was passed
+    std::vector<uint32_t> slots;  // by item, of kReference
+  };
+
+  void AddItems();
+  std::optional<Bound> Bind(const HostRequest& request) const;
+  TermId ReadCode(Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
+  TermId CheckedBit(Terms& terms, CodeMemory& memory, TermId byte) const;
+  /// What a call leaves in an item.
+  TermId After(Terms& terms, TermId known, const std::string& name, uint8_t width) const;
+
+  const emit::Emittable& emittable_;
+  const ir::Program& program_;
+  const Cells& cells_;
+  const StateImage& image_;
+  const Unit& unit_;
+  std::vector<std::string> parameters_;  // as the source declares them
+  std::vector<Item> items_;
+  bool opaque_ = false;
+};
+
+}  // namespace plcxx::prove
