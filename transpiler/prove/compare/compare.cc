@@ -94,10 +94,11 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
-                  : !pair.changed_itself && many
-                      ? "too much is behind the change to look at each"
-                      : "no run of " + std::to_string(comparison.limits.most_periods) +
-                            " periods from power-on shows a difference, and equality is not proved";
+                  : many && pair.changed_itself
+                      ? "no run or state that was tried shows a difference, and equality is not proved"
+                  : many ? "too much is behind the change to look at each"
+                         : "no run of " + std::to_string(comparison.limits.most_periods) +
+                               " periods from power-on shows a difference, and equality is not proved";
   }
   if (result.refusal.empty()) AddUnmatched(comparison, result.pairs);
   return result;
