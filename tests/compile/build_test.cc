@@ -90,6 +90,10 @@ TEST(Build, SamplesOfAllDialects) {
         EXPECT_GT(partition.at("instructions"), 0) << partition;
         EXPECT_GT(partition.at("cycles"), 0) << partition;
         EXPECT_GT(partition.at("code_bytes"), 0) << partition;
+        EXPECT_LE(partition.at("constant_bytes"), build.at("constant_bytes")) << partition;
+        EXPECT_LE(partition.at("retentive_bytes"), build.at("retentive_bytes")) << partition;
+        EXPECT_LE(partition.at("volatile_bytes"), build.at("volatile_bytes")) << partition;
+        if (partition.at("name") == "init") EXPECT_EQ(partition.at("volatile_bytes"), build.at("volatile_bytes"));
         const bool whole_ns = partition.at("time_ns") == partition.at("cycles").get<uint64_t>() * 10;
         EXPECT_TRUE(whole_ns) << partition;
         EXPECT_TRUE(partition.at("not_whole").empty()) << partition;
@@ -202,6 +206,9 @@ TEST(Build, EachSliceHasItsFigures) {
       EXPECT_LE(slice.at("stack_bytes"), partition.at("stack_bytes")) << slice;
       EXPECT_LT(slice.at("code_bytes"), partition.at("code_bytes")) << slice;
       EXPECT_TRUE(slice.at("not_whole").empty()) << slice;
+      EXPECT_GT(slice.at("volatile_bytes"), 10) << slice;
+      EXPECT_LT(slice.at("volatile_bytes"), partition.at("volatile_bytes")) << slice;
+      EXPECT_LE(slice.at("constant_bytes"), partition.at("constant_bytes")) << slice;
       dearest = std::max(dearest, slice.at("instructions").get<uint64_t>());
       sum += slice.at("instructions").get<uint64_t>();
     }

@@ -106,6 +106,7 @@ Figures Measurement::From(uint32_t entry, const std::map<uint32_t, uint64_t>& bu
     figures.deepest.push_back({code_.Name(id), code_.Function(id).frame_bytes});
   }
   std::map<uint32_t, Path> dearest;  // round, by budget
+  std::set<std::pair<const ObjectFacts*, uint32_t>> constants;
   std::vector<uint32_t> reached = {entry};
   std::vector<bool> seen(code_.function_count());
   seen[entry] = true;
@@ -113,6 +114,10 @@ Figures Measurement::From(uint32_t entry, const std::map<uint32_t, uint64_t>& bu
     const uint32_t id = reached[i];
     const CodeFunction& function = code_.Function(id);
     figures.code_bytes += function.bytes;
+    for (const uint32_t section : function.constants) {
+      const ObjectFacts& object = code_.Object(id);
+      if (constants.emplace(&object, section).second) figures.constant_bytes += object.sections[section].bytes;
+    }
     figures.not_whole.insert(own_[id].not_whole.begin(), own_[id].not_whole.end());
     for (const auto& [budget, cost] : own_[id].round_instructions)
       dearest[budget].instructions = std::max(dearest[budget].instructions, cost);

@@ -56,6 +56,7 @@ struct Figures {
   uint64_t stack_bytes = 0;
   std::vector<StackFrame> deepest;  // the calls that take them, from the partition on
   uint64_t code_bytes = 0;          // of all functions that can be reached
+  uint64_t constant_bytes = 0;      // that these functions refer to
   uint64_t shared_rounds = 0;       // of the budgets that its loops take from
   std::set<std::string> host;       // functions called that no object has, as the source calls them
   std::set<std::string> not_whole;  // in words: what is missing from the figures

@@ -47,7 +47,8 @@ struct CodeFunction {
   bool decoded = false;  // every instruction is known
   uint32_t indirect_calls = 0;
   uint32_t indirect_jumps = 0;
-  std::vector<CodeBlock> blocks;  // the first one is entered
+  std::vector<uint32_t> constants;  // sections of constants that it refers to, ascending: indices into `sections`
+  std::vector<CodeBlock> blocks;    // the first one is entered
 };
 
 constexpr uint32_t kNoFunction = 0xFFFFFFFF;

@@ -54,6 +54,8 @@ The report, NAME.report.json, gets an object "build":
     name, instructions, cycles, time_ns (with a clock)   on its longest path
     stack_bytes          over its deepest path of calls, return addresses included
     code_bytes           of all functions that it reaches
+    constant_bytes       that these refer to
+    retentive_bytes, volatile_bytes   of State that its statements use; init clears all of it
     not_counted          host functions and support routines that it calls
     shared_rounds        of loops that the control's limit on rounds bounds together: all of them are in the figures
     not_whole            what is missing from the figures, in words; an error where a limit of time is given

@@ -129,11 +129,15 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
     PartitionFigures partition{.name = routine.name,
                                .routine = id,
                                .figures = measurement.From(function, budgets),
+                               .state = StateUsed(emittable, RegionsOf(program, id)),
                                .slices = {},
                                .slices_join = false};
+    // It clears all of it.
+    if (routine.kind == ir::RoutineKind::kInit) partition.state = {figures.retentive_bytes, figures.volatile_bytes};
     for (const SliceCode& slice : SlicesOf(code, emittable, id)) {
       compile::Measurement one(code, bounds, slice.impossible);
-      partition.slices.push_back({slice.slice, slice.piece, one.From(function, budgets)});
+      partition.slices.push_back({slice.slice, slice.piece, one.From(function, budgets),
+                                  StateUsed(emittable, RegionsOfSlice(program, id, slice.piece))});
     }
     // One that emission has not cut (ir::Routine::sliced) has one slice.
     partition.slices_join = partition.slices.empty() && ir::TakesSlice(routine) && !routine.sliced;

@@ -9,6 +9,7 @@
 #include "transpiler/compile/measurement.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/build_state.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
@@ -19,12 +20,14 @@ struct SliceFigures {
   uint64_t slice = 0;
   ir::RegionId piece;  // of the program
   compile::Figures figures;
+  StateBytes state;
 };
 
 struct PartitionFigures {
   std::string name;  // "fast"
   ir::RoutineId routine;
-  compile::Figures figures;          // of a sliced one: a bound on each slice
+  compile::Figures figures;  // of a sliced one: a bound on each slice
+  StateBytes state;
   std::vector<SliceFigures> slices;  // ascending
   bool slices_join = false;          // jumps lead from slice to slice, so that each may be as long as the whole
 };

@@ -81,6 +81,21 @@ std::vector<bool> RegionsFrom(const ir::Program& program, ir::RegionId region) {
   return reached.Take();
 }
 
+std::vector<bool> RegionsOf(const ir::Program& program, ir::RoutineId id) {
+  const ir::Routine& routine = program.routines[id];
+  Reached reached(program);
+  for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) reached.Add(region);
+  return reached.Take();
+}
+
+std::vector<bool> RegionsOfSlice(const ir::Program& program, ir::RoutineId id, ir::RegionId piece) {
+  std::vector<bool> regions = RegionsOfAll(program, program.routines[id], ir::SlicePieces(program, id));
+  regions[program.routines[id].body.index] = true;  // the choice itself
+  const std::vector<bool> own = RegionsFrom(program, piece);
+  for (size_t i = 0; i < regions.size(); ++i) regions[i] = regions[i] || own[i];
+  return regions;
+}
+
 std::vector<SliceCode> SlicesOf(const compile::ProgramCode& code, const emit::Emittable& emittable, ir::RoutineId id) {
   const ir::Program& program = *emittable.program;
   const std::vector<ir::SlicePiece> pieces = ir::SlicePieces(program, id);

@@ -26,5 +26,9 @@ std::vector<SliceCode> SlicesOf(const compile::ProgramCode& code, const emit::Em
 
 /// By RegionId: `region`, what nests in it, and the routines that it calls.
 std::vector<bool> RegionsFrom(const ir::Program& program, ir::RegionId region);
+/// Likewise of a routine as a whole.
+std::vector<bool> RegionsOf(const ir::Program& program, ir::RoutineId routine);
+/// Likewise of one slice: what each slice executes, and its own piece.
+std::vector<bool> RegionsOfSlice(const ir::Program& program, ir::RoutineId routine, ir::RegionId piece);
 
 }  // namespace plcxx::driver

@@ -62,17 +62,24 @@ std::string SharedRounds(const BuildFigures& figures) {
 }
 
 /// "us" rounded up to tenths, where the clock is known.
-std::string TableRow(const std::string& name, size_t width, const compile::Figures& own, uint64_t clock_hz) {
+std::string TableRow(const std::string& name, size_t width, const compile::Figures& own, const StateBytes& state,
+                     uint64_t clock_hz) {
   std::string text = "  " + Left(name, width) + Right(own.longest.instructions, 16) + Right(own.longest.cycles, 10);
   if (clock_hz != 0) text += Right(Microseconds(Nanoseconds(own.longest.cycles, clock_hz)), 10);
-  return text + Right(own.stack_bytes, 10) + Right(own.code_bytes, 10) + "\n";
+  for (const uint64_t bytes :
+       {own.stack_bytes, own.code_bytes, own.constant_bytes, state.retentive, state.volatile_bytes})
+    text += Right(bytes, 10);
+  return text + "\n";
 }
 
-void AddFigures(nlohmann::ordered_json& row, const compile::Figures& own, uint64_t clock_hz) {
+void AddFigures(nlohmann::ordered_json& row, const compile::Figures& own, const StateBytes& state, uint64_t clock_hz) {
   row["instructions"] = own.longest.instructions;
   row["cycles"] = own.longest.cycles;
   row["stack_bytes"] = own.stack_bytes;
   row["code_bytes"] = own.code_bytes;
+  row["constant_bytes"] = own.constant_bytes;
+  row["retentive_bytes"] = state.retentive;
+  row["volatile_bytes"] = state.volatile_bytes;
   row["not_counted"] = own.host;
   row["not_whole"] = own.not_whole;
   if (own.shared_rounds != 0) row["shared_rounds"] = own.shared_rounds;
@@ -99,10 +106,10 @@ nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& wa
   build["partitions"] = nlohmann::ordered_json::array();
   for (const PartitionFigures& partition : figures.partitions) {
     nlohmann::ordered_json row = {{"name", partition.name}};
-    AddFigures(row, partition.figures, way.clock_hz);
+    AddFigures(row, partition.figures, partition.state, way.clock_hz);
     for (const SliceFigures& slice : partition.slices) {
       nlohmann::ordered_json piece = {{"slice", slice.slice}};
-      AddFigures(piece, slice.figures, way.clock_hz);
+      AddFigures(piece, slice.figures, slice.state, way.clock_hz);
       row["slices"].push_back(std::move(piece));
     }
     build["partitions"].push_back(std::move(row));
@@ -123,11 +130,11 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
   }
   std::string text = program + " for " + std::string(way.target->name) + ", " + way.toolchain->version + ", -O" +
                      way.level + "\n  " + Left("longest path", width + 4) + "instructions    cycles" +
-                     (timed ? "        us" : "") + "     stack      code\n";
+                     (timed ? "        us" : "") + "     stack      code constants retentive  volatile\n";
   for (const PartitionFigures& partition : figures.partitions) {
-    text += TableRow(partition.name, width, partition.figures, way.clock_hz);
+    text += TableRow(partition.name, width, partition.figures, partition.state, way.clock_hz);
     for (const SliceFigures& slice : partition.slices)
-      text += TableRow(SliceName(slice), width, slice.figures, way.clock_hz);
+      text += TableRow(SliceName(slice), width, slice.figures, slice.state, way.clock_hz);
   }
   text += "  code " + std::to_string(figures.code_bytes) + ", constants " + std::to_string(figures.constant_bytes) +
           ", retentive " + std::to_string(figures.retentive_bytes) + ", volatile " +

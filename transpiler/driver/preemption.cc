@@ -2,16 +2,15 @@
 
 #include <vector>
 
-#include "transpiler/checks/preemption.h"
-#include "transpiler/emit/layout.h"
-
 namespace plcxx::driver {
 namespace {
 
 /// The widest load and store of every target that plcxx has.
 constexpr uint32_t kWordBytes = 4;
 
-checks::StoredPlace Stored(const ir::Place& place, const emit::PlaceStorage& storage, uint32_t whole_bytes) {
+}  // namespace
+
+checks::StoredPlace StoredAs(const ir::Place& place, const emit::PlaceStorage& storage) {
   const uint32_t bytes = place.type == ir::Type::kBit ? 1 : ir::Bytes(place.type);
   const uint32_t words = (bytes + kWordBytes - 1) / kWordBytes;
   switch (storage.storage) {
@@ -37,12 +36,10 @@ checks::StoredPlace Stored(const ir::Place& place, const emit::PlaceStorage& sto
       return {storage.offset, bytes, bytes};  // byte by byte: its alignment and its order are any
     case emit::Storage::kIndexed:
     case emit::Storage::kRetentiveIndexed:
-      return {storage.offset, whole_bytes, 1 + bytes};  // and its index is looked at
+      return {storage.offset, place.high - place.low, 1 + bytes};  // and its index is looked at
   }
   return {};
 }
-
-}  // namespace
 
 std::vector<bool> CheckPreemptive(Compilation& compilation) {
   if (!compilation.ok() || !compilation.has_program) return {};
@@ -50,8 +47,7 @@ std::vector<bool> CheckPreemptive(Compilation& compilation) {
   const emit::Layout layout = emit::MakeLayout(program);
   std::vector<checks::StoredPlace> stored;
   for (uint32_t i = 0; i < program.places.size(); ++i) {
-    const ir::Place& place = program.places[ir::PlaceId(i)];
-    stored.push_back(Stored(place, layout.places[i], place.high - place.low));
+    stored.push_back(StoredAs(program.places[ir::PlaceId(i)], layout.places[i]));
   }
   std::vector<bool> shared = checks::CheckPreemption(program, stored, compilation.diagnostics);
   compilation.diagnostics.SortBySource();

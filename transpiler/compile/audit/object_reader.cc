@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "transpiler/compile/audit_module.h"
 
@@ -57,6 +58,9 @@ void ObjectReader::ReadSections() {
     SectionKind kind = KindOf(name, section.getFlags(), type);
     const bool index = type == elf::SHT_ARM_EXIDX;
     if (index && EndsUnwindingOnly(ValueOr<llvm::StringRef>(section.getContents(), ""))) kind = SectionKind::kConstants;
+    if (kind == SectionKind::kConstants) {
+      constants_at_.emplace(section.getIndex(), static_cast<uint32_t>(facts_.sections.size()));
+    }
     facts_.sections.push_back({name.str(), kind, section.getSize()});
   }
 }
@@ -154,7 +158,19 @@ void ObjectReader::ReadFunction(uint32_t index) {
     function.frame_bytes = static_cast<uint32_t>(frame->second.bytes);
     function.frame_known = frame->second.known;
   }
+  function.constants = ConstantsOf(place);
   MakeBlocks(place, function);
+}
+
+std::vector<uint32_t> ObjectReader::ConstantsOf(const Place& place) const {
+  std::set<uint32_t> sections;
+  const auto all = references_.find(place.section);
+  if (all == references_.end()) return {};
+  for (auto at = all->second.lower_bound(place.begin); at != all->second.end() && at->first < place.end; ++at) {
+    const auto found = constants_at_.find(at->second.section);
+    if (facts_.symbols[at->second.symbol].defined && found != constants_at_.end()) sections.insert(found->second);
+  }
+  return {sections.begin(), sections.end()};
 }
 
 void ObjectReader::Run() {

@@ -50,6 +50,7 @@ class ObjectReader {
   void ReadSymbols();
   void ReadReferences();
   void ReadFunction(uint32_t function);
+  std::vector<uint32_t> ConstantsOf(const Place& place) const;
 
   // code_blocks.cc
   /// False when some bytes are no instruction.
@@ -71,6 +72,7 @@ class ObjectReader {
   std::vector<Place> places_;                                      // by function
   std::map<std::pair<uint64_t, uint64_t>, uint32_t> function_at_;  // by section and address: its symbol
   std::map<uint64_t, std::map<uint64_t, Reference>> references_;   // by section and offset
+  std::map<uint64_t, uint32_t> constants_at_;                      // by section index: in ObjectFacts::sections
   std::map<uint64_t, std::vector<Island>> islands_;                // by section, ascending
   std::unordered_map<uint64_t, uint32_t> symbol_index_;            // by the object's own number
   std::unordered_map<std::string, uint32_t> file_index_;

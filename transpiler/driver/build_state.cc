@@ -1,0 +1,92 @@
+#include "transpiler/driver/build_state.h"
+
+#include <algorithm>
+
+#include "transpiler/driver/preemption.h"
+
+namespace plcxx::driver {
+namespace {
+
+bool IsRetentive(emit::Storage storage) {
+  using enum emit::Storage;
+  return storage == kRetentiveByte || storage == kRetentiveBit || storage == kRetentiveWide ||
+         storage == kRetentiveIndexed;
+}
+
+/// Bytes of State, each of them counted once.
+class UsedBytes {
+ public:
+  explicit UsedBytes(const emit::Emittable& emittable)
+      : emittable_(emittable), program_(*emittable.program), used_(emittable.layout.size) {}
+
+  void Use(const ir::Inst& inst) {
+    switch (ir::Info(inst.op).shape) {
+      case ir::Shape::kLoad:
+      case ir::Shape::kStore:
+        Use(ir::PlaceId(inst.payload));
+        return;
+      case ir::Shape::kStep:
+        Use(ir::StateId(inst.payload));
+        return;
+      case ir::Shape::kLoop:
+        Use(program_.loops[ir::LoopId(inst.payload)].budget);
+        return;
+      case ir::Shape::kHostCall:
+        Use(program_.calls[ir::CallId(inst.payload)].out);
+        return;
+      case ir::Shape::kPure:
+      case ir::Shape::kConst:
+      case ir::Shape::kText:
+      case ir::Shape::kStatement:
+      case ir::Shape::kIf:
+      case ir::Shape::kSwitch:
+      case ir::Shape::kBlock:
+      case ir::Shape::kExit:
+      case ir::Shape::kRepeat:
+      case ir::Shape::kCall:
+      case ir::Shape::kJump:
+      case ir::Shape::kLabel:
+        return;
+    }
+  }
+  StateBytes bytes() const { return bytes_; }
+
+ private:
+  void Use(ir::PlaceId place) {
+    if (!place.valid()) return;
+    const emit::PlaceStorage& storage = emittable_.layout.places[place.index];
+    const checks::StoredPlace stored = StoredAs(program_.places[place], storage);
+    Use(stored.offset, stored.bytes, IsRetentive(storage.storage) ? bytes_.retentive : bytes_.volatile_bytes);
+  }
+  void Use(ir::StateId state) {
+    if (!state.valid()) return;
+    const uint32_t bytes = emit::StructBytes(program_.states[state].kind);
+    Use(emittable_.layout.states[state.index].offset, bytes, bytes_.volatile_bytes);
+  }
+  void Use(uint32_t offset, uint32_t bytes, uint64_t& sum) {
+    const size_t end = std::min<size_t>(size_t{offset} + bytes, used_.size());
+    for (size_t at = offset; at < end; ++at) {
+      sum += used_[at] ? 0 : 1;
+      used_[at] = true;
+    }
+  }
+
+  const emit::Emittable& emittable_;
+  const ir::Program& program_;
+  std::vector<bool> used_;  // by byte of State
+  StateBytes bytes_;
+};
+
+}  // namespace
+
+StateBytes StateUsed(const emit::Emittable& emittable, const std::vector<bool>& regions) {
+  UsedBytes used(emittable);
+  const ir::Program& program = *emittable.program;
+  for (uint32_t i = 0; i < regions.size(); ++i) {
+    if (!regions[i]) continue;
+    for (const ir::InstId id : program.regions[ir::RegionId(i)].insts) used.Use(program[id]);
+  }
+  return used.bytes();
+}
+
+}  // namespace plcxx::driver
