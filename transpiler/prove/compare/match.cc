@@ -21,6 +21,7 @@ class Matcher {
   void Places(const ir::Place& one, const ir::Place& other);
   void InputsAndOutputs();
   void InternalByName();
+  void SymbolsByName();
   void ByAddress();
   void Instances();
   void HostFunctions();
@@ -45,6 +46,13 @@ class Matcher {
 };
 
 void Matcher::Places(const ir::Place& one, const ir::Place& other) {
+  if (one.is_field() != other.is_field()) return;
+  if (one.is_field()) {
+    // A timer or counter moves as a whole.
+    if (old_.program->states[one.state].kind == new_.program->states[other.state].kind)
+      Instance(one.state, other.state);
+    return;
+  }
   if (one.type != other.type || !IsInside(*old_.program, one) || !IsInside(*new_.program, other)) return;
   const std::vector<CellId> from = CellsOf(*old_.program, old_.cells, one);
   const std::vector<CellId> to = CellsOf(*new_.program, new_.cells, other);
@@ -98,6 +106,33 @@ void Matcher::InternalByName() {
   }
 }
 
+/// Arrays and structures, of which the program touches elements that it computes.
+void Matcher::SymbolsByName() {
+  std::map<std::string, const ir::Symbol*> by_name;
+  for (const ir::Symbol& symbol : new_.program->symbols) by_name.emplace(symbol.name, &symbol);
+  for (const ir::Symbol& symbol : old_.program->symbols) {
+    const auto found = by_name.find(symbol.name);
+    if (found == by_name.end()) continue;
+    const ir::Symbol& other = *found->second;
+    const bool alike = symbol.type == other.type && symbol.indices.size() == other.indices.size() &&
+                       old_.program->spaces[symbol.space].name == new_.program->spaces[other.space].name &&
+                       old_.program->spaces[symbol.space].lifetime != ir::Lifetime::kRoutine;
+    if (!alike) continue;
+    const auto pair_elements = [&](const auto& self, size_t index, uint32_t from, uint32_t to) -> void {
+      if (index == symbol.indices.size()) {
+        Places({.type = symbol.type, .space = symbol.space, .offset = from, .bit = symbol.bit},
+               {.type = other.type, .space = other.space, .offset = to, .bit = other.bit});
+        return;
+      }
+      const ir::Symbol::Index &one = symbol.indices[index], &same = other.indices[index];
+      for (uint32_t i = 0; i < std::min(one.count, same.count); ++i) {
+        self(self, index + 1, from + i * one.stride, to + i * same.stride);
+      }
+    };
+    pair_elements(pair_elements, 0, symbol.offset, other.offset);
+  }
+}
+
 void Matcher::Instance(ir::StateId one, ir::StateId other) {
   const uint32_t from = old_.cells.states[one.index], to = new_.cells.states[other.index];
   for (uint32_t i = 0; i < FieldTerms(old_.program->states[one].kind); ++i) Pair(CellId(from + i), CellId(to + i));
@@ -112,8 +147,9 @@ void Matcher::Instances() {
   std::map<ir::StateKind, std::vector<ir::StateId>> rest;
   for (uint32_t i = 0; i < old_.program->states.size(); ++i) {
     const ir::StateInstance& state = old_.program->states[ir::StateId(i)];
+    if (match_.new_of_old[old_.cells.states[i]].valid()) continue;  // by --map
     const auto found = by_name.find(std::pair(state.kind, state.name));
-    if (found == by_name.end()) {
+    if (found == by_name.end() || match_.old_of_new[new_.cells.states[found->second.index]].valid()) {
       rest[state.kind].emplace_back(i);
     } else {
       Instance(ir::StateId(i), found->second);
@@ -148,6 +184,7 @@ Match MatchCells(const Version& old_version, const Version& new_version,
   for (const auto& [one, other] : same) matcher.Places(one, other);  // before everything that plcxx guesses
   matcher.InputsAndOutputs();
   matcher.InternalByName();
+  matcher.SymbolsByName();
   matcher.ByAddress();
   matcher.Instances();
   matcher.HostFunctions();
@@ -230,7 +267,10 @@ bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& n
   if (cell.kind != CellKind::kBit) return false;
   if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
   const CellId new_cell = match.new_of_old[old_cell.index];
-  return old_version.program->spaces[cell.space].host_visible && !old_uses.writes[old_cell.index] &&
+  const ir::Space& space = old_version.program->spaces[cell.space];
+  // Without zones it is the program's own, unless it is kept: then what nobody writes comes with the machine.
+  if (space.zones.empty() && space.lifetime != ir::Lifetime::kRetentive) return false;
+  return space.host_visible && !old_uses.writes[old_cell.index] &&
          !(new_cell.valid() && new_uses.writes[new_cell.index]);
 }
 

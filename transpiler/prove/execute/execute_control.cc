@@ -244,14 +244,16 @@ void Executor::ExecuteSummary(ir::InstId id) {
   arguments.push_back(memory_.environment().now);
   uint64_t hash = 0xCBF29CE484222325;
   for (const char c : summary.text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  const std::string name = "loop " + std::to_string(hash) + "." + std::to_string(summary.text.size());
+  const std::string name =
+      std::string(kLoopFunction) + std::to_string(hash) + "." + std::to_string(summary.text.size());
   const TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
   const auto result = [&](const std::string& what, uint8_t width) {
     return terms_.Apply(terms_.Function(name + " " + what, width), {&known, 1});
   };
-  for (const CellId cell : summary.written) {
-    const Cell at = CellAt(program_, memory_.cells(), cell);
-    WriteCell(cell, result(CellName(program_, at), CellWidth(program_, at)));
+  for (const uint32_t number : summary.written) {
+    const CellId cell = summary.cells[number];
+    const uint8_t width = CellWidth(program_, CellAt(program_, memory_.cells(), cell));
+    WriteCell(cell, result("cell " + std::to_string(number), width));
   }
   for (size_t i = 0; i < summary.targets.size(); ++i) {
     const TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));

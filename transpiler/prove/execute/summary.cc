@@ -15,7 +15,6 @@ class Summarizer {
 
   LoopSummary Run(ir::InstId loop) {
     Inst(loop);
-    summary_.cells.assign(touched_.begin(), touched_.end());
     summary_.written.assign(written_.begin(), written_.end());
     return std::move(summary_);
   }
@@ -37,15 +36,29 @@ class Summarizer {
     Word("o" + std::to_string(at - summary_.outside.begin()));
   }
 
-  void Touch(CellId cell, bool writes) {
-    touched_.insert(cell);
-    if (writes) written_.insert(cell);
+  /// The cells by their numbers, which are given at the first use, neighbours as one word: where memory lies does not
+  /// count, what overlaps does.
+  void Use(const std::vector<CellId>& cells, bool writes) {
+    std::vector<std::pair<uint32_t, uint32_t>> runs;  // first number and behind the last one
+    for (const CellId cell : cells) {
+      const auto [at, added] = cell_numbers_.try_emplace(cell, static_cast<uint32_t>(summary_.cells.size()));
+      if (added) summary_.cells.push_back(cell);
+      if (writes) written_.insert(at->second);
+      if (!runs.empty() && runs.back().second == at->second) {
+        ++runs.back().second;
+      } else {
+        runs.emplace_back(at->second, at->second + 1);
+      }
+    }
+    for (const auto& [first, end] : runs) Word("c" + std::to_string(first) + "-" + std::to_string(end));
   }
 
   void Instance(ir::StateId state) {
     const uint32_t first = cells_.states[state.index];
-    for (uint32_t i = 0; i < FieldTerms(program_.states[state].kind); ++i) Touch(CellId(first + i), true);
-    Word(program_.states[state].name);
+    std::vector<CellId> cells;
+    for (uint32_t i = 0; i < FieldTerms(program_.states[state].kind); ++i) cells.emplace_back(first + i);
+    Word("instance " + std::to_string(static_cast<uint32_t>(program_.states[state].kind)));
+    Use(cells, true);
   }
 
   void Place(ir::PlaceId id, bool writes) {
@@ -53,24 +66,27 @@ class Summarizer {
     if (place.is_field()) {
       const CellId cell(cells_.states[place.state.index] +
                         FieldTermIndex(program_.states[place.state].kind, place.field));
-      Touch(cell, writes);
-      Word(CellName(program_, CellAt(program_, cells_, cell)));
+      Word("field " + std::to_string(static_cast<uint32_t>(program_.states[place.state].kind)));
+      Number(place.field);
+      Use({cell}, writes);
       return;
     }
     const ir::Space& space = program_.spaces[place.space];
     const uint32_t begin = place.indexed ? place.low : place.offset;
     const uint32_t end = std::min(space.bytes, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
+    std::vector<CellId> cells;
     for (uint32_t offset = begin; offset < end; ++offset) {
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (place.type != ir::Type::kBit || bit == place.bit) Touch(cells_.OfBit(place.space, offset, bit), writes);
+        if (place.type != ir::Type::kBit || bit == place.bit) cells.push_back(cells_.OfBit(place.space, offset, bit));
       }
     }
-    Word(space.name);
-    Number(place.offset);
-    Number(place.bit);
     Word(std::string(ir::Name(place.type)));
+    Word(space.order == ir::ByteOrder::kBig ? "big" : "little");
+    Use(cells, writes);
     if (!place.indexed) return;
-    for (const uint32_t number : {place.stride, place.low, place.high}) Number(number);
+    // Where the elements lie from the one with index 0.
+    for (const uint32_t at : {begin, end}) Word(std::to_string(int64_t{at} - int64_t{place.offset}));
+    Number(place.stride);
   }
 
   void Target(uint32_t id) {
@@ -101,7 +117,7 @@ class Summarizer {
       summary_.opaque = true;
     }
     Word(host.name);
-    Touch(cells_.OfCalls(call.host), true);
+    Use({cells_.OfCalls(call.host)}, true);
     for (const ir::ValueId argument : call.arguments) Value(argument.index);
     if (call.out.valid()) Place(call.out, true);
   }
@@ -200,7 +216,8 @@ class Summarizer {
   const Cells& cells_;
   LoopSummary summary_;
   std::map<uint32_t, uint32_t> numbers_;  // by InstId: of what stands inside
-  std::set<CellId> touched_, written_;
+  std::map<CellId, uint32_t> cell_numbers_;
+  std::set<uint32_t> written_;  // numbers
 };
 
 }  // namespace

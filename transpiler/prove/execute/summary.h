@@ -1,11 +1,12 @@
 // A loop as one unknown function of what it reads: for loops of which nobody knows how often they go round.
 //
-// Two loops with the same text over the same cells are the same function, so they are equal without being unrolled;
-// what is said of a summarized loop holds for every loop of that text, the real one among them. In: a loop. Out: its
-// text, what it reads, writes and leaves for. Not its job: executing.
+// Two loops with the same text are the same function of their cells, wherever these lie, so they are equal without
+// being unrolled when the cells are; what is said of a summarized loop holds for every loop of that text, the real one
+// among them. In: a loop. Out: its text, what it reads, writes and leaves for. Not its job: executing.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -16,12 +17,15 @@ namespace plcxx::prove {
 struct LoopSummary {
   std::string text;                  // the same for two loops that do the same
   std::vector<ir::ValueId> outside;  // values from around the loop, in the order of their first use
-  std::vector<CellId> cells;         // read or written, ascending
-  std::vector<CellId> written;       // ascending
+  std::vector<CellId> cells;         // read or written, in the order of their first use
+  std::vector<uint32_t> written;     // indices of `cells`, ascending
   std::vector<ir::InstId> targets;   // blocks and loops around it for which it leaves, in the order of their first use
   /// It calls a function that writes the state, or goes on with a loop around it: there is no summary.
   bool opaque = false;
 };
+
+/// The names of the functions that stand for loops begin with this.
+inline constexpr std::string_view kLoopFunction = "loop ";
 
 LoopSummary SummarizeLoop(const ir::Program& program, const Cells& cells, ir::InstId loop);
 

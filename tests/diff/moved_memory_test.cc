@@ -1,0 +1,83 @@
+// plcxx diff: a variable that is added moves all that stand behind it, and changes nothing.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/temporary_directory.h"
+#include "transpiler/driver/diff.h"
+
+namespace plcxx::driver {
+namespace {
+
+Diff CompareFiles(const std::string& dialect, const std::string& extension, const std::string& old_text,
+                  const std::string& new_text) {
+  const testing_support::TemporaryDirectory directory;
+  const auto side = [&](const std::string& name, const std::string& text) {
+    CompilationRequest request;
+    request.sources = {directory.Write(name + extension, text)};
+    request.dialect = dialect;
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
+  EXPECT_TRUE(old_side.compilation.ok());
+  EXPECT_TRUE(new_side.compilation.ok());
+  Diff diff = CompareSides(old_side, new_side, {});
+  EXPECT_EQ(diff.refusal, "");
+  return diff;
+}
+
+std::string NamesOf(const Diff& diff) {
+  std::string names;
+  for (const DiffItem& item : diff.items) names += item.name + " ";
+  return names;
+}
+
+/// An array with computed indices, and a loop of which nobody knows how often it goes round.
+std::string CProgram(const std::string& added, const std::string& body) {
+  return "#include \"plc.h\"\n" + added +
+         "static unsigned int speeds[4];\n"
+         "static unsigned int total;\n"
+         "void init() { plc1_time = 1; plc2_time = 1; }\n"
+         "void plc1() {\n"
+         "  unsigned int n;\n"
+         "  n = 0;\n"
+         "  while (n < X[0]) { total += speeds[n & 3]; n++; }\n"
+         "  speeds[X[1] & 3] = X[2];\n" +
+         body +
+         "}\n"
+         "void plc2() { }\n";
+}
+
+TEST(MovedMemory, AVariableOfCMovesArraysAndWhatLoopsRead) {
+  const std::string same = "  Y[0] = total & 255;\n";
+  const Diff moved = CompareFiles("hnc", ".cld", CProgram("", same), CProgram("static unsigned char added;\n", same));
+  EXPECT_EQ(NamesOf(moved), "");
+  const Diff changed = CompareFiles("hnc", ".cld", CProgram("", same),
+                                    CProgram("static unsigned char added;\n", "  Y[0] = total & 127;\n"));
+  EXPECT_EQ(NamesOf(changed), "Y[0] ");
+  EXPECT_EQ(changed.items.front().verdict, ItemVerdict::kDifferent);
+}
+
+TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
+  const std::string loop =
+      "void init() { plc1_time = 1; plc2_time = 1; }\n"
+      "void plc1() {\n"
+      "  unsigned char i;\n"
+      "  for (i = 0; i < 4; i++) { a[i] += X[i]; b[i] -= X[i]; }\n"
+      "  Y[0] = a[1];\n"
+      "}\n"
+      "void plc2() { }\n";
+  const std::string include = "#include \"plc.h\"\n";
+  const Diff diff = CompareFiles("hnc", ".cld", include + "unsigned char a[4], b[4];\n" + loop,
+                                 include + "unsigned char b[4], a[4];\n" + loop);
+  EXPECT_EQ(NamesOf(diff), "");
+  // The other array is another one, though it lies where the first one was.
+  std::string other = loop;
+  other.replace(other.find("a[1]"), 1, "b");
+  const Diff changed = CompareFiles("hnc", ".cld", include + "unsigned char a[4], b[4];\n" + loop,
+                                    include + "unsigned char b[4], a[4];\n" + other);
+  EXPECT_EQ(NamesOf(changed), "Y[0] ");
+}
+
+}  // namespace
+}  // namespace plcxx::driver
