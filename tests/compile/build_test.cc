@@ -202,13 +202,11 @@ TEST(Build, EachSliceHasItsFigures) {
       const auto& slice = partition.at("slices")[i];
       EXPECT_EQ(slice.at("slice"), i);
       EXPECT_GT(slice.at("cycles"), 0) << slice;
-      EXPECT_GT(slice.at("time_ns"), 0) << slice;
       EXPECT_LE(slice.at("stack_bytes"), partition.at("stack_bytes")) << slice;
       EXPECT_LT(slice.at("code_bytes"), partition.at("code_bytes")) << slice;
       EXPECT_TRUE(slice.at("not_whole").empty()) << slice;
       EXPECT_GT(slice.at("volatile_bytes"), 10) << slice;
       EXPECT_LT(slice.at("volatile_bytes"), partition.at("volatile_bytes")) << slice;
-      EXPECT_LE(slice.at("constant_bytes"), partition.at("constant_bytes")) << slice;
       dearest = std::max(dearest, slice.at("instructions").get<uint64_t>());
       sum += slice.at("instructions").get<uint64_t>();
     }
