@@ -13,14 +13,16 @@ namespace {
 constexpr int kCompilerSeconds = 600;
 
 /// What plcxx build does, but for what would make many instructions of one. The generated functions stay functions
-/// (those of the runtime are inline), and their parameters keep their names, so that each can be proved by itself.
+/// (those of the runtime are inline) with the parameters that the source says, also where only the file itself calls
+/// them, so that each can be proved by itself.
 constexpr std::string_view kFlags[] = {"-emit-llvm",
                                        "-g0",
                                        "-fno-vectorize",
                                        "-fno-slp-vectorize",
                                        "-fno-unroll-loops",
                                        "-finline-hint-functions",
-                                       "-fno-discard-value-names"};
+                                       "-fno-discard-value-names",
+                                       "-Dstatic=__attribute__((used)) static"};
 
 std::string FirstFault(const std::string& output) {
   size_t at = output.find("error:");

@@ -16,7 +16,7 @@ namespace {
 constexpr int kVectors = 48;
 constexpr size_t kMostCandidates = 3;  // of one class that a term is compared with
 constexpr size_t kMostCopied = 600;    // terms of one question
-constexpr uint32_t kQuestionMs = 100;  // for terms inside
+constexpr uint32_t kQuestionMs = 300;  // for terms inside
 constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
 constexpr int kQuestionVectors = 64;
 constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried

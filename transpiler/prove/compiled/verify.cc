@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -20,7 +21,9 @@ namespace plcxx::prove {
 namespace {
 
 constexpr size_t kMostDifferences = 8;
-constexpr size_t kMostValues = 60;  // of a state that is shown
+constexpr size_t kMostValues = 60;     // of a state that is shown
+constexpr uint32_t kMostRounds = 512;  // of one loop; of init, where nothing is unknown, more
+constexpr uint32_t kMostRoundsOfInit = 4096;
 
 /// What all proofs of one program share.
 struct Program {
@@ -116,6 +119,8 @@ class UnitVerifier {
         image_(program.image) {}
 
   RoutineProof Run();
+  /// Not decided, and looking into what it calls, or at it in its callers, would not help.
+  bool gave_up() const { return gave_up_; }
 
  private:
   struct Question {
@@ -152,11 +157,13 @@ class UnitVerifier {
   std::unique_ptr<Replaced> replaced_;
   std::vector<Question> questions_;
   RoutineProof proof_;
+  bool gave_up_ = false;
 };
 
 Environment UnitVerifier::MakeEnvironment() {
   Environment environment;
   environment.now = now_;
+  environment.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
   environment.replaced = replaced_.get();
   environment.initial = [this](CellId cell) {
     const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
@@ -231,6 +238,7 @@ CodeOutcome UnitVerifier::ExecuteCode() {
   run.state_bytes = image_.size();
   run.further_slots = program_.ir.host_functions.size() + static_cast<uint32_t>(local_bytes_.size());
   run.arguments = arguments_;
+  run.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
   return program_.code.Execute(terms_, surroundings, run);
 }
 
@@ -347,13 +355,15 @@ RoutineProof UnitVerifier::Run() {
   MakeArguments();
   Memory memory(terms_, program_.ir, program_.cells, MakeEnvironment());
   proof_.reason = ExecuteProgram(memory);
-  if (!proof_.reason.empty()) return std::move(proof_);
+  gave_up_ = !proof_.reason.empty();
+  if (gave_up_) return std::move(proof_);
   const CodeOutcome outcome = ExecuteCode();
   proof_.instructions = outcome.instructions;
   proof_.reason = outcome.refusal;
   if (!proof_.reason.empty()) return std::move(proof_);
   Ask(memory, outcome);
   Decide();
+  gave_up_ = proof_.result == ProofResult::kNotDecided;
   return std::move(proof_);
 }
 
@@ -361,45 +371,78 @@ RoutineProof UnitVerifier::Run() {
 class Verification {
  public:
   Verification(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits)
-      : program_(emittable, code, limits), proved_(program_.units.all.size()) {}
+      : program_(emittable, code, limits), visited_(program_.units.all.size()), open_(program_.units.all.size()) {}
 
   void ProveRoutine(ir::RoutineId routine) { Prove(program_.units.of_routines[routine.index]); }
   std::vector<RoutineProof> TakeProofs() { return std::move(proofs_); }
 
  private:
+  /// What the proof of a function takes for granted.
+  struct Granted {
+    std::vector<std::string> functions;
+    std::set<std::string> open;  // of these, and of what they call, those that are not decided
+  };
+
   void Prove(UnitId id);
+  /// Of calls that are replaced, also in functions that are followed.
+  void Collect(const Unit& unit, Granted& granted) const;
 
   Program program_;
-  std::vector<bool> proved_;  // by UnitId: looked at
+  std::vector<bool> visited_;                // by UnitId
+  std::vector<std::set<std::string>> open_;  // by UnitId, of those that are replaced
   std::vector<RoutineProof> proofs_;
 };
 
+void Verification::Collect(const Unit& unit, Granted& granted) const {
+  for (const UnitId id : unit.callees) {
+    const Unit& callee = program_.units[id];
+    if (program_.calls[id.index] == nullptr) {
+      Collect(callee, granted);
+    } else if (std::ranges::find(granted.functions, callee.name) == granted.functions.end()) {
+      granted.functions.push_back(callee.name);
+      granted.open.insert(open_[id.index].begin(), open_[id.index].end());
+    }
+  }
+}
+
 void Verification::Prove(UnitId id) {
-  if (!id.valid() || proved_[id.index]) return;
-  proved_[id.index] = true;
+  if (!id.valid() || visited_[id.index]) return;
+  visited_[id.index] = true;
   const Unit& unit = program_.units[id];
   for (const UnitId callee : unit.callees) Prove(callee);
   const bool inner = unit.part.region.valid() || emit::SharesLocals(program_.ir.routines[unit.part.routine].kind);
   const auto parameters = program_.code.Parameters(program_.CppName(unit));
   // What the compiler has put into its callers is proved there.
   if (inner && !parameters) return;
-  std::vector<std::string> relies_on;
-  for (const UnitId callee : unit.callees) {
-    if (program_.calls[callee.index] != nullptr) relies_on.push_back(program_.units[callee].name);
-  }
+  Granted granted;
+  Collect(unit, granted);
   RoutineProof proof;
+  bool gave_up = false;
   for (const Callees callees : {Callees::kReplacedInOrder, Callees::kReplacedByArguments, Callees::kFollowed}) {
-    if (callees != Callees::kFollowed && relies_on.empty()) continue;
-    // What is not so for unknown functions may be so for these.
-    proof = UnitVerifier(program_, unit, callees).Run();
+    // What is not so for unknown functions may be so for these; but who was given up once is not followed again.
+    if (callees == Callees::kFollowed ? !granted.open.empty() : granted.functions.empty()) continue;
+    UnitVerifier verifier(program_, unit, callees);
+    proof = verifier.Run();
+    gave_up = verifier.gave_up();
+    if (proof.result == ProofResult::kNotDecided && gave_up) break;
     if (proof.result != ProofResult::kProved) continue;
-    if (callees != Callees::kFollowed) proof.relies_on = std::move(relies_on);
+    if (callees != Callees::kFollowed) proof.relies_on = granted.functions;
     break;
   }
+  const bool takes_over = proof.result == ProofResult::kProved || gave_up;
+  if (gave_up) granted.open.insert(unit.name);
+  if (proof.result == ProofResult::kProved && !granted.open.empty()) {
+    proof.result = ProofResult::kNotDecided;
+    proof.reason = "all is proved but";
+    for (const std::string& name : granted.open) proof.reason += (name == *granted.open.begin() ? " " : ", ") + name;
+  }
   const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
-  if (proof.result == ProofResult::kProved && !init && parameters) {
+  if (takes_over && !init && parameters) {
     auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, unit, *parameters);
-    if (!call->is_opaque()) program_.calls[id.index] = std::move(call);
+    if (!call->is_opaque()) {
+      program_.calls[id.index] = std::move(call);
+      open_[id.index] = std::move(granted.open);
+    }
   }
   proofs_.push_back(std::move(proof));
 }
