@@ -163,10 +163,11 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
   if (!FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
-  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
   uint32_t invariants = 0;
   comparison.round_ms = limits.total_ms / 4;
+  // The solver's runs are the shortest ones; longer ones are tried for what these leave.
   SearchRuns(comparison);
+  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
   const uint32_t undecided = comparison.UndecidedCount();
   if (undecided > 0 && undecided <= kMostLookedAt && !comparison.Late()) {
     // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can

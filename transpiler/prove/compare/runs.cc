@@ -90,10 +90,8 @@ std::vector<bool> BitsBehind(const Terms& terms, TermId root) {
   return behind;
 }
 
-/// Behind a change that reaches everything the questions are large: when a search ends, as RestMs, that then has one
-/// `part`-th of the time.
+/// When a search that has one `part`-th of the time ends, as RestMs.
 uint64_t EndMs(const Comparison& comparison, uint64_t part) {
-  if (comparison.UndecidedCount() <= kMostLookedAt) return 0;
   const uint64_t rest = comparison.RestMs();
   return rest - std::min(rest, comparison.limits.total_ms / part);
 }
@@ -102,8 +100,9 @@ uint64_t EndMs(const Comparison& comparison, uint64_t part) {
 
 void SearchRuns(Comparison& comparison) {
   if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
-  // A state answers large questions sooner than a run.
-  const uint64_t end_ms = EndMs(comparison, 30);
+  // Behind a change that reaches everything the questions are large: a state answers them sooner than a run.
+  const bool many = comparison.UndecidedCount() > kMostLookedAt;
+  const uint64_t end_ms = EndMs(comparison, many ? 30 : 8);
   Unrolled state = PowerOn(comparison);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
@@ -186,9 +185,10 @@ void SearchStates(Comparison& comparison) {
     const TermId differ = comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
     if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
   }
-  const uint64_t end_ms = EndMs(comparison, 10);
+  const bool many = comparison.UndecidedCount() > kMostLookedAt;
+  const uint64_t end_ms = many ? EndMs(comparison, 10) : 0;
   const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
-  if (any_state && comparison.UndecidedCount() > kMostLookedAt) TryRandomStates(comparison, pairs);
+  if (any_state && many) TryRandomStates(comparison, pairs);
   comparison.PushInvariants();
   for (const OpenPair& pair : pairs) {
     if (pair.result->run || comparison.RestMs() <= end_ms) continue;
