@@ -146,8 +146,8 @@ TermId GivesSecond(Terms& terms, std::string_view function, TermId calls);
 TermId SecondAnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
 /// A byte of a space after a call that writes the state: of `space` by its name.
 TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::string_view space, uint32_t offset);
-/// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState (all
-/// of a space that is not divided into zones), all of a retentive space by kWritesRetentive.
+/// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState, all
+/// of a retentive space by kWritesRetentive.
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 
 }  // namespace plcxx::prove

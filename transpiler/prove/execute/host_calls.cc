@@ -49,7 +49,8 @@ bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId i
       for (const ir::Zone& zone : space.zones) {
         if (zone.begin <= offset && offset < zone.end) return zone.direction == ir::Direction::kInput;
       }
-      return space.zones.empty() && space.lifetime == ir::Lifetime::kVolatile;
+      // What is in no zone is the program's own: people may look at it, the control does not write it.
+      return false;
   }
   PLCXX_UNREACHABLE();
 }
