@@ -16,6 +16,7 @@ namespace {
 
 constexpr size_t kMostBits = 96;    // that are looked at two by two
 constexpr size_t kMostValues = 12;  // of a byte or field that is said to take few
+constexpr size_t kMostLimits = 6;   // that a number is guessed to stay below
 constexpr int kRuns = 12, kPeriods = 150;
 
 class Finder {
@@ -33,6 +34,8 @@ class Finder {
   void Simulate();
   void RecordSample(const std::map<CellId, uint64_t>& state);
   void Guess();
+  /// The number may have a limit that the program has as a constant, though no run came near it.
+  void GuessLimits(const std::vector<CellId>& cells, uint64_t greatest);
   void DropWrongAtPowerOn();
   bool Prove();
 
@@ -49,6 +52,8 @@ class Finder {
   std::vector<std::vector<CellId>> bytes_;  // of interest, from bit 7 down
   std::vector<uint8_t> seen_pairs_;         // by two bits of interest: which of the four combinations occurred
   std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
+  std::vector<uint64_t> greatest_fields_, greatest_bytes_;  // that occurred
+  std::set<uint64_t> limits_;                               // constants of the functions, and their neighbours
   std::vector<Invariant> guesses_;
   Random random_{0x2545F4914F6CDD1D};
   std::chrono::steady_clock::time_point deadline_;
@@ -100,11 +105,13 @@ void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
     }
   }
   for (size_t i = 0; i < fields_.size(); ++i) {
+    greatest_fields_[i] = std::max(greatest_fields_[i], state.at(fields_[i]));
     if (seen_fields_[i].size() <= kMostValues) seen_fields_[i].insert(state.at(fields_[i]));
   }
   for (size_t i = 0; i < bytes_.size(); ++i) {
     uint64_t value = 0;
     for (const CellId cell : bytes_[i]) value = value << 1 | bit(cell);
+    greatest_bytes_[i] = std::max(greatest_bytes_[i], value);
     if (seen_bytes_[i].size() <= kMostValues) seen_bytes_[i].insert(value);
   }
 }
@@ -116,6 +123,11 @@ void Finder::Simulate() {
     roots.push_back(init_.next[cell.index]);
   }
   const std::vector<TermId> cone = ConeOf(terms_, roots);
+  for (const TermId id : cone) {
+    if (terms_[id].kind != TermKind::kConst) continue;
+    const uint64_t constant = terms_.Value(id);
+    limits_.insert({constant - 1, constant, constant + 1});
+  }
   std::vector<uint64_t> values(terms_.size());
   std::map<uint32_t, CellId> cell_of;  // by variable
   for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;
@@ -155,6 +167,18 @@ void Finder::Simulate() {
   }
 }
 
+void Finder::GuessLimits(const std::vector<CellId>& cells, uint64_t greatest) {
+  const uint64_t width = cells.size() > 1
+                             ? cells.size()
+                             : CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cells.front()));
+  const uint64_t most = width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1;
+  size_t count = 0;
+  for (auto limit = limits_.lower_bound(greatest); limit != limits_.end() && *limit < most && count < kMostLimits;
+       ++limit, ++count) {
+    guesses_.push_back({.cells = cells, .values = {*limit}, .kind = Invariant::Kind::kAtMost});
+  }
+}
+
 void Finder::Guess() {
   for (size_t i = 0; i < bits_.size(); ++i) {
     const uint8_t own = seen_pairs_[i * bits_.size() + i];  // combination 0 and 3 only
@@ -167,15 +191,17 @@ void Finder::Guess() {
       if (other == 1 || other == 8) continue;
       for (uint64_t combination = 0; combination < 4; ++combination) {
         if ((seen_pairs_[i * bits_.size() + j] >> combination & 1) != 0) continue;
-        guesses_.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .never = true});
+        guesses_.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .kind = Invariant::Kind::kNoneOf});
       }
     }
   }
   for (size_t i = 0; i < fields_.size(); ++i) {
+    GuessLimits({fields_[i]}, greatest_fields_[i]);
     if (seen_fields_[i].size() > kMostValues) continue;
     guesses_.push_back({.cells = {fields_[i]}, .values = {seen_fields_[i].begin(), seen_fields_[i].end()}});
   }
   for (size_t i = 0; i < bytes_.size(); ++i) {
+    GuessLimits(bytes_[i], greatest_bytes_[i]);
     if (seen_bytes_[i].size() > kMostValues) continue;
     guesses_.push_back({.cells = bytes_[i], .values = {seen_bytes_[i].begin(), seen_bytes_[i].end()}});
   }
@@ -245,6 +271,8 @@ std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t mill
   seen_pairs_.assign(bits_.size() * bits_.size(), 0);
   seen_fields_.resize(fields_.size());
   seen_bytes_.resize(bytes_.size());
+  greatest_fields_.resize(fields_.size());
+  greatest_bytes_.resize(bytes_.size());
   Simulate();
   Guess();
   DropWrongAtPowerOn();
@@ -260,10 +288,13 @@ TermId ConditionOf(Terms& terms, const Invariant& invariant, const std::function
     const TermId part = value(cell);
     number = number.valid() ? terms.Concat(number, part) : part;
   }
+  if (invariant.kind == Invariant::Kind::kAtMost) {
+    return terms.Ule(number, terms.Const(invariant.values.front(), terms.Width(number)));
+  }
   TermId any = terms.Bit(false);
   for (const uint64_t one : invariant.values)
     any = terms.Or(any, terms.Eq(number, terms.Const(one, terms.Width(number))));
-  return invariant.never ? terms.Not(any) : any;
+  return invariant.kind == Invariant::Kind::kNoneOf ? terms.Not(any) : any;
 }
 
 std::vector<Invariant> FindInvariants(Terms& terms, Solver& solver, const Version& version,

@@ -2,8 +2,8 @@
 //
 // In: a version and the cells of interest. Out: clauses over its cells, each proved for every run from power-on, with
 // any inputs and answers of the host; the host writes inputs only. Guesses: a bit that never changes, two bits that
-// never have certain values together, a byte or field that takes few values. What one guess needs another one may
-// give: they are proved together, and what fails is dropped until nothing does.
+// never have certain values together, a byte or field that takes few values, or none above a constant of the program.
+// What one guess needs another one may give: they are proved together, and what fails is dropped until nothing does.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,12 @@
 
 namespace plcxx::prove {
 
-/// The values that never occur: all `cells` have one of the tuples of `values`, or (`never`) none of them.
+/// What the number that `cells` make may be.
 struct Invariant {
-  std::vector<CellId> cells;  // from the most significant down; together one number
-  std::vector<uint64_t> values;
-  bool never = false;  // the number is none of the values; else it is one of them
+  enum class Kind : uint8_t { kOneOf, kNoneOf, kAtMost };
+  std::vector<CellId> cells;     // from the most significant down; together one number
+  std::vector<uint64_t> values;  // of kAtMost one
+  Kind kind = Kind::kOneOf;
 };
 
 /// An invariant as a condition on the values that `value` gives.
