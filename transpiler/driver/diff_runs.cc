@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "transpiler/driver/diff_machine.h"
+#include "transpiler/driver/diff_stimuli.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/prove/terms/random.h"
 
@@ -22,6 +23,7 @@ constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
 constexpr uint64_t kRandomShare = 5, kQuickShare = 40;  // of the time: a fifth, a fortieth
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
+constexpr uint32_t kLeastPulses = 20;
 constexpr size_t kMostSought = 400;
 
 /// The scenario files of one directory, sorted; none when there are none.
@@ -100,16 +102,6 @@ std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vec
   return behind;
 }
 
-/// All that matters is set once, and then nothing happens for longer and longer.
-Stimuli HoldStimuli(Random& random, const std::vector<prove::SetCell>& inputs) {
-  Stimuli stimuli{{.inputs = inputs, .words = {}, .slow = 1}};
-  for (prove::SetCell& input : stimuli.front().inputs) input.value = random.Next() >> 7 & 1;
-  for (const uint32_t ms : {500U, 1000U, 2000U, 5000U, 20'000U}) {
-    stimuli.push_back({.inputs = {}, .words = {}, .slow = 0, .ms = ms});
-  }
-  return stimuli;
-}
-
 /// What the scenarios beside the first source do: their steps without what they expect.
 std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
   std::vector<Stimuli> all;
@@ -186,10 +178,15 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
   std::vector<prove::SetCell> behind;
   if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::SetCell::new_cell);
+  // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
+  const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_side.whole, new_side.whole);
+  const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
   for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
-    if (std::chrono::steady_clock::now() > begin + (end - begin) / 4) break;
+    if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
-    run_both(HoldStimuli(random, behind));
+    run_both(HoldStimuli(random, behind, run, changed.times_ms));
+    if (options.progress) options.progress("counting run " + std::to_string(run + 1));
+    run_both(PulseStimuli(random, behind, run, pulses));
   }
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));

@@ -1,0 +1,120 @@
+#include "transpiler/driver/diff_stimuli.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
+#include "transpiler/ir/op.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr size_t kMostChanged = 8;                // constants of one version that are looked at
+constexpr uint64_t kLongestMs = 2 * 60 * 60'000;  // no preset of a machine is watched for longer
+constexpr uint64_t kPieceMs = 10'000;             // of a wait, so that a search can end in time
+constexpr uint64_t kHalvesWatched = 6;            // of the time between two presets, from the shorter one on
+constexpr uint32_t kMostCounts = 1000;
+
+/// Ascending, each as often as it stands there.
+std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
+  std::vector<uint64_t> constants;
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.push_back(ConstantValue(inst));
+    }
+  }
+  std::ranges::sort(constants);
+  return constants;
+}
+
+/// The milliseconds that one unit of a preset may be.
+std::set<uint64_t> UnitsOf(const ir::Program& program) {
+  std::set<uint64_t> units{1, 10, 20, 100, 1000, 60'000};
+  units.insert(std::max<uint64_t>(1, program.schedule.period_ms));
+  for (const ir::Routine& routine : program.routines) {
+    units.insert(std::max<uint64_t>(1, uint64_t{program.schedule.period_ms} * routine.slices));
+  }
+  return units;
+}
+
+/// Of a preset that carries its unit: three decades, in bits 13 and 12 the power of ten of their milliseconds.
+uint64_t TimeWordMs(uint64_t word) {
+  uint64_t ms = (word >> 8 & 15) * 100 + (word >> 4 & 15) * 10 + (word & 15);
+  for (uint64_t scale = word >> 12 & 3; scale > 0; --scale) ms *= 10;
+  return ms;
+}
+
+/// How likely an input is 1 in a run, in eighths: half, many or few of them, in turn.
+uint32_t DensityOf(int run) {
+  constexpr std::array<uint32_t, 5> kEighths = {7, 4, 1, 6, 2};
+  return kEighths[static_cast<size_t>(run) % kEighths.size()];
+}
+
+std::vector<prove::SetCell> WithValues(prove::Random& random, std::vector<prove::SetCell> inputs, uint32_t density) {
+  for (prove::SetCell& input : inputs) input.value = (random.Next() >> 7) % 8 < density ? 1 : 0;
+  return inputs;
+}
+
+}  // namespace
+
+ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program) {
+  const std::vector<uint64_t> old_constants = ConstantsOf(old_program), new_constants = ConstantsOf(new_program);
+  std::vector<uint64_t> gone, come;
+  std::ranges::set_difference(old_constants, new_constants, std::back_inserter(gone));
+  std::ranges::set_difference(new_constants, old_constants, std::back_inserter(come));
+  ChangedConstants changed;
+  if (gone.size() > kMostChanged || come.size() > kMostChanged) return changed;
+  const std::set<uint64_t> units = UnitsOf(old_program);
+  std::set<uint32_t> times;
+  const auto add_between = [&times](uint64_t one, uint64_t other, uint64_t unit) {
+    const auto [low, high] = std::minmax(one, other);
+    if (high > kLongestMs / unit) return;
+    // A timer may start some scans late, and what follows from it may need some more.
+    for (uint64_t half = 1; half <= kHalvesWatched; ++half) {
+      times.insert(static_cast<uint32_t>((2 * low + half * (high - low)) * unit / 2));
+    }
+  };
+  for (const uint64_t before : gone) {
+    for (const uint64_t after : come) {
+      const uint64_t greater = std::max(before, after);
+      if (greater <= kMostCounts) changed.counts = std::max(changed.counts, static_cast<uint32_t>(greater));
+      for (const uint64_t unit : units) add_between(before, after, unit);
+      if (greater <= 0xFFFF) add_between(TimeWordMs(before), TimeWordMs(after), 1);
+    }
+  }
+  changed.times_ms.assign(times.begin(), times.end());
+  return changed;
+}
+
+Stimuli HoldStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run,
+                    const std::vector<uint32_t>& times_ms) {
+  constexpr std::array<uint64_t, 6> kPatience = {30'000, 30'000, 10 * 60'000, 30'000, 10 * 60'000, kLongestMs};
+  const uint64_t longest = kPatience[static_cast<size_t>(run) % kPatience.size()];
+  Stimuli stimuli{{.inputs = WithValues(random, inputs, DensityOf(run)), .words = {}, .slow = 1}};
+  std::set<uint32_t> ends{500, 1500, 3500, 8500, 28'500};
+  ends.insert(times_ms.begin(), times_ms.end());
+  uint32_t now = 0;
+  for (const uint32_t end : ends) {
+    if (end > longest) break;
+    while (now < end) {
+      const auto ms = static_cast<uint32_t>(std::min<uint64_t>(end - now, kPieceMs));
+      stimuli.push_back({.inputs = {}, .words = {}, .slow = 0, .ms = ms});
+      now += ms;
+    }
+  }
+  return stimuli;
+}
+
+Stimuli PulseStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run, uint32_t count) {
+  Stimuli stimuli{{.inputs = WithValues(random, inputs, DensityOf(run)), .words = {}, .slow = 1}};
+  prove::SetCell pulse = stimuli.front().inputs[random.Next() % inputs.size()];
+  for (uint32_t i = 0; i < 2 * count; ++i) {
+    pulse.value ^= 1;
+    stimuli.push_back({.inputs = {pulse}, .words = {}, .slow = 1});
+  }
+  return stimuli;
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,30 @@
+// What is set and how long is waited in the runs that look for a difference.
+//
+// In: the inputs that matter, two programs. Out: stimuli for both versions. Not its job: running them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transpiler/driver/diff_runs.h"
+#include "transpiler/ir/program.h"
+#include "transpiler/prove/terms/random.h"
+
+namespace plcxx::driver {
+
+/// What the constants tell that only one of two versions has: a preset or a limit was changed, perhaps.
+struct ChangedConstants {
+  std::vector<uint32_t> times_ms;  // ascending: between an old preset and a new one, whatever its unit
+  uint32_t counts = 0;             // the greatest one that a counter may have to reach; 0: none
+};
+ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program);
+
+/// All inputs are set once, and then nothing happens for longer and longer: until each of `times_ms`, too, as far as
+/// this run is one of the patient ones. Long waits cost much, so most runs end early.
+Stimuli HoldStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run,
+                    const std::vector<uint32_t>& times_ms);
+
+/// All inputs are set once; then one of them comes and goes `count` times.
+Stimuli PulseStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run, uint32_t count);
+
+}  // namespace plcxx::driver
