@@ -20,12 +20,13 @@ struct Compared {
   }
 };
 
-Compared CompareTexts(const std::string& old_text, const std::string& new_text, DiffOptions options = {}) {
+Compared CompareTexts(const std::string& old_text, const std::string& new_text, DiffOptions options = {},
+                      const std::string& dialect = "nc110") {
   const testing_support::TemporaryDirectory directory;
-  const auto side = [&directory](const std::string& name, const std::string& text) {
+  const auto side = [&directory, &dialect](const std::string& name, const std::string& text) {
     CompilationRequest request;
     request.sources = {directory.Write(name, text)};
-    request.dialect = "nc110";
+    request.dialect = dialect;
     return MakeDiffSide(name, request);
   };
   DiffSide old_side = side("old.plc", old_text), new_side = side("new.plc", new_text);
@@ -103,6 +104,61 @@ TEST(Diff, EqualWhereItCanBeReachedOnly) {
   const Compared reachable = CompareTexts(later, later_new);
   EXPECT_EQ(NamesOf(reachable.diff), "");
   EXPECT_GE(reachable.diff.invariants, 1U);
+}
+
+TEST(Diff, APresetThatChangedByALittleIsFound) {
+  // Both are longer than any wait that does not know them, and differ in a tenth of a second only.
+  const Compared compared = CompareTexts("$\nT1I(255)=I0A3\nU4A8=T1U\n", "$\nT1I(254)=I0A3\nU4A8=T1U\n");
+  const DiffItem* const item = compared.Find("U4A8");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
+  ASSERT_TRUE(item->counterexample.has_value());
+  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_FALSE(item->counterexample->from_state);
+}
+
+TEST(Diff, ALimitOfACounterIsFoundByCounting) {
+  const Compared compared = CompareTexts("$\nC1I(30)=I0A3\nU4A8=[C1W=0]\n", "$\nC1I(31)=I0A3\nU4A8=[C1W=0]\n");
+  const DiffItem* const item = compared.Find("U4A8");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
+  ASSERT_TRUE(item->counterexample.has_value());
+  EXPECT_FALSE(item->counterexample->from_state);
+}
+
+TEST(Diff, WhatOnlyTheOtherVersionReadsCounts) {
+  // An edge with a flag instead of a one-shot: equal, since flag and memory of the one-shot are always alike.
+  const std::string one_shot = "$\nP1=I0A3\nU4A8=P1\nU20K0=I0A3\n";
+  const Compared compared = CompareTexts(one_shot, "$\nP1=I0A3\nU4A8=I0A3*/U20K0\nU20K0=I0A3\n");
+  EXPECT_EQ(NamesOf(compared.diff), "");
+}
+
+TEST(Diff, TimersThatChangedTheirNumbersAreTheSameByMap) {
+  const std::string before = "$\nT1I(10)=I0A3\nU4A8=T1U\nT2I(20)=I0A4\nU4A9=T2U\n";
+  const std::string after = "$\nT2I(10)=I0A3\nU4A8=T2U\nT1I(20)=I0A4\nU4A9=T1U\n";
+  EXPECT_EQ(NamesOf(CompareTexts(before, after, {.same = {{"T1U", "T2U"}, {"T2U", "T1U"}}}).diff), "");
+}
+
+TEST(Diff, WhatTheProgramStartsWithCounts) {
+  // The only difference is a value that a variable has from power-on on, or that init() gives it.
+  const std::string parts = "#include \"plc.h\"\nvoid plc1() {}\nvoid plc2() { Y[0] = n; }\n";
+  const auto verdict = [&parts](const std::string& old_rest, const std::string& new_rest) {
+    const Compared compared = CompareTexts(old_rest + parts, new_rest + parts, {}, "hnc");
+    const DiffItem* const item = compared.Find("Y[0]");
+    return item == nullptr ? ItemVerdict::kEqual : item->verdict;
+  };
+  EXPECT_EQ(verdict("void init() {}\nstatic int n = 5;\n", "void init() {}\nstatic int n = 6;\n"),
+            ItemVerdict::kDifferent);
+  EXPECT_EQ(verdict("static int n;\nvoid init() { n = 5; }\n", "static int n;\nvoid init() { n = 6; }\n"),
+            ItemVerdict::kDifferent);
+}
+
+TEST(Diff, WhatHasNoNameIsInNoScenario) {
+  const Compared compared = CompareTexts("$\nT0I(10)=I0A3\nU4A8=T0U\n", "$\nT0I(20)=I0A3\nU4A8=T0U\n");
+  for (const DiffItem& item : compared.diff.items) {
+    if (!item.counterexample || item.name.find('.') == std::string::npos) continue;
+    EXPECT_EQ(item.counterexample->scenario, "") << item.name;
+  }
 }
 
 TEST(Diff, AnInputThatMovedIsTheSameByMap) {

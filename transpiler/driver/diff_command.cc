@@ -71,7 +71,7 @@ int WriteScenarios(const Diff& diff, const std::string& directory) {
   OutputRequest output{.directory = directory, .files = {}, .protected_paths = {}};
   std::set<std::string> names;
   for (const DiffItem& item : diff.items) {
-    if (!item.counterexample) continue;
+    if (!item.counterexample || item.counterexample->scenario.empty()) continue;
     std::string name = FileNameOf(item.name);
     for (int number = 2; !names.insert(name).second; ++number)
       name = FileNameOf(item.name) + "_" + std::to_string(number);

@@ -48,10 +48,27 @@ std::string Normalized(std::string_view text) {
   return result;
 }
 
-std::set<std::string> TextsOf(const Compilation& compilation) {
-  std::set<std::string> texts;
+/// What a version says, without spaces that do not count.
+struct Texts {
+  std::set<std::string> statements, lines;
+};
+
+std::vector<std::string_view> LinesOf(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
+  }
+  return lines;
+}
+
+Texts TextsOf(const Compilation& compilation) {
+  Texts texts;
   for (const ir::Statement& statement : compilation.program.statements) {
-    texts.insert(Normalized(compilation.sources->Text(statement.range)));
+    const std::string_view text = compilation.sources->Text(statement.range);
+    texts.statements.insert(Normalized(text));
+    for (const std::string_view line : LinesOf(text)) texts.lines.insert(Normalized(line));
   }
   return texts;
 }
@@ -63,16 +80,26 @@ std::string ShownPath(const DiffSide& side, const std::string& path) {
   return std::filesystem::path(path).lexically_normal().generic_string();
 }
 
-ItemStatement StatementOf(const Named& side, ir::StatementId id, const std::set<std::string>& other_texts) {
+/// A statement of several lines is shown by the first one that the other version does not have.
+ItemStatement StatementOf(const Named& side, ir::StatementId id, const Texts& other_texts) {
   const ir::Statement& statement = side.version.program->statements[id];
   const std::string_view text = side.compilation.sources->Text(statement.range);
-  const source::Position at = side.compilation.sources->Locate(statement.range.begin);
+  const bool changed = !other_texts.statements.contains(Normalized(text));
+  std::string_view shown = text.substr(0, text.find_first_of("\r\n"));
+  for (const std::string_view line : LinesOf(text)) {
+    if (!changed || other_texts.lines.contains(Normalized(line))) continue;
+    const size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    if (first < line.size()) shown = line.substr(first);
+    break;
+  }
+  const auto offset = static_cast<uint32_t>(shown.data() - text.data());
+  const source::Position at = side.compilation.sources->Locate(statement.range.begin + offset);
   return {.statement = id,
           .file = at.file.valid() ? ShownPath(side.side, side.compilation.sources->Get(at.file).path) : std::string(),
           .line = at.line,
           .column = at.column,
-          .text = std::string(text.substr(0, text.find_first_of("\r\n"))),
-          .changed = !other_texts.contains(Normalized(text))};
+          .text = std::string(shown),
+          .changed = changed};
 }
 
 ItemKind KindOf(const prove::Version& version, CellId cell) {
@@ -176,7 +203,7 @@ Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::ve
 /// The changed statements that write what `readers` read: a value may be another one in the middle of a scan only, and
 /// what has it then is not in the list.
 std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::StatementId>& readers,
-                                        const std::set<std::string>& other_texts) {
+                                        const Texts& other_texts) {
   std::vector<bool> read(side.version.cells.count);
   for (const StatementAccess& access : side.accesses) {
     if (access.writes || !readers.contains(access.statement)) continue;
@@ -194,14 +221,14 @@ std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::St
 }
 
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
-  const std::set<std::string> old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
+  const Texts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
   const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
   const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
   for (uint32_t i = 0; i < items.size(); ++i) {
     DiffItem& item = items[i].item;
     if (item.verdict == ItemVerdict::kEqual) continue;
     std::set<std::string> through;
-    const auto add = [&](const Named& side, const Touched& touched, const std::set<std::string>& other_texts,
+    const auto add = [&](const Named& side, const Touched& touched, const Texts& other_texts,
                          std::vector<ItemStatement>& statements) {
       for (const ir::StatementId id : touched.writers[i]) {
         statements.push_back(StatementOf(side, id, other_texts));

@@ -109,7 +109,7 @@ class Shortener {
       if (try_without(std::move(shorter))) break;
     }
     for (size_t step = 0; step < stimuli.size(); ++step) {
-      for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U}) {
+      for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U, 5000U, 10'000U, 20'000U, 60'000U}) {
         if (stimuli[step].ms <= ms) break;
         Stimuli shorter = stimuli;
         shorter[step].ms = ms;
@@ -184,6 +184,12 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
   return other;
 }
 
+/// A value as a scenario writes it.
+std::string ValueText(const CellWord& word, uint64_t value) {
+  const bool is_float = word.place && sim::IsFloat(word.place->type);
+  return is_float ? sim::ValueDigits(word.place->type, value) : std::to_string(value);
+}
+
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name.
 std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequest& request,
                                                         const std::vector<prove::SetCell>& inputs,
@@ -202,7 +208,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequ
       const auto cell = now.find(word.cells[i]);
       if (cell != now.end()) value |= cell->second << i;
     }
-    sets.emplace_back(word.name, std::to_string(value));
+    sets.emplace_back(word.name, ValueText(word, value));
   }
   return sets;
 }
@@ -302,6 +308,8 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
     if (!shortener.Shows(stimuli, request.old_cells, new_cells)) return std::nullopt;
   }
   stimuli = Joined(shortener.Shorten(std::move(stimuli), request.old_cells, new_cells));
+  // A wait that came in pieces is one number now, perhaps a rounder one.
+  stimuli = shortener.Shorten(std::move(stimuli), request.old_cells, new_cells);
   --budget.left;
   return DescribeCounterexample(old_side, new_side, request, stimuli, options, budget);
 }
@@ -317,6 +325,9 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
   for (const Stimulus& stimulus : stimuli) {
     std::vector<std::pair<std::string, std::string>> sets = SetsOf(request, stimulus.inputs, now);
     sets.insert(sets.end(), stimulus.words.begin(), stimulus.words.end());
+    std::erase_if(sets, [&old_side](const auto& set) {
+      return !old_side.compilation.dialect->locate(old_side.compilation.program, set.first);
+    });
     std::string assignments;
     for (const auto& [name, value] : sets) add(assignments, Quoted(name) + ": " + Quoted(value));
     for (size_t i = 0; i < sets.size() && i < kMostShown; ++i) {
@@ -355,11 +366,12 @@ std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSid
   if (request.kind == ItemKind::kCalls) {
     example.old_value = "other calls";
     example.new_value = "other calls";
-    example.scenario = Heading(old_side, options) + "steps:\n" + steps;
     return example;
   }
-  example.old_value = std::to_string(old_value);
-  example.new_value = std::to_string(new_value);
+  example.old_value = ValueText(word, old_value);
+  example.new_value = ValueText(word, new_value);
+  // What the language has no name for is seen in the simulator, and in no scenario.
+  if (!old_side.compilation.dialect->locate(old_side.compilation.program, word.name)) return example;
   const std::string heading = "# " + request.name + " is " + example.old_value + " in the old version and " +
                               example.new_value + " in the new one.\n" + Heading(old_side, options);
   example.scenario =
