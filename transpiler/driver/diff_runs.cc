@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include "transpiler/driver/diff_machine.h"
 #include "transpiler/driver/diff_stimuli.h"
-#include "transpiler/driver/scenario.h"
+#include "transpiler/driver/known_runs.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::driver {
@@ -25,18 +23,6 @@ constexpr uint64_t kRandomShare = 5, kQuickShare = 40;  // of the time: a fifth,
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr uint32_t kLeastPulses = 20;
 constexpr size_t kMostSought = 400;
-
-/// The scenario files of one directory, sorted; none when there are none.
-std::vector<std::string> FindScenariosIn(const std::string& directory) {
-  std::vector<std::string> found;
-  std::error_code error;
-  const std::string where = directory.empty() ? "." : directory;
-  for (const auto& entry : std::filesystem::directory_iterator(where, error)) {
-    if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
-  }
-  std::ranges::sort(found);
-  return found;
-}
 
 /// The pairs that the host writes and a version reads, by the names of inputs that a scenario can set.
 std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const prove::Version& new_version,
@@ -102,34 +88,17 @@ std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vec
   return behind;
 }
 
-/// What the scenarios beside the first source do: their steps without what they expect.
 std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
   std::vector<Stimuli> all;
-  const std::filesystem::path base = side.request.base_directory;
-  const std::filesystem::path source = base / side.request.sources.front();
-  const auto found = FindScenariosIn(source.parent_path().string());
-  for (const std::string& path : found) {
-    const ScenarioOrErrors read = ReadScenario(path);
-    const auto* const scenario = std::get_if<Scenario>(&read);
-    if (scenario == nullptr || !scenario->steps) continue;
+  for (const std::vector<KnownStep>& steps : KnownRuns(side.request)) {
     Stimuli stimuli;
     Stimulus next;
-    for (const ScenarioStep& step : *scenario->steps) {
-      if (const auto* const set = std::get_if<SetStep>(&step.action)) {
-        for (const Assignment& assignment : set->assignments) {
-          next.words.emplace_back(assignment.location.text, assignment.value.text);
-        }
-      } else if (const auto* const run = std::get_if<RunStep>(&step.action)) {
-        for (const RunPart& part : run->parts) {
-          if (part.unit == RunUnit::kFastTicks) continue;
-          (part.unit == RunUnit::kSlowCycles ? next.slow : next.ms) = part.count;
-          stimuli.push_back(std::exchange(next, {}));
-        }
-      } else if (!std::holds_alternative<ExpectStep>(step.action) &&
-                 !std::holds_alternative<ExpectCallsStep>(step.action) &&
-                 !std::holds_alternative<ExpectMessagesStep>(step.action)) {
-        break;  // forces and power cycles have no stimulus
-      }
+    for (const KnownStep& step : steps) {
+      next.words.insert(next.words.end(), step.words.begin(), step.words.end());
+      if (step.fast != 0) continue;  // the fast part alone is no period of both versions
+      next.slow = step.slow;
+      next.ms = step.ms;
+      stimuli.push_back(std::exchange(next, {}));
     }
     if (!stimuli.empty()) all.push_back(std::move(stimuli));
   }

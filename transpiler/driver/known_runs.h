@@ -1,0 +1,27 @@
+// What the scenarios beside a program do to it: where a search for runs begins, because a machine at work is hard to
+// guess.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/compilation.h"
+
+namespace plcxx::driver {
+
+/// Locations set, as the scenario writes them with their values, then time.
+struct KnownStep {
+  std::vector<std::pair<std::string, std::string>> words;
+  // One of them is not 0.
+  uint32_t slow = 0;  // complete slow passes
+  uint32_t fast = 0;  // ticks of the fast part
+  uint32_t ms = 0;
+};
+
+/// The steps of the scenarios in the directory of the first source, by name, up to the first force or power cycle;
+/// without what they expect. Files that are no scenarios, or have no steps, are left out.
+std::vector<std::vector<KnownStep>> KnownRuns(const CompilationRequest& request);
+
+}  // namespace plcxx::driver
