@@ -1,7 +1,8 @@
 // Reads a reference grammar (grammars/*.ebnf, ISO 14977) and makes sentences of it, so that the grammar is executed.
 //
 // In: the text of a grammar. Out: its productions with the functions that read them (behind "->" in the comment of a
-// production), what is wrong with it, and random sentences as lists of terminals. Not its job: parsing.
+// production), what is wrong with it, random sentences as lists of terminals, and whether a list is a sentence. Not its
+// job: parsing.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plcxx::testing_support {
@@ -32,6 +34,13 @@ class Numbers {
 
 class Grammar {
  public:
+  /// How long sentences get. What repeats does so once more unless one in so many says no; below `top` productions in
+  /// one another whole parts of a program repeat; below `deep` each ends as soon as it can.
+  struct Shape {
+    uint32_t top = 4, deep = 30;
+    uint64_t top_rounds = 10, rounds = 4;
+  };
+
   /// Gives a text for what stands between question marks; "? 0 to 9 ?" needs none.
   using Special = std::function<std::string(const std::string& name, Numbers& numbers)>;
 
@@ -49,9 +58,20 @@ class Grammar {
 
   /// The terminals of one sentence, in order.
   std::vector<std::string> Sentence(Numbers& numbers, const Special& special) const {
+    return Sentence(numbers, special, Shape());
+  }
+  std::vector<std::string> Sentence(Numbers& numbers, const Special& special, const Shape& shape) const {
     std::vector<std::string> terminals;
-    Expand(productions_.at(names_.front()).body, 0, numbers, special, terminals);
+    Expand(productions_.at(names_.front()).body, 0, shape, numbers, special, terminals);
     return terminals;
+  }
+
+  /// Whether a terminal is one that stands between question marks.
+  using IsSpecial = std::function<bool(const std::string& name, const std::string& terminal)>;
+  /// Whether this is a sentence; the grammar has no left recursion.
+  bool Accepts(const std::vector<std::string>& terminals, const IsSpecial& is_special) const {
+    Recognizer recognizer{.terminals = terminals, .is_special = is_special, .known = {}};
+    return Ends(productions_.at(names_.front()).body, 0, recognizer).contains(terminals.size());
   }
 
  private:
@@ -67,8 +87,6 @@ class Grammar {
     uint32_t depth = kInfinite;  // of the shortest sentence
   };
   static constexpr uint32_t kInfinite = 1'000'000;
-  static constexpr uint32_t kTop = 4;
-  static constexpr uint32_t kDeep = 30;
 
   // Reading.
   static bool IsNameCharacter(char c) {
@@ -216,6 +234,56 @@ class Grammar {
     return depth;
   }
 
+  // Recognizing.
+  struct Recognizer {
+    const std::vector<std::string>& terminals;
+    const IsSpecial& is_special;
+    std::map<std::pair<const Node*, size_t>, std::set<size_t>> known;
+  };
+  /// Where the node can end that begins in front of a terminal.
+  const std::set<size_t>& Ends(const Node& node, size_t at, Recognizer& recognizer) const {
+    const auto key = std::pair(&node, at);
+    if (const auto found = recognizer.known.find(key); found != recognizer.known.end()) return found->second;
+    std::set<size_t> ends;
+    const bool more = at < recognizer.terminals.size();
+    switch (node.kind) {
+      case Kind::kTerminal:
+        if (more && recognizer.terminals[at] == node.text) ends.insert(at + 1);
+        break;
+      case Kind::kSpecial:
+        if (more && recognizer.is_special(node.text, recognizer.terminals[at])) ends.insert(at + 1);
+        break;
+      case Kind::kName:
+        ends = Ends(productions_.at(node.text).body, at, recognizer);
+        break;
+      case Kind::kSequence:
+        ends.insert(at);
+        for (const Node& child : node.children) {
+          std::set<size_t> next;
+          for (const size_t end : ends) next.merge(std::set(Ends(child, end, recognizer)));
+          ends = std::move(next);
+        }
+        break;
+      case Kind::kOptional:
+      case Kind::kRepeat: {
+        std::vector<size_t> open{at};
+        ends.insert(at);
+        while (!open.empty()) {
+          const size_t from = open.back();
+          open.pop_back();
+          for (const size_t end : Ends(node.children.front(), from, recognizer)) {
+            if (ends.insert(end).second && node.kind == Kind::kRepeat) open.push_back(end);
+          }
+        }
+        break;
+      }
+      case Kind::kChoice:
+        for (const Node& child : node.children) ends.merge(std::set(Ends(child, at, recognizer)));
+        break;
+    }
+    return recognizer.known[key] = std::move(ends);
+  }
+
   // Making sentences.
   static std::string NumberIn(const std::string& range, Numbers& numbers) {
     const size_t to = range.find(" to ");
@@ -225,9 +293,9 @@ class Grammar {
     if (numbers.OneIn(8)) return std::to_string(high);
     return std::to_string(low + static_cast<int64_t>(numbers.Below(static_cast<uint64_t>(high - low) + 1)));
   }
-  void Expand(const Node& node, uint32_t depth, Numbers& numbers, const Special& special,
+  void Expand(const Node& node, uint32_t depth, const Shape& shape, Numbers& numbers, const Special& special,
               std::vector<std::string>& terminals) const {
-    const bool deep = depth > kDeep;
+    const bool deep = depth > shape.deep;
     switch (node.kind) {
       case Kind::kTerminal:
         terminals.push_back(node.text);
@@ -237,24 +305,23 @@ class Grammar {
                                                                         : special(node.text, numbers));
         return;
       case Kind::kName:
-        return Expand(productions_.at(node.text).body, depth + 1, numbers, special, terminals);
+        return Expand(productions_.at(node.text).body, depth + 1, shape, numbers, special, terminals);
       case Kind::kSequence:
-        for (const Node& child : node.children) Expand(child, depth, numbers, special, terminals);
+        for (const Node& child : node.children) Expand(child, depth, shape, numbers, special, terminals);
         return;
       case Kind::kOptional:
-        if (!deep && numbers.OneIn(3)) Expand(node.children.front(), depth, numbers, special, terminals);
+        if (!deep && numbers.OneIn(3)) Expand(node.children.front(), depth, shape, numbers, special, terminals);
         return;
       case Kind::kRepeat:
-        // What repeats near the top are whole parts of a program.
-        while (!deep && !numbers.OneIn(depth < kTop ? 10 : 4))
-          Expand(node.children.front(), depth, numbers, special, terminals);
+        while (!deep && !numbers.OneIn(depth < shape.top ? shape.top_rounds : shape.rounds))
+          Expand(node.children.front(), depth, shape, numbers, special, terminals);
         return;
       case Kind::kChoice: {
         const Node* chosen = &node.children[numbers.Below(node.children.size())];
         if (deep) {
           chosen = &*std::ranges::min_element(node.children, {}, [this](const Node& child) { return DepthOf(child); });
         }
-        return Expand(*chosen, depth, numbers, special, terminals);
+        return Expand(*chosen, depth, shape, numbers, special, terminals);
       }
     }
   }

@@ -70,6 +70,7 @@ class LineParser {
   uint32_t Negation();
   uint32_t Held();
   uint32_t Primary();
+  /// A list in a list stands in parentheses: whose a comma is could not be seen.
   uint32_t CountOf(ConditionKind kind);
   uint32_t Comparison();
   uint32_t Range(uint32_t value, const PropertyWord& word);
@@ -92,6 +93,7 @@ class LineParser {
   const PropertySurroundings& surroundings_;
   size_t at_ = 0;
   int depth_ = 0;
+  bool in_list_ = false;
   Property property_;
   std::optional<PropertyError> error_;
 };
@@ -106,9 +108,10 @@ void LineParser::Parse() {
   CheckBit(property_.condition, first, "a property");
   if (never) {
     property_.condition = Add({.kind = ConditionKind::kNot, .children = {property_.condition}});
-  } else if (Take({"is", "never", "stuck"})) {
+  } else if (const size_t before_stuck = at_; Take({"is", "never", "stuck"})) {
     const PropertyOperand* const operand = OperandOf(property_.condition);
-    if (operand == nullptr || words_[0].column != first.column) Fail(first, {"a condition", "one output"});
+    const size_t words = first.text == "bit" && !first.quoted ? 4 : 1;
+    if (operand == nullptr || before_stuck != words) Fail(words_[0], {"a condition", "one output"});
     property_.kind = PropertyKind::kNeverStuck;
     property_.periods = kStuckPeriods;
     if (Take({"within"})) property_.periods = Periods();
@@ -212,6 +215,10 @@ uint32_t LineParser::Held() {
 
 uint32_t LineParser::Primary() {
   if (failed()) return 0;
+  if (in_list_ && (IsSequence({"at", "most", "one", "of"}) || IsSequence({"exactly", "one", "of"}))) {
+    Expected("'(' in front of a list in a list");
+    return 0;
+  }
   if (Take({"at", "most", "one", "of"})) return CountOf(ConditionKind::kAtMostOne);
   if (Take({"exactly", "one", "of"})) return CountOf(ConditionKind::kExactlyOne);
   if (!Take({"("})) return Comparison();
@@ -220,7 +227,9 @@ uint32_t LineParser::Primary() {
     return 0;
   }
   const PropertyWord word = Now();
+  const bool in_list = std::exchange(in_list_, false);
   const uint32_t condition = AnyOf();
+  in_list_ = in_list;
   if (!failed()) CheckBit(condition, word, "a condition in parentheses");
   if (!failed() && !Take({")"})) Expected("')'");
   --depth_;
@@ -229,11 +238,13 @@ uint32_t LineParser::Primary() {
 
 uint32_t LineParser::CountOf(ConditionKind kind) {
   std::vector<uint32_t> children;
+  in_list_ = true;
   do {
     const PropertyWord word = Now();
     children.push_back(Negation());
     if (!failed()) CheckBit(children.back(), word, "a list");
   } while (Take({","}));
+  in_list_ = false;
   if (!failed() && children.size() < 2) Expected("','");
   return Add({.kind = kind, .children = std::move(children)});
 }
