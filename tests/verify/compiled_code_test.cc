@@ -306,11 +306,13 @@ TEST_F(CompiledCodeTest, Refusals) {
               "3 * m.w[0] + 1 : m.w[0] / 2; } }")
           .find("go round more than"),
       std::string::npos);
-  EXPECT_NE(refusal("float x(uint32_t n) { float f; __builtin_memcpy(&f, &n, 4); return f; } void f(State& m, Host&) "
-                    "noexcept { m.b[0] = x(m.w[0]) * x(m.w[1]) > 2.0f; }",
-                    {"-ffast-math"})
-                .find("-ffast-math"),
-            std::string::npos);
+  const std::string floats =
+      "float x(uint32_t n) { float f; __builtin_memcpy(&f, &n, 4); return f; } void f(State& m, Host&) noexcept { "
+      "m.b[0] = x(m.w[0]) * x(m.w[1]) + x(m.w[3]) > 2.0f; m.b[1] = x(m.w[2]) / x(m.w[1]) > 3.0f; }";
+  EXPECT_EQ(refusal(floats), "");
+  EXPECT_NE(refusal(floats, {"-ffast-math"}).find("-ffast-math"), std::string::npos);
+  EXPECT_NE(refusal(floats, {"-freciprocal-math"}).find("-ffast-math"), std::string::npos);
+  EXPECT_NE(refusal(floats, {"-ffp-contract=fast", "-mfma"}).find("need not be exact"), std::string::npos);
   EXPECT_EQ(refusal("void f(State&, Host& host) noexcept; void other(Host&); void f(State&, Host& host) noexcept { "
                     "other(host); }"),
             "unknown: t::other");

@@ -53,6 +53,30 @@ INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](con
   return folder.substr(0, folder.find('/'));
 });
 
+/// All of a machine takes a minute: with PLCXX_ALL_TARGETS only.
+TEST(WholeSample, IsProved) {
+  if (std::getenv("PLCXX_ALL_TARGETS") == nullptr) GTEST_SKIP();
+  const Workplace workplace;
+  const std::string command =
+      "cd '" PLCXX_ROOT "/samples/nc110/lathe_16k20' && " PLCXX_BINARY
+      " verify lathe.sym fast.plc spindle.plc turret.plc --set iocfil=IOCFIL --set axcfil=AXCFIL "
+      "--set pgcfil=PGCFIL --set messages=RUMES5 --set menu=LGCMNU --set help=HELP "
+      "--time-limit 600 >'" +
+      workplace.Path("said") + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << workplace.Read("said");
+  EXPECT_THAT(workplace.Read("said"), HasSubstr("the compiled code is proved equal to the program"));
+}
+
+/// What a routine does is known from what its functions do, which are proved before it.
+TEST(VerifyCommand, CallersRelyOnWhatIsProved) {
+  const Workplace workplace;
+  workplace.Write("turret.plc", "U4A0=I0A0*/I0A1\n$\nT5I(10)=I0A2\nU4A1=T5U\n");
+  ASSERT_EQ(workplace.Run("verify turret.plc --certificate one.json -q").code, 0);
+  const auto json = nlohmann::json::parse(workplace.Read("one.json"));
+  EXPECT_EQ(json["routines"][3]["routine"], "period");
+  EXPECT_EQ(json["routines"][3]["relies_on"], (std::vector<std::string>{"fast", "slow"}));
+}
+
 TEST(VerifyCommand, CertificateSaysWhatWasProved) {
   const Workplace workplace;
   workplace.Write("turret.plc", "U4A0=I0A0*/I0A1\n$\nT5I(10)=I0A2\nU4A1=T5U\n");

@@ -27,9 +27,10 @@ constexpr const char* kFooter = R"(Examples:
   plcxx verify mill.cld --certificate mill.verified.json
   plcxx verify turret.plc -O s --time-limit 300
 
-The program is emitted and compiled by Clang to LLVM's instructions, with the flags of plcxx build. Each routine that the
-generated header declares is executed on symbols, once as the program means it and once as it was compiled, and both are
-proved equal for every state and every input: all of State, the result, and what host functions are told.
+The program is emitted and compiled by Clang to LLVM's instructions. Each function is executed on symbols, once as the
+program means it and once as it was compiled, and both are proved equal for every state and every input: all of State,
+the result, and what host functions are told. Callees come first; one that is proved is not looked into again. Functions
+are compiled as such: what the compiler puts into one another in plcxx build is not looked at.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
 Assumed is what the certificate lists.
 Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wrong use, 3 a fault of plcxx.)";
@@ -230,7 +231,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group("Limits");
-  command->add_option("--time-limit", settings->seconds, "Seconds for one routine; else 60")
+  command->add_option("--time-limit", settings->seconds, "Seconds for one function; else 60")
       ->type_name("S")
       ->check(CLI::Range(1u, 86'400u))
       ->group("Limits");
