@@ -17,6 +17,7 @@
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/prove_machine.h"
 #include "transpiler/driver/prove_output.h"
+#include "transpiler/driver/prove_runs.h"
 #include "transpiler/driver/scenario_program.h"
 #include "transpiler/driver/terminal.h"
 
@@ -91,6 +92,12 @@ class Prove {
     if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
     if (const int code = ReadProperties(); code != kDone) return code;
     progress_.Show("executing");
+    PropertyRuns runs(machine_, KnownRuns(request_));
+    options_.try_runs = [&runs](const prove::RunSearch& search) { return runs.Find(search); };
+    options_.why_not_shown = [this](const prove::Property& property, const prove::PropertyResult& result) {
+      scenario_of_run_ = MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
+      return scenario_of_run_.reason;
+    };
     prove::PropertyChecker checker(machine_.version, options_);
     if (!checker.refusal().empty()) {
       PrintUsageError("nothing can be proved: " + checker.refusal());
@@ -158,19 +165,20 @@ class Prove {
     return kWrongUse;
   }
 
+  ScenarioPlace PlaceOfNext() const {
+    return {.directory = settings_.counterexamples, .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml"};
+  }
+
   void Check(prove::PropertyChecker& checker, PlacedProperty placed) {
     const std::string number = std::to_string(proved_.size() + 1);
     ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}};
     const prove::Property& property = proved.placed.property;
     progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
     proved.result = checker.Check(property);
-    if (proved.result.run) {
-      const std::string name = "property-" + number + ".yaml";
-      proved.scenario = MakePropertyScenario(machine_, request_, property, proved.result,
-                                             {.directory = settings_.counterexamples, .name = name});
-      if (!settings_.counterexamples.empty() && !proved.scenario.steps.empty()) {
-        proved.file = (std::filesystem::path(settings_.counterexamples) / name).generic_string();
-      }
+    if (proved.result.run) proved.scenario = std::move(scenario_of_run_);
+    if (proved.result.verdict == prove::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
+      const ScenarioPlace place = PlaceOfNext();
+      proved.file = (std::filesystem::path(place.directory) / place.name).generic_string();
     }
     progress_.Clear();
     if (settings_.form == "text") {
@@ -217,6 +225,7 @@ class Prove {
   ProgressLine progress_;
   std::vector<PlacedProperty> properties_;
   std::vector<ProvedProperty> proved_;
+  PropertyScenario scenario_of_run_;  // of the last run that was shown, or was not
 };
 
 }  // namespace

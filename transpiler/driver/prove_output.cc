@@ -29,22 +29,23 @@ std::string_view NameOf(PropertyVerdict verdict) {
 std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
   const prove::PropertyResult& result = proved.result;
   switch (result.verdict) {
-    case PropertyVerdict::kProved:
-      if (proved.placed.property.kind == prove::PropertyKind::kNeverStuck) {
-        std::string text = "within " + Count(result.periods, "period") + " from every state";
-        if (result.invariants > 0) text += ", with " + Count(result.invariants, "invariant");
-        return {text};
-      }
-      return {"by induction over " + Count(result.periods, "period") +
-              (result.invariants > 0 ? ", with " + Count(result.invariants, "invariant") : "")};
+    case PropertyVerdict::kProved: {
+      const bool is_stuck = proved.placed.property.kind == prove::PropertyKind::kNeverStuck;
+      std::string text = is_stuck ? "within " + Count(result.periods, "period") + " from every state"
+                                  : "by induction over " + Count(result.periods, "period");
+      if (result.invariants > 0) text += ", with " + Count(result.invariants, "invariant");
+      std::vector<std::string> lines{std::move(text)};
+      if (!result.remark.empty()) lines.push_back("note: " + result.remark);
+      return lines;
+    }
     case PropertyVerdict::kViolated: {
       std::vector<std::string> lines{"after " + Count(result.periods, "period") + ": " + proved.scenario.steps};
       if (!result.reason.empty()) lines.push_back(result.reason);
-      if (!proved.scenario.reason.empty()) lines.push_back("not replayed: " + proved.scenario.reason);
       if (!proved.file.empty()) lines.push_back("scenario: " + proved.file);
       return lines;
     }
     case PropertyVerdict::kUndecided:
+      if (result.run && !proved.scenario.steps.empty()) return {result.reason, "the run: " + proved.scenario.steps};
       return {result.reason, "no run of up to " + Count(result.searched, "period") + " violates it"};
   }
   PLCXX_UNREACHABLE();
@@ -99,12 +100,12 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
       case PropertyVerdict::kProved:
         one["periods"] = result.periods;
         one["invariants"] = result.invariants;
+        if (!result.remark.empty()) one["note"] = result.remark;
         break;
       case PropertyVerdict::kViolated:
         one["periods"] = result.periods;
         one["steps"] = proved.scenario.steps;
-        one["replayed"] = proved.scenario.reason.empty();
-        if (!proved.scenario.reason.empty()) one["reason"] = proved.scenario.reason;
+        one["replayed"] = true;  // what the simulation does not show is not decided
         one["scenario"] = proved.scenario.yaml;
         if (!proved.file.empty()) one["scenarioFile"] = proved.file;
         break;

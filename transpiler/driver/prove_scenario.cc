@@ -64,6 +64,7 @@ std::string Heading(const ProveMachine& machine, const CompilationRequest& reque
 /// The steps of the run; false: an input has no name.
 bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, PropertyScenario& scenario) {
   std::vector<CellId> cells;
+  for (const prove::InputValue& stored : run.retentive) cells.push_back(stored.cell);
   for (const auto& period : run.periods) {
     for (const auto& part : period) {
       for (const prove::InputValue& input : part) {
@@ -88,22 +89,30 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
     add_line(by_slow ? "slow " + count : count + " ms");
     runs = 0;
   };
+  const auto set = [&](const std::vector<prove::InputValue>& part) {
+    for (const prove::InputValue& input : part) now[input.cell] = input.value;
+    std::string sets;
+    for (const InputWord& word : words) {
+      const bool changes = std::ranges::any_of(part, [&](const prove::InputValue& input) {
+        return std::ranges::find(word.cells, input.cell) != word.cells.end();
+      });
+      if (!changes) continue;
+      uint64_t value = 0;
+      for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
+      sets += (sets.empty() ? "" : ", ") + Quoted(word.name) + ": " + std::to_string(value);
+      add_line(word.name + "=" + std::to_string(value));
+    }
+    if (!sets.empty()) steps += "- set: {" + sets + "}\n";
+  };
+  if (!run.retentive.empty()) {
+    set(run.retentive);
+    steps += "- power_cycle: {}\n";
+    add_line("power cycle");
+  }
   for (const auto& period : run.periods) {
     for (const auto& part : period) {
       if (!part.empty()) flush();
-      for (const prove::InputValue& input : part) now[input.cell] = input.value;
-      std::string sets;
-      for (const InputWord& word : words) {
-        const bool changes = std::ranges::any_of(part, [&](const prove::InputValue& input) {
-          return std::ranges::find(word.cells, input.cell) != word.cells.end();
-        });
-        if (!changes) continue;
-        uint64_t value = 0;
-        for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
-        sets += (sets.empty() ? "" : ", ") + Quoted(word.name) + ": " + std::to_string(value);
-        add_line(word.name + "=" + std::to_string(value));
-      }
-      if (!sets.empty()) steps += "- set: {" + sets + "}\n";
+      set(part);
       ++runs;
     }
   }

@@ -4,13 +4,21 @@
 #include <limits>
 #include <utility>
 
+#include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
+#include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
 namespace {
 
 constexpr size_t kMostInvariantCells = 160;  // around which invariants are looked for
+/// Of the time: a fortieth, but not much, for a few runs first, a third of what is left for many.
+constexpr uint32_t kQuickShare = 40, kThoroughShare = 3;
+constexpr uint32_t kMostQuickMs = 1500;
+constexpr uint32_t kMostQuickWindow = 20;
+constexpr std::chrono::seconds kRemarkTime{5};
+constexpr size_t kMostQuestionTerms = 250'000;
 
 const char* const kNoTime = "the time was not enough";
 
@@ -24,14 +32,15 @@ PropertyChecker::PropertyChecker(const Version& version, CheckOptions options)
   solver_ = std::move(loaded.solver);
   refusal_ = std::move(loaded.reason);
   if (!refusal_.empty()) return;
-  answers_matter_ = AnswersMatter(*version.program);
+  silent_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kNothing);
+  if (AnswersMatter(*version.program))
+    any_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kAny, silent_.get());
   const Start start = options_.retentive == RetentiveMemory::kAny ? Start::kAnyRetentive : Start::kPowerOn;
-  plain_ = std::make_unique<Unrolled>(terms_, version_, inputs_, start, HostAnswers::kNothing, "run");
-  if (answers_matter_)
-    answered_ = std::make_unique<Unrolled>(terms_, version_, inputs_, start, HostAnswers::kAny, "answered run");
-  anywhere_ = std::make_unique<Unrolled>(terms_, version_, inputs_, Start::kAnywhere,
-                                         answers_matter_ ? HostAnswers::kAny : HostAnswers::kNothing, "any");
+  plain_ = std::make_unique<Unrolled>(terms_, *silent_, inputs_, start, "run");
+  if (any_) answered_ = std::make_unique<Unrolled>(terms_, *any_, inputs_, start, "answered run");
+  anywhere_ = std::make_unique<Unrolled>(terms_, Widest(), inputs_, Start::kAnywhere, "any");
   refusal_ = plain_->refusal();
+  if (refusal_.empty()) refusal_ = anywhere_->refusal();
 }
 
 uint32_t PropertyChecker::RestMs() const {
@@ -45,22 +54,63 @@ ValueAfter PropertyChecker::ValuesOf(Unrolled& unrolled) {
 }
 
 bool PropertyChecker::Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result) {
-  while (unrolled.periods() < periods && unrolled.refusal().empty() && !Late()) unrolled.Advance();
-  result.reason = !unrolled.refusal().empty() ? unrolled.refusal() : unrolled.periods() < periods ? kNoTime : "";
-  return !result.reason.empty();
+  while (unrolled.periods() < periods) unrolled.Advance();
+  if (Late()) result.reason = kNoTime;
+  return Late();
 }
 
 PropertyResult PropertyChecker::Check(const Property& property) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(options_.time_ms);
+  PropertyResult result = CheckInTime(property);
+  if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
+  return result;
+}
+
+std::string PropertyChecker::RemarkOn(const Property& property) {
+  const Uses uses = UsesOf(version_);
+  for (const PropertyOperand& operand : property.operands) {
+    const bool changes =
+        std::ranges::any_of(operand.cells, [&](CellId cell) { return inputs_[cell.index] || uses.writes[cell.index]; });
+    if (!changes) return "nothing writes '" + operand.text + "'";
+  }
+  if (property.kind != PropertyKind::kResponse) return {};
+  // The case comes when it can be shown that it does not stay away.
+  Property never = property;
+  never.kind = PropertyKind::kAlways;
+  never.conditions.push_back({.kind = ConditionKind::kNot, .children = {property.condition}});
+  never.condition = static_cast<uint32_t>(never.conditions.size() - 1);
+  deadline_ = std::min(deadline_, std::chrono::steady_clock::now() + kRemarkTime);
+  const auto why_not_shown = std::exchange(options_.why_not_shown, {});
+  const PropertyVerdict verdict = CheckInTime(never).verdict;
+  options_.why_not_shown = why_not_shown;
+  switch (verdict) {
+    case PropertyVerdict::kProved:
+      return "what stands before 'implies' is never true";
+    case PropertyVerdict::kUndecided:
+      return "what stands before 'implies' is true in no run that was found";
+    case PropertyVerdict::kViolated:
+      return {};
+  }
+  PLCXX_UNREACHABLE();
+}
+
+PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   invariants_.clear();
   if (property.kind == PropertyKind::kNeverStuck) return CheckNeverStuck(property);
   PropertyResult result;
+  if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kQuickShare), false, result)) return result;
   const uint32_t window = WindowOf(property);
+  bool tried_runs = false, looked_for_invariants = false;
+  const auto try_runs = [&] {
+    if (std::exchange(tried_runs, true)) return false;
+    return TryRuns(property, RestMs() / kThoroughShare, true, result);
+  };
+  // A long wait is found sooner by waiting.
+  if (window > kMostQuickWindow && try_runs()) return result;
   // Behind `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
     if (SearchRuns(property, period, result)) return result;
   }
-  bool looked_for_invariants = false;
   for (uint32_t k = 1; window + k <= options_.most_periods || k == 1; ++k) {
     if (TryInduction(property, k, result)) return result;
     if (!looked_for_invariants && !Late()) {
@@ -68,11 +118,49 @@ PropertyResult PropertyChecker::Check(const Property& property) {
       FindInvariantsFor(property);
       if (!invariants_.empty() && TryInduction(property, k, result)) return result;
     }
+    if (k > 1 && try_runs()) return result;
     if (SearchRuns(property, window + k, result)) return result;
   }
   result.reason = "no run of " + Periods(result.searched) + " from power-on violates it, and " +
                   std::to_string(options_.most_periods) + " periods are not enough to prove it";
   return result;
+}
+
+bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result) {
+  if (!options_.try_runs || options_.retentive == RetentiveMemory::kAny || Late()) return false;
+  Report(thorough ? "trying runs" : "trying a few runs");
+  RunSearch search{.property = &property, .inputs = {}, .milliseconds = milliseconds, .thorough = thorough};
+  std::vector<CellId> cells;
+  for (const PropertyOperand& operand : property.operands)
+    cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
+  for (const CellId cell : CellsBehind(terms_, Widest(), cells)) {
+    if (inputs_[cell.index]) search.inputs.push_back(cell);
+  }
+  PropertyResult found;
+  found.run = options_.try_runs(search);
+  if (!found.run) return false;
+  found.periods = static_cast<uint32_t>(found.run->periods.size());
+  // The program in one piece shows it; cut into slices it may not.
+  PropertyResult concluded;
+  Conclude(property, std::move(found), TermId(), concluded);
+  if (concluded.verdict != PropertyVerdict::kViolated) return false;
+  result = std::move(concluded);
+  return true;
+}
+
+void PropertyChecker::Conclude(const Property& property, PropertyResult found, TermId violated,
+                               PropertyResult& result) {
+  found.verdict = PropertyVerdict::kViolated;
+  found.searched = result.searched;
+  const std::string why_not = options_.why_not_shown ? options_.why_not_shown(property, found) : std::string();
+  if (!why_not.empty()) {
+    found.verdict = PropertyVerdict::kUndecided;
+    found.reason = violated.valid() && DependsOnLoop(terms_, violated)
+                       ? "it depends on a loop of which it is not known how often it goes round: a run of " +
+                             Periods(found.periods) + " might violate it, but " + why_not
+                       : "a run of " + Periods(found.periods) + " violates it, but " + why_not;
+  }
+  result = std::move(found);
 }
 
 bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, PropertyResult& result) {
@@ -82,21 +170,25 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
     if (Extend(*unrolled, period, result)) return true;
     const TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
     if (terms_.IsFalse(violated)) continue;
-    switch (solver_->Check({&violated, 1}, std::max(1U, RestMs()))) {
+    switch (Ask({&violated, 1}, RestMs())) {
       case Answer::kNever:
         break;
       case Answer::kUnknown:
-        result.reason = kNoTime;
+        result.reason = WhyUnknown();
         return true;
       case Answer::kPossible:
         if (unrolled == answered_.get()) {
-          result.reason =
-              "after " + Periods(period) + " certain answers of the host violate it, which a simulation does not give";
+          result.reason = DependsOnLoop(terms_, violated)
+                              ? "after " + Periods(period) +
+                                    " it depends on a loop of which it is not known how often it goes round"
+                              : "after " + Periods(period) +
+                                    " certain answers of the host violate it, which a simulation does not give";
           return true;
         }
-        result.verdict = PropertyVerdict::kViolated;
-        result.periods = period;
-        result.run = RunOf(*unrolled, violated, period);
+        PropertyResult found;
+        found.periods = period;
+        found.run = RunOf(*unrolled, violated, period);
+        Conclude(property, std::move(found), violated, result);
         return true;
     }
   }
@@ -105,23 +197,25 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
 }
 
 /// From any state: `k` periods that do not violate it, in all of which the property sees a whole window, then one more.
+/// The state that it begins with stands behind the first of them.
 bool PropertyChecker::TryInduction(const Property& property, uint32_t k, PropertyResult& result) {
   const uint32_t window = WindowOf(property);
   Report("induction over " + Periods(k));
-  if (Extend(*anywhere_, window + k, result)) return true;
+  if (Extend(*anywhere_, window + k - 1, result)) return true;
   std::vector<TermId> conditions;
   for (const Invariant& invariant : invariants_) {
     const auto value = [this](CellId cell) { return anywhere_->Value(cell, 0); };
     conditions.push_back(ConditionOf(terms_, invariant, value));
   }
+  const ValueAfter value = [this](CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
   for (uint32_t period = window; period < window + k; ++period)
-    conditions.push_back(HoldsAfter(terms_, property, period, ValuesOf(*anywhere_)));
-  conditions.push_back(terms_.Not(HoldsAfter(terms_, property, window + k, ValuesOf(*anywhere_))));
-  switch (solver_->Check(conditions, std::max(1U, RestMs() / 2))) {
+    conditions.push_back(HoldsAfter(terms_, property, period, value));
+  conditions.push_back(terms_.Not(HoldsAfter(terms_, property, window + k, value)));
+  switch (Ask(conditions, RestMs() / 2)) {
     case Answer::kPossible:
       return false;
     case Answer::kUnknown:
-      result.reason = kNoTime;
+      result.reason = WhyUnknown();
       return Late();
     case Answer::kNever:
       break;
@@ -133,12 +227,24 @@ bool PropertyChecker::TryInduction(const Property& property, uint32_t k, Propert
   return true;
 }
 
+std::string PropertyChecker::WhyUnknown() const {
+  return too_large_ ? "what it depends on is too much for the solver" : kNoTime;
+}
+
+Answer PropertyChecker::Ask(std::span<const TermId> conditions, uint32_t milliseconds) {
+  // The solver's time begins when it has read the question.
+  too_large_ = ConeOf(terms_, conditions).size() > kMostQuestionTerms;
+  if (too_large_) return Answer::kUnknown;
+  return solver_->Check(conditions, std::max(1U, milliseconds));
+}
+
 void PropertyChecker::FindInvariantsFor(const Property& property) {
   const uint32_t window = WindowOf(property);
   // The cells that the nearest periods depend on; those of the next ones as far as there are not too many.
   std::vector<CellId> cells;
+  const ValueAfter value = [this](CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
   for (uint32_t period = 1; period <= window + 1 && cells.size() < kMostInvariantCells; ++period) {
-    const TermId holds = HoldsAfter(terms_, property, period, ValuesOf(*anywhere_));
+    const TermId holds = HoldsAfter(terms_, property, period, value);
     for (const CellId cell : CellsIn(terms_, holds, anywhere_->start_variables())) {
       if (std::ranges::find(cells, cell) == cells.end()) cells.push_back(cell);
     }
@@ -149,9 +255,38 @@ void PropertyChecker::FindInvariantsFor(const Property& property) {
 void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
   // They are proved for the slow part's period alone.
   if (version_.program->schedule.fast_ms != 0) return;
+  const std::vector<CellId> behind = CellsBehind(terms_, Widest(), cells);
+  std::vector<TermId> next;
+  for (const CellId cell : behind) {
+    if (Widest().period()[cell.index].valid()) next.push_back(Widest().period()[cell.index]);
+  }
+  if (ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
   invariants_ = FindInvariants(
       terms_, *solver_, version_, cells, [this](CellId cell) { return bool{inputs_[cell.index]}; }, RestMs() / 3);
+}
+
+/// What the host has loaded at power-on, where that matters.
+std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
+  std::vector<InputValue> stored;
+  const ir::Program& program = *version_.program;
+  const ir::HostFunctionId load = program.schedule.retentive_load;
+  if (options_.retentive != RetentiveMemory::kAny || !load.valid()) return stored;
+  const std::string& name = program.host_functions[load].name;
+  const TermId calls = CallsAfter(terms_, name, terms_.Const(0, 64), {});
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    const ir::Space& space = program.spaces[ir::SpaceId(i)];
+    if (space.lifetime != ir::Lifetime::kRetentive) continue;
+    for (uint32_t offset = 0; offset < space.bytes; ++offset) {
+      const TermId byte = ByteFromHost(terms_, name, calls, space.name, offset);
+      if (!cone.Has(byte)) continue;
+      const uint64_t value = solver_->ValueOf(byte);
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        stored.push_back({version_.cells.OfBit(ir::SpaceId(i), offset, bit), (value >> bit & 1) != 0});
+      }
+    }
+  }
+  return stored;
 }
 
 PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t periods) {
@@ -176,13 +311,14 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
   std::map<CellId, uint64_t> before;
   for (const Input& input : inputs) {
     const uint64_t value = values[input.variable];
-    if (value != before[input.cell]) {
+    if (value != before[input.cell] && !cone.has_unknown_function()) {
       values[input.variable] = before[input.cell];
       if (Late() || cone.Evaluate(values) == 0) values[input.variable] = value;
     }
     before[input.cell] = values[input.variable];
   }
   PropertyRun run;
+  run.retentive = RetentiveOf(cone);
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));
   std::map<CellId, uint64_t> now;
   for (const Input& input : inputs) {

@@ -13,11 +13,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "transpiler/prove/compare/invariants.h"
 #include "transpiler/prove/properties/condition.h"
+#include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/properties/property.h"
 #include "transpiler/prove/properties/unroll.h"
 #include "transpiler/prove/solver/solver.h"
@@ -25,14 +27,6 @@
 namespace plcxx::prove {
 
 enum class RetentiveMemory : uint8_t { kZero, kAny };
-
-struct CheckOptions {
-  uint64_t time_ms = 60'000;   // for one property
-  uint32_t most_periods = 50;  // of runs from power-on, and of k
-  RetentiveMemory retentive = RetentiveMemory::kZero;
-  /// Told what is being done, for a progress line; may be empty.
-  std::function<void(const std::string& what)> progress;
-};
 
 struct InputValue {
   CellId cell;
@@ -42,19 +36,41 @@ struct InputValue {
 /// A run from power-on: inputs that are set before each part of each period. All inputs that matter are set in the
 /// first part; later only those that change.
 struct PropertyRun {
+  std::vector<InputValue> retentive;  // that was stored before power-on; what is not named is 0
   std::vector<std::vector<std::vector<InputValue>>> periods;
+};
+
+/// Runs that are tried instead of computed.
+struct RunSearch {
+  const Property* property = nullptr;
+  std::vector<CellId> inputs;  // on which the property depends, the nearest first
+  uint64_t milliseconds = 0;
+  bool thorough = false;  // take all of the time
 };
 
 enum class PropertyVerdict : uint8_t { kProved, kViolated, kUndecided };
 
 struct PropertyResult {
   PropertyVerdict verdict = PropertyVerdict::kUndecided;
-  uint32_t periods = 0;     // kProved: k; kViolated: of the run
-  uint32_t searched = 0;    // no run of so many periods violates it
-  uint32_t invariants = 0;  // that the proof assumes, all of them proved
-  std::string reason;       // of kUndecided; lower case, no full stop
-  std::optional<PropertyRun> run;
-  bool stuck_at = false;  // kViolated of kNeverStuck: what the output is behind the run, and stays
+  uint32_t periods = 0;            // kProved: k; kViolated: of the run
+  uint32_t searched = 0;           // no run of so many periods violates it
+  uint32_t invariants = 0;         // that the proof assumes, all of them proved
+  std::string reason;              // of kUndecided; lower case, no full stop
+  std::optional<PropertyRun> run;  // of kViolated; of kUndecided one that the machine does not show
+  std::string remark;              // of kProved: why that may say little; lower case, no full stop
+  bool stuck_at = false;           // kViolated of kNeverStuck: what the output is behind the run, and stays
+};
+
+struct CheckOptions {
+  uint64_t time_ms = 60'000;   // for one property
+  uint32_t most_periods = 50;  // of runs from power-on that are computed, and of k
+  RetentiveMemory retentive = RetentiveMemory::kZero;
+  /// Told what is being done, for a progress line; may be empty.
+  std::function<void(const std::string& what)> progress;
+  /// Tries runs until one violates the property; may be empty. Not asked with any retentive memory.
+  std::function<std::optional<PropertyRun>(const RunSearch& search)> try_runs;
+  /// Runs the machine as the result's run says: empty when it shows the violation, else why it does not. May be empty.
+  std::function<std::string(const Property& property, const PropertyResult& result)> why_not_shown;
 };
 
 /// Checks the properties of one program one after the other; what they share is executed once.
@@ -68,6 +84,9 @@ class PropertyChecker {
   PropertyResult Check(const Property& property);
 
  private:
+  PropertyResult CheckInTime(const Property& property);
+  /// Whether a proved property says little: it speaks of what nothing changes, or of a case that does not come.
+  std::string RemarkOn(const Property& property);
   uint32_t RestMs() const;
   bool Late() const { return RestMs() == 0; }
   void Report(const std::string& what) const {
@@ -78,10 +97,18 @@ class PropertyChecker {
   /// Whether this is the end of the check: `result` has a verdict or a reason.
   bool Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
+  bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
+  /// A run has been found: whether the machine shows it.
+  void Conclude(const Property& property, PropertyResult found, TermId violated, PropertyResult& result);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<CellId>& cells);
   PropertyRun RunOf(Unrolled& unrolled, TermId violated, uint32_t periods);
+  std::vector<InputValue> RetentiveOf(const Cone& cone);
+  /// What the solver answers; kUnknown, too, when the question is so large that it would not come to an answer.
+  Answer Ask(std::span<const TermId> conditions, uint32_t milliseconds);
+  std::string WhyUnknown() const;
+  const Relation& Widest() const { return any_ ? *any_ : *silent_; }
 
   // "is never stuck" (stuck.cc).
   /// Values of inputs, by period, part and cell; what is not in them is 0.
@@ -108,11 +135,13 @@ class PropertyChecker {
   std::unique_ptr<Solver> solver_;
   std::string refusal_;
   std::vector<bool> inputs_;
-  bool answers_matter_ = false;
+  std::unique_ptr<Relation> silent_;    // the host answers 0
+  std::unique_ptr<Relation> any_;       // it answers anything; none where that makes no difference
   std::unique_ptr<Unrolled> plain_;     // from power-on, the host answers 0
   std::unique_ptr<Unrolled> answered_;  // from power-on, the host answers anything; none where that makes no difference
   std::unique_ptr<Unrolled> anywhere_;  // from any state
   std::vector<Invariant> invariants_;
+  bool too_large_ = false;  // the last question was not asked
   std::chrono::steady_clock::time_point deadline_;
 };
 

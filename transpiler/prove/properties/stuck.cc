@@ -13,8 +13,6 @@ namespace {
 constexpr size_t kMostStrategies = 64;
 constexpr uint32_t kMostStuckDepth = 12;  // of runs from power-on that are searched for a stuck state
 
-const char* const kNoTime = "the time was not enough";
-
 TermId Wanted(Terms& terms, const Property& property, bool wanted, uint32_t period, Unrolled& unrolled) {
   const auto value = [&unrolled](CellId cell, uint32_t at) { return unrolled.Value(cell, at); };
   const TermId output = ValueOf(terms, property.operands.front(), period, value);
@@ -27,7 +25,7 @@ TermId Wanted(Terms& terms, const Property& property, bool wanted, uint32_t peri
 /// cells of that state on which it depends.
 std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from,
                                                uint32_t period, PropertyResult& result) {
-  Unrolled trial(terms_, version_, inputs_, Start::kAnywhere, HostAnswers::kNothing, "trial");
+  Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "trial");
   trial.StartFrom([&from, period](CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
   trial.choose_input = [this, &strategy](CellId cell, uint32_t at, uint32_t part) {
     const uint8_t width = CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cell));
@@ -46,8 +44,7 @@ std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const 
 /// Adds a strategy that works from this state; kStuck: there is none.
 PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state,
                                                      uint64_t time, PropertyResult& result) {
-  Unrolled trial(terms_, version_, inputs_, Start::kAnywhere, HostAnswers::kNothing,
-                 "try " + std::to_string(terms_.variable_count()));
+  Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "try " + std::to_string(terms_.variable_count()));
   trial.StartFrom(
       [this, &state](CellId cell) {
         const auto value = state.find(cell);
@@ -60,12 +57,12 @@ PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search, const 
     if (Extend(trial, period, result)) return Reach::kUnknown;
     reached = terms_.Or(reached, Wanted(terms_, search.property, search.wanted, period, trial));
   }
-  switch (solver_->Check({&reached, 1}, std::max(1U, RestMs()))) {
+  switch (Ask({&reached, 1}, RestMs())) {
     case Answer::kNever:
       search.stuck = state;
       return Reach::kStuck;
     case Answer::kUnknown:
-      result.reason = kNoTime;
+      result.reason = WhyUnknown();
       return Reach::kUnknown;
     case Answer::kPossible:
       break;
@@ -98,10 +95,10 @@ PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, P
       conditions.push_back(terms_.Not(*reached));
     }
     Report("inputs that make it " + std::to_string(search.wanted ? 1 : 0) + ": " + std::to_string(tried));
-    const Answer answer = solver_->Check(conditions, std::max(1U, RestMs()));
+    const Answer answer = Ask(conditions, RestMs());
     if (answer == Answer::kNever) return Reach::kAlways;
     if (answer == Answer::kUnknown) {
-      result.reason = kNoTime;
+      result.reason = WhyUnknown();
       return Reach::kUnknown;
     }
     std::map<CellId, uint64_t> state;
@@ -124,10 +121,10 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
       conditions.push_back(terms_.Not(*reached));
     }
     Report("states after " + std::to_string(period) + " periods: " + std::to_string(tried));
-    const Answer answer = solver_->Check(conditions, std::max(1U, RestMs()));
+    const Answer answer = Ask(conditions, RestMs());
     if (answer == Answer::kNever) return Reach::kAlways;
     if (answer == Answer::kUnknown) {
-      result.reason = kNoTime;
+      result.reason = WhyUnknown();
       return Reach::kUnknown;
     }
     std::map<CellId, uint64_t> state;
@@ -142,7 +139,7 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
     const Reach found = FindStrategy(search, state, terms_.Value(plain_->TimeAfter(period)), result);
     if (found == Reach::kAlways) continue;
     if (found == Reach::kUnknown) return found;
-    if (solver_->Check({&same, 1}, std::max(1U, RestMs())) != Answer::kPossible) return Reach::kUnknown;
+    if (Ask({&same, 1}, RestMs()) != Answer::kPossible) return Reach::kUnknown;
     result.run = RunOf(*plain_, same, period);
     return Reach::kStuck;
   }
@@ -168,11 +165,11 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
       if (after == Reach::kUnknown) return result;
       result.searched = period;
       if (after == Reach::kAlways) continue;
-      result.verdict = PropertyVerdict::kViolated;
       result.periods = period;
       result.stuck_at = !wanted;
       result.reason = "from there no inputs make it " + std::to_string(wanted ? 1 : 0) + " within " +
                       std::to_string(property.periods) + " periods";
+      Conclude(property, result, TermId(), result);
       return result;
     }
     if (reach == Reach::kAlways) continue;

@@ -3,32 +3,30 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/prove/execute/execute.h"
-
 namespace plcxx::prove {
 namespace {
-
-/// A period that takes more is not worth waiting for: many of them are needed.
-constexpr uint32_t kMostRounds = 256, kMostTerms = 4'000'000;
 
 bool IsInbox(const Version& version, const Cell& cell) {
   return cell.kind == CellKind::kField && version.program->text_inbox.valid() &&
          cell.state == version.program->text_inbox;
 }
 
-}  // namespace
-
-std::vector<bool> InputsOf(const Version& version) {
-  const Uses uses = UsesOf(version);
-  std::vector<bool> inputs(version.cells.count);
-  for (uint32_t i = 0; i < version.cells.calls; ++i) {
-    const Cell cell = CellAt(*version.program, version.cells, CellId(i));
-    if (cell.kind != CellKind::kBit || !IsState(version, CellId(i))) continue;
-    inputs[i] = DirectionOf(version, CellId(i)) == ir::Direction::kInput ||
-                (version.program->spaces[cell.space].host_visible && !uses.writes[i]);
-  }
-  return inputs;
+/// The operand whose value may make another one of no account; none: all are needed.
+TermId DecidingOperand(const Term& term) {
+  const bool decides =
+      term.kind == TermKind::kIte || (term.width == 1 && (term.kind == TermKind::kAnd || term.kind == TermKind::kOr));
+  return decides ? TermId(term.a) : TermId();
 }
+
+/// The operand that the term is when its deciding one has this value; none: it is not decided.
+TermId Chosen(const Terms& terms, const Term& term, TermId deciding) {
+  if (!terms.IsConst(deciding)) return {};
+  if (term.kind == TermKind::kIte) return TermId(terms.IsTrue(deciding) ? term.b : term.c);
+  const bool is_first = terms.IsTrue(deciding) == (term.kind == TermKind::kOr);
+  return TermId(is_first ? term.a : term.b);
+}
+
+}  // namespace
 
 bool AnswersMatter(const ir::Program& program) {
   if (program.text_inbox.valid()) return true;
@@ -44,31 +42,31 @@ bool AnswersMatter(const ir::Program& program) {
   return false;
 }
 
-Unrolled::Unrolled(Terms& terms, const Version& version, const std::vector<bool>& inputs, Start start,
-                   HostAnswers answers, std::string name)
+Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start,
+                   std::string name)
     : terms_(terms),
-      version_(version),
+      relation_(relation),
+      version_(relation.version()),
       inputs_(inputs),
       start_(start),
-      answers_(answers),
       name_(std::move(name)),
-      uses_(UsesOf(version)),
-      states_(1),
-      inputs_of_(1) {
-  const ir::Schedule& schedule = version.program->schedule;
+      inputs_of_(1),
+      known_(1),
+      refusal_(relation.refusal()) {
+  const ir::Schedule& schedule = version_.program->schedule;
   if (schedule.fast_ms != 0) fast_parts_ = std::max(1U, schedule.period_ms / schedule.fast_ms);
-  states_[0].resize(version.cells.count);
   if (start == Start::kAnywhere) {
     time_ = terms.Variable(name_ + " now", 32);
     return;
   }
-  Transition init = RunInit(terms, version,
+  Transition init = RunInit(terms, version_,
                             {.initial = [&](CellId) { return terms.Const(0, 64); },
                              .now = terms.Const(0, 32),
                              .answers = start == Start::kAnyRetentive ? HostAnswers::kAny : HostAnswers::kNothing,
-                             .outputs = {}});
-  refusal_ = std::move(init.refusal);
-  states_[0] = std::move(init.next);
+                             .outputs = {},
+                             .host_bit = {}});
+  if (refusal_.empty()) refusal_ = std::move(init.refusal);
+  initial_ = std::move(init.next);
 }
 
 TermId Unrolled::Input(CellId cell, uint32_t period, uint32_t part) {
@@ -84,6 +82,7 @@ TermId Unrolled::Input(CellId cell, uint32_t period, uint32_t part) {
 }
 
 TermId Unrolled::AtStart(CellId cell) {
+  if (start_ != Start::kAnywhere) return initial_[cell.index];
   TermId& variable = start_variables_[cell];
   if (!variable.valid()) {
     const Cell what = CellAt(*version_.program, version_.cells, cell);
@@ -92,15 +91,6 @@ TermId Unrolled::AtStart(CellId cell) {
                                                CellWidth(*version_.program, what));
   }
   return variable;
-}
-
-TermId Unrolled::Value(CellId cell, uint32_t period) {
-  for (uint32_t at = period;; --at) {
-    const TermId value = states_[at][cell.index];
-    if (value.valid()) return value;
-    if (at == 0) return AtStart(cell);
-    if (inputs_[cell.index]) return Input(cell, at, part_count() - 1);
-  }
 }
 
 TermId Unrolled::Now(uint32_t period, uint32_t part) {
@@ -120,40 +110,101 @@ TermId Unrolled::TimeAfter(uint32_t period) {
   return time_.valid() ? terms_.Add(time_, passed) : passed;
 }
 
-bool Unrolled::Advance() {
-  if (!refusal_.empty()) return false;
-  const uint32_t period = periods() + 1;
-  states_.emplace_back(version_.cells.count);
+void Unrolled::Advance() {
   inputs_of_.emplace_back(part_count());
-  const auto initial = [this, period](CellId cell) {
-    if (inputs_[cell.index]) return Input(cell, period, 0);
-    // A text that arrives is an answer of the host, too.
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
-    if (answers_ == HostAnswers::kAny && IsInbox(version_, what)) return Input(cell, period, 0);
-    return Value(cell, period - 1);
+  known_.resize(known_.size() + StepsOfPeriod());
+}
+
+Unrolled::Step Unrolled::StepAt(uint32_t step) const {
+  const uint32_t period = (step - 1) / StepsOfPeriod() + 1, at = (step - 1) % StepsOfPeriod();
+  // The slow part comes at the time of the last fast one, with the same inputs.
+  const bool is_slow = fast_parts_ != 0 && at == fast_parts_;
+  return {.period = period,
+          .part = is_slow ? at - 1 : at,
+          .has_new_inputs = !is_slow,
+          .is_fast = fast_parts_ != 0 && !is_slow};
+}
+
+bool Unrolled::IsFresh(CellId cell, const Step& step) const {
+  if (!step.has_new_inputs) return false;
+  if (inputs_[cell.index]) return true;
+  // A text that arrives is an answer of the host, too.
+  return step.part == 0 && relation_.answers() == HostAnswers::kAny &&
+         IsInbox(version_, CellAt(*version_.program, version_.cells, cell));
+}
+
+Unrolled::Found Unrolled::Follow(CellId cell, uint32_t step) {
+  for (; step > 0; --step) {
+    const Step at = StepAt(step);
+    const TermId next = (at.is_fast ? relation_.fast() : relation_.period())[cell.index];
+    if (next.valid()) return {.instance = {.term = next, .step = step}, .value = {}};
+    if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part)};
+  }
+  return {.instance = {}, .value = AtStart(cell)};
+}
+
+Unrolled::Found Unrolled::FindVariable(const Instance& variable) {
+  const Step at = StepAt(variable.step);
+  if (variable.term == relation_.now()) return {.instance = {}, .value = Now(at.period, at.part)};
+  const CellId cell = relation_.CellOf(variable.term);
+  PLCXX_CHECK(cell.valid());
+  if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part)};
+  return Follow(cell, variable.step - 1);
+}
+
+/// Operands first, without recursion: it goes through all periods, and each may be as deep as the program is long.
+TermId Unrolled::Instantiate(const Instance& root) {
+  const auto value_of = [this](const Instance& instance) {
+    if (terms_.IsConst(instance.term)) return instance.term;
+    const auto found = known_[instance.step].find(instance.term.index);
+    return found == known_[instance.step].end() ? TermId() : found->second;
   };
-  const ir::Schedule& schedule = version_.program->schedule;
-  Memory memory(terms_, *version_.program, version_.cells,
-                {.initial = initial,
-                 .observe = {},
-                 .now = Now(period, 0),
-                 .host_answers = answers_ == HostAnswers::kAny,
-                 .most_rounds = kMostRounds,
-                 .most_terms = kMostTerms});
-  for (uint32_t part = 0; part < part_count() && refusal_.empty(); ++part) {
-    memory.environment().now = Now(period, part);
-    for (uint32_t i = 0; part > 0 && i < version_.cells.calls; ++i) {
-      if (inputs_[i] && uses_.reads[i]) memory.Write(CellId(i), Input(CellId(i), period, part));
+  std::vector<Instance> open{root};
+  std::vector<TermId> operands;
+  const auto rebuild = [&](const Term& term, uint32_t step) {
+    operands.clear();
+    const size_t before = open.size();
+    terms_.ForEachOperand(term, [&](TermId operand) {
+      operands.push_back(value_of({.term = operand, .step = step}));
+      if (!operands.back().valid()) open.push_back({.term = operand, .step = step});
+    });
+    return open.size() == before ? terms_.Rebuild(term, operands) : TermId();
+  };
+  while (!open.empty()) {
+    const Instance now = open.back();
+    if (value_of(now).valid()) {
+      open.pop_back();
+      continue;
     }
-    if (fast_parts_ != 0) refusal_ = Execute(memory, schedule.fast_only);
+    const Term term = terms_[now.term];
+    TermId value;
+    if (term.kind == TermKind::kVariable) {
+      const Found found = FindVariable(now);
+      value = found.value.valid() ? found.value : value_of(found.instance);
+      if (!value.valid()) open.push_back(found.instance);
+    } else if (const TermId deciding = DecidingOperand(term); deciding.valid()) {
+      // What this decides need not be made: behind power-on many branches are known.
+      const TermId first = value_of({.term = deciding, .step = now.step});
+      const TermId chosen = first.valid() ? Chosen(terms_, term, first) : deciding;
+      if (chosen.valid()) {
+        value = first.valid() ? value_of({.term = chosen, .step = now.step}) : TermId();
+        if (!value.valid()) open.push_back({.term = chosen, .step = now.step});
+      } else {
+        value = rebuild(term, now.step);
+      }
+    } else {
+      value = rebuild(term, now.step);
+    }
+    if (!value.valid()) continue;
+    known_[now.step][now.term.index] = value;
+    open.pop_back();
   }
-  // The slow part comes at the time of the last fast one.
-  if (refusal_.empty()) refusal_ = Execute(memory, schedule.period);
-  std::vector<TermId>& after = states_.back();
-  for (uint32_t i = 0; i < version_.cells.count; ++i) {
-    if (memory.IsWritten(CellId(i))) after[i] = memory.Read(CellId(i));
-  }
-  return refusal_.empty();
+  return value_of(root);
+}
+
+TermId Unrolled::Value(CellId cell, uint32_t period) {
+  const Found found = Follow(cell, period * StepsOfPeriod());
+  return found.value.valid() ? found.value : Instantiate(found.instance);
 }
 
 }  // namespace plcxx::prove

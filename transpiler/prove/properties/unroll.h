@@ -1,18 +1,22 @@
 // A program period by period: its state after each one as terms over the inputs so far.
 //
-// The inputs are what the host may write and the program does not, and the machine's inputs; they have new values in
-// every period, and where fast and slow part have periods of their own, before each part. Not its job: questions.
+// Inputs (inputs.h) have new values in every period, and where fast and slow part have periods of their own, before
+// each part. A term is made when it is asked for: what a question does not depend on costs nothing, however many
+// periods there are. Not its job: questions.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/properties/inputs.h"
+#include "transpiler/prove/properties/relation.h"
 #include "transpiler/prove/terms/terms.h"
 
 namespace plcxx::prove {
@@ -23,8 +27,6 @@ enum class Start : uint8_t {
   kAnywhere       // any state at all, at any time
 };
 
-/// By cell: whether it is an input.
-std::vector<bool> InputsOf(const Version& version);
 /// Whether answers of the host can change what the program does: it has functions with results, beside the exchange of
 /// inputs, or texts of the operator arrive.
 bool AnswersMatter(const ir::Program& program);
@@ -32,12 +34,12 @@ bool AnswersMatter(const ir::Program& program);
 class Unrolled {
  public:
   /// `name` distinguishes the variables of several. All arguments by reference outlive it.
-  Unrolled(Terms& terms, const Version& version, const std::vector<bool>& inputs, Start start, HostAnswers answers,
-           std::string name);
+  Unrolled(Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start, std::string name);
 
-  /// One more period; false: `refusal` says why not.
-  bool Advance();
-  uint32_t periods() const { return static_cast<uint32_t>(states_.size() - 1); }
+  /// One more period.
+  void Advance();
+  uint32_t periods() const { return static_cast<uint32_t>(inputs_of_.size() - 1); }
+  /// Not empty: the program cannot be executed, and why.
   const Refusal& refusal() const { return refusal_; }
 
   /// After a period; 0: at the start.
@@ -45,15 +47,15 @@ class Unrolled {
   /// The variables of what is free at kAnywhere, as far as they have been asked for; by cell.
   const std::map<CellId, TermId>& start_variables() const { return start_variables_; }
 
-  /// The variables of the inputs of a part of a period; by cell.
+  /// The variables of the inputs of a part of a period, as far as they have been asked for; by cell.
   using Part = std::map<CellId, TermId>;
   const std::vector<Part>& parts(uint32_t period) const { return inputs_of_[period]; }
   /// Parts of each period between which inputs may change.
   uint32_t part_count() const { return fast_parts_ == 0 ? 1 : fast_parts_; }
 
-  /// Instead of new variables, inputs are what this gives; asked at Advance.
+  /// Instead of new variables, inputs are what this gives.
   std::function<TermId(CellId cell, uint32_t period, uint32_t part)> choose_input;
-  /// Of kAnywhere, before the first Advance: the start is what this gives, at this time, instead of variables.
+  /// Of kAnywhere, before the first Value: the start is what this gives, at this time, instead of variables.
   void StartFrom(std::function<TermId(CellId cell)> start, TermId time) {
     choose_start_ = std::move(start);
     time_ = time;
@@ -62,22 +64,44 @@ class Unrolled {
   TermId TimeAfter(uint32_t period);
 
  private:
+  /// What runs one after the other: step 0 is the start; the fast parts of a period come before its slow one.
+  struct Step {
+    uint32_t period, part;
+    bool has_new_inputs, is_fast;
+  };
+  /// A term of the relation with the values that its variables have before a step.
+  struct Instance {
+    TermId term;
+    uint32_t step = 0;
+  };
+
+  uint32_t StepsOfPeriod() const { return fast_parts_ == 0 ? 1 : fast_parts_ + 1; }
+  Step StepAt(uint32_t step) const;
+  bool IsFresh(CellId cell, const Step& step) const;
+  /// The value itself, or none: that of an instance.
+  struct Found {
+    Instance instance;
+    TermId value;
+  };
+  Found Follow(CellId cell, uint32_t step);
+  Found FindVariable(const Instance& variable);
+  TermId Instantiate(const Instance& root);
   TermId Input(CellId cell, uint32_t period, uint32_t part);
   TermId AtStart(CellId cell);
   TermId Now(uint32_t period, uint32_t part);
 
   Terms& terms_;
+  const Relation& relation_;
   const Version& version_;
   const std::vector<bool>& inputs_;
   Start start_;
-  HostAnswers answers_;
   std::string name_;
   std::function<TermId(CellId cell)> choose_start_;
   uint32_t fast_parts_ = 0;
-  Uses uses_;
-  TermId time_;                               // at the start of kAnywhere
-  std::vector<std::vector<TermId>> states_;   // by period and cell; none: as before
-  std::vector<std::vector<Part>> inputs_of_;  // by period
+  TermId time_;                                              // at the start of kAnywhere
+  std::vector<TermId> initial_;                              // by cell; but for kAnywhere
+  std::vector<std::vector<Part>> inputs_of_;                 // by period
+  std::vector<std::unordered_map<uint32_t, TermId>> known_;  // by step, then by term of the relation
   std::map<CellId, TermId> start_variables_;
   Refusal refusal_;
 };

@@ -1,0 +1,127 @@
+// plcxx prove: runs that no solver reaches, loops, retentive memory, and answers that say little.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// `name` is of the source: its ending says the language.
+Ran Prove(const Workplace& work, const std::string& name, std::string_view source, std::string_view properties,
+          const std::string& options = "") {
+  work.Write(name, source);
+  work.Write("m.prop", properties);
+  return work.Run("prove " + name + " --property m.prop --counterexamples found --time 300s " + options);
+}
+
+/// The scenario of the first property fails in the simulator.
+void ExpectShown(const Workplace& work) {
+  const Ran again = work.Run("test --engine sim found/property-1.yaml");
+  EXPECT_EQ(again.code, 1) << again;
+  EXPECT_THAT(again.out, HasSubstr("does not hold"));
+}
+
+TEST(ProveRuns, AViolationAfterALongTimeIsFoundAndShortened) {
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc", "$\nT1I(30)=I0A0*/I0A1\nU4A8=T1U\nU4A9=I0A2\n", "never U4A8\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never U4A8\n             after 301 periods: I0A0=1, 3010 ms"));
+  ExpectShown(work);
+}
+
+// Three codes in this order, with two seconds between them: nobody guesses that, a scenario knows it.
+TEST(ProveRuns, AViolationBehindAStartUpIsFoundByItsScenario) {
+  constexpr std::string_view kSource =
+      "$\nU4A1=U4A1+[W3K0=5AH]\nT1I(20)=U4A1*[W3K0=0A5H]\nU4A2=U4A2+T1U\nT2I(20)=U4A2*[W3K0=3CH]\nU4A8=T2U*I0A3\n";
+  const Workplace work;
+  work.Write("start.yaml",
+             "sources: [m.plc]\nsteps:\n- set: {W3K0: 0x5A}\n- run: {slow: 1}\n- set: {W3K0: 0xA5}\n- run: {ms: 2100}\n"
+             "- set: {W3K0: 0x3C}\n- run: {ms: 2500}\n- expect: {U4A8: 0}\n");
+  const Ran ran = Prove(work, "m.plc", kSource, "never U4A8\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never U4A8"));
+  const std::string scenario = work.Read("found/property-1.yaml");
+  EXPECT_THAT(scenario, HasSubstr("I0A3: 1"));
+  ExpectShown(work);
+}
+
+// prostep's and technol's programs have loops of which nobody knows how often they go round.
+TEST(ProveRuns, PropertiesOfTheSamples) {
+  for (const std::string machine : {"nc110/lathe_16k20", "host50/ck6150", "prostep/mill_fnd32"}) {
+    const Ran ran = Workplace().Run("prove " PLCXX_ROOT "/samples/" + machine + "/properties.yaml --time 600s");
+    EXPECT_EQ(ran.code, 0) << ran;
+    EXPECT_THAT(ran.out, Not(HasSubstr("not decided")));
+  }
+}
+
+// Of millions of terms: without optimization that takes minutes.
+TEST(ProveRuns, PropertiesOfTheLargeSamples) {
+#ifndef NDEBUG
+  GTEST_SKIP() << "a release build has it";
+#endif
+  for (const std::string machine : {"technol/mcv_750", "hnc/mill_xk7132"}) {
+    const Ran ran = Workplace().Run("prove " PLCXX_ROOT "/samples/" + machine + "/properties.yaml --time 600s");
+    EXPECT_EQ(ran.code, 0) << ran;
+    EXPECT_THAT(ran.out, Not(HasSubstr("not decided")));
+  }
+}
+
+// The NC sets the strobe of an M function by a routine of its own, which the program resets: it is an input all the
+// same.
+TEST(ProveRuns, WhatTheHostSetsByARoutineIsAnInput) {
+  const Workplace work;
+  work.Write("nc.prop", "never 'F 4.4'\n");
+  const Ran ran = work.Run("prove " PLCXX_ROOT
+                           "/samples/prostep/mill_fnd32/properties.yaml --property nc.prop --format json --time 600s");
+  EXPECT_EQ(ran.code, 1) << ran;
+  const auto properties = nlohmann::json::parse(ran.out)["properties"];
+  EXPECT_EQ(properties.back()["property"], "never 'F 4.4'");
+  EXPECT_EQ(properties.back()["verdict"], "violated");
+}
+
+TEST(ProveRuns, RetentiveMemoryThatIsAnything) {
+  // W4T0 is retentive: the program itself never makes it more than 5.
+  constexpr std::string_view kUnguarded = "$\nDOF: I0A0\n  W4T0 = 5\nENDF\nU4A8=[W4T0>5]\n";
+  constexpr std::string_view kGuarded = "$\nDOF: I0A0 + [W4T0>5]\n  W4T0 = 5\nENDF\nU4A8=[W4T0>5]\n";
+  const Workplace work;
+  const Ran zero = Prove(work, "m.plc", kUnguarded, "never U4A8\n");
+  EXPECT_EQ(zero.code, 0) << zero;
+  // The control stores the package when the machine goes off: a power cycle alone does not bring the value back.
+  const Ran any = Prove(work, "m.plc", kUnguarded, "never U4A8\n", "--any-retentive --set old=on");
+  EXPECT_EQ(any.code, 1) << any;
+  EXPECT_THAT(any.out, HasSubstr("a run of 1 period violates it"));
+  EXPECT_THAT(any.out, HasSubstr("the run: W4T0="));
+  const Ran guarded = Prove(work, "m.plc", kGuarded, "never U4A8\n", "--any-retentive --set old=on");
+  EXPECT_EQ(guarded.code, 0) << guarded;
+}
+
+TEST(ProveRuns, ProofsThatSayLittleSaySo) {
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc", "$\nU4A8=I0A0\n",
+                        "I0A1 and not I0A1 implies U4A8\nI0A0 implies U4A8\nnever U4A9\n", "--format json");
+  EXPECT_EQ(ran.code, 0) << ran;
+  const auto properties = nlohmann::json::parse(ran.out)["properties"];
+  EXPECT_EQ(properties[0]["note"], "what stands before 'implies' is never true");
+  EXPECT_FALSE(properties[1].contains("note"));
+  EXPECT_EQ(properties[2]["note"], "nothing writes 'U4A9'");
+}
+
+TEST(ProveRuns, TestCasesForPipelines) {
+  const Workplace work;
+  Prove(work, "m.plc", "$\nU4A8=I0A0\n", "U4A8 is I0A0\nnever U4A8\n", "--junit out/proofs.xml");
+  const std::string xml = work.Read("out/proofs.xml");
+  EXPECT_THAT(xml, HasSubstr("tests=\"2\""));
+  EXPECT_THAT(xml, HasSubstr("failures=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("<testcase classname=\"m.prop\" name=\"never U4A8\">"));
+  EXPECT_THAT(xml, HasSubstr("after 1 period: I0A0=1, 10 ms"));
+}
+
+}  // namespace
+}  // namespace plcxx::driver

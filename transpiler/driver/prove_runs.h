@@ -1,0 +1,56 @@
+// Runs of a program in the simulator that violate a property: found by trying, then shortened.
+//
+// In: a program, a property, the inputs that matter to it. Out: a run from power-on after which the property is
+// violated, also where that takes a long start-up or a timer of minutes, which a solver does not reach. Not its job:
+// showing that there is none (prove/properties/check.h).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "transpiler/driver/known_runs.h"
+#include "transpiler/driver/prove_machine.h"
+#include "transpiler/prove/properties/check.h"
+
+namespace plcxx::driver {
+
+/// Inputs as they are set before a period.
+struct RunEvent {
+  uint32_t period = 0;  // from 1
+  prove::CellId cell;
+  bool value = false;
+};
+
+class PropertyRuns {
+ public:
+  /// `known`: what the scenarios beside the program do. The machine outlives it.
+  PropertyRuns(const ProveMachine& machine, const std::vector<std::vector<KnownStep>>& known);
+
+  /// Those of the scenarios; those in which the inputs are set once and then nothing happens; random ones; the
+  /// scenarios with something unexpected in the middle. Ends with the first violation, or the time.
+  std::optional<prove::PropertyRun> Find(const prove::RunSearch& search);
+
+ private:
+  using Events = std::vector<RunEvent>;  // ascending by period
+  struct Plan {
+    Events events;
+    uint32_t periods = 0;
+  };
+
+  void AddPlanOf(const std::vector<KnownStep>& steps);
+  bool Late() const;
+  /// The period after which the property is violated in this run; 0: in none of its periods, or it is late.
+  uint32_t ViolatedAfter(const prove::Property& property, const Plan& plan) const;
+  std::optional<Plan> FindPlan(const prove::RunSearch& search) const;
+  void Shorten(const prove::Property& property, Plan& plan) const;
+  bool Try(const prove::Property& property, Plan& plan, Plan shorter) const;
+
+  const ProveMachine& machine_;
+  std::vector<Plan> known_;
+  std::vector<bool> can_be_set_;  // by cell: it is an input, and has a name in scenarios
+  std::chrono::steady_clock::time_point deadline_;
+};
+
+}  // namespace plcxx::driver

@@ -1,0 +1,110 @@
+#include "transpiler/prove/properties/inputs.h"
+
+#include <algorithm>
+
+namespace plcxx::prove {
+namespace {
+
+/// What some routines, and all that they call, store at fixed addresses; a table that is written by index may reach
+/// over signals of the host, and says nothing about them.
+class Stores {
+ public:
+  explicit Stores(const Version& version)
+      : version_(version), program_(*version.program), seen_(program_.routines.size()), stored_(version.cells.count) {}
+
+  void Routine(ir::RoutineId id) {
+    if (!id.valid() || seen_[id.index]) return;
+    seen_[id.index] = true;
+    const ir::Routine& routine = program_.routines[id];
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
+  }
+  /// What those have seen is left out: another way to call the program's own parts is no signal of the host.
+  void LeaveOut(const Stores& others) { seen_ = others.seen_; }
+  const std::vector<bool>& stored() const { return stored_; }
+
+ private:
+  void Place(ir::PlaceId id) {
+    const ir::Place& place = program_.places[id];
+    if (place.is_field() || !IsInside(program_, place)) return;
+    for (const CellId cell : CellsOf(program_, version_.cells, place)) stored_[cell.index] = true;
+  }
+
+  void Region(ir::RegionId region) {
+    if (!region.valid()) return;
+    for (const ir::InstId id : program_.regions[region].insts) Inst(program_[id]);
+  }
+
+  void Inst(const ir::Inst& inst) {
+    switch (ir::Info(inst.op).shape) {
+      case ir::Shape::kStore:
+        Place(ir::PlaceId(inst.payload));
+        break;
+      case ir::Shape::kIf:
+        Region(ir::RegionId(inst.b));
+        Region(ir::RegionId(inst.c));
+        break;
+      case ir::Shape::kSwitch:
+        for (const ir::SwitchCase& one : program_.switches[ir::SwitchId(inst.payload)].cases) Region(one.region);
+        break;
+      case ir::Shape::kLoop: {
+        const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
+        for (const ir::RegionId region : {loop.condition, loop.body, loop.step, loop.exhausted}) Region(region);
+        break;
+      }
+      case ir::Shape::kBlock:
+        Region(ir::RegionId(inst.a));
+        break;
+      case ir::Shape::kRepeat:
+        Region(ir::RegionId(inst.b));
+        break;
+      case ir::Shape::kCall:
+        Routine(program_.calls[ir::CallId(inst.payload)].routine);
+        break;
+      case ir::Shape::kHostCall: {
+        const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+        if (call.out.valid()) Place(call.out);
+        break;
+      }
+      case ir::Shape::kConst:
+      case ir::Shape::kPure:
+      case ir::Shape::kStep:
+      case ir::Shape::kLoad:
+      case ir::Shape::kText:
+      case ir::Shape::kExit:
+      case ir::Shape::kStatement:
+      case ir::Shape::kJump:
+      case ir::Shape::kLabel:
+        break;
+    }
+  }
+
+  const Version& version_;
+  const ir::Program& program_;
+  std::vector<bool> seen_, stored_;
+};
+
+}  // namespace
+
+std::vector<bool> InputsOf(const Version& version) {
+  const ir::Program& program = *version.program;
+  const ir::Schedule& schedule = program.schedule;
+  Stores own(version), of_host(version);
+  for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse}) own.Routine(id);
+  of_host.LeaveOut(own);
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    if (program.routines[id].kind == ir::RoutineKind::kSchedule) of_host.Routine(id);
+  }
+  std::vector<bool> inputs(version.cells.count);
+  for (uint32_t i = 0; i < version.cells.calls; ++i) {
+    const CellId id(i);
+    const Cell cell = CellAt(program, version.cells, id);
+    if (cell.kind != CellKind::kBit || !IsState(version, id)) continue;
+    const ir::Direction direction = DirectionOf(version, id);
+    const bool is_open = direction != ir::Direction::kOutput && program.spaces[cell.space].host_visible;
+    inputs[i] = direction == ir::Direction::kInput || (is_open && (!own.stored()[i] || of_host.stored()[i]));
+  }
+  return inputs;
+}
+
+}  // namespace plcxx::prove

@@ -1,0 +1,15 @@
+// What comes from outside: cells that have new values before every part of a period.
+#pragma once
+
+#include <vector>
+
+#include "transpiler/prove/compare/match.h"
+
+namespace plcxx::prove {
+
+/// By cell: inputs of the machine; memory that the host may write and that nothing of the period writes; memory that
+/// routines write which the host calls when it likes (signals of an NC), whatever else writes it. What goes out and
+/// nobody writes stays as it is.
+std::vector<bool> InputsOf(const Version& version);
+
+}  // namespace plcxx::prove
