@@ -133,6 +133,14 @@ TEST(Diff, WhatOnlyTheOtherVersionReadsCounts) {
   EXPECT_EQ(NamesOf(compared.diff), "");
 }
 
+TEST(Diff, ANumberStaysBelowAConstant) {
+  // 24 positions: too many to list them, and no short run comes to the last one.
+  const std::string turret = "DOF: I0A3*/U20K0\nW30K0=[W30K0+1]\nENDF\nDOF: [W30K0>23]\nW30K0=0\nENDF\nU20K0=I0A3\n";
+  const Compared compared = CompareTexts("$\nU4A8=[W30K0=23]\n" + turret, "$\nU4A8=[W30K0>22]\n" + turret);
+  EXPECT_EQ(NamesOf(compared.diff), "");
+  EXPECT_GE(compared.diff.invariants, 1U);
+}
+
 TEST(Diff, TimersThatChangedTheirNumbersAreTheSameByMap) {
   const std::string before = "$\nT1I(10)=I0A3\nU4A8=T1U\nT2I(20)=I0A4\nU4A9=T2U\n";
   const std::string after = "$\nT2I(10)=I0A3\nU4A8=T2U\nT1I(20)=I0A4\nU4A9=T1U\n";

@@ -67,7 +67,11 @@ std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
         side == Which::kOld ? comparison.match.new_of_old : comparison.match.old_of_new;
     for (uint32_t i = 0; i < version.cells.calls; ++i) {
       if (!uses.reads[i] || !IsState(version, CellId(i))) continue;
-      if (!std::ranges::binary_search(cone, comparison.pairing.Initial(side, CellId(i)))) continue;
+      // A bit of a byte that is read as a whole counts with it.
+      const TermId initial = comparison.pairing.Initial(side, CellId(i));
+      const Term& term = comparison.terms[initial];
+      const TermId whole = term.kind == TermKind::kExtract ? TermId(term.a) : initial;
+      if (!std::ranges::binary_search(cone, initial) && !std::ranges::binary_search(cone, whole)) continue;
       const CellId cell = side == which ? CellId(i) : partners[i];
       if (cell.valid()) cells.insert(cell);
     }
