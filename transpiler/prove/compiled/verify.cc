@@ -417,25 +417,34 @@ void Verification::Prove(UnitId id) {
   Granted granted;
   Collect(unit, granted);
   RoutineProof proof;
+  std::optional<RoutineProof> but_for_open;
   bool gave_up = false;
   for (const Callees callees : {Callees::kReplacedInOrder, Callees::kReplacedByArguments, Callees::kFollowed}) {
-    // What is not so for unknown functions may be so for these; but who was given up once is not followed again.
-    if (callees == Callees::kFollowed ? !granted.open.empty() : granted.functions.empty()) continue;
+    // What is not so for unknown functions may be so for these: only who follows calls finds differences.
+    const bool followed = callees == Callees::kFollowed;
+    if (!followed && (granted.functions.empty() || but_for_open)) continue;
     UnitVerifier verifier(program_, unit, callees);
     proof = verifier.Run();
     gave_up = verifier.gave_up();
-    if (proof.result == ProofResult::kNotDecided && gave_up) break;
-    if (proof.result != ProofResult::kProved) continue;
-    if (callees != Callees::kFollowed) proof.relies_on = granted.functions;
-    break;
+    if (proof.result == ProofResult::kProved) {
+      if (!followed) proof.relies_on = granted.functions;
+      if (followed) granted.open.clear();
+      if (granted.open.empty()) break;
+      but_for_open = proof;
+    } else if (gave_up && granted.open.empty()) {
+      break;
+    }
   }
-  const bool takes_over = proof.result == ProofResult::kProved || gave_up;
-  if (gave_up) granted.open.insert(unit.name);
-  if (proof.result == ProofResult::kProved && !granted.open.empty()) {
+  if (proof.result == ProofResult::kNotDecided && but_for_open) {
+    proof = std::move(*but_for_open);
+    gave_up = false;
     proof.result = ProofResult::kNotDecided;
     proof.reason = "all is proved but";
     for (const std::string& name : granted.open) proof.reason += (name == *granted.open.begin() ? " " : ", ") + name;
+  } else if (gave_up) {
+    granted.open.insert(unit.name);
   }
+  const bool takes_over = proof.result != ProofResult::kDifferent && (gave_up || proof.reason.empty() || but_for_open);
   const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
   if (takes_over && !init && parameters) {
     auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, unit, *parameters);
