@@ -52,6 +52,18 @@ TEST(Diff, LogicWrittenInAnotherWayIsEqual) {
   EXPECT_GE(equal.diff.equal, 2U);
 }
 
+TEST(Diff, AFlagOfOneVersionAloneIsNoDifference) {
+  const std::string before = "$\nU4A8=I0A3*I0A4*I0A5\n", after = "$\nU200K0=I0A3*I0A4\nU4A8=U200K0*I0A5\n";
+  EXPECT_EQ(NamesOf(CompareTexts(before, after).diff), "");
+  EXPECT_EQ(NamesOf(CompareTexts(after, before).diff), "");
+  // What it holds from scan to scan may be anything.
+  const Compared late = CompareTexts(before, "$\nU4A8=U200K0*I0A5\nU200K0=I0A3*I0A4\n");
+  EXPECT_EQ(NamesOf(late.diff), "U4A8 ");
+  EXPECT_EQ(late.diff.items.front().verdict, ItemVerdict::kDifferent);
+  const Compared timer = CompareTexts("$\nU4A8=I0A3\n", "$\nT0I(10)=I0A3\nU4A8=I0A3+T0U\n");
+  EXPECT_EQ(NamesOf(timer.diff), "");
+}
+
 TEST(Diff, ABrokenInterlockIsShownByItsShortestRun) {
   const Compared compared =
       CompareTexts("$\nU4A8=I0A3*/I0A4\nU4A9=U4A8*I0A5\nU4A10=I0A6\n", "$\nU4A8=I0A3\nU4A9=U4A8*I0A5\nU4A10=I0A6\n");

@@ -297,10 +297,22 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::Match match = MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
   prove::CompareLimits limits{.total_ms = options.time_ms, .progress = options.progress};
+  const Named old_named(old_side, old_version), new_named(new_side, new_version);
   const auto find_different = [&](const std::vector<CellId>& cells, prove::Effort effort) {
-    RunBoth(old_side, new_side,
-            {.old_version = old_version, .new_version = new_version, .match = match, .cells = cells, .effort = effort},
-            options, runs);
+    std::vector<CellId> sought = cells;
+    // Of a word that differs the other bits are not looked for any longer.
+    if (effort == prove::Effort::kThorough) {
+      std::erase_if(sought, [&](CellId cell) {
+        return std::ranges::any_of(old_named.words.WordOf(cell).cells,
+                                   [&](CellId bit) { return runs.difference_of.contains(bit); });
+      });
+    }
+    if (!sought.empty()) {
+      RunBoth(
+          old_side, new_side,
+          {.old_version = old_version, .new_version = new_version, .match = match, .cells = sought, .effort = effort},
+          options, runs);
+    }
     std::vector<CellId> different;
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
     return different;
@@ -308,7 +320,6 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::CompareResult result = CompareVersions(old_version, new_version, match, find_different, limits);
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
-  const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::vector<Gathered> items = Gather(result, old_named, new_named);
   AddCauses(items, old_named, new_named);
   // Outputs first, and what changed itself: with many differences not every one gets a run of its own.

@@ -12,12 +12,20 @@ constexpr uint32_t kNone = 0xFFFFFFFF;
 /// Whether a version of its own does anything with the cell.
 bool IsUsed(const Uses& uses, CellId cell) { return uses.reads[cell.index] || uses.writes[cell.index]; }
 
+/// Internal memory that power-off clears: nobody but the version itself knows of it.
+bool IsPrivate(const Version& version, CellId cell) {
+  return DirectionOf(version, cell) == ir::Direction::kInternal && !IsRetentive(version, cell);
+}
+
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
     const CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
     if (!new_cell.valid() || !IsState(comparison.old_version, old_cell)) continue;
-    if (!IsUsed(comparison.old_uses, old_cell) && !IsUsed(comparison.new_uses, new_cell)) continue;
+    const bool old_uses = IsUsed(comparison.old_uses, old_cell), new_uses = IsUsed(comparison.new_uses, new_cell);
+    if (!old_uses && !new_uses) continue;
+    // A flag that one version alone has is how it does something, not what it does; it may be anything in the proof.
+    if (old_uses != new_uses && IsPrivate(comparison.old_version, old_cell)) continue;
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
@@ -32,7 +40,7 @@ void AddMatched(Comparison& comparison) {
 /// What only one version has: a difference where the host sees it.
 void AddUnmatched(const Comparison& comparison, std::vector<PairResult>& results) {
   const auto add = [&](const Version& version, const Uses& uses, CellId cell, PairResult result) {
-    if (!IsState(version, cell) || !uses.writes[cell.index]) return;
+    if (!IsState(version, cell) || !uses.writes[cell.index] || IsPrivate(version, cell)) return;
     const bool visible = DirectionOf(version, cell) == ir::Direction::kOutput;
     result.verdict = visible ? PairVerdict::kDifferent : PairVerdict::kUndecided;
     result.changed_itself = true;
