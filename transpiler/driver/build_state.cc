@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/driver/preemption.h"
+#include "transpiler/ir/accesses.h"
 
 namespace plcxx::driver {
 namespace {
@@ -20,46 +21,19 @@ class UsedBytes {
       : emittable_(emittable), program_(*emittable.program), used_(emittable.layout.size) {}
 
   void Use(const ir::Inst& inst) {
-    switch (ir::Info(inst.op).shape) {
-      case ir::Shape::kLoad:
-      case ir::Shape::kStore:
-        Use(ir::PlaceId(inst.payload));
-        return;
-      case ir::Shape::kStep:
-        Use(ir::StateId(inst.payload));
-        return;
-      case ir::Shape::kLoop:
-        Use(program_.loops[ir::LoopId(inst.payload)].budget);
-        return;
-      case ir::Shape::kHostCall:
-        Use(program_.calls[ir::CallId(inst.payload)].out);
-        return;
-      case ir::Shape::kPure:
-      case ir::Shape::kConst:
-      case ir::Shape::kText:
-      case ir::Shape::kStatement:
-      case ir::Shape::kIf:
-      case ir::Shape::kSwitch:
-      case ir::Shape::kBlock:
-      case ir::Shape::kExit:
-      case ir::Shape::kRepeat:
-      case ir::Shape::kCall:
-      case ir::Shape::kJump:
-      case ir::Shape::kLabel:
-        return;
-    }
+    ir::ForEachAccess(
+        program_, inst, [this](ir::PlaceId place, ir::Access) { Use(place); },
+        [this](ir::StateId state) { Use(state); });
   }
   StateBytes bytes() const { return bytes_; }
 
  private:
   void Use(ir::PlaceId place) {
-    if (!place.valid()) return;
     const emit::PlaceStorage& storage = emittable_.layout.places[place.index];
     const checks::StoredPlace stored = StoredAs(program_.places[place], storage);
     Use(stored.offset, stored.bytes, IsRetentive(storage.storage) ? bytes_.retentive : bytes_.volatile_bytes);
   }
   void Use(ir::StateId state) {
-    if (!state.valid()) return;
     const uint32_t bytes = emit::StructBytes(program_.states[state].kind);
     Use(emittable_.layout.states[state.index].offset, bytes, bytes_.volatile_bytes);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/ir/accesses.h"
+#include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/meaning/meaning.h"
 
@@ -55,63 +57,30 @@ class AccessWalk {
       const ir::Inst& inst = program_[id];
       if (inst.op == ir::OpKind::kStatement) statement = ir::StatementId(inst.payload);
       Note(inst, statement);
-      switch (inst.op) {
-        case ir::OpKind::kIf:
-          Walk(ir::RegionId(inst.b), statement);
-          Walk(ir::RegionId(inst.c), statement);
-          break;
-        case ir::OpKind::kSwitch:
-          for (const ir::SwitchCase& one : program_.switches[ir::SwitchId(inst.payload)].cases) {
-            Walk(one.region, statement);
-          }
-          break;
-        case ir::OpKind::kLoop: {
-          const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
-          for (const ir::RegionId part : {loop.condition, loop.body, loop.step, loop.exhausted}) Walk(part, statement);
-          break;
-        }
-        case ir::OpKind::kBlock:
-          Walk(ir::RegionId(inst.a), statement);
-          break;
-        case ir::OpKind::kRepeat:
-          Walk(ir::RegionId(inst.b), statement);
-          break;
-        default:
-          break;
-      }
+      if (ir::Info(inst.op).effect != ir::Effect::kControl) continue;
+      for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) Walk(owned, statement);
     }
   }
 
   void Note(const ir::Inst& inst, ir::StatementId statement) {
-    const auto add = [&](std::pair<uint32_t, uint32_t> cells, bool writes) {
-      accesses_.push_back({.statement = statement, .begin = cells.first, .end = cells.second, .writes = writes});
+    const auto add = [&](const std::vector<CellId>& cells, bool writes) {
+      if (cells.empty()) return;
+      accesses_.push_back(
+          {.statement = statement, .begin = cells.front().index, .end = cells.back().index + 1, .writes = writes});
     };
-    const auto instance = [&](uint32_t state) {
-      const uint32_t first = version_.cells.states[state];
-      return std::pair(first, first + prove::FieldTerms(program_.states[ir::StateId(state)].kind));
+    const auto on_place = [&](ir::PlaceId place, ir::Access access) {
+      const std::vector<CellId> cells = TouchedCells(program_, version_.cells, program_.places[place]);
+      if (access != ir::Access::kWrite) add(cells, false);
+      if (access != ir::Access::kRead) add(cells, true);
     };
-    switch (ir::Info(inst.op).shape) {
-      case ir::Shape::kLoad:
-        add(CellRange(version_, program_.places[ir::PlaceId(inst.payload)]), false);
-        break;
-      case ir::Shape::kStore:
-        add(CellRange(version_, program_.places[ir::PlaceId(inst.payload)]), true);
-        break;
-      case ir::Shape::kStep:
-      case ir::Shape::kText:
-        add(instance(inst.payload), false);
-        add(instance(inst.payload), true);
-        break;
-      case ir::Shape::kHostCall: {
-        const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
-        const uint32_t cell = version_.cells.OfCalls(call.host).index;
-        add({cell, cell + 1}, true);
-        if (call.out.valid()) add(CellRange(version_, program_.places[call.out]), true);
-        break;
-      }
-      default:
-        break;
-    }
+    const auto on_instance = [&](ir::StateId state) {
+      const std::vector<CellId> cells = CellsOfInstance(program_, version_.cells, state);
+      add(cells, false);
+      add(cells, true);
+    };
+    ir::ForEachAccess(program_, inst, on_place, on_instance);
+    if (ir::Info(inst.op).shape != ir::Shape::kHostCall) return;
+    add({version_.cells.OfCalls(program_.calls[ir::CallId(inst.payload)].host)}, true);
   }
 
   const Version& version_;

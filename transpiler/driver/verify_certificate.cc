@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "transpiler/compile/runtime_files.h"
+#include "transpiler/support/sha256.h"
 
 namespace plcxx::driver {
 namespace {
@@ -16,7 +17,7 @@ std::string FileName(const std::string& path) {
 }
 
 Json Hashed(const std::string& name, std::string_view bytes) {
-  return {{"file", name}, {"sha256", prove::Sha256(bytes)}};
+  return {{"file", name}, {"sha256", support::Sha256(bytes)}};
 }
 
 std::string_view Name(prove::ProofResult result) {

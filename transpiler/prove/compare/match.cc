@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "transpiler/ir/accesses.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/meaning/meaning.h"
 
@@ -214,47 +215,23 @@ bool IsRetentive(const Version& version, CellId id) {
 Uses UsesOf(const Version& version) {
   const ir::Program& program = *version.program;
   Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
-  const auto note = [&](std::vector<bool>& what, const ir::Place& place) {
-    if (place.is_field()) {
-      what[CellsOf(program, version.cells, place).front().index] = true;
-      return;
-    }
-    const uint32_t size = program.spaces[place.space].bytes;
-    const uint32_t begin = place.indexed ? place.low : place.offset;
-    const uint32_t end = std::min(size, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
-    for (uint32_t offset = begin; offset < end; ++offset) {
-      for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (place.type != ir::Type::kBit || bit == place.bit)
-          what[version.cells.OfBit(place.space, offset, bit).index] = true;
-      }
+  const auto on_place = [&](ir::PlaceId place, ir::Access access) {
+    for (const CellId cell : TouchedCells(program, version.cells, program.places[place])) {
+      if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
+      if (access != ir::Access::kRead) uses.writes[cell.index] = true;
     }
   };
-  const auto note_instance = [&](uint32_t state) {
-    for (uint32_t i = 0; i < FieldTerms(program.states[ir::StateId(state)].kind); ++i) {
-      uses.reads[version.cells.states[state] + i] = true;
-      uses.writes[version.cells.states[state] + i] = true;
+  const auto on_instance = [&](ir::StateId state) {
+    for (const CellId cell : CellsOfInstance(program, version.cells, state)) {
+      uses.reads[cell.index] = uses.writes[cell.index] = true;
     }
   };
   for (const ir::Region& region : program.regions) {
     for (const ir::InstId id : region.insts) {
       const ir::Inst& inst = program[id];
-      const ir::Shape shape = ir::Info(inst.op).shape;
-      if (shape == ir::Shape::kLoad) note(uses.reads, program.places[ir::PlaceId(inst.payload)]);
-      if (shape == ir::Shape::kStore) note(uses.writes, program.places[ir::PlaceId(inst.payload)]);
-      if (shape == ir::Shape::kStep) note_instance(inst.payload);
-      if (shape == ir::Shape::kText) {
-        note_instance(inst.payload);
-        note_instance(inst.a);
-      }
-      if (shape == ir::Shape::kHostCall) {
-        const ir::Call& call = program.calls[ir::CallId(inst.payload)];
-        uses.writes[version.cells.OfCalls(call.host).index] = true;
-        if (call.out.valid()) note(uses.writes, program.places[call.out]);
-      }
-      if (shape == ir::Shape::kRepeat) {
-        const ir::Loop& loop = program.loops[ir::LoopId(program[ir::InstId(inst.payload)].payload)];
-        note(uses.reads, program.places[loop.budget]);
-        note(uses.writes, program.places[loop.budget]);
+      ir::ForEachAccess(program, inst, on_place, on_instance);
+      if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
+        uses.writes[version.cells.OfCalls(program.calls[ir::CallId(inst.payload)].host).index] = true;
       }
     }
   }

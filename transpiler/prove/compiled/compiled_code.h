@@ -133,14 +133,9 @@ struct LoadedCode {
 /// The program of these bitcode files (contents, one for each .cpp file).
 LoadedCode LoadCode(std::span<const std::string> bitcode);
 
-/// SHA-256 in hexadecimal digits; empty where the module is missing.
-std::string Sha256(std::string_view bytes);
-
-/// The functions of the module; the reason is empty where it gives code.
+/// The function of the module; the reason is empty where it gives code.
 using ReadCodeFunction = CompiledCode*(std::span<const std::string> bitcode, std::string& reason);
-using Sha256Function = void(std::string_view bytes, std::string& digits);
 inline constexpr const char* kVerifyModule = "plcxx_verify.so";
 inline constexpr const char* kReadCode = "plcxx_read_code";
-inline constexpr const char* kSha256 = "plcxx_sha256";
 
 }  // namespace plcxx::prove

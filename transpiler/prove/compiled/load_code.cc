@@ -12,11 +12,4 @@ LoadedCode LoadCode(std::span<const std::string> bitcode) {
   return loaded;
 }
 
-std::string Sha256(std::string_view bytes) {
-  const support::ModuleFunction function = support::LoadFunction(kVerifyModule, kSha256);
-  std::string digits;
-  if (function.address != nullptr) reinterpret_cast<Sha256Function*>(function.address)(bytes, digits);
-  return digits;
-}
-
 }  // namespace plcxx::prove

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
-#include "transpiler/prove/meaning/meaning.h"
 
 namespace plcxx::prove {
 namespace {
@@ -117,31 +117,16 @@ void UnitMaker::NoteCell(Footprint& footprint, CellId cell, bool writes) const {
 void UnitMaker::NotePlace(Footprint& footprint, ir::PlaceId id, bool writes) const {
   if (!id.valid()) return;
   const ir::Place& place = program_.places[id];
-  if (place.is_field()) {
-    const ir::StateKind kind = program_.states[place.state].kind;
-    NoteCell(footprint, CellId(cells_.states[place.state.index] + FieldTermIndex(kind, place.field)), writes);
-    return;
-  }
-  const uint32_t begin = place.indexed ? place.low : place.offset;
-  const uint32_t end =
-      std::min(program_.spaces[place.space].bytes, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
-  for (uint32_t offset = begin; offset < end; ++offset) {
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      if (place.type == ir::Type::kBit && bit != place.bit) continue;
-      NoteCell(footprint, cells_.OfBit(place.space, offset, bit), writes);
-    }
-  }
+  for (const CellId cell : TouchedCells(program_, cells_, place)) NoteCell(footprint, cell, writes);
 }
 
 void UnitMaker::NoteInstance(Footprint& footprint, ir::StateId state) const {
-  for (uint32_t i = 0; i < FieldTerms(program_.states[state].kind); ++i)
-    NoteCell(footprint, CellId(cells_.states[state.index] + i), true);
+  for (const CellId cell : CellsOfInstance(program_, cells_, state)) NoteCell(footprint, cell, true);
 }
 
 void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   const ir::HostFunction& host = program_.host_functions[call.host];
   NoteCell(footprint, cells_.OfCalls(call.host), true);
-  NotePlace(footprint, call.out, true);
   footprint.shows_state = footprint.shows_state || host.access == ir::HostAccess::kReadsState;
   // A retentive copy that is given is judged by the layout that it tells.
   footprint.shows_retentive = footprint.shows_retentive || host.access == ir::HostAccess::kReadsRetentive ||
@@ -162,49 +147,19 @@ void UnitMaker::NoteRegion(Footprint& footprint, ir::RegionId region) {
 
 /// Of the instruction alone; regions that it owns are visited on their own.
 void UnitMaker::Note(Footprint& footprint, const ir::Inst& inst) {
-  switch (ir::Info(inst.op).shape) {
-    case ir::Shape::kStep:
-      NoteInstance(footprint, ir::StateId(inst.payload));
-      break;
-    case ir::Shape::kText:
-      NoteInstance(footprint, ir::StateId(inst.payload));
-      NoteInstance(footprint, ir::StateId(inst.a));
-      break;
-    case ir::Shape::kLoad:
-      NotePlace(footprint, ir::PlaceId(inst.payload), false);
-      break;
-    case ir::Shape::kStore:
-      NotePlace(footprint, ir::PlaceId(inst.payload), true);
-      break;
-    case ir::Shape::kLoop:
-      NotePlace(footprint, program_.loops[ir::LoopId(inst.payload)].budget, true);
-      break;
-    case ir::Shape::kRepeat:
-      NotePlace(footprint, program_.loops[ir::LoopId(program_[ir::InstId(inst.payload)].payload)].budget, true);
-      break;
-    case ir::Shape::kHostCall:
-      NoteHost(footprint, program_.calls[ir::CallId(inst.payload)]);
-      break;
-    case ir::Shape::kCall: {
-      const Footprint& callee = OfRoutine(program_.calls[ir::CallId(inst.payload)].routine);
-      for (uint32_t i = 0; i < cells_.count; ++i) {
-        if (callee.touched[i]) NoteCell(footprint, CellId(i), callee.written[i]);
-      }
-      footprint.shows_state = footprint.shows_state || callee.shows_state;
-      footprint.shows_retentive = footprint.shows_retentive || callee.shows_retentive;
-      break;
-    }
-    case ir::Shape::kPure:
-    case ir::Shape::kConst:
-    case ir::Shape::kStatement:
-    case ir::Shape::kIf:
-    case ir::Shape::kSwitch:
-    case ir::Shape::kBlock:
-    case ir::Shape::kExit:
-    case ir::Shape::kJump:
-    case ir::Shape::kLabel:
-      break;
+  ir::ForEachAccess(
+      program_, inst,
+      [&](ir::PlaceId place, ir::Access access) { NotePlace(footprint, place, access != ir::Access::kRead); },
+      [&](ir::StateId state) { NoteInstance(footprint, state); });
+  const ir::Shape shape = ir::Info(inst.op).shape;
+  if (shape == ir::Shape::kHostCall) NoteHost(footprint, program_.calls[ir::CallId(inst.payload)]);
+  if (shape != ir::Shape::kCall) return;
+  const Footprint& callee = OfRoutine(program_.calls[ir::CallId(inst.payload)].routine);
+  for (uint32_t i = 0; i < cells_.count; ++i) {
+    if (callee.touched[i]) NoteCell(footprint, CellId(i), callee.written[i]);
   }
+  footprint.shows_state = footprint.shows_state || callee.shows_state;
+  footprint.shows_retentive = footprint.shows_retentive || callee.shows_retentive;
 }
 
 const Footprint& UnitMaker::OfRoutine(ir::RoutineId id) {

@@ -111,6 +111,28 @@ std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, cons
   return bits;
 }
 
+std::vector<CellId> TouchedCells(const ir::Program& program, const Cells& cells, const ir::Place& place) {
+  if (place.is_field()) return CellsOf(program, cells, place);
+  const uint32_t begin = place.indexed ? place.low : place.offset;
+  const uint32_t end =
+      std::min(cells.bytes[place.space.index], place.indexed ? place.high : place.offset + ir::Bytes(place.type));
+  std::vector<CellId> touched;
+  for (uint32_t offset = begin; offset < end; ++offset) {
+    for (uint8_t bit = 0; bit < 8; ++bit) {
+      if (place.type != ir::Type::kBit || bit == place.bit) touched.push_back(cells.OfBit(place.space, offset, bit));
+    }
+  }
+  return touched;
+}
+
+std::vector<CellId> CellsOfInstance(const ir::Program& program, const Cells& cells, ir::StateId state) {
+  std::vector<CellId> fields;
+  for (uint32_t i = 0; i < FieldTerms(program.states[state].kind); ++i) {
+    fields.emplace_back(cells.states[state.index] + i);
+  }
+  return fields;
+}
+
 bool IsInside(const ir::Program& program, const ir::Place& place) {
   if (place.is_field()) return true;
   return place.space.valid() && !place.indexed &&

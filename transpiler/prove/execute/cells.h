@@ -53,6 +53,10 @@ std::string CellName(const ir::Program& program, const Cell& cell);
 /// Of a place that is not indexed and lies in memory: its cells from the least significant bit, whatever the space's
 /// byte order.
 std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, const ir::Place& place);
+/// All cells that an access to a place may touch, ascending: of an indexed one those of every element.
+std::vector<CellId> TouchedCells(const ir::Program& program, const Cells& cells, const ir::Place& place);
+/// The cells of an instance.
+std::vector<CellId> CellsOfInstance(const ir::Program& program, const Cells& cells, ir::StateId state);
 /// Whether a place is a field, or is not indexed and lies wholly in its space.
 bool IsInside(const ir::Program& program, const ir::Place& place);
 

@@ -54,11 +54,8 @@ class Summarizer {
   }
 
   void Instance(ir::StateId state) {
-    const uint32_t first = cells_.states[state.index];
-    std::vector<CellId> cells;
-    for (uint32_t i = 0; i < FieldTerms(program_.states[state].kind); ++i) cells.emplace_back(first + i);
     Word("instance " + std::to_string(static_cast<uint32_t>(program_.states[state].kind)));
-    Use(cells, true);
+    Use(CellsOfInstance(program_, cells_, state), true);
   }
 
   void Place(ir::PlaceId id, bool writes) {
@@ -74,15 +71,9 @@ class Summarizer {
     const ir::Space& space = program_.spaces[place.space];
     const uint32_t begin = place.indexed ? place.low : place.offset;
     const uint32_t end = std::min(space.bytes, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
-    std::vector<CellId> cells;
-    for (uint32_t offset = begin; offset < end; ++offset) {
-      for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (place.type != ir::Type::kBit || bit == place.bit) cells.push_back(cells_.OfBit(place.space, offset, bit));
-      }
-    }
     Word(std::string(ir::Name(place.type)));
     Word(space.order == ir::ByteOrder::kBig ? "big" : "little");
-    Use(cells, writes);
+    Use(TouchedCells(program_, cells_, place), writes);
     if (!place.indexed) return;
     // Where the elements lie from the one with index 0.
     for (const uint32_t at : {begin, end}) Word(std::to_string(int64_t{at} - int64_t{place.offset}));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "transpiler/ir/accesses.h"
+#include "transpiler/ir/builder.h"
+
 namespace plcxx::prove {
 namespace {
 
@@ -35,47 +38,16 @@ class Stores {
   }
 
   void Inst(const ir::Inst& inst) {
-    switch (ir::Info(inst.op).shape) {
-      case ir::Shape::kStore:
-        Place(ir::PlaceId(inst.payload));
-        break;
-      case ir::Shape::kIf:
-        Region(ir::RegionId(inst.b));
-        Region(ir::RegionId(inst.c));
-        break;
-      case ir::Shape::kSwitch:
-        for (const ir::SwitchCase& one : program_.switches[ir::SwitchId(inst.payload)].cases) Region(one.region);
-        break;
-      case ir::Shape::kLoop: {
-        const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
-        for (const ir::RegionId region : {loop.condition, loop.body, loop.step, loop.exhausted}) Region(region);
-        break;
-      }
-      case ir::Shape::kBlock:
-        Region(ir::RegionId(inst.a));
-        break;
-      case ir::Shape::kRepeat:
-        Region(ir::RegionId(inst.b));
-        break;
-      case ir::Shape::kCall:
-        Routine(program_.calls[ir::CallId(inst.payload)].routine);
-        break;
-      case ir::Shape::kHostCall: {
-        const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
-        if (call.out.valid()) Place(call.out);
-        break;
-      }
-      case ir::Shape::kConst:
-      case ir::Shape::kPure:
-      case ir::Shape::kStep:
-      case ir::Shape::kLoad:
-      case ir::Shape::kText:
-      case ir::Shape::kExit:
-      case ir::Shape::kStatement:
-      case ir::Shape::kJump:
-      case ir::Shape::kLabel:
-        break;
+    ir::ForEachAccess(
+        program_, inst,
+        [this](ir::PlaceId place, ir::Access access) {
+          if (access == ir::Access::kWrite) Place(place);
+        },
+        [](ir::StateId) {});
+    if (ir::Info(inst.op).effect == ir::Effect::kControl) {
+      for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) Region(owned);
     }
+    if (ir::Info(inst.op).shape == ir::Shape::kCall) Routine(program_.calls[ir::CallId(inst.payload)].routine);
   }
 
   const Version& version_;

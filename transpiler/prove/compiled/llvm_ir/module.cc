@@ -1,12 +1,10 @@
 // The module's one function: bitcode files to one program that can be executed.
-#include <llvm/ADT/StringExtras.h>
 #include <llvm/Analysis/LoopInfo.h>
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/Linker/Linker.h>
 #include <llvm/Support/MemoryBuffer.h>
-#include <llvm/Support/SHA256.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 
 #include <unordered_map>
@@ -81,9 +79,4 @@ class Code : public CompiledCode {
 extern "C" [[gnu::visibility("default")]] plcxx::prove::CompiledCode* plcxx_read_code(
     std::span<const std::string> bitcode, std::string& reason) {
   return plcxx::prove::llvm_ir::Code::Read(bitcode, reason).release();
-}
-
-extern "C" [[gnu::visibility("default")]] void plcxx_sha256(std::string_view bytes, std::string& digits) {
-  const auto* const begin = reinterpret_cast<const uint8_t*>(bytes.data());
-  digits = llvm::toHex(llvm::SHA256::hash(llvm::ArrayRef<uint8_t>(begin, bytes.size())), /*LowerCase=*/true);
 }
