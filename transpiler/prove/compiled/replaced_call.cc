@@ -173,7 +173,8 @@ std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, CallL
   const TermId known = log.CalledByProgram(*this, std::move(arguments));
   std::vector<CellChange> changes;
   const auto spread = [&](const std::vector<CellId>& cells, TermId value) {
-    for (uint8_t i = 0; i < cells.size(); ++i) changes.push_back({cells[i], terms.Extract(value, i, 1)});
+    uint8_t bit = 0;  // of 32
+    for (const CellId cell : cells) changes.push_back({cell, terms.Extract(value, bit++, 1)});
   };
   for (const Item& item : items_) {
     if (!item.written) continue;
