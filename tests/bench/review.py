@@ -60,7 +60,7 @@ def write_programs(dialect, count, directory):
 
 
 def run(command, directory, allowed=(0,)):
-    """Processor seconds and what was printed."""
+    """Processor seconds and what was printed, messages last."""
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as errors:
         process = subprocess.Popen(list(map(str, command)), cwd=directory, stdout=out, stderr=errors)
         _, status, usage = os.wait4(process.pid, 0)
@@ -68,12 +68,12 @@ def run(command, directory, allowed=(0,)):
         errors.seek(0)
         if os.waitstatus_to_exitcode(status) not in allowed:
             sys.exit(f"failed: {' '.join(map(str, command))}\n{errors.read()[:2000]}")
-        return usage.ru_utime + usage.ru_stime, out.read()
+        return usage.ru_utime + usage.ru_stime, out.read() + errors.read()
 
 
 def verdicts_of(text):
     counts = {}
-    answer = json.loads(text)
+    answer, _ = json.JSONDecoder().raw_decode(text)
     counts = {"proved": answer["equal"]}
     for item in answer["items"]:
         counts[item["verdict"]] = counts.get(item["verdict"], 0) + 1
