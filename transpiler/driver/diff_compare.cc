@@ -171,7 +171,7 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 12;  // of the time
+constexpr uint64_t kExampleShare = 20;  // of the time
 
 /// What the statements of one version do with the items, by index of the item.
 struct Touched {

@@ -8,6 +8,7 @@ namespace plcxx::prove {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
+constexpr size_t kMostReached = 2000;  // pairs
 
 /// Whether a version of its own does anything with the cell.
 bool IsUsed(const Uses& uses, CellId cell) { return uses.reads[cell.index] || uses.writes[cell.index]; }
@@ -165,11 +166,22 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
   // With everything taken for equal: which functions differ by themselves.
-  if (!CheckPowerOn(comparison) || !FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
+  if (!CheckPowerOn(comparison)) return Finish(comparison, 0);
+  const bool at_power_on = std::ranges::all_of(
+      comparison.results, [&](const PairResult& result) { return comparison.pairing.IsEqual(result.old_cell); });
+  if (!FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
+  // Of a change that reaches very much only its reach is found out, not what is masked inside.
+  std::vector<CellId> reach;
+  if (at_power_on && !HasFastPart(old_version) && !HasFastPart(new_version)) reach = ReachOfDifferences(comparison);
+  const bool reaches_much = reach.size() > kMostReached;
   if (!SeparateWake(comparison)) return Finish(comparison, 0);
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
-  if (!FindInductiveSet(comparison)) return Finish(comparison, 0);
+  if (reaches_much) {
+    for (const CellId cell : reach) comparison.pairing.Separate(cell);
+  } else if (!FindInductiveSet(comparison)) {
+    return Finish(comparison, 0);
+  }
   SetVerdicts(comparison);
   uint32_t invariants = 0;
   comparison.round_ms = limits.total_ms / 4;

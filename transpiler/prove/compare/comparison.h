@@ -78,6 +78,10 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF)
 /// Of the pairs that are not equal in one period from the same state: which have a change in their own statements, and
 /// which are the wake of those. To be called when exactly these pairs are separated. False as above.
 bool SeparateWake(Comparison& comparison);
+/// The separated pairs, and those that may differ a period later, or later still, because of them: all others are equal
+/// in every scan. To be called behind the execution of the period with every pair equal, in a program without a fast
+/// part of its own.
+std::vector<CellId> ReachOfDifferences(Comparison& comparison);
 /// So many undecided pairs are looked at one by one; of more only those with a change of their own.
 inline constexpr uint32_t kMostLookedAt = 400;
 

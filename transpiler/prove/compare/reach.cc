@@ -1,0 +1,115 @@
+// How far a change reaches, from one execution: what is computed from what differs, and what is computed from that.
+//
+// When the pairs that differ after one period are known, and no other pair's next value depends on them, directly or
+// through others, then those other pairs are equal in every scan: their next values are equal, and are computed from
+// such pairs alone. To find them out by executing again and again gives a few more, which differ from nothing because
+// what they read is masked; behind a change that reaches thousands of pairs that is not worth its time.
+#include <algorithm>
+
+#include "transpiler/prove/compare/comparison.h"
+#include "transpiler/prove/terms/cone.h"
+
+namespace plcxx::prove {
+namespace {
+
+/// Which terms depend on the cells that are reached.
+class Reach {
+ public:
+  explicit Reach(Comparison& comparison) : comparison_(comparison), terms_(comparison.terms) {
+    for (const PairResult& result : comparison.results) {
+      initial_.push_back(comparison.pairing.Initial(Which::kOld, result.old_cell));
+      old_next_.push_back(comparison.NextOld(result.old_cell));
+      new_next_.push_back(comparison.NextNew(result.new_cell));
+    }
+    std::vector<TermId> roots = old_next_;
+    roots.insert(roots.end(), new_next_.begin(), new_next_.end());
+    for (const Transition* transition : {&comparison.old_next, &comparison.new_next}) {
+      for (const Observation& observation : transition->observations) {
+        roots.push_back(observation.when);
+        roots.insert(roots.end(), observation.outputs.begin(), observation.outputs.end());
+      }
+    }
+    cone_ = ConeOf(terms_, roots);
+    depends_.resize(terms_.size());
+    seeds_.resize(terms_.size());
+    is_cell_.resize(terms_.size());
+    for (const TermId initial : initial_) is_cell_[initial.index] = true;
+  }
+
+  void Add(size_t result) {
+    const TermId initial = initial_[result];
+    seeds_[initial.index] = true;
+    // The byte that the bit is a part of.
+    if (terms_[initial].kind == TermKind::kExtract) seeds_[terms_[initial].a] = true;
+  }
+
+  void Spread() {
+    for (const TermId id : cone_) {
+      bool depends = seeds_[id.index];
+      // A bit of a byte is reached when it is one of the cells, whatever the others are.
+      if (!is_cell_[id.index]) {
+        terms_.ForEachOperand(terms_[id], [&](TermId operand) { depends = depends || depends_[operand.index]; });
+      }
+      depends_[id.index] = depends;
+    }
+  }
+
+  bool IsReached(size_t result) const { return depends_[old_next_[result].index] || depends_[new_next_[result].index]; }
+
+  /// Outputs that a host function sees in the middle of a period.
+  std::vector<uint32_t> ReachedByObservation() const {
+    std::vector<uint32_t> reached;
+    const auto add = [&](const Transition& transition, const std::vector<CellId>& old_outputs) {
+      for (const Observation& observation : transition.observations) {
+        for (size_t i = 0; i < observation.outputs.size(); ++i) {
+          if (!depends_[observation.when.index] && !depends_[observation.outputs[i].index]) continue;
+          reached.push_back(comparison_.result_of_old[old_outputs[i].index]);
+        }
+      }
+    };
+    add(comparison_.old_next, comparison_.old_outputs);
+    add(comparison_.new_next, comparison_.old_outputs);
+    return reached;
+  }
+
+ private:
+  Comparison& comparison_;
+  Terms& terms_;
+  std::vector<TermId> initial_, old_next_, new_next_;  // by result
+  std::vector<TermId> cone_;
+  std::vector<bool> depends_, seeds_, is_cell_;  // by term
+};
+
+}  // namespace
+
+std::vector<CellId> ReachOfDifferences(Comparison& comparison) {
+  std::vector<CellId> separated, all;
+  for (const PairResult& result : comparison.results) {
+    if (!comparison.pairing.IsEqual(result.old_cell)) separated.push_back(result.old_cell);
+  }
+  // The variables are those of the execution, in which everything was equal.
+  for (const CellId cell : separated) comparison.pairing.Join(cell);
+  Reach reach(comparison);
+  for (const CellId cell : separated) comparison.pairing.Separate(cell);
+  std::vector<bool> reached(comparison.results.size());
+  std::vector<uint32_t> added;
+  for (const CellId cell : separated) added.push_back(comparison.result_of_old[cell.index]);
+  while (!added.empty()) {
+    for (const uint32_t result : added) {
+      if (!reached[result]) reach.Add(result);
+      reached[result] = true;
+    }
+    reach.Spread();
+    added = reach.ReachedByObservation();
+    std::erase_if(added, [&](uint32_t result) { return reached[result]; });
+    for (uint32_t i = 0; i < reached.size(); ++i) {
+      if (!reached[i] && reach.IsReached(i)) added.push_back(i);
+    }
+  }
+  for (uint32_t i = 0; i < reached.size(); ++i) {
+    if (reached[i]) all.push_back(comparison.results[i].old_cell);
+  }
+  return all;
+}
+
+}  // namespace plcxx::prove
