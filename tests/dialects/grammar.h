@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -332,5 +335,15 @@ class Grammar {
   std::vector<std::string> names_;  // in the order of the text
   std::vector<std::string> problems_;
 };
+
+inline std::string Contents(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// grammars/<name>.ebnf of the repository.
+inline Grammar GrammarOf(const std::string& name) {
+  return Grammar(Contents(std::filesystem::path(PLCXX_ROOT) / "grammars" / (name + ".ebnf")));
+}
 
 }  // namespace plcxx::testing_support

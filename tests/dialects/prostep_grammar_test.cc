@@ -1,6 +1,5 @@
 // The reference grammar is executed: its sentences parse, and changed by one symbol they do not crash.
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "tests/dialects/grammar.h"
@@ -9,17 +8,12 @@
 namespace plcxx::prostep {
 namespace {
 
+using testing_support::Contents;
 using testing_support::Grammar;
 using testing_support::Numbers;
 
-std::string Contents(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 const Grammar& TheGrammar() {
-  static const std::string text = Contents(std::filesystem::path(PLCXX_ROOT) / "grammars/prostep.ebnf");
-  static const Grammar grammar(text);
+  static const Grammar grammar = testing_support::GrammarOf("prostep");
   return grammar;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -17,17 +16,12 @@
 namespace plcxx::prove {
 namespace {
 
+using testing_support::Contents;
 using testing_support::Grammar;
 using testing_support::Numbers;
 
-std::string Contents(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 const Grammar& TheGrammar() {
-  static const std::string text = Contents(std::filesystem::path(PLCXX_ROOT) / "grammars/property.ebnf");
-  static const Grammar grammar(text);
+  static const Grammar grammar = testing_support::GrammarOf("property");
   return grammar;
 }
 

@@ -59,16 +59,14 @@ class Reach {
   /// Outputs that a host function sees in the middle of a period.
   std::vector<uint32_t> ReachedByObservation() const {
     std::vector<uint32_t> reached;
-    const auto add = [&](const Transition& transition, const std::vector<CellId>& old_outputs) {
-      for (const Observation& observation : transition.observations) {
+    for (const Transition* transition : {&comparison_.old_next, &comparison_.new_next}) {
+      for (const Observation& observation : transition->observations) {
         for (size_t i = 0; i < observation.outputs.size(); ++i) {
           if (!depends_[observation.when.index] && !depends_[observation.outputs[i].index]) continue;
-          reached.push_back(comparison_.result_of_old[old_outputs[i].index]);
+          reached.push_back(comparison_.result_of_old[comparison_.old_outputs[i].index]);
         }
       }
-    };
-    add(comparison_.old_next, comparison_.old_outputs);
-    add(comparison_.new_next, comparison_.old_outputs);
+    }
     return reached;
   }
 
