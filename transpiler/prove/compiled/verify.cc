@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "transpiler/prove/compiled/constant_arguments.h"
 #include "transpiler/prove/compiled/host_surroundings.h"
 #include "transpiler/prove/compiled/local_sweep.h"
 #include "transpiler/prove/compiled/replaced_call.h"
@@ -111,9 +112,10 @@ enum class Callees : uint8_t { kReplacedInOrder, kReplacedByArguments, kFollowed
 /// One function: both executions, and their comparison.
 class UnitVerifier {
  public:
-  UnitVerifier(const Program& program, const Unit& unit, Callees callees)
+  UnitVerifier(const Program& program, const Unit& unit, const ArgumentCase& given, Callees callees)
       : program_(program),
         unit_(unit),
+        given_(given),
         callees_(callees),
         routine_(program.ir.routines[unit.part.routine]),
         image_(program.image) {}
@@ -145,6 +147,7 @@ class UnitVerifier {
 
   const Program& program_;
   const Unit& unit_;
+  const ArgumentCase& given_;
   Callees callees_;
   const ir::Routine& routine_;
   StateImage image_;
@@ -203,8 +206,9 @@ void UnitVerifier::MakeArguments() {
     return terms_.Variable(program_.emittable.place_names[id.index], WidthOf(program_.ir.places[id].type));
   };
   arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
-  for (const ir::PlaceId id : unit_.values) {
-    values_.push_back(variable(id));
+  for (size_t i = 0; i < unit_.values.size(); ++i) {
+    const ir::PlaceId id = unit_.values[i];
+    values_.push_back(given_[i] ? terms_.Const(*given_[i], WidthOf(program_.ir.places[id].type)) : variable(id));
     arguments_.push_back({.name = program_.emittable.place_names[id.index], .value = values_.back()});
   }
   for (const ir::PlaceId id : unit_.references) {
@@ -367,6 +371,22 @@ RoutineProof UnitVerifier::Run() {
   return std::move(proof_);
 }
 
+/// Both are proofs of one function, each for other arguments.
+void Add(RoutineProof& all, RoutineProof one) {
+  // What differs says more than what is not decided.
+  const auto weight = [](ProofResult result) {
+    return result == ProofResult::kDifferent ? 2 : result == ProofResult::kNotDecided ? 1 : 0;
+  };
+  if (weight(one.result) > weight(all.result)) {
+    all.result = one.result;
+    all.reason = std::move(one.reason);
+    all.differences = std::move(one.differences);
+  }
+  all.obligations += one.obligations;
+  all.instructions += one.instructions;
+  all.asked += one.asked;
+}
+
 /// All functions of a program, callees first.
 class Verification {
  public:
@@ -384,6 +404,7 @@ class Verification {
   };
 
   void Prove(UnitId id);
+  RoutineProof ProveCases(const Unit& unit, Callees callees, bool& gave_up) const;
   /// Of calls that are replaced, also in functions that are followed.
   void Collect(const Unit& unit, Granted& granted) const;
 
@@ -405,6 +426,24 @@ void Verification::Collect(const Unit& unit, Granted& granted) const {
   }
 }
 
+RoutineProof Verification::ProveCases(const Unit& unit, Callees callees, bool& gave_up) const {
+  RoutineProof all;
+  gave_up = false;
+  bool first = true;
+  for (const ArgumentCase& given : ArgumentCases(program_.ir, unit)) {
+    UnitVerifier verifier(program_, unit, given, callees);
+    RoutineProof one = verifier.Run();
+    gave_up = gave_up || verifier.gave_up();
+    if (std::exchange(first, false)) {
+      all = std::move(one);
+    } else {
+      Add(all, std::move(one));
+    }
+    if (all.result != ProofResult::kProved) break;
+  }
+  return all;
+}
+
 void Verification::Prove(UnitId id) {
   if (!id.valid() || visited_[id.index]) return;
   visited_[id.index] = true;
@@ -423,9 +462,7 @@ void Verification::Prove(UnitId id) {
     // What is not so for unknown functions may be so for these: only who follows calls finds differences.
     const bool followed = callees == Callees::kFollowed;
     if (!followed && (granted.functions.empty() || but_for_open)) continue;
-    UnitVerifier verifier(program_, unit, callees);
-    proof = verifier.Run();
-    gave_up = verifier.gave_up();
+    proof = ProveCases(unit, callees, gave_up);
     if (proof.result == ProofResult::kProved) {
       if (!followed) proof.relies_on = granted.functions;
       if (followed) granted.open.clear();
