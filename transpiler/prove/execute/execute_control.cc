@@ -1,5 +1,6 @@
 // Executor: branches, exits and loops.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -231,8 +232,9 @@ void Executor::ExecuteSummary(ir::InstId id) {
   std::vector<TermId> arguments;
   for (const ir::ValueId value : summary.outside) arguments.push_back(ValueOf(value.index));
   TermId word;
-  for (const CellId cell : summary.cells) {
-    const TermId part = memory_.Read(cell);
+  for (size_t i = 0; i < summary.cells.size(); ++i) {
+    if (!summary.reads[i]) continue;
+    const TermId part = memory_.Read(summary.cells[i]);
     if (word.valid() && terms_.Width(word) + terms_.Width(part) <= 64) {
       word = terms_.Concat(part, word);
       continue;
@@ -247,13 +249,15 @@ void Executor::ExecuteSummary(ir::InstId id) {
   const std::string name =
       std::string(kLoopFunction) + std::to_string(hash) + "." + std::to_string(summary.text.size());
   const TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
-  const auto result = [&](const std::string& what, uint8_t width) {
-    return terms_.Apply(terms_.Function(name + " " + what, width), {&known, 1});
+  const auto result = [&](const std::string& what, uint8_t width, TermId before = {}) {
+    const std::array<TermId, 2> from = {known, before};
+    return terms_.Apply(terms_.Function(name + " " + what, width), {from.data(), before.valid() ? size_t{2} : 1});
   };
   for (const uint32_t number : summary.written) {
     const CellId cell = summary.cells[number];
     const uint8_t width = CellWidth(program_, CellAt(program_, memory_.cells(), cell));
-    WriteCell(cell, result("cell " + std::to_string(number), width));
+    const TermId before = summary.reads[number] ? TermId() : memory_.Read(cell);
+    WriteCell(cell, result("cell " + std::to_string(number), width, before));
   }
   for (size_t i = 0; i < summary.targets.size(); ++i) {
     const TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));

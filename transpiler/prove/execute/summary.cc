@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "transpiler/ir/accesses.h"
 #include "transpiler/prove/meaning/meaning.h"
 
 namespace plcxx::prove {
@@ -16,6 +17,8 @@ class Summarizer {
   LoopSummary Run(ir::InstId loop) {
     Inst(loop);
     summary_.written.assign(written_.begin(), written_.end());
+    summary_.reads.resize(summary_.cells.size());
+    for (const uint32_t number : read_) summary_.reads[number] = true;
     return std::move(summary_);
   }
 
@@ -38,12 +41,13 @@ class Summarizer {
 
   /// The cells by their numbers, which are given at the first use, neighbours as one word: where memory lies does not
   /// count, what overlaps does.
-  void Use(const std::vector<CellId>& cells, bool writes) {
+  void Use(const std::vector<CellId>& cells, ir::Access access) {
     std::vector<std::pair<uint32_t, uint32_t>> runs;  // first number and behind the last one
     for (const CellId cell : cells) {
       const auto [at, added] = cell_numbers_.try_emplace(cell, static_cast<uint32_t>(summary_.cells.size()));
       if (added) summary_.cells.push_back(cell);
-      if (writes) written_.insert(at->second);
+      if (access != ir::Access::kRead) written_.insert(at->second);
+      if (access != ir::Access::kWrite) read_.insert(at->second);
       if (!runs.empty() && runs.back().second == at->second) {
         ++runs.back().second;
       } else {
@@ -55,17 +59,17 @@ class Summarizer {
 
   void Instance(ir::StateId state) {
     Word("instance " + std::to_string(static_cast<uint32_t>(program_.states[state].kind)));
-    Use(CellsOfInstance(program_, cells_, state), true);
+    Use(CellsOfInstance(program_, cells_, state), ir::Access::kReadAndWrite);
   }
 
-  void Place(ir::PlaceId id, bool writes) {
+  void Place(ir::PlaceId id, ir::Access access) {
     const ir::Place& place = program_.places[id];
     if (place.is_field()) {
       const CellId cell(cells_.states[place.state.index] +
                         FieldTermIndex(program_.states[place.state].kind, place.field));
       Word("field " + std::to_string(static_cast<uint32_t>(program_.states[place.state].kind)));
       Number(place.field);
-      Use({cell}, writes);
+      Use({cell}, access);
       return;
     }
     const ir::Space& space = program_.spaces[place.space];
@@ -73,7 +77,7 @@ class Summarizer {
     const uint32_t end = std::min(space.bytes, place.indexed ? place.high : place.offset + ir::Bytes(place.type));
     Word(std::string(ir::Name(place.type)));
     Word(space.order == ir::ByteOrder::kBig ? "big" : "little");
-    Use(TouchedCells(program_, cells_, place), writes);
+    Use(TouchedCells(program_, cells_, place), access);
     if (!place.indexed) return;
     // Where the elements lie from the one with index 0.
     for (const uint32_t at : {begin, end}) Word(std::to_string(int64_t{at} - int64_t{place.offset}));
@@ -108,20 +112,22 @@ class Summarizer {
       summary_.opaque = true;
     }
     Word(host.name);
-    Use({cells_.OfCalls(call.host)}, true);
+    // What answers looks at the calls before; who is only told something does not.
+    const bool answers = host.result != ir::Type::kNone || call.out.valid();
+    Use({cells_.OfCalls(call.host)}, answers ? ir::Access::kReadAndWrite : ir::Access::kWrite);
     for (const ir::ValueId argument : call.arguments) Value(argument.index);
-    if (call.out.valid()) Place(call.out, true);
+    if (call.out.valid()) Place(call.out, ir::Access::kWrite);
   }
 
   void Subroutine(ir::CallId id) {
     const ir::Call& call = program_.calls[id];
     const ir::Routine& routine = program_.routines[call.routine];
     for (const ir::ValueId argument : call.arguments) Value(argument.index);
-    for (const ir::PlaceId parameter : routine.parameter_places) Place(parameter, true);
+    for (const ir::PlaceId parameter : routine.parameter_places) Place(parameter, ir::Access::kWrite);
     // Its locals are its own or its caller's: the kind says so.
     Number(static_cast<uint64_t>(routine.kind));
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
-    if (routine.result_place.valid()) Place(routine.result_place, false);
+    if (routine.result_place.valid()) Place(routine.result_place, ir::Access::kRead);
   }
 
   void Inst(ir::InstId id) {
@@ -145,11 +151,11 @@ class Summarizer {
         break;
       }
       case ir::Shape::kLoad:
-        Place(ir::PlaceId(inst.payload), false);
+        Place(ir::PlaceId(inst.payload), ir::Access::kRead);
         if (program_.places[ir::PlaceId(inst.payload)].indexed) Value(inst.a);
         break;
       case ir::Shape::kStore:
-        Place(ir::PlaceId(inst.payload), true);
+        Place(ir::PlaceId(inst.payload), ir::Access::kWrite);
         Value(inst.a);
         if (program_.places[ir::PlaceId(inst.payload)].indexed) Value(inst.b);
         break;
@@ -175,7 +181,7 @@ class Summarizer {
         const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
         Number(static_cast<uint64_t>(loop.kind));
         Number(loop.bound);
-        if (loop.budget.valid()) Place(loop.budget, true);
+        if (loop.budget.valid()) Place(loop.budget, ir::Access::kReadAndWrite);
         for (const ir::RegionId region : {loop.condition, loop.body, loop.step, loop.exhausted}) Region(region);
         break;
       }
@@ -208,7 +214,7 @@ class Summarizer {
   LoopSummary summary_;
   std::map<uint32_t, uint32_t> numbers_;  // by InstId: of what stands inside
   std::map<CellId, uint32_t> cell_numbers_;
-  std::set<uint32_t> written_;  // numbers
+  std::set<uint32_t> written_, read_;  // numbers
 };
 
 }  // namespace

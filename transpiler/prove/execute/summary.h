@@ -2,7 +2,9 @@
 //
 // Two loops with the same text are the same function of their cells, wherever these lie, so they are equal without
 // being unrolled when the cells are; what is said of a summarized loop holds for every loop of that text, the real one
-// among them. In: a loop. Out: its text, what it reads, writes and leaves for. Not its job: executing.
+// among them. A cell that it writes and never reads depends on what it reads and on its own value before, so that what
+// another part has written there spoils nothing else. In: a loop. Out: its text, what it reads, writes and leaves for.
+// Not its job: executing.
 #pragma once
 
 #include <string>
@@ -19,6 +21,7 @@ struct LoopSummary {
   std::vector<ir::ValueId> outside;  // values from around the loop, in the order of their first use
   std::vector<CellId> cells;         // read or written, in the order of their first use
   std::vector<uint32_t> written;     // indices of `cells`, ascending
+  std::vector<bool> reads;           // by index of `cells`: the loop looks at what is there
   std::vector<ir::InstId> targets;   // blocks and loops around it for which it leaves, in the order of their first use
   /// It calls a function that writes the state, or goes on with a loop around it: there is no summary.
   bool opaque = false;

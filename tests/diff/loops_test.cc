@@ -1,0 +1,127 @@
+// plcxx diff: loops of which nobody knows how often they go round, and what may and may not pass through them.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/temporary_directory.h"
+#include "transpiler/driver/diff.h"
+
+namespace plcxx::driver {
+namespace {
+
+Diff CompareTexts(const std::string& old_text, const std::string& new_text) {
+  const testing_support::TemporaryDirectory directory;
+  const auto side = [&](const std::string& name, const std::string& text) {
+    CompilationRequest request;
+    request.sources = {directory.Write(name + ".plc", text)};
+    request.dialect = "technol";
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
+  EXPECT_TRUE(old_side.compilation.ok());
+  EXPECT_TRUE(new_side.compilation.ok());
+  Diff diff =
+      CompareSides(old_side, new_side, {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
+  EXPECT_EQ(diff.refusal, "");
+  return diff;
+}
+
+ItemVerdict VerdictOf(const Diff& diff, const std::string& name) {
+  for (const DiffItem& item : diff.items) {
+    if (item.name == name) return item.verdict;
+  }
+  return ItemVerdict::kEqual;
+}
+
+std::string Replaced(std::string text, const std::string& part, const std::string& other) {
+  const size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.replace(at, part.size(), other);
+}
+
+/// Two mechanisms that raise errors; the first one tries three times, so that it goes back.
+const std::string kTwoMechanisms = R"(          DATA
+IN0:      DFM A1,A2,B1,B2
+OUT0:     DFM OA,OB
+TRIES:    DS 1
+          DATA_END
+          MODULE_MAIN
+          LDR  A1
+          FL1  1,MA
+          LDR  B1
+          FL1  1,MB
+          MECH_BEGIN MB
+          FL   1,OB
+          LDR  B2
+          TEX0 -,5,B_FAULT
+          JUM  B_DONE
+B_FAULT:  ESET 20,2
+B_DONE:   FL   0,OB
+          MECH_END MB
+          MECH_BEGIN MA
+          LOD  CNST.0
+          STO  TRIES
+AGAIN:    FL   1,OA
+          LDR  A2
+          TEX0 -,5,A_FAULT
+          JUM  A_DONE
+A_FAULT:  FL   0,OA
+          LOD  TRIES
+          AD   CNST.1
+          STO  TRIES
+          LT   CNST.3
+          JL1  AGAIN
+          ESET 10,1
+A_DONE:   MECH_END MA
+          MODULE_MAIN_END
+          STOP
+)";
+
+TEST(Loops, AnErrorThatIsRaisedElsewhereChangesNoLoop) {
+  // MA is told nothing of what the control was told by MB.
+  const Diff diff = CompareTexts(kTwoMechanisms, Replaced(kTwoMechanisms, "LDR  B1", "LDR  -B1"));
+  EXPECT_EQ(VerdictOf(diff, "OUT+0.1"), ItemVerdict::kDifferent);
+  EXPECT_EQ(VerdictOf(diff, "OUT+0.0"), ItemVerdict::kEqual);
+  EXPECT_EQ(VerdictOf(diff, "MA"), ItemVerdict::kEqual);
+  EXPECT_EQ(VerdictOf(diff, "DATA+0:8"), ItemVerdict::kEqual);
+  // Both tell it: what it has been told is another story.
+  EXPECT_NE(VerdictOf(diff, "calls of error_raised"), ItemVerdict::kEqual);
+}
+
+/// A loop that goes round as often as an input says, and writes LAMP now and then without looking at it.
+const std::string kCounting = R"(          DATA
+IN0:      DFM KEY
+OUT0:     DFM LAMP,OTHER
+LEFT:     DS 2
+          DATA_END
+          MODULE_MAIN
+          LDR  KEY
+          WR   LAMP
+          LOD  IN10
+          STO  LEFT
+ROUND:    LOD  LEFT
+          EQ   CNST.7
+          FL1  1,LAMP
+          LOD  LEFT
+          SU   CNST.1
+          STO  LEFT
+          NE   CNST.0
+          JL1  ROUND
+          LDR  KEY
+          WR   OTHER
+          MODULE_MAIN_END
+          STOP
+)";
+
+TEST(Loops, WhatALoopOnlyWritesKeepsWhatWasThereBefore) {
+  // Most often the loop leaves LAMP as it was: the change in front of it comes through.
+  const Diff lamp = CompareTexts(kCounting, Replaced(kCounting, "WR   LAMP", "FL   0,LAMP"));
+  EXPECT_EQ(VerdictOf(lamp, "OUT+0.0"), ItemVerdict::kDifferent);
+  EXPECT_EQ(VerdictOf(lamp, "DATA+0:16"), ItemVerdict::kEqual);
+  EXPECT_EQ(VerdictOf(lamp, "OUT+0.1"), ItemVerdict::kEqual);
+  const Diff rounds = CompareTexts(kCounting, Replaced(kCounting, "LOD  IN10", "LOD  IN11"));
+  EXPECT_NE(VerdictOf(rounds, "OUT+0.0"), ItemVerdict::kEqual);
+}
+
+}  // namespace
+}  // namespace plcxx::driver
