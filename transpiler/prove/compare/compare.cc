@@ -177,11 +177,12 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!SeparateWake(comparison)) return Finish(comparison, 0);
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
+  uint32_t beyond_reach = 0;
   if (reaches_much) {
     for (const CellId cell : reach) comparison.pairing.Separate(cell);
-  } else if (!FindInductiveSet(comparison)) {
-    return Finish(comparison, 0);
+    if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return Finish(comparison, 0);
   }
+  if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
   uint32_t invariants = 0;
   comparison.round_ms = limits.total_ms / 4;

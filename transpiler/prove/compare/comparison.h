@@ -72,6 +72,9 @@ using CutOf = std::function<TermId(Which which, CellId cell, TermId value)>;
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const CutOf& cut = {});
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
+/// Takes out what starts with other values because retentive memory differs when power fails; adds the number. False as
+/// above.
+bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated);
 /// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
 /// last one. False as above.
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);

@@ -1,5 +1,6 @@
 // From any state in which the set is equal, one more period leaves it equal.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "transpiler/prove/compare/comparison.h"
@@ -143,13 +144,16 @@ bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const C
   return !TakeRefusal(comparison, comparison.new_next, "new");
 }
 
-bool CheckPowerOn(Comparison& comparison) {
+namespace {
+
+/// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
+std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
   comparison.Report("power-on");
   const Transition old_init =
       RunInit(comparison.terms, comparison.old_version, SurroundingsOf(comparison, Which::kOld));
   const Transition new_init =
       RunInit(comparison.terms, comparison.new_version, SurroundingsOf(comparison, Which::kNew));
-  if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return false;
+  if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return std::nullopt;
   std::vector<Question> questions;
   for (uint32_t i = 0; i < comparison.results.size(); ++i) {
     const PairResult& result = comparison.results[i];
@@ -157,17 +161,35 @@ bool CheckPowerOn(Comparison& comparison) {
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
   SeparateFailing(comparison, questions);
+  std::erase_if(questions, [&comparison](const Question& question) {
+    return comparison.pairing.IsEqual(comparison.results[question.result].old_cell);
+  });
+  return questions;
+}
+
+}  // namespace
+
+bool CheckPowerOn(Comparison& comparison) {
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  if (!differing) return false;
   // What differs from power-on on is not the wake of anything.
-  for (const Question& question : questions) {
-    PairResult& result = comparison.results[question.result];
-    result.changed_itself = result.changed_itself || !comparison.pairing.IsEqual(result.old_cell);
-  }
+  for (const Question& question : *differing) comparison.results[question.result].changed_itself = true;
+  return true;
+}
+
+bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
+  if (!HasRetentiveMemory(comparison.old_version) && !HasRetentiveMemory(comparison.new_version)) return true;
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  if (!differing) return false;
+  separated += static_cast<uint32_t>(differing->size());
   return true;
 }
 
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
+    // With everything equal power-on is checked already.
+    if (most_rounds > 1 && !SeparateAfterPowerFailure(comparison, separated)) return false;
     for (const Part part : {Part::kFast, Part::kPeriod}) {
       if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
       comparison.Report("round " + std::to_string(round));

@@ -5,13 +5,15 @@
 namespace plcxx::prove {
 namespace {
 
-Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routine, const Surroundings& surroundings) {
+Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routine, const Surroundings& surroundings,
+                      const std::function<TermId(CellId)>& stored = {}) {
   Transition transition;
   Environment environment{.initial = surroundings.initial,
                           .observe = {},
                           .host_bit = surroundings.host_bit,
                           .cut = surroundings.cut,
                           .now = surroundings.now,
+                          .stored = stored,
                           .host_answers = surroundings.answers == HostAnswers::kAny,
                           .summarize_after = 16};
   environment.observe = [&](Memory& memory, ir::HostFunctionId function, TermId when) {
@@ -37,6 +39,11 @@ bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit) {
 
 bool HasFastPart(const Version& version) { return version.program->schedule.fast_ms != 0; }
 
+bool HasRetentiveMemory(const Version& version) {
+  return std::ranges::any_of(version.program->spaces,
+                             [](const ir::Space& space) { return space.lifetime == ir::Lifetime::kRetentive; });
+}
+
 Transition RunPart(Terms& terms, const Version& version, Part part, const Surroundings& surroundings) {
   const ir::Schedule& schedule = version.program->schedule;
   return RunRoutine(terms, version, part == Part::kFast ? schedule.fast_only : schedule.period, surroundings);
@@ -56,7 +63,7 @@ Transition RunInit(Terms& terms, const Version& version, const Surroundings& sur
     }
     return terms.Bit(PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit));
   };
-  Transition transition = RunRoutine(terms, version, version.program->schedule.init, at_power_on);
+  Transition transition = RunRoutine(terms, version, version.program->schedule.init, at_power_on, surroundings.initial);
   for (uint32_t i = 0; i < version.cells.count; ++i) {
     if (!transition.next[i].valid()) transition.next[i] = at_power_on.initial(CellId(i));
   }

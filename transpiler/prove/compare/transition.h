@@ -41,7 +41,10 @@ enum class Part : uint8_t { kPeriod, kFast };
 /// Schedule::fast_ms: the period is the slow part alone then.
 bool HasFastPart(const Version& version);
 Transition RunPart(Terms& terms, const Version& version, Part part, const Surroundings& surroundings);
-/// Power-on: `initial` is asked for the calls only, memory is as the program says.
+/// Power-on: memory is as the program says, and then, as far as it is retentive, as it was when the power failed:
+/// `initial` is asked for that and for the calls.
+/// Whether memory lives on without power.
+bool HasRetentiveMemory(const Version& version);
 Transition RunInit(Terms& terms, const Version& version, const Surroundings& surroundings);
 
 /// The value of a cell when power comes: 0, or the program's initial byte.

@@ -224,12 +224,18 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
     return;
   }
   if (host.access == ir::HostAccess::kNone || !answers) return;
+  const bool restores = host.access == ir::HostAccess::kWritesRetentive && memory_.environment().stored;
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
       if (!HostWrites(program_, host.access, space, offset)) continue;
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const CellId cell = memory_.cells().OfBit(space, offset, bit);
+        if (restores) {
+          const TermId copied = memory_.environment().stored(cell);
+          WriteCell(cell, terms_.Ite(HasCopy(terms_, host.name, calls), copied, memory_.Read(cell)));
+          continue;
+        }
         const auto& host_bit = memory_.environment().host_bit;
         const Environment::HostBit known =
             host_bit ? host_bit(cell) : Environment::HostBit{program_.spaces[space].name, offset, bit};

@@ -71,6 +71,8 @@ struct Environment {
   /// The answer to the schedule's `now`.
   TermId now;
   ReplacedParts* replaced = nullptr;
+  /// What the host has of a retentive cell, if it has a copy at all; empty: a copy of which nothing is known.
+  std::function<TermId(CellId cell)> stored;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
@@ -146,6 +148,8 @@ TermId GivesSecond(Terms& terms, std::string_view function, TermId calls);
 TermId SecondAnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
 /// A byte of a space after a call that writes the state: of `space` by its name.
 TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::string_view space, uint32_t offset);
+/// Whether it has a copy of the retentive memory; without one it leaves the memory alone.
+TermId HasCopy(Terms& terms, std::string_view function, TermId calls);
 /// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState, all
 /// of a retentive space by kWritesRetentive.
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);

@@ -35,6 +35,10 @@ TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::
   return Named(terms, std::string(space) + "." + std::to_string(offset) + " by", function, 8, {&calls, 1});
 }
 
+TermId HasCopy(Terms& terms, std::string_view function, TermId calls) {
+  return Named(terms, "copy of", function, 1, {&calls, 1});
+}
+
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId id, uint32_t offset) {
   const ir::Space& space = program.spaces[id];
   switch (access) {
