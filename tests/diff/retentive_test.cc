@@ -17,7 +17,8 @@ Diff CompareTexts(const std::string& old_text, const std::string& new_text, cons
   const auto side = [&](const testing_support::TemporaryDirectory& directory, const std::string& text,
                         const std::string& item) {
     CompilationRequest request;
-    request.sources = {directory.Write("program.plc", text), directory.Write("TAB.TCH", "$TCH 1 2 1\n0: 1 " + item + "\n")};
+    request.sources = {directory.Write("program.plc", text),
+                       directory.Write("TAB.TCH", "$TCH 1 2 1\n0: 1 " + item + "\n")};
     request.dialect = "technol";
     return MakeDiffSide("side", request);
   };

@@ -1,0 +1,240 @@
+#include "tests/diff/both_simulated.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/diff_items.h"
+#include "transpiler/driver/scenario_control.h"
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/sim/clock.h"
+#include "transpiler/sim/simulator.h"
+
+namespace plcxx::driver {
+namespace {
+
+using prove::Cell;
+using prove::CellId;
+using prove::CellKind;
+using prove::Random;
+using prove::Version;
+
+/// A number that depends on all that came before.
+uint64_t Mixed(uint64_t hash, uint64_t value) {
+  hash = (hash ^ value) * 0x9E3779B97F4A7C15;
+  return hash ^ (hash >> 29);
+}
+
+/// Whose answers a program gets: those of the dialect's simulated control, which look at all the state; or a function's
+/// own, which depend on its calls alone and on the seed.
+enum class Answers : uint8_t { kOfControl, kOfCalls };
+
+class Machine {
+ public:
+  Machine(const DiffSide& side, Answers answers, uint64_t seed)
+      : program_(side.compilation.program),
+        simulator_(program_),
+        control_(program_, *side.compilation.dialect, simulator_,
+                 answers == Answers::kOfControl
+                     ? side.compilation.dialect->make_stub(program_, side.compilation.options)
+                     : std::unique_ptr<dialects::ControlStub>()),
+        clock_(program_, {&simulator_}) {
+    if (answers == Answers::kOfCalls) {
+      simulator_.AnswerHostCalls([this, seed](ir::HostFunctionId id, std::span<const uint64_t> arguments) {
+        return Answer(id, arguments, seed);
+      });
+    }
+    clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+    clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
+    clock_.PowerOn();
+    control_.PowerOn();
+  }
+
+  void PowerCycle() {
+    control_.PowerOff();
+    clock_.PowerCycle();
+    control_.PowerOn();
+  }
+  void Set(const ir::Place& place, uint64_t value) {
+    dialects::Location location;
+    location.place = place;
+    control_.Set(location, value);
+  }
+  uint64_t Read(const ir::Place& place) { return simulator_.Read(place); }
+  sim::Clock& clock() { return clock_; }
+
+  /// By function: all its calls so far.
+  const std::map<std::string, uint64_t>& Calls() {
+    for (const sim::HostEvent& event : simulator_.TakeEvents()) {
+      if (event.exchange) continue;
+      uint64_t& calls = calls_[program_.host_functions[event.function].name];
+      for (const uint64_t argument : event.arguments) calls = Mixed(calls, argument);
+      calls = Mixed(calls, 1);
+    }
+    return calls_;
+  }
+
+ private:
+  sim::HostAnswer Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments, uint64_t seed) {
+    const ir::HostFunction& function = program_.host_functions[id];
+    uint64_t& asked = asked_[function.name];
+    asked = Mixed(asked, seed);
+    for (const uint64_t argument : arguments) asked = Mixed(asked, argument);
+    for (const char c : function.name) asked = Mixed(asked, static_cast<unsigned char>(c));
+    const auto fitting = [](ir::Type type, uint64_t value) {
+      if (type == ir::Type::kNone) return uint64_t{0};
+      const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
+      return bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1);
+    };
+    sim::HostAnswer answer;
+    answer.result = fitting(function.result, asked >> 7);
+    const bool second = !function.out.name.empty() && (asked >> 5 & 3) != 0;
+    if (second) answer.out = fitting(function.out.type, asked >> 11);
+    return answer;
+  }
+
+  const ir::Program& program_;
+  sim::Simulator simulator_;
+  ScenarioControl control_;
+  sim::Clock clock_;
+  std::map<std::string, uint64_t> calls_, asked_;
+};
+
+/// A cell as a place that an engine reads.
+std::optional<ir::Place> PlaceOf(const Version& version, CellId id) {
+  const Cell cell = CellAt(*version.program, version.cells, id);
+  ir::Place place;
+  switch (cell.kind) {
+    case CellKind::kCalls:
+      return std::nullopt;
+    case CellKind::kField: {
+      const ir::FieldInfo& field = ir::Info(version.program->states[cell.state].kind).fields[cell.field];
+      if (field.count != 1) return std::nullopt;
+      place.type = field.type;
+      place.state = cell.state;
+      place.field = cell.field;
+      return place;
+    }
+    case CellKind::kBit:
+      if (version.program->spaces[cell.space].lifetime == ir::Lifetime::kRoutine) return std::nullopt;
+      place.type = ir::Type::kBit;
+      place.space = cell.space;
+      place.offset = cell.offset;
+      place.bit = cell.bit;
+      return place;
+  }
+  return std::nullopt;
+}
+
+struct Compared {
+  std::string name;
+  ir::Place old_place, new_place;
+};
+
+/// What the comparison says to be equal, and what the machine sets.
+struct Locations {
+  std::vector<Compared> equal, inputs;
+  std::set<std::string> equal_calls;
+};
+
+Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
+                      const DiffOptions& options) {
+  const Version old_version = prove::MakeVersion(old_side.compilation.program),
+                new_version = prove::MakeVersion(new_side.compilation.program);
+  std::vector<std::pair<ir::Place, ir::Place>> same;
+  for (const auto& [old_name, new_name] : options.same) {
+    const auto one = old_side.compilation.dialect->locate(old_side.compilation.program, old_name);
+    const auto other = new_side.compilation.dialect->locate(new_side.compilation.program, new_name);
+    if (one && other) same.emplace_back(one->place, other->place);
+  }
+  const prove::Match match = MatchCells(old_version, new_version, same);
+  const prove::Uses old_uses = UsesOf(old_version), new_uses = UsesOf(new_version);
+  const CellWords old_words(old_version, old_side.compilation), new_words(new_version, new_side.compilation);
+  std::set<std::string> listed;
+  for (const DiffItem& item : diff.items) listed.insert(item.name);
+  Locations locations;
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+    const CellId old_cell(i), new_cell = match.new_of_old[i];
+    if (!new_cell.valid() || !IsState(old_version, old_cell) || !IsState(new_version, new_cell)) continue;
+    const bool old_used = old_uses.reads[i] || old_uses.writes[i];
+    const bool new_used = new_uses.reads[new_cell.index] || new_uses.writes[new_cell.index];
+    if (!old_used && !new_used) continue;
+    const std::string name = old_words.WordOf(old_cell).name;
+    const bool is_listed = listed.contains(name) || listed.contains(new_words.WordOf(new_cell).name);
+    const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
+    if (cell.kind == CellKind::kCalls) {
+      if (!is_listed) locations.equal_calls.insert(old_version.program->host_functions[cell.host].name);
+      continue;
+    }
+    const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
+                                   new_place = PlaceOf(new_version, new_cell);
+    if (!old_place || !new_place) continue;
+    if (IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+      locations.inputs.push_back({name, *old_place, *new_place});
+    } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
+      const bool is_private =
+          DirectionOf(old_version, old_cell) == ir::Direction::kInternal && !IsRetentive(old_version, old_cell);
+      // A flag that one version alone has is not compared.
+      if (old_used == new_used || !is_private) locations.equal.push_back({name, *old_place, *new_place});
+    }
+  }
+  return locations;
+}
+
+}  // namespace
+
+std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
+                                        const DiffOptions& options, SimulatedRuns runs, Random& random) {
+  const Locations locations = LocationsOf(old_side, new_side, diff, options);
+  const ir::Schedule& schedule = old_side.compilation.program.schedule;
+  for (int run = 0; run < runs.runs; ++run) {
+    // The simulated control answers what it sees, so it goes with programs that are equal in everything.
+    const Answers answers = diff.items.empty() && run % 2 == 0 ? Answers::kOfControl : Answers::kOfCalls;
+    const uint64_t seed = random.Next();
+    Machine old_machine(old_side, answers, seed), new_machine(new_side, answers, seed);
+    const uint64_t one_in = uint64_t{1} << (random.Next() % 6), ones = 1 + random.Next() % 3;
+    for (int step = 1; step <= runs.steps; ++step) {
+      for (const Compared& input : locations.inputs) {
+        if (step != 1 && !random.OneIn(one_in)) continue;
+        const uint64_t value = random.Next() % 4 < ones ? 1 : 0;
+        old_machine.Set(input.old_place, value);
+        new_machine.Set(input.new_place, value);
+      }
+      const uint64_t what = random.Next() % 32, length = 1 + random.Next() % 40;
+      for (Machine* machine : {&old_machine, &new_machine}) {
+        sim::Clock& clock = machine->clock();
+        if (what == 0) {
+          machine->PowerCycle();
+        } else if (what < 8) {
+          clock.RunMs(schedule.period_ms * length);
+        } else if (what < 11) {
+          clock.RunMs(137 * length);
+        } else if (what < 14 && schedule.fast_ms != 0) {
+          clock.RunFast(1);
+        } else {
+          clock.RunSlow(1);
+        }
+      }
+      const std::string when = " after step " + std::to_string(step) + " of run " + std::to_string(run + 1);
+      for (const Compared& equal : locations.equal) {
+        const uint64_t one = old_machine.Read(equal.old_place), other = new_machine.Read(equal.new_place);
+        if (one == other) continue;
+        return equal.name + " is " + std::to_string(one) + " and " + std::to_string(other) + when;
+      }
+      const auto& old_calls = old_machine.Calls();
+      const auto& new_calls = new_machine.Calls();
+      for (const std::string& name : locations.equal_calls) {
+        const auto calls_of = [&name](const std::map<std::string, uint64_t>& calls) {
+          const auto at = calls.find(name);
+          return at == calls.end() ? 0 : at->second;
+        };
+        if (calls_of(old_calls) != calls_of(new_calls)) return "other calls of " + name + when;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace plcxx::driver
