@@ -171,7 +171,8 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 20;  // of the time
+constexpr uint64_t kExampleShare = 20;  // of the time: for shorter runs
+constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
 
 /// What the statements of one version do with the items, by index of the item.
 struct Touched {
@@ -290,13 +291,17 @@ DiffSide MakeDiffSide(std::string label, CompilationRequest request, const std::
 }
 
 Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point last_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
   const prove::Version old_version = prove::MakeVersion(old_side.whole),
                        new_version = prove::MakeVersion(new_side.whole);
   const prove::Match match = MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
-  prove::CompareLimits limits{.total_ms = options.time_ms, .progress = options.progress};
+  const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare;
+  prove::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
+  const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   const auto find_different = [&](const std::vector<CellId>& cells, prove::Effort effort) {
     std::vector<CellId> sought = cells;
@@ -308,10 +313,14 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       });
     }
     if (!sought.empty()) {
-      RunBoth(
-          old_side, new_side,
-          {.old_version = old_version, .new_version = new_version, .match = match, .cells = sought, .effort = effort},
-          options, runs);
+      RunBoth(old_side, new_side,
+              {.old_version = old_version,
+               .new_version = new_version,
+               .match = match,
+               .cells = sought,
+               .effort = effort,
+               .end = compare_end},
+              options, runs);
     }
     std::vector<CellId> different;
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
@@ -329,11 +338,15 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
     return shown && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size();
   };
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point end = Clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare);
+  const Clock::time_point end =
+      std::min(last_end, Clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare));
+  // A run that is known is shown, shortened or not, as long as there is a little time left.
+  const Clock::time_point shown_end =
+      std::min(last_end, end + std::chrono::milliseconds(options.time_ms / kExampleShare / 2));
   auto waiting = std::ranges::count_if(items, is_shown);
   ExampleBudget budget{.left = kMostExamples,
                        .end = end,
+                       .last_end = shown_end,
                        .old_program = ScenarioProgram(old_side.request),
                        .new_program = ScenarioProgram(new_side.request)};
   for (Gathered& gathered : items) {
@@ -342,9 +355,10 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       continue;
     }
     const Clock::time_point now = Clock::now();
-    if (is_shown(gathered) && budget.left > 0 && now < end) {
+    if (is_shown(gathered) && budget.left > 0 && now < shown_end) {
       // Each has its share, and what the ones before it left over.
-      budget.end = now + (end - now) / std::max<int64_t>(1, std::min<int64_t>(waiting--, budget.left));
+      budget.end = now + std::max(Clock::duration::zero(), end - now) /
+                             std::max<int64_t>(1, std::min<int64_t>(waiting--, budget.left));
       gathered.item.counterexample = FindCounterexample(old_side, new_side,
                                                         {.old_words = old_named.words,
                                                          .new_words = new_named.words,

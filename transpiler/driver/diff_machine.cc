@@ -34,7 +34,7 @@ std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
 
 }  // namespace
 
-DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version)
+DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version, Time end)
     : side_(side),
       program_(side.compilation.program),
       version_(version),
@@ -46,6 +46,7 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version)
       calls_(side.compilation.program.host_functions.size()) {
   clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
   clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
+  if (end != Time::max()) clock_.interrupted = [end] { return std::chrono::steady_clock::now() >= end; };
   clock_.PowerOn();
   control_.PowerOn();
 }
@@ -97,12 +98,13 @@ bool DiffMachine::Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::
 
 bool DiffMachine::Advance(const Stimulus& stimulus) {
   const sim::Step step = stimulus.slow != 0 ? clock_.RunSlow(stimulus.slow) : clock_.RunMs(stimulus.ms);
-  return step != sim::Step::kStuck;
+  return step == sim::Step::kDone;
 }
 
 void DiffMachine::Look() {
   picture_ = simulator_.Snapshot();
-  for (const sim::HostEvent& event : simulator_.TakeEvents()) {
+  events_ = simulator_.TakeEvents();
+  for (const sim::HostEvent& event : events_) {
     if (event.exchange) continue;
     uint64_t& hash = calls_[event.function.index];
     for (const uint64_t argument : event.arguments) hash = (hash ^ argument) * 0x9E3779B97F4A7C15;

@@ -1,6 +1,7 @@
 // One version in the simulator, with the dialect's simulated control around it, as a scenario has it.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -16,19 +17,24 @@ struct Stimulus;
 
 class DiffMachine {
  public:
-  /// Powers on. Both outlive the machine.
-  DiffMachine(const DiffSide& side, const prove::Version& version);
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// Powers on. Both outlive the machine. A step that is not done at `end` is left there.
+  DiffMachine(const DiffSide& side, const prove::Version& version, Time end = Time::max());
 
   void SetCell(prove::CellId cell, uint64_t value);
   /// As a scenario's `set`; what the version does not know is left out.
   void SetWord(const std::string& location, const std::string& value);
-  /// Sets what the stimulus says, by the old or the new cells, and lets the time pass. false: the program got stuck.
+  /// Sets what the stimulus says, by the old or the new cells, and lets the time pass. false: the program got stuck, or
+  /// it is late.
   bool Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::* cell);
   /// Takes a picture of all state.
   void Look();
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
   /// not show is 0.
   uint64_t Seen(prove::CellId cell) const;
+  /// The calls between the last two pictures.
+  const std::vector<sim::HostEvent>& events() const { return events_; }
 
  private:
   bool Advance(const Stimulus& stimulus);
@@ -41,6 +47,7 @@ class DiffMachine {
   sim::Clock clock_;
   std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNone: nowhere
   std::vector<uint8_t> picture_;
+  std::vector<sim::HostEvent> events_;
   std::vector<uint64_t> calls_;  // by host function: a hash of its calls so far
 };
 

@@ -39,8 +39,11 @@ std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const pr
   return inputs;
 }
 
-/// Inputs change seldom in some runs and often in others; now and then nothing happens for a while, so that timers end.
-Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, int run) {
+/// Whether now and then nothing happens for a while, so that timers end.
+enum class Waits : uint8_t { kNone, kSome };
+
+/// Inputs change seldom in some runs and often in others.
+Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, int run, Waits waits) {
   const uint64_t one_in = uint64_t{2} << (run % 6);
   const uint64_t density = 1 + static_cast<uint64_t>(run) % 3;  // of ones, in quarters
   Stimuli stimuli;
@@ -51,7 +54,7 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, i
       input.value = random.Next() % 4 < density ? 1 : 0;
       stimulus.inputs.push_back(input);
     }
-    if (random.OneIn(8)) {
+    if (waits == Waits::kSome && random.OneIn(8)) {
       stimulus.ms = static_cast<uint32_t>(100 * (1 + random.Next() % 30));
     } else {
       stimulus.slow = 1;
@@ -117,23 +120,28 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   std::vector<std::pair<CellId, CellId>> pairs;
   for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
   const auto begin = std::chrono::steady_clock::now();
-  const auto end = begin + std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare));
+  const auto end =
+      std::min(request.end, begin + std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare)));
+  const uint32_t period_ms = std::max(1U, old_side.compilation.program.schedule.period_ms);
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
   const auto run_both = [&](Stimuli stimuli) {
-    DiffMachine old_machine(old_side, old_version), new_machine(new_side, new_version);
+    DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
+    uint64_t periods = 0;
     const auto run = static_cast<uint32_t>(result.runs.size());
     for (uint32_t step = 0; step < stimuli.size() && !late(); ++step) {
       if (!old_machine.Apply(stimuli[step], &prove::SetCell::old_cell)) break;
       if (!new_machine.Apply(stimuli[step], &prove::SetCell::new_cell)) break;
       old_machine.Look();
       new_machine.Look();
+      periods += stimuli[step].slow + stimuli[step].ms / period_ms;
       for (const auto& [old_cell, new_cell] : pairs) {
         if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
         // Shorter runs are better ones.
-        const auto [at, added] = result.difference_of.try_emplace(old_cell, RandomRuns::Difference{run, step + 1});
-        if (!added && step + 1 < at->second.steps) at->second = {run, step + 1};
+        const RandomRuns::Difference difference{.run = run, .steps = step + 1, .periods = periods};
+        const auto [at, added] = result.difference_of.try_emplace(old_cell, difference);
+        if (!added && periods < at->second.periods) at->second = difference;
       }
     }
     result.runs.push_back(std::move(stimuli));
@@ -159,7 +167,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   }
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));
-    run_both(MakeStimuli(random, inputs, run));
+    // In a large program waiting costs much: the first runs show what differs without.
+    run_both(MakeStimuli(random, inputs, run, quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome));
   }
   for (const Stimuli& stimuli : known) {
     if (options.progress) options.progress("scenarios");

@@ -29,6 +29,7 @@ struct RandomRuns {
   std::vector<Stimuli> runs;
   struct Difference {
     uint32_t run = 0, steps = 0;  // after so many stimuli of the run
+    uint64_t periods = 0;         // about so many of them passed until then
   };
   std::map<prove::CellId, Difference> difference_of;  // by old cell: the first one
 };
@@ -39,6 +40,7 @@ struct RunRequest {
   const prove::Match& match;
   const std::vector<prove::CellId>& cells;  // old ones: what is looked at
   prove::Effort effort{};
+  std::chrono::steady_clock::time_point end;  // of the whole comparison
 };
 
 /// Runs of both versions from power-on, in the simulator, with the same inputs at the same time: those of the scenarios
@@ -61,7 +63,8 @@ struct CounterexampleRequest {
 /// What all counterexamples of a comparison may cost together, and the programs that they are replayed on.
 struct ExampleBudget {
   int left = 0;
-  std::chrono::steady_clock::time_point end;  // of the search for a shorter one
+  std::chrono::steady_clock::time_point end;       // of the search for a shorter one
+  std::chrono::steady_clock::time_point last_end;  // of everything
   ScenarioProgram old_program, new_program;
 };
 
@@ -69,10 +72,5 @@ struct ExampleBudget {
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                  const CounterexampleRequest& request, const DiffOptions& options,
                                                  ExampleBudget& budget);
-
-/// The scenario of a run that shows the difference.
-std::optional<Counterexample> DescribeCounterexample(DiffSide& old_side, DiffSide& new_side,
-                                                     const CounterexampleRequest& request, const Stimuli& stimuli,
-                                                     const DiffOptions& options, ExampleBudget& budget);
 
 }  // namespace plcxx::driver

@@ -15,6 +15,8 @@ constexpr uint64_t kLongestMs = 2 * 60 * 60'000;  // no preset of a machine is w
 constexpr uint64_t kPieceMs = 10'000;             // of a wait, so that a search can end in time
 constexpr uint64_t kHalvesWatched = 6;            // of the time between two presets, from the shorter one on
 constexpr uint32_t kMostCounts = 1000;
+constexpr size_t kMostPresets = 12;     // different constants, when none was changed
+constexpr uint64_t kHeadstartMs = 200;  // for what comes before a timer
 
 /// Ascending, each as often as it stands there.
 std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
@@ -68,6 +70,16 @@ ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::
   if (gone.size() > kMostChanged || come.size() > kMostChanged) return changed;
   const std::set<uint64_t> units = UnitsOf(old_program);
   std::set<uint32_t> times;
+  if (gone.empty() && come.empty()) {
+    // Something else was changed about a timer, perhaps: until a little behind each preset.
+    const std::set<uint64_t> presets(old_constants.begin(), old_constants.end());
+    for (const uint64_t preset : presets) {
+      for (const uint64_t unit : units) {
+        if (preset == 0 || presets.size() > kMostPresets || preset > kLongestMs / unit) continue;
+        times.insert(static_cast<uint32_t>(preset * unit * 9 / 8 + kHeadstartMs));
+      }
+    }
+  }
   const auto add_between = [&times](uint64_t one, uint64_t other, uint64_t unit) {
     const auto [low, high] = std::minmax(one, other);
     if (high > kLongestMs / unit) return;

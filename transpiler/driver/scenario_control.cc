@@ -122,6 +122,7 @@ void ScenarioControl::LookAtMessages() {
 std::vector<ShownMessage> ScenarioControl::TakeMessages() { return std::exchange(shown_, {}); }
 
 uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
+  if (const std::span<const uint8_t> bytes = engine_.Memory(space); offset < bytes.size()) return bytes[offset];
   return static_cast<uint8_t>(engine_.Read(ByteOf(space, offset)));
 }
 

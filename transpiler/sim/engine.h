@@ -56,6 +56,8 @@ class Engine {
   /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
   virtual uint64_t Read(const ir::Place& place) = 0;
   virtual void Write(const ir::Place& place, uint64_t value) = 0;
+  /// The bytes of a space as they are, for who reads many of them; empty: Read has to do.
+  virtual std::span<const uint8_t> Memory(ir::SpaceId /*space*/) const { return {}; }
   virtual void Force(const ir::Place& place, uint64_t value) = 0;
   virtual void Release(const ir::Place& place) = 0;
   virtual void SendText(std::string_view text) = 0;

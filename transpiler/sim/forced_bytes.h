@@ -4,6 +4,7 @@
 // Not its job: byte order and places (place_access.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,25 @@ class ForcedBytes {
   /// The bits keep their values until something writes them.
   void Release(uint32_t offset, uint8_t mask) { forced_[offset] = static_cast<uint8_t>(forced_[offset] & ~mask); }
   void Clear() {
-    for (uint32_t i = 0; i < size(); ++i) Write(i, 0xFF, 0);
+    for (uint32_t i = 0; i < size(); ++i) bytes_[i] = static_cast<uint8_t>(bytes_[i] & forced_[i]);
+  }
+
+  /// The first `count` bytes, forces included.
+  ForcedBytes First(uint32_t count) const {
+    ForcedBytes first(0);
+    first.bytes_.assign(bytes_.begin(), bytes_.begin() + count);
+    first.forced_.assign(forced_.begin(), forced_.begin() + count);
+    return first;
+  }
+  /// They become those of `first` again.
+  void PutBack(const ForcedBytes& first) {
+    std::copy(first.bytes_.begin(), first.bytes_.end(), bytes_.begin());
+    std::copy(first.forced_.begin(), first.forced_.end(), forced_.begin());
+  }
+  /// They become 0, and free.
+  void Renew(uint32_t count) {
+    std::fill_n(bytes_.begin(), count, uint8_t{0});
+    std::fill_n(forced_.begin(), count, uint8_t{0});
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "transpiler/sim/simulator.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "transpiler/support/check.h"
@@ -12,8 +13,16 @@ Simulator::Simulator(const ir::Program& program)
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {
     const ir::Space& space = program.spaces[ir::SpaceId(i)];
     spaces_.emplace_back(space.bytes);
-    if (space.lifetime == ir::Lifetime::kRoutine) locals_.push_back(i);
+    if (space.lifetime == ir::Lifetime::kRoutine && space.bytes != 0) locals_.push_back({.space = i, .used = 0});
   }
+  for (const PlaceAccess& access : places_) {
+    if (access.kind == AccessKind::kAbsent || access.kind == AccessKind::kField) continue;
+    const auto locals = std::ranges::lower_bound(locals_, access.owner, {}, &Locals::space);
+    if (locals == locals_.end() || locals->space != access.owner) continue;
+    const uint32_t end = access.indexed ? access.high : access.offset + access.bytes;
+    locals->used = std::max(locals->used, std::min(end, spaces_[access.owner].size()));
+  }
+  std::erase_if(locals_, [](const Locals& locals) { return locals.used == 0; });
   for (uint32_t i = 0; i < program.insts.size(); ++i) {
     const ir::Inst& inst = program[ir::InstId(i)];
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,7 @@ class Simulator : public Engine {
   void AnswerHostCalls(HostAnswers answers) override { answers_ = std::move(answers); }
   uint64_t Read(const ir::Place& place) override;
   void Write(const ir::Place& place, uint64_t value) override;
+  std::span<const uint8_t> Memory(ir::SpaceId space) const override { return spaces_[space.index].bytes(); }
   void Force(const ir::Place& place, uint64_t value) override;
   void Release(const ir::Place& place) override;
   void SendText(std::string_view text) override;
@@ -59,9 +61,11 @@ class Simulator : public Engine {
   };
 
   void Run(ir::RoutineId routine);
-  /// Begins a partition, whose named locals are all 0; gives those of its caller.
-  std::vector<ForcedBytes> BeginLocals();
-  void EndLocals(std::vector<ForcedBytes> callers);
+  /// Begins a partition: its named locals are all 0.
+  void BeginLocals();
+  /// Those of the caller, while a partition runs that it calls.
+  std::vector<ForcedBytes> KeepLocals() const;
+  void PutBackLocals(const std::vector<ForcedBytes>& callers);
   Flow Execute(ir::RegionId region);
 
   /// Of a statement that is switched off: the other statements in the regions that its jumps made.
@@ -91,7 +95,11 @@ class Simulator : public Engine {
   const ir::Program& program_;
   std::vector<PlaceAccess> places_;  // by PlaceId
   std::vector<ForcedBytes> spaces_;  // by SpaceId
-  std::vector<uint32_t> locals_;     // the spaces of lifetime kRoutine
+  /// The spaces of lifetime kRoutine, and how many of their bytes the program uses: the rest is always 0.
+  struct Locals {
+    uint32_t space, used;
+  };
+  std::vector<Locals> locals_;
   Instances instances_;
   std::vector<uint64_t> values_;    // by ValueId, raw bits; constants are there from the start
   std::vector<bool> switched_off_;  // by StatementId

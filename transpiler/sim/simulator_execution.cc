@@ -32,16 +32,18 @@ void Simulator::Run(ir::RoutineId id) {
   current_ = caller;
 }
 
-std::vector<ForcedBytes> Simulator::BeginLocals() {
+void Simulator::BeginLocals() {
+  for (const auto& [space, used] : locals_) spaces_[space].Renew(used);
+}
+
+std::vector<ForcedBytes> Simulator::KeepLocals() const {
   std::vector<ForcedBytes> callers;
-  for (const uint32_t space : locals_) {
-    callers.push_back(std::exchange(spaces_[space], ForcedBytes(spaces_[space].size())));
-  }
+  for (const auto& [space, used] : locals_) callers.push_back(spaces_[space].First(used));
   return callers;
 }
 
-void Simulator::EndLocals(std::vector<ForcedBytes> callers) {
-  for (size_t i = 0; i < locals_.size(); ++i) spaces_[locals_[i]] = std::move(callers[i]);
+void Simulator::PutBackLocals(const std::vector<ForcedBytes>& callers) {
+  for (size_t i = 0; i < locals_.size(); ++i) spaces_[locals_[i].space].PutBack(callers[i]);
 }
 
 Simulator::Flow Simulator::Execute(RegionId region) {
@@ -226,13 +228,16 @@ Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
   std::optional<std::vector<ForcedBytes>> callers;
-  if (routine.kind != ir::RoutineKind::kSubroutine) callers = BeginLocals();
+  if (routine.kind != ir::RoutineKind::kSubroutine) {
+    callers = KeepLocals();
+    BeginLocals();
+  }
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
     Set(places_[routine.parameter_places[i].index], 0, values_[call.arguments[i].index], Writer::kProgram);
   }
   Run(call.routine);
   if (routine.result_place.valid()) values_[id.index] = Get(places_[routine.result_place.index], 0);
-  if (callers) EndLocals(*std::move(callers));
+  if (callers) PutBackLocals(*callers);
   return Flow::kOn;
 }
 

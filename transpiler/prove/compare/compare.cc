@@ -188,18 +188,26 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   comparison.round_ms = limits.total_ms / 4;
   // The solver's runs are the shortest ones; longer ones are tried for what these leave.
   SearchRuns(comparison);
-  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
-  const uint32_t undecided = comparison.UndecidedCount();
-  if (undecided > 0 && undecided <= kMostLookedAt && !comparison.Late()) {
-    // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
-    // be reached.
+  // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can be
+  // reached: that is tried before long runs are.
+  const auto try_reachable = [&] {
     JoinAllButDifferent(comparison);
-    if (ExecutePart(comparison, Part::kPeriod)) {
-      AddInvariants(comparison);
-      invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
-      if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
-    }
+    if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
+  };
+  const auto is_tried = [&] {
+    const uint32_t undecided = comparison.UndecidedCount();
+    return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
+  };
+  bool has_invariants = false;
+  if (is_tried()) {
+    JoinAllButDifferent(comparison);
+    has_invariants = AddInvariants(comparison);
+    invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
+    if (has_invariants) try_reachable();
   }
+  const uint32_t undecided = comparison.UndecidedCount();
+  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
+  if (has_invariants && comparison.UndecidedCount() < undecided && is_tried()) try_reachable();
   SearchStates(comparison);
   return Finish(comparison, invariants);
 }

@@ -93,7 +93,7 @@ void SearchRuns(Comparison& comparison);
 /// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.
 void SearchStates(Comparison& comparison);
 /// Finds and proves invariants of both versions around the pairs that are undecided; questions assume them from then
-/// on.
-void AddInvariants(Comparison& comparison);
+/// on. False as above.
+bool AddInvariants(Comparison& comparison);
 
 }  // namespace plcxx::prove

@@ -50,16 +50,20 @@ bool TakeRefusal(Comparison& comparison, const Transition& transition, const cha
   return true;
 }
 
-/// The cells of one version from whose values the next ones of the undecided pairs are computed, by either version:
-/// what one of them reads may stand in another place of the other one.
-std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which) {
+/// The terms from which the next values of the undecided pairs are computed in the part that was executed.
+std::vector<TermId> NextOfUndecided(Comparison& comparison) {
   std::vector<TermId> next;
   for (const PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided) continue;
     next.push_back(comparison.NextOld(result.old_cell));
     next.push_back(comparison.NextNew(result.new_cell));
   }
-  const std::vector<TermId> cone = ConeOf(comparison.terms, next);
+  return next;
+}
+
+/// The cells of one version that are in the cone of what the undecided pairs become, by either version: what one of
+/// them reads may stand in another place of the other one.
+std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which, const std::vector<TermId>& cone) {
   std::set<CellId> cells;
   for (const Which side : {Which::kOld, Which::kNew}) {
     const Version& version = side == Which::kOld ? comparison.old_version : comparison.new_version;
@@ -116,7 +120,15 @@ void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
   }
 }
 
-void AddInvariants(Comparison& comparison) {
+bool AddInvariants(Comparison& comparison) {
+  std::vector<TermId> next;
+  for (const Part part : {Part::kFast, Part::kPeriod}) {
+    if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+    if (!ExecutePart(comparison, part)) return false;
+    const std::vector<TermId> more = NextOfUndecided(comparison);
+    next.insert(next.end(), more.begin(), more.end());
+  }
+  const std::vector<TermId> cone = ConeOf(comparison.terms, next);
   comparison.Report("invariants");
   for (const Which which : {Which::kOld, Which::kNew}) {
     const bool is_old = which == Which::kOld;
@@ -124,11 +136,12 @@ void AddInvariants(Comparison& comparison) {
       const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
       return old_cell.valid() && comparison.IsInput(old_cell);
     };
-    const std::vector<CellId> cells = SupportOfUndecided(comparison, which);
+    const std::vector<CellId> cells = SupportOfUndecided(comparison, which, cone);
     (is_old ? comparison.old_invariants : comparison.new_invariants) =
         FindInvariants(comparison.terms, *comparison.solver, is_old ? comparison.old_version : comparison.new_version,
-                       cells, is_input, comparison.RestMs() / 3);
+                       cells, is_input, std::min(comparison.RestMs() / 3, comparison.limits.total_ms / 6));
   }
+  return true;
 }
 
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const CutOf& cut) {

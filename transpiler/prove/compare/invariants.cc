@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "transpiler/ir/op.h"
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/terms/cone.h"
@@ -14,10 +15,24 @@
 namespace plcxx::prove {
 namespace {
 
-constexpr size_t kMostBits = 96;    // that are looked at two by two
-constexpr size_t kMostValues = 12;  // of a byte or field that is said to take few
-constexpr size_t kMostLimits = 6;   // that a number is guessed to stay below
+constexpr size_t kMostBits = 96;        // that are looked at two by two
+constexpr size_t kMostValues = 12;      // of a byte or field that is said to take few
+constexpr size_t kMostLimits = 6;       // that a number is guessed to stay below
+constexpr size_t kMostConstants = 100;  // of a program that limits are guessed from
 constexpr int kRuns = 12, kPeriods = 150;
+constexpr uint32_t kMostFast = 4;  // fast parts in a simulated period
+
+/// The constants of the program: a term may have them bit by bit only.
+std::set<uint64_t> ConstantsOf(const ir::Program& program) {
+  std::set<uint64_t> constants;
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ConstantValue(inst));
+    }
+  }
+  return constants;
+}
 
 class Finder {
  public:
@@ -28,9 +43,16 @@ class Finder {
 
  private:
   TermId Current(CellId cell);
-  TermId Next(CellId cell);
+  TermId Next(const Transition& part, CellId cell);
   /// The state cells on which the next values of `cells` depend; all of them at last, closed under this.
   void CloseOver(std::span<const CellId> cells);
+  /// The values of all terms behind the next state of one part, or of power-on.
+  struct Step {
+    const Transition* transition;
+    std::vector<TermId> cone;
+  };
+  Step StepOf(const Transition& transition);
+  void AddLimit(uint64_t constant) { limits_.insert({constant - 1, constant, constant + 1}); }
   void Simulate();
   void RecordSample(const std::map<CellId, uint64_t>& state);
   void Guess();
@@ -44,7 +66,8 @@ class Finder {
   const Version& version_;
   std::function<bool(CellId)> is_input_;
   std::map<CellId, TermId> current_;
-  Transition next_, init_;
+  std::vector<Transition> parts_;  // the fast part where it has a time of its own, then the period
+  Transition init_;
   TermId now_;
   std::vector<CellId> state_;               // closed: what the cells of interest depend on in any number of periods
   std::vector<CellId> inputs_;              // that these depend on
@@ -68,8 +91,8 @@ TermId Finder::Current(CellId cell) {
   return term;
 }
 
-TermId Finder::Next(CellId cell) {
-  const TermId next = next_.next[cell.index];
+TermId Finder::Next(const Transition& part, CellId cell) {
+  const TermId next = part.next[cell.index];
   return next.valid() ? next : Current(cell);
 }
 
@@ -82,7 +105,8 @@ void Finder::CloseOver(std::span<const CellId> cells) {
   while (!open.empty()) {
     const CellId cell = open.back();
     open.pop_back();
-    std::vector<TermId> terms{Next(cell)};
+    std::vector<TermId> terms;
+    for (const Transition& part : parts_) terms.push_back(Next(part, cell));
     while (!terms.empty()) {
       const TermId id = terms.back();
       terms.pop_back();
@@ -116,27 +140,36 @@ void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
   }
 }
 
-void Finder::Simulate() {
+Finder::Step Finder::StepOf(const Transition& transition) {
   std::vector<TermId> roots;
-  for (const CellId cell : state_) {
-    roots.push_back(Next(cell));
-    roots.push_back(init_.next[cell.index]);
+  for (const CellId cell : state_) roots.push_back(Next(transition, cell));
+  Step step{.transition = &transition, .cone = ConeOf(terms_, roots)};
+  for (const TermId id : step.cone) {
+    if (terms_[id].kind == TermKind::kConst) AddLimit(terms_.Value(id));
   }
-  const std::vector<TermId> cone = ConeOf(terms_, roots);
-  for (const TermId id : cone) {
-    if (terms_[id].kind != TermKind::kConst) continue;
-    const uint64_t constant = terms_.Value(id);
-    limits_.insert({constant - 1, constant, constant + 1});
+  return step;
+}
+
+void Finder::Simulate() {
+  const Step init = StepOf(init_);
+  std::vector<Step> steps;
+  for (const Transition& part : parts_) steps.push_back(StepOf(part));
+  // In a large program most of them belong to something else.
+  const std::set<uint64_t> constants = ConstantsOf(*version_.program);
+  for (const uint64_t constant : constants) {
+    if (constants.size() <= kMostConstants) AddLimit(constant);
   }
   std::vector<uint64_t> values(terms_.size());
   std::map<uint32_t, CellId> cell_of;  // by variable
   for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;
-  const uint32_t period_ms = version_.program->schedule.period_ms;
+  const ir::Schedule& schedule = version_.program->schedule;
+  // Of the fast parts between two periods a few are enough to guess from.
+  const uint32_t fast_parts = steps.size() < 2 ? 0 : std::clamp(schedule.period_ms / schedule.fast_ms, 1U, kMostFast);
   for (int run = 0; run < kRuns && std::chrono::steady_clock::now() < deadline_; ++run) {
     std::map<CellId, uint64_t> state, inputs;
     uint64_t now = 0;
-    const auto evaluate = [&] {
-      for (const TermId id : cone) {
+    const auto execute = [&](const Step& step) {
+      for (const TermId id : step.cone) {
         values[id.index] = EvaluateTerm(
             terms_, terms_[id], [&values](TermId operand) { return values[operand.index]; },
             [&](uint32_t variable) -> uint64_t {
@@ -149,20 +182,22 @@ void Finder::Simulate() {
               return of_input != inputs.end() ? of_input->second : 0;
             });
       }
+      for (const CellId cell : state_) state[cell] = values[Next(*step.transition, cell).index];
+      RecordSample(state);
     };
-    evaluate();
-    for (const CellId cell : state_) state[cell] = values[init_.next[cell.index].index];
-    RecordSample(state);
+    execute(init);
     // Inputs change seldom in some runs and often in others, as a machine's do.
     const uint64_t one_in = uint64_t{2} << (run % 5);
-    for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_;
-         ++period, now += period_ms) {
+    for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_; ++period) {
       for (const CellId cell : inputs_) {
         if (period == 0 || random_.Next() % one_in == 0) inputs[cell] = random_.Next() & 1;
       }
-      evaluate();
-      for (const CellId cell : state_) state[cell] = values[Next(cell).index];
-      RecordSample(state);
+      for (uint32_t part = 0; part < fast_parts; ++part) {
+        execute(steps.front());
+        now += schedule.period_ms / fast_parts;
+      }
+      execute(steps.back());
+      if (fast_parts == 0) now += schedule.period_ms;
     }
   }
 }
@@ -221,12 +256,18 @@ bool Finder::Prove() {
     const auto rest =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
     if (rest.count() <= 0) return false;
+    // They have to outlive each part, in whatever order the parts come.
     std::vector<TermId> conditions, fails;
     TermId any = terms_.Bit(false);
     for (const Invariant& guess : guesses_) {
       conditions.push_back(ConditionOf(terms_, guess, [this](CellId cell) { return Current(cell); }));
-      fails.push_back(terms_.Not(ConditionOf(terms_, guess, [this](CellId cell) { return Next(cell); })));
-      any = terms_.Or(any, fails.back());
+      TermId fails_somewhere = terms_.Bit(false);
+      for (const Transition& part : parts_) {
+        const TermId holds = ConditionOf(terms_, guess, [&](CellId cell) { return Next(part, cell); });
+        fails_somewhere = terms_.Or(fails_somewhere, terms_.Not(holds));
+      }
+      fails.push_back(fails_somewhere);
+      any = terms_.Or(any, fails_somewhere);
     }
     if (terms_.IsFalse(any)) return true;
     conditions.push_back(any);
@@ -242,14 +283,16 @@ bool Finder::Prove() {
 }
 
 std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t milliseconds) {
-  // They would have to outlive both parts, each at its time.
-  if (HasFastPart(version_)) return {};
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
   now_ = terms_.Variable("alone now", 32);
   const auto initial = [this](CellId cell) { return Current(cell); };
-  next_ = RunPart(terms_, version_, Part::kPeriod, {.initial = initial, .now = now_, .outputs = {}});
+  for (const Part part : {Part::kFast, Part::kPeriod}) {
+    if (part == Part::kFast && !HasFastPart(version_)) continue;
+    parts_.push_back(RunPart(terms_, version_, part, {.initial = initial, .now = now_, .outputs = {}}));
+    if (!parts_.back().refusal.empty()) return {};
+  }
   init_ = RunInit(terms_, version_, {.initial = initial, .now = now_, .outputs = {}});
-  if (!next_.refusal.empty() || !init_.refusal.empty()) return {};
+  if (!init_.refusal.empty()) return {};
   CloseOver(cells);
   const std::set<CellId> interesting(cells.begin(), cells.end());
   std::set<uint32_t> bytes_taken;

@@ -1,10 +1,12 @@
 // Runs from power-on, period by period, until a pair differs.
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/justify.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
@@ -24,35 +26,48 @@ void SetInput(Comparison& comparison, Unrolled& state, uint32_t old_cell) {
       "period " + std::to_string(state.inputs.size()) + " " + CellName(*comparison.old_version.program, cell), 1);
 }
 
-bool Advance(Comparison& comparison, Unrolled& state) {
-  const uint32_t period_ms = comparison.old_version.program->schedule.period_ms;
-  const bool ends = comparison.old_version.program->schedule.period_ends_its_time;
-  state.inputs.emplace_back();
-  const auto now = comparison.terms.Const((state.inputs.size() - (ends ? 0 : 1)) * period_ms, 32);
-  const auto run = [&](Which which) {
-    const bool is_old = which == Which::kOld;
-    std::vector<TermId>& values = is_old ? state.old_state : state.new_state;
-    const Version& version = is_old ? comparison.old_version : comparison.new_version;
-    // Inputs have a new value in every period, the same for both; they keep it until the next one.
-    const auto initial = [&](CellId cell) {
-      const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
-      if (!old_cell.valid() || !comparison.IsInput(old_cell)) return values[cell.index];
-      SetInput(comparison, state, old_cell.index);
-      return state.inputs.back()[old_cell.index];
-    };
-    for (const Part part : {Part::kFast, Part::kPeriod}) {
-      if (part == Part::kFast && !HasFastPart(version)) continue;
-      const Transition next =
-          RunPart(comparison.terms, version, part,
-                  {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
-      if (!next.refusal.empty()) return false;
-      for (uint32_t i = 0; i < values.size(); ++i) {
-        if (next.next[i].valid()) values[i] = next.next[i];
-      }
-    }
-    return true;
+/// One part of one version at a time; what it changed, or nullopt when it cannot be executed.
+std::optional<bool> AdvancePart(Comparison& comparison, Unrolled& state, Which which, Part part, uint64_t now_ms) {
+  const bool is_old = which == Which::kOld;
+  std::vector<TermId>& values = is_old ? state.old_state : state.new_state;
+  // Inputs have a new value in every period, the same for both; they keep it until the next one.
+  const auto initial = [&](CellId cell) {
+    const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+    if (!old_cell.valid() || !comparison.IsInput(old_cell)) return values[cell.index];
+    SetInput(comparison, state, old_cell.index);
+    return state.inputs.back()[old_cell.index];
   };
-  return run(Which::kOld) && run(Which::kNew);
+  const TermId now = comparison.terms.Const(now_ms & 0xFFFFFFFF, 32);
+  const Transition next = RunPart(comparison.terms, is_old ? comparison.old_version : comparison.new_version, part,
+                                  {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
+  if (!next.refusal.empty()) return std::nullopt;
+  bool changed = false;
+  for (uint32_t i = 0; i < values.size(); ++i) {
+    if (!next.next[i].valid()) continue;
+    values[i] = next.next[i];
+    changed = true;
+  }
+  return changed;
+}
+
+/// As `run: {ms: ...}` of one period does it: the fast parts that are due, then the period.
+bool Advance(Comparison& comparison, Unrolled& state) {
+  const ir::Schedule& schedule = comparison.old_version.program->schedule;
+  const uint64_t before = state.inputs.size(), begin_ms = before * schedule.period_ms;
+  state.inputs.emplace_back();
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const uint32_t fast_ms =
+        (which == Which::kOld ? comparison.old_version : comparison.new_version).program->schedule.fast_ms;
+    for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule.period_ms; ms += fast_ms) {
+      const std::optional<bool> changed = AdvancePart(comparison, state, which, Part::kFast, begin_ms + ms);
+      if (!changed || comparison.Late()) return false;
+      if (!*changed) break;  // an empty part
+    }
+    const bool ends = schedule.period_ends_its_time || fast_ms != 0;
+    const uint64_t now_ms = ends ? begin_ms + schedule.period_ms : begin_ms;
+    if (!AdvancePart(comparison, state, which, Part::kPeriod, now_ms)) return false;
+  }
+  return true;
 }
 
 Unrolled PowerOn(Comparison& comparison) {
@@ -65,29 +80,74 @@ Unrolled PowerOn(Comparison& comparison) {
           .inputs = {}};
 }
 
-Run RunOf(Comparison& comparison, const Unrolled& state) {
+/// A pair that is looked at, and the term that is 1 where it differs.
+struct OpenPair {
+  PairResult* result;
+  TermId differ;
+};
+
+std::vector<TermId> ConeOf(const Comparison& comparison, const std::vector<OpenPair>& pairs) {
+  std::vector<TermId> roots;
+  for (const OpenPair& pair : pairs) roots.push_back(pair.differ);
+  return ConeOf(comparison.terms, roots);
+}
+
+/// By TermId: the values of a cone for those that `variable(term)` gives its variables.
+template <class Variable>
+void EvaluateCone(const Terms& terms, std::span<const TermId> cone, std::vector<uint64_t>& values,
+                  Variable&& variable) {
+  values.resize(terms.size());
+  for (const TermId id : cone) {
+    values[id.index] = EvaluateTerm(
+        terms, terms[id], [&values](TermId operand) { return values[operand.index]; },
+        [&](uint32_t) { return variable(id); });
+  }
+}
+
+/// The solver's values for all that the pair is made of; what it makes up for unknown functions, too.
+std::vector<uint64_t> SolversValues(Comparison& comparison, std::span<const TermId> cone) {
+  const Terms& terms = comparison.terms;
+  std::vector<uint64_t> values(terms.size());
+  for (const TermId id : cone) {
+    const Term& term = terms[id];
+    const bool unknown = term.kind == TermKind::kApply && terms.Info(FunctionId(term.a)).evaluate == nullptr;
+    values[id.index] = unknown ? comparison.solver->ValueOf(id)
+                               : EvaluateTerm(
+                                     terms, term, [&values](TermId operand) { return values[operand.index]; },
+                                     [&](uint32_t) { return comparison.solver->ValueOf(id); });
+  }
+  return values;
+}
+
+/// Whether a value that was made up for an unknown function, such as a loop, is among them: then nothing is shown.
+bool AreMadeUp(const Terms& terms, const std::vector<Reason>& reasons) {
+  return std::ranges::any_of(reasons,
+                             [&terms](const Reason& reason) { return terms[reason.term].kind == TermKind::kApply; });
+}
+
+/// The inputs that make a difference, each where its level changes.
+Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector<Reason>& reasons,
+          const std::vector<uint64_t>& values) {
+  std::unordered_map<uint32_t, uint64_t> needed;  // looked up only
+  for (const Reason& reason : reasons) needed[reason.term.index] = values[reason.term.index];
+  const ir::Program& program = *comparison.old_version.program;
+  std::map<uint32_t, uint64_t> level;
   Run run;
   for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
     run.periods.emplace_back();
     for (const auto& [old_cell, variable] : inputs) {
-      run.periods.back().push_back({.old_cell = CellId(old_cell),
-                                    .new_cell = comparison.match.new_of_old[old_cell],
-                                    .value = comparison.solver->ValueOf(variable)});
+      const auto found = needed.find(variable.index);
+      if (found == needed.end()) continue;
+      const Cell cell = CellAt(program, comparison.old_version.cells, CellId(old_cell));
+      const auto [at, first] =
+          level.try_emplace(old_cell, PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit));
+      if (at->second == found->second) continue;
+      at->second = found->second;
+      run.periods.back().push_back(
+          {.old_cell = CellId(old_cell), .new_cell = comparison.match.new_of_old[old_cell], .value = found->second});
     }
   }
   return run;
-}
-
-/// By TermId: what a term depends on; a byte's bits count with the byte.
-std::vector<bool> BitsBehind(const Terms& terms, TermId root) {
-  std::vector<bool> behind(terms.size());
-  for (const TermId id : ConeOf(terms, {&root, 1})) behind[id.index] = true;
-  for (uint32_t i = 0; i < terms.size(); ++i) {
-    const Term& term = terms[TermId(i)];
-    if (term.kind != TermKind::kExtract || !behind[term.a]) continue;
-    if (terms[TermId(term.a)].kind == TermKind::kVariable) behind[i] = true;
-  }
-  return behind;
 }
 
 /// When a search that has one `part`-th of the time ends, as RestMs.
@@ -96,77 +156,143 @@ uint64_t EndMs(const Comparison& comparison, uint64_t part) {
   return rest - std::min(rest, comparison.limits.total_ms / part);
 }
 
+/// Most differences show with some of a few random inputs, where the solver would look for long in a large program.
+void TryRandomInputs(Comparison& comparison, const Unrolled& state, const std::vector<OpenPair>& pairs,
+                     uint64_t end_ms) {
+  constexpr int kTries = 24;
+  const std::vector<TermId> cone = ConeOf(comparison, pairs);
+  std::unordered_map<uint32_t, uint32_t> cell_of;  // by variable
+  for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
+    for (const auto& [old_cell, variable] : inputs) cell_of[variable.index] = old_cell;
+  }
+  std::vector<uint64_t> values;
+  Random random(0xA0761D6478BD642F + state.inputs.size());
+  for (int attempt = 0; attempt < kTries && comparison.RestMs() > end_ms; ++attempt) {
+    // Levels of every density that change seldom in some tries and often in others.
+    const uint64_t density = uint64_t{16} << attempt % 4, change = uint64_t{1} << attempt % 3;
+    std::unordered_map<uint32_t, uint64_t> level;
+    EvaluateCone(comparison.terms, cone, values, [&](TermId variable) {
+      const auto cell = cell_of.find(variable.index);
+      if (cell == cell_of.end()) return uint64_t{0};
+      const auto [at, first] = level.try_emplace(cell->second, 0);
+      if (first || random.OneIn(change)) at->second = (random.Next() >> 9 & 255) < density ? 1 : 0;
+      return at->second;
+    });
+    std::optional<Justification> why;
+    for (const OpenPair& pair : pairs) {
+      if (pair.result->run || values[pair.differ.index] == 0) continue;
+      if (!why) why.emplace(comparison.terms, cone, values);
+      const std::vector<Reason> reasons = why->ReasonsFor(pair.differ);
+      if (AreMadeUp(comparison.terms, reasons)) continue;
+      pair.result->verdict = PairVerdict::kDifferent;
+      pair.result->run = RunOf(comparison, state, reasons, values);
+    }
+  }
+}
+
 }  // namespace
 
 void SearchRuns(Comparison& comparison) {
-  if (comparison.UndecidedCount() == 0 || comparison.Late()) return;
+  const auto is_shown = [](const PairResult& result) {
+    return result.verdict == PairVerdict::kDifferent && !result.run.has_value();
+  };
+  const bool any_shown = std::ranges::any_of(comparison.results, is_shown);
+  if ((comparison.UndecidedCount() == 0 && !any_shown) || comparison.Late()) return;
   // Behind a change that reaches everything the questions are large: a state answers them sooner than a run.
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  const uint64_t end_ms = EndMs(comparison, many ? 60 : 8);
+  const uint64_t end_ms = EndMs(comparison, many ? 40 : 8);
   Unrolled state = PowerOn(comparison);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
     if (!Advance(comparison, state)) return;
     const uint32_t undecided = comparison.UndecidedCount();
+    std::vector<OpenPair> pairs;
     for (PairResult& result : comparison.results) {
-      if (!comparison.IsLookedAt(result, undecided) || comparison.RestMs() <= end_ms) continue;
+      // A longer run is known of what is different; a short one is easier to read.
+      if (!comparison.IsLookedAt(result, undecided) && !is_shown(result)) continue;
       const TermId differ =
           comparison.terms.Ne(state.old_state[result.old_cell.index], state.new_state[result.new_cell.index]);
-      if (comparison.terms.IsFalse(differ)) continue;
+      if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
+    }
+    if (pairs.empty()) continue;
+    TryRandomInputs(comparison, state, pairs, end_ms);
+    for (const OpenPair& pair : pairs) {
+      if (pair.result->run || comparison.RestMs() <= end_ms) continue;
       const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
-      const Answer answer = comparison.solver->Check({&differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+      const Answer answer =
+          comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
       if (answer != Answer::kPossible) continue;
-      result.verdict = PairVerdict::kDifferent;
-      result.run = RunOf(comparison, state);
+      const std::vector<TermId> cone = ConeOf(comparison.terms, {&pair.differ, 1});
+      const std::vector<uint64_t> values = SolversValues(comparison, cone);
+      const std::vector<Reason> reasons = Justification(comparison.terms, cone, values).ReasonsFor(pair.differ);
+      // Otherwise it is a run to be tried.
+      if (!AreMadeUp(comparison.terms, reasons)) pair.result->verdict = PairVerdict::kDifferent;
+      pair.result->run = RunOf(comparison, state, reasons, values);
     }
   }
 }
 
 namespace {
 
-/// A pair that is looked at, and the term that is 1 where one period makes them differ.
-struct OpenPair {
-  PairResult* result;
-  TermId differ;
+/// The parts of the state, as pairs, by the variable that they are of.
+class StateVariables {
+ public:
+  explicit StateVariables(Comparison& comparison) : terms_(comparison.terms) {
+    for (const PairResult& result : comparison.results) {
+      const TermId initial = comparison.pairing.Initial(Which::kOld, result.old_cell);
+      const Term& term = terms_[initial];
+      const bool is_part = term.kind == TermKind::kExtract;
+      parts_[is_part ? term.a : initial.index].push_back(
+          {&result, is_part ? term.b : 0, is_part ? term.width : uint8_t{64}});
+    }
+  }
+
+  /// The state in which a pair differs, as far as it matters.
+  Run StateOf(const std::vector<Reason>& reasons, const std::vector<uint64_t>& values) const {
+    Run run{.periods = {{}}, .from_state = true};
+    for (const Reason& reason : reasons) {
+      const auto parts = parts_.find(reason.term.index);
+      if (parts == parts_.end()) continue;
+      for (const auto& [result, low, width] : parts->second) {
+        if (Masked(reason.bits >> low, width) == 0) continue;
+        run.periods[0].push_back({.old_cell = result->old_cell,
+                                  .new_cell = result->new_cell,
+                                  .value = Masked(values[reason.term.index] >> low, width)});
+      }
+    }
+    std::ranges::sort(run.periods[0], {}, &SetCell::old_cell);
+    return run;
+  }
+
+ private:
+  struct StatePart {
+    const PairResult* result;
+    uint32_t low;
+    uint8_t width;
+  };
+  const Terms& terms_;
+  std::unordered_map<uint32_t, std::vector<StatePart>> parts_;  // looked up only
 };
 
-/// The state in which the cells behind the pair have the given values.
-Run FromState(Comparison& comparison, const OpenPair& pair, const std::function<uint64_t(TermId initial)>& value_of) {
-  Run run{.periods = {{}}, .from_state = true};
-  const std::vector<bool> behind = BitsBehind(comparison.terms, pair.differ);
-  for (const PairResult& other : comparison.results) {
-    const TermId initial = comparison.pairing.Initial(Which::kOld, other.old_cell);
-    if (initial.index >= behind.size() || !behind[initial.index]) continue;
-    run.periods[0].push_back({.old_cell = other.old_cell, .new_cell = other.new_cell, .value = value_of(initial)});
-  }
-  return run;
-}
-
 /// Most pairs differ in some of a few random states, where the solver would look for long in a large program.
-void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs) {
+void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs, const StateVariables& variables,
+                     uint64_t end_ms) {
   constexpr int kStates = 64;
-  std::vector<TermId> roots;
-  for (const OpenPair& pair : pairs) roots.push_back(pair.differ);
-  const std::vector<TermId> cone = ConeOf(comparison.terms, roots);
-  std::vector<uint64_t> values(comparison.terms.size());
+  const std::vector<TermId> cone = ConeOf(comparison, pairs);
+  std::vector<uint64_t> values;
   Random random(0x2545F4914F6CDD1D);
-  for (int state = 0; state < kStates && !comparison.Late(); ++state) {
+  for (int state = 0; state < kStates && comparison.RestMs() > end_ms; ++state) {
     // Bits of every density: much of a machine is 0.
     const uint64_t density = uint64_t{8} << state % 5;
-    for (const TermId id : cone) {
-      const Term& term = comparison.terms[id];
-      values[id.index] = EvaluateTerm(
-          comparison.terms, term, [&](TermId operand) { return values[operand.index]; },
-          [&](uint32_t) {
-            return term.width == 1 ? uint64_t{(random.Next() & 255) < density} : random.Next() & random.Next();
-          });
-    }
-    const auto value_of = [&](TermId initial) {
-      const Term& term = comparison.terms[initial];
-      return term.kind == TermKind::kExtract ? values[term.a] >> term.b & 1 : values[initial.index];
-    };
+    EvaluateCone(comparison.terms, cone, values, [&](TermId variable) {
+      return comparison.terms.Width(variable) == 1 ? uint64_t{(random.Next() & 255) < density}
+                                                   : random.Next() & random.Next();
+    });
+    std::optional<Justification> why;
     for (const OpenPair& pair : pairs) {
-      if (!pair.result->run && values[pair.differ.index] != 0) pair.result->run = FromState(comparison, pair, value_of);
+      if (pair.result->run || values[pair.differ.index] == 0) continue;
+      if (!why) why.emplace(comparison.terms, cone, values);
+      pair.result->run = variables.StateOf(why->ReasonsFor(pair.differ), values);
     }
   }
 }
@@ -185,15 +311,21 @@ void SearchStates(Comparison& comparison) {
     const TermId differ = comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
     if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
   }
+  if (pairs.empty()) return;
+  const StateVariables variables(comparison);
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  const uint64_t end_ms = many ? EndMs(comparison, 30) : 0;
+  const uint64_t end_ms = many ? EndMs(comparison, 40) : 0;
   const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
-  if (any_state && many) TryRandomStates(comparison, pairs);
+  if (any_state && many) TryRandomStates(comparison, pairs, variables, end_ms);
   comparison.PushInvariants();
   for (const OpenPair& pair : pairs) {
     if (pair.result->run || comparison.RestMs() <= end_ms) continue;
-    if (comparison.solver->Check({&pair.differ, 1}, comparison.limits.question_ms) != Answer::kPossible) continue;
-    pair.result->run = FromState(comparison, pair, [&](TermId initial) { return comparison.solver->ValueOf(initial); });
+    const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
+    const Answer answer = comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+    if (answer != Answer::kPossible) continue;
+    const std::vector<TermId> cone = ConeOf(comparison.terms, {&pair.differ, 1});
+    const std::vector<uint64_t> values = SolversValues(comparison, cone);
+    pair.result->run = variables.StateOf(Justification(comparison.terms, cone, values).ReasonsFor(pair.differ), values);
   }
   comparison.solver->Pop();
 }

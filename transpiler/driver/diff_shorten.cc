@@ -1,0 +1,157 @@
+#include "transpiler/driver/diff_shorten.h"
+
+#include <algorithm>
+
+namespace plcxx::driver {
+namespace {
+
+constexpr size_t kMostTries = 400;
+
+/// What the later ones set wins; `key` tells which are the same.
+template <class Set, class Key>
+std::vector<Set> Merged(std::vector<Set> earlier, const std::vector<Set>& later, Key key) {
+  for (const Set& set : later) {
+    const auto same = std::ranges::find(earlier, std::invoke(key, set), key);
+    if (same == earlier.end()) {
+      earlier.push_back(set);
+    } else {
+      *same = set;
+    }
+  }
+  return earlier;
+}
+
+/// The steps but for those in [begin, end): what these set goes to the next one that is left.
+Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
+  Stimuli rest(stimuli.begin(), stimuli.begin() + static_cast<std::ptrdiff_t>(begin));
+  Stimulus carried;
+  for (size_t step = begin; step < stimuli.size(); ++step) {
+    const bool carries = step <= end && step > begin;
+    Stimulus stimulus = stimuli[step];
+    if (carries) {
+      stimulus.inputs = Merged(std::move(carried.inputs), stimulus.inputs, &prove::SetCell::old_cell);
+      stimulus.words = Merged(std::move(carried.words), stimulus.words, &std::pair<std::string, std::string>::first);
+    }
+    if (step < end) {
+      carried = std::move(stimulus);
+    } else {
+      rest.push_back(std::move(stimulus));
+    }
+  }
+  return rest;
+}
+
+}  // namespace
+
+bool Shortener::Shows(const Stimuli& stimuli, Time end) const {
+  DiffMachine old_machine(old_side_, old_version_, end), new_machine(new_side_, new_version_, end);
+  for (const Stimulus& stimulus : stimuli) {
+    if (!old_machine.Apply(stimulus, &prove::SetCell::old_cell)) return false;
+    if (!new_machine.Apply(stimulus, &prove::SetCell::new_cell)) return false;
+  }
+  old_machine.Look();
+  new_machine.Look();
+  for (size_t i = 0; i < old_cells_.size(); ++i) {
+    if (old_machine.Seen(old_cells_[i]) != new_machine.Seen(new_cells_[i])) return true;
+  }
+  return false;
+}
+
+bool Shortener::Try(Stimuli shorter) {
+  if (++tries_ > kMostTries || std::chrono::steady_clock::now() > end_ || !Shows(shorter, end_)) return false;
+  stimuli_ = std::move(shorter);
+  return true;
+}
+
+void Shortener::KeepLastSteps() {
+  for (size_t kept = 1; kept < stimuli_.size(); kept *= 2) {
+    if (Try(Without(stimuli_, 0, stimuli_.size() - kept))) return;
+  }
+}
+
+void Shortener::DropSteps() {
+  for (size_t piece = std::max<size_t>(1, stimuli_.size() / 2); piece >= 1; piece /= 2) {
+    for (size_t i = 0; i + piece < stimuli_.size();) {
+      if (!Try(Without(stimuli_, i, i + piece))) i += piece;
+    }
+  }
+}
+
+void Shortener::DropInputs() {
+  for (size_t step = 0; step < stimuli_.size(); ++step) {
+    for (size_t piece = std::max<size_t>(1, stimuli_[step].inputs.size() / 2); piece >= 1; piece /= 2) {
+      for (size_t i = 0; i < stimuli_[step].inputs.size();) {
+        Stimuli shorter = stimuli_;
+        std::vector<prove::SetCell>& inputs = shorter[step].inputs;
+        const size_t end = std::min(i + piece, inputs.size());
+        inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(i),
+                     inputs.begin() + static_cast<std::ptrdiff_t>(end));
+        if (!Try(std::move(shorter))) i += piece;
+      }
+    }
+    for (size_t i = 0; i < stimuli_[step].words.size();) {
+      Stimuli shorter = stimuli_;
+      shorter[step].words.erase(shorter[step].words.begin() + static_cast<std::ptrdiff_t>(i));
+      if (!Try(std::move(shorter))) ++i;
+    }
+  }
+}
+
+void Shortener::DropTime() {
+  const auto is_wait = [](const Stimulus& stimulus) { return stimulus.ms != 0; };
+  if (!std::ranges::any_of(stimuli_, is_wait)) return;
+  Stimuli at_once = stimuli_;
+  for (Stimulus& stimulus : at_once) {
+    if (is_wait(stimulus)) stimulus = {stimulus.inputs, stimulus.words, 1, 0};
+  }
+  if (Try(std::move(at_once))) return;
+  for (size_t step = 0; step < stimuli_.size(); ++step) {
+    if (!is_wait(stimuli_[step])) continue;
+    Stimuli shorter = stimuli_;
+    shorter[step].ms = 0;
+    shorter[step].slow = 1;
+    Try(std::move(shorter));
+  }
+}
+
+void Shortener::RoundTime() {
+  for (size_t step = 0; step < stimuli_.size(); ++step) {
+    for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U, 5000U, 10'000U, 20'000U, 60'000U}) {
+      if (stimuli_[step].ms <= ms) break;
+      Stimuli shorter = stimuli_;
+      shorter[step].ms = ms;
+      if (Try(std::move(shorter))) break;
+    }
+  }
+}
+
+Stimuli Shortener::Shorten(Stimuli stimuli) {
+  stimuli_ = std::move(stimuli);
+  tries_ = 0;
+  KeepLastSteps();
+  DropTime();
+  DropSteps();
+  DropInputs();
+  RoundTime();
+  stimuli_ = Joined(stimuli_);
+  // A wait that came in pieces is one number now, perhaps a rounder one; two steps are one, perhaps.
+  DropSteps();
+  RoundTime();
+  return std::move(stimuli_);
+}
+
+Stimuli Joined(const Stimuli& stimuli) {
+  Stimuli joined;
+  for (const Stimulus& stimulus : stimuli) {
+    const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty();
+    if (!joined.empty() && !sets && (joined.back().slow == 0) == (stimulus.slow == 0)) {
+      joined.back().slow += stimulus.slow;
+      joined.back().ms += stimulus.ms;
+    } else {
+      joined.push_back(stimulus);
+    }
+  }
+  return joined;
+}
+
+}  // namespace plcxx::driver
