@@ -7,6 +7,7 @@
 
 #include "transpiler/checks/checks.h"
 #include "transpiler/driver/estimates.h"
+#include "transpiler/driver/optimized_program.h"
 #include "transpiler/driver/source_loading.h"
 #include "transpiler/emit/names.h"
 #include "transpiler/ir/verifier.h"
@@ -149,12 +150,17 @@ void Pipeline::Check() {
 
 void Pipeline::Optimize() {
   Show("optimizing");
-  passes::Optimize(compilation_.program);
-  CutSlices(compilation_);  // last: what it puts around the pieces is no statement's
-  CheckIr(compilation_.program, ir::Stage::kStructured);
+  OptimizeProgram(compilation_);
 }
 
 }  // namespace
+
+void OptimizeProgram(Compilation& compilation) {
+  passes::Optimize(compilation.program);
+  CutSlices(compilation);  // last: what it puts around the pieces is no statement's
+  CheckIr(compilation.program, ir::Stage::kStructured);
+  compilation.reached = Stage::kOptimized;
+}
 
 dialects::Request Compilation::MakeRequest() {
   dialects::Request request;

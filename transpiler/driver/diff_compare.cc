@@ -8,6 +8,7 @@
 #include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_items.h"
 #include "transpiler/driver/diff_runs.h"
+#include "transpiler/driver/optimized_program.h"
 #include "transpiler/passes/pipeline.h"
 
 namespace plcxx::driver {
@@ -153,8 +154,8 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
     const auto [at, added] = index.try_emplace({kind, word.name}, items.size());
     if (added) {
       items.push_back({.item = {.name = word.name, .kind = kind, .verdict = ItemVerdict::kEqual}});
-      items.back().item.meaning = new_side.words.MeaningOf(word.name);
-      if (items.back().item.meaning.empty()) items.back().item.meaning = old_side.words.MeaningOf(word.name);
+      items.back().item.meaning = new_side.words.MeaningOf(word);
+      if (items.back().item.meaning.empty()) items.back().item.meaning = old_side.words.MeaningOf(word);
     }
     Gathered& gathered = items[at->second];
     if (pair.old_cell.valid()) gathered.old_cells.push_back(pair.old_cell);
@@ -171,7 +172,7 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 20;  // of the time: for shorter runs
+constexpr uint64_t kExampleShare = 30;  // of the time: for shorter runs
 constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
 
 /// What the statements of one version do with the items, by index of the item.
@@ -281,10 +282,11 @@ DiffSide MakeDiffSide(std::string label, CompilationRequest request, const std::
                 .request = request,
                 .scenario_base = hidden_prefix.empty() ? request.base_directory : std::string(),
                 .hidden_prefix = hidden_prefix,
-                .compilation = Compile(request),
+                .compilation = Compile(request, Stage::kChecked),
                 .whole = {}};
   if (!side.compilation.ok() || !side.compilation.has_program) return side;
-  side.whole = Compile(request, Stage::kChecked).program;
+  side.whole = side.compilation.program;
+  OptimizeProgram(side.compilation);
   for (ir::Routine& routine : side.whole.routines) routine.slices = 1;
   passes::Optimize(side.whole);
   return side;
@@ -347,8 +349,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   ExampleBudget budget{.left = kMostExamples,
                        .end = end,
                        .last_end = shown_end,
-                       .old_program = ScenarioProgram(old_side.request),
-                       .new_program = ScenarioProgram(new_side.request)};
+                       .old_program = ScenarioProgram(old_side.compilation),
+                       .new_program = ScenarioProgram(new_side.compilation)};
   for (Gathered& gathered : items) {
     if (gathered.item.verdict == ItemVerdict::kEqual) {
       ++diff.equal;

@@ -108,9 +108,21 @@ CellWords::CellWords(const Version& version, const Compilation& compilation)
   }
 }
 
+/// Whether people say the name, not the address: a distance from the beginning of an area stands in no source.
+bool CellWords::IsNamed(const ir::Place& place) const {
+  if (place.name.empty() || place.address.find('+') == std::string::npos) return false;
+  const auto [at, added] = is_named_.try_emplace(place.name, false);
+  if (added) at->second = compilation_.dialect->locate(compilation_.program, place.name).has_value();
+  return at->second;
+}
+
 CellWord CellWords::OfPlace(const ir::Place& place) const {
   const ir::Program& program = *version_.program;
-  CellWord word{.name = NameOf(place), .place = place, .cells = {}};
+  CellWord word{.name = NameOf(place), .address = {}, .place = place, .cells = {}};
+  if (IsNamed(place)) {
+    word.name = place.name;
+    word.address = place.address;
+  }
   if (IsInside(program, place)) word.cells = CellsOf(program, version_.cells, place);
   return word;
 }
@@ -145,8 +157,13 @@ CellWord CellWords::WordOf(CellId id) const {
   const ir::Program& program = *version_.program;
   const Cell cell = CellAt(program, version_.cells, id);
   if (cell.kind != CellKind::kBit) {
-    CellWord word{.name = CellName(program, cell), .place = std::nullopt, .cells = {id}};
-    if (cell.kind == CellKind::kField && ir::Info(program.states[cell.state].kind).fields[cell.field].count == 1) {
+    CellWord word{.name = CellName(program, cell), .address = {}, .place = std::nullopt, .cells = {id}};
+    if (cell.kind != CellKind::kField) return word;
+    const ir::FieldInfo& info = ir::Info(program.states[cell.state].kind).fields[cell.field];
+    if (info.hidden) {
+      // How a timer does it is the timer's own.
+      word.name = program.states[cell.state].name;
+    } else if (info.count == 1) {
       word.place = ir::Place{.name = word.name,
                              .type = ir::Info(program.states[cell.state].kind).fields[cell.field].type,
                              .state = cell.state,
@@ -169,22 +186,25 @@ CellWord CellWords::WordOf(CellId id) const {
   }
   if (const std::optional<CellWord> symbol = FromSymbols(cell)) return *symbol;
   CellWord byte{.name = program.spaces[cell.space].name + " byte " + std::to_string(cell.offset),
+                .address = {},
                 .place = std::nullopt,
                 .cells = {}};
   for (uint32_t bit = 0; bit < 8; ++bit) byte.cells.emplace_back(first_bit + bit);
   return byte;
 }
 
-std::string CellWords::MeaningOf(const std::string& name) const {
+std::string CellWords::MeaningOf(const CellWord& word) const {
+  const bool has_address = !word.address.empty();
+  std::string text = word.address;
   for (const ir::Documentation& known : version_.program->documentation) {
-    if (known.address != name) continue;
-    std::string text = known.symbols;
-    for (const std::string* part : {&known.predefined, &known.meaning, &known.help}) {
-      if (!part->empty()) text += (text.empty() ? "" : ", ") + *part;
+    if (known.address != (has_address ? word.address : word.name)) continue;
+    const std::string symbols = has_address && known.symbols == word.name ? std::string() : known.symbols;
+    for (const std::string& part : {symbols, known.predefined, known.meaning, known.help}) {
+      if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
     }
-    return text;
+    break;
   }
-  return {};
+  return text;
 }
 
 std::vector<StatementAccess> AccessesOf(const Version& version) { return AccessWalk(version).Run(); }

@@ -13,6 +13,7 @@ namespace plcxx::driver {
 /// How people speak of a cell: the bit, word or field that the program uses there.
 struct CellWord {
   std::string name;                  // "W3K0"
+  std::string address;               // where the name is another one: "DATA+3.5"
   std::optional<ir::Place> place;    // none: the program has no place there ("U byte 17")
   std::vector<prove::CellId> cells;  // of the word, from the least significant bit
 };
@@ -23,16 +24,18 @@ class CellWords {
   CellWords(const prove::Version& version, const Compilation& compilation);
   CellWord WordOf(prove::CellId cell) const;
   /// From the program's documentation; empty when there is none.
-  std::string MeaningOf(const std::string& name) const;
+  std::string MeaningOf(const CellWord& word) const;
 
  private:
   std::optional<CellWord> FromSymbols(const prove::Cell& cell) const;
   CellWord OfPlace(const ir::Place& place) const;
+  bool IsNamed(const ir::Place& place) const;
 
   const prove::Version& version_;
   const Compilation& compilation_;
-  std::map<uint32_t, ir::PlaceId> bits_;   // by cell
-  std::map<uint32_t, ir::PlaceId> words_;  // by cell of its first bit: the smallest one that begins there
+  std::map<uint32_t, ir::PlaceId> bits_;          // by cell
+  std::map<uint32_t, ir::PlaceId> words_;         // by cell of its first bit: the smallest one that begins there
+  mutable std::map<std::string, bool> is_named_;  // what has been asked so far
 };
 
 /// Which statement reads and writes which cells.

@@ -33,6 +33,9 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
   return other;
 }
 
+/// A part of a timer that is nobody else's, or the calls of a function: no location of a scenario.
+bool HasNoName(const CellWord& word) { return !word.place && word.cells.size() == 1; }
+
 /// A value as a scenario writes it.
 std::string ValueText(const CellWord& word, uint64_t value) {
   const bool is_float = word.place && sim::IsFloat(word.place->type);
@@ -48,6 +51,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequ
   for (const prove::SetCell& input : inputs) {
     now[input.old_cell] = input.value;
     CellWord word = WordOfBoth(request, input.old_cell);
+    if (HasNoName(word)) continue;
     if (taken.insert(word.name).second) words.push_back(std::move(word));
   }
   std::vector<std::pair<std::string, std::string>> sets;
@@ -230,6 +234,7 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   example.old_value = ValueText(seen.word, seen.old_value);
   example.new_value = ValueText(seen.word, seen.new_value);
   // What the language has no name for is seen in the simulator, and in no scenario.
+  if (HasNoName(seen.word)) return std::nullopt;
   if (!old_side.compilation.dialect->locate(old_side.compilation.program, seen.word.name)) return std::nullopt;
   return "expect: {" + Quoted(seen.word.name) + ": " + example.old_value + "}";
 }

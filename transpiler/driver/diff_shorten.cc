@@ -57,43 +57,53 @@ bool Shortener::Shows(const Stimuli& stimuli, Time end) const {
   return false;
 }
 
+bool Shortener::IsOver() const { return tries_ > kMostTries || std::chrono::steady_clock::now() > end_; }
+
 bool Shortener::Try(Stimuli shorter) {
-  if (++tries_ > kMostTries || std::chrono::steady_clock::now() > end_ || !Shows(shorter, end_)) return false;
+  ++tries_;
+  if (IsOver() || !Shows(shorter, end_)) return false;
   stimuli_ = std::move(shorter);
   return true;
 }
 
 void Shortener::KeepLastSteps() {
-  for (size_t kept = 1; kept < stimuli_.size(); kept *= 2) {
+  for (size_t kept = 1; kept < stimuli_.size() && !IsOver(); kept *= 2) {
     if (Try(Without(stimuli_, 0, stimuli_.size() - kept))) return;
   }
 }
 
 void Shortener::DropSteps() {
   for (size_t piece = std::max<size_t>(1, stimuli_.size() / 2); piece >= 1; piece /= 2) {
-    for (size_t i = 0; i + piece < stimuli_.size();) {
+    for (size_t i = 0; i + piece < stimuli_.size() && !IsOver();) {
       if (!Try(Without(stimuli_, i, i + piece))) i += piece;
+    }
+  }
+}
+
+bool Shortener::StillShows() {
+  ++tries_;
+  return !IsOver() && Shows(stimuli_, end_);
+}
+
+template <class Set>
+void Shortener::DropSets(std::vector<Set>& sets) {
+  for (size_t piece = std::max<size_t>(1, sets.size() / 2); piece >= 1; piece /= 2) {
+    for (size_t i = 0; i < sets.size() && !IsOver();) {
+      const auto begin = sets.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto end = sets.begin() + static_cast<std::ptrdiff_t>(std::min(i + piece, sets.size()));
+      const std::vector<Set> dropped(begin, end);
+      sets.erase(begin, end);
+      if (StillShows()) continue;
+      sets.insert(sets.begin() + static_cast<std::ptrdiff_t>(i), dropped.begin(), dropped.end());
+      i += piece;
     }
   }
 }
 
 void Shortener::DropInputs() {
   for (size_t step = 0; step < stimuli_.size(); ++step) {
-    for (size_t piece = std::max<size_t>(1, stimuli_[step].inputs.size() / 2); piece >= 1; piece /= 2) {
-      for (size_t i = 0; i < stimuli_[step].inputs.size();) {
-        Stimuli shorter = stimuli_;
-        std::vector<prove::SetCell>& inputs = shorter[step].inputs;
-        const size_t end = std::min(i + piece, inputs.size());
-        inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(i),
-                     inputs.begin() + static_cast<std::ptrdiff_t>(end));
-        if (!Try(std::move(shorter))) i += piece;
-      }
-    }
-    for (size_t i = 0; i < stimuli_[step].words.size();) {
-      Stimuli shorter = stimuli_;
-      shorter[step].words.erase(shorter[step].words.begin() + static_cast<std::ptrdiff_t>(i));
-      if (!Try(std::move(shorter))) ++i;
-    }
+    DropSets(stimuli_[step].inputs);
+    DropSets(stimuli_[step].words);
   }
 }
 

@@ -36,7 +36,12 @@ class Shortener {
   Stimuli Shorten(Stimuli stimuli);
 
  private:
+  bool IsOver() const;
   bool Try(Stimuli shorter);
+  /// Whether stimuli_, changed in place, is a run that shows it; of large ones no copy is made.
+  bool StillShows();
+  template <class Set>
+  void DropSets(std::vector<Set>& sets);
   /// The last steps alone, with all that was set before them: mostly they are enough, and cost little.
   void KeepLastSteps();
   void DropSteps();

@@ -61,6 +61,7 @@ CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& o
 }
 
 Compilation& ScenarioProgram::Compiled() {
+  if (compiled_ != nullptr) return *compiled_;
   std::call_once(compile_once_, [this] { compilation_ = Compile(request_); });
   return compilation_;
 }

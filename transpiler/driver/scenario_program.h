@@ -31,6 +31,8 @@ CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& o
 class ScenarioProgram {
  public:
   explicit ScenarioProgram(CompilationRequest request) : request_(std::move(request)) {}
+  /// Of what is compiled already, which outlives the object.
+  explicit ScenarioProgram(Compilation& compiled) : compiled_(&compiled) {}
 
   /// Compiled at the first call.
   Compilation& Compiled();
@@ -46,6 +48,7 @@ class ScenarioProgram {
   CompilationRequest request_;
   std::once_flag compile_once_;
   Compilation compilation_;
+  Compilation* compiled_ = nullptr;  // somebody else's
   std::mutex built_mutex_;
   std::map<std::string, Built> built_;  // by the platform's name
 };

@@ -124,7 +124,7 @@ Comparison::Comparison(const Version& old_side, const Version& new_side, const M
       pairing(terms, old_side, new_side, matching),
       old_uses(UsesOf(old_side)),
       new_uses(UsesOf(new_side)),
-      round_ms(compare_limits.total_ms / 40),
+      round_ms(compare_limits.total_ms / 60),
       now(terms.Variable("now", 32)),
       deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
   LoadedSolver loaded = LoadSolver(terms);
@@ -172,7 +172,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<CellId> reach;
-  if (at_power_on && !HasFastPart(old_version) && !HasFastPart(new_version)) reach = ReachOfDifferences(comparison);
+  if (at_power_on && !comparison.fast_part_works) reach = ReachOfDifferences(comparison);
   const bool reaches_much = reach.size() > kMostReached;
   if (!SeparateWake(comparison)) return Finish(comparison, 0);
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.

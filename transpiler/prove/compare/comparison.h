@@ -33,6 +33,7 @@ struct Comparison {
   std::vector<PairResult> results;      // of matched state, ascending by old cell
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
   Transition old_next, new_next;        // of the last period, over the pairing's variables
+  bool fast_part_works = false;         // a fast part with a time of its own was executed, and is not empty
   std::vector<Invariant> old_invariants, new_invariants;
   std::chrono::steady_clock::time_point deadline;
 
@@ -82,8 +83,8 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF)
 /// which are the wake of those. To be called when exactly these pairs are separated. False as above.
 bool SeparateWake(Comparison& comparison);
 /// The separated pairs, and those that may differ a period later, or later still, because of them: all others are equal
-/// in every scan. To be called behind the execution of the period with every pair equal, in a program without a fast
-/// part of its own.
+/// in every scan. To be called behind the execution of the period with every pair equal, in a program where no fast
+/// part of its own works.
 std::vector<CellId> ReachOfDifferences(Comparison& comparison);
 /// So many undecided pairs are looked at one by one; of more only those with a change of their own.
 inline constexpr uint32_t kMostLookedAt = 400;

@@ -198,6 +198,14 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   return true;
 }
 
+namespace {
+
+bool DoesAnything(const Transition& transition) {
+  return !transition.observations.empty() || std::ranges::any_of(transition.next, &TermId::valid);
+}
+
+}  // namespace
+
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
@@ -207,6 +215,9 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
       if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
       comparison.Report("round " + std::to_string(round));
       if (!ExecutePart(comparison, part)) return false;
+      if (part == Part::kFast && (DoesAnything(comparison.old_next) || DoesAnything(comparison.new_next))) {
+        comparison.fast_part_works = true;
+      }
       std::vector<Question> questions;
       for (uint32_t i = 0; i < comparison.results.size(); ++i) {
         PairResult& result = comparison.results[i];

@@ -200,7 +200,7 @@ void SearchRuns(Comparison& comparison) {
   if ((comparison.UndecidedCount() == 0 && !any_shown) || comparison.Late()) return;
   // Behind a change that reaches everything the questions are large: a state answers them sooner than a run.
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  const uint64_t end_ms = EndMs(comparison, many ? 40 : 8);
+  const uint64_t end_ms = EndMs(comparison, many ? 60 : 8);
   Unrolled state = PowerOn(comparison);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
@@ -314,7 +314,7 @@ void SearchStates(Comparison& comparison) {
   if (pairs.empty()) return;
   const StateVariables variables(comparison);
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  const uint64_t end_ms = many ? EndMs(comparison, 40) : 0;
+  const uint64_t end_ms = many ? EndMs(comparison, 60) : 0;
   const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
   if (any_state && many) TryRandomStates(comparison, pairs, variables, end_ms);
   comparison.PushInvariants();

@@ -179,8 +179,8 @@ Terms::Part Terms::Innermost(Part part) const {
 
 TermId Terms::FindPart(const Part& part) const {
   if (part.width == Width(part.of)) return part.of;
-  const auto found = extracts_.find({TermKind::kExtract, part.width, part.of.index, part.low});
-  return found == extracts_.end() ? TermId() : TermId(found->second);
+  const uint32_t* const found = extracts_.Find({TermKind::kExtract, part.width, part.of.index, part.low});
+  return found == nullptr ? TermId() : TermId(*found);
 }
 
 TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
@@ -204,7 +204,7 @@ TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
     if (open.size() > before) continue;
     open.pop_back();
     const TermId result = ExtractNew(part.of, part.low, part.width);
-    extracts_.emplace(Term{TermKind::kExtract, part.width, part.of.index, part.low}, result.index);
+    extracts_.FindOrAdd({TermKind::kExtract, part.width, part.of.index, part.low}, result.index);
   }
   return FindPart(asked);
 }

@@ -6,10 +6,38 @@
 
 namespace plcxx::prove {
 
-size_t Terms::Hash::operator()(const Term& term) const {
+size_t Terms::Index::SlotOf(const Term& term) const {
   uint64_t hash = (uint64_t{term.a} << 32 | term.b) * 0x9E3779B97F4A7C15;
   hash ^= (uint64_t{term.c} << 16 | static_cast<uint64_t>(term.kind) << 8 | term.width) * 0xC2B2AE3D27D4EB4F;
-  return static_cast<size_t>(hash ^ (hash >> 31));
+  hash ^= hash >> 31;
+  const size_t mask = slots_.size() - 1;
+  size_t at = static_cast<size_t>(hash) & mask;
+  while (slots_[at].number != kFree && slots_[at].term != term) at = (at + 1) & mask;
+  return at;
+}
+
+void Terms::Index::Grow() {
+  std::vector<Slot> before = std::exchange(slots_, {});
+  slots_.resize(std::max<size_t>(1024, 2 * before.size()));
+  for (const Slot& slot : before) {
+    if (slot.number != kFree) slots_[SlotOf(slot.term)] = slot;
+  }
+}
+
+uint32_t Terms::Index::FindOrAdd(const Term& term, uint32_t number) {
+  if (2 * (used_ + 1) > slots_.size()) Grow();
+  Slot& slot = slots_[SlotOf(term)];
+  if (slot.number == kFree) {
+    slot = {.term = term, .number = number};
+    ++used_;
+  }
+  return slot.number;
+}
+
+const uint32_t* Terms::Index::Find(const Term& term) const {
+  if (slots_.empty()) return nullptr;
+  const Slot& slot = slots_[SlotOf(term)];
+  return slot.number == kFree ? nullptr : &slot.number;
 }
 
 Terms::Terms() {
@@ -18,9 +46,9 @@ Terms::Terms() {
 }
 
 TermId Terms::Add(Term term) {
-  const auto [at, added] = index_.try_emplace(term, size());
-  if (added) terms_.push_back(term);
-  return TermId(at->second);
+  const uint32_t number = index_.FindOrAdd(term, size());
+  if (number == size()) terms_.push_back(term);
+  return TermId(number);
 }
 
 TermId Terms::Const(uint64_t value, uint8_t width) {

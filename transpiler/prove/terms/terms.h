@@ -173,10 +173,6 @@ class Terms {
   TermId Rebuild(const Term& term, std::span<const TermId> operands);
 
  private:
-  struct Hash {
-    size_t operator()(const Term& term) const;
-  };
-
   TermId Add(Term term);  // the one that is there, or a new one
   TermId Binary(TermKind kind, TermId a, TermId b, uint8_t width);
   bool IsNotOf(TermId a, TermId b) const;
@@ -199,9 +195,31 @@ class Terms {
   void ForEachPartBelow(const Part& part, Visit&& visit) const;
   TermId ExtractNew(TermId a, uint8_t low, uint8_t width);
 
+  /// From a term to a number, with open addressing: most of the time of an execution goes into this. Looked up only,
+  /// never walked.
+  class Index {
+   public:
+    /// The number that the term has; `number`, which it has from now on, when it had none.
+    uint32_t FindOrAdd(const Term& term, uint32_t number);
+    /// None: it has no number.
+    const uint32_t* Find(const Term& term) const;
+
+   private:
+    struct Slot {
+      Term term;
+      uint32_t number = kFree;
+    };
+    static constexpr uint32_t kFree = 0xFFFFFFFF;
+    size_t SlotOf(const Term& term) const;  // where it is, or would be
+    void Grow();
+
+    std::vector<Slot> slots_;  // a power of two; at most half of them are used
+    size_t used_ = 0;
+  };
+
   std::vector<Term> terms_;
-  std::unordered_map<Term, uint32_t, Hash> index_;     // looked up only, never walked
-  std::unordered_map<Term, uint32_t, Hash> extracts_;  // what Extract gave for each question
+  Index index_;
+  Index extracts_;  // what Extract gave for each question
   std::vector<std::string> variables_;
   std::vector<TermFunction> functions_;
   std::unordered_map<std::string, uint32_t> function_index_;
