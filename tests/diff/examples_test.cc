@@ -69,15 +69,15 @@ TEST(DiffExamples, OnlyWhatMattersIsSet) {
 
 TEST(DiffExamples, CallsAreExpected) {
   // A counter whose modulus is out of range is a fault that the control is told.
-  const std::string counter = "$\nW2K2=@\nC5I(W2K2)=I0A3\nU4A8=I0A4\n";
-  const Diff diff = ComparedTexts(kNc110, With(counter, "1"), With(counter, "0"));
+  const std::string counter = "$\nW100K0=@\nC20I(W100K0)=I0A0\n";
+  const Diff diff = ComparedTexts(kNc110, With(counter, "5"), With(counter, "0"));
   const DiffItem* const item = ItemNamed(diff, "calls of fault");
   ASSERT_NE(item, nullptr) << NamesIn(diff);
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
   ASSERT_TRUE(item->counterexample.has_value());
   EXPECT_THAT(item->counterexample->scenario, HasSubstr("- expect_calls: []"));
   EXPECT_EQ(item->counterexample->old_value, "no call");
-  EXPECT_THAT(item->counterexample->new_value, HasSubstr("fault(kind: PARAM_RANGE, index: 5"));
+  EXPECT_THAT(item->counterexample->new_value, HasSubstr("fault(kind: PARAM_RANGE, index: 20"));
   EXPECT_TRUE(item->counterexample->confirmed) << item->counterexample->scenario;
 }
 

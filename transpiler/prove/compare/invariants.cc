@@ -52,7 +52,9 @@ class Finder {
     std::vector<TermId> cone;
   };
   Step StepOf(const Transition& transition);
-  void AddLimit(uint64_t constant) { limits_.insert({constant - 1, constant, constant + 1}); }
+  static void AddLimit(std::set<uint64_t>& limits, uint64_t constant) {
+    limits.insert({constant - 1, constant, constant + 1});
+  }
   void Simulate();
   void RecordSample(const std::map<CellId, uint64_t>& state);
   void Guess();
@@ -77,6 +79,7 @@ class Finder {
   std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
   std::vector<uint64_t> greatest_fields_, greatest_bytes_;  // that occurred
   std::set<uint64_t> limits_;                               // constants of the functions, and their neighbours
+  std::set<uint64_t> program_limits_;                       // the same of the whole program
   std::vector<Invariant> guesses_;
   Random random_{0x2545F4914F6CDD1D};
   std::chrono::steady_clock::time_point deadline_;
@@ -145,7 +148,7 @@ Finder::Step Finder::StepOf(const Transition& transition) {
   for (const CellId cell : state_) roots.push_back(Next(transition, cell));
   Step step{.transition = &transition, .cone = ConeOf(terms_, roots)};
   for (const TermId id : step.cone) {
-    if (terms_[id].kind == TermKind::kConst) AddLimit(terms_.Value(id));
+    if (terms_[id].kind == TermKind::kConst) AddLimit(limits_, terms_.Value(id));
   }
   return step;
 }
@@ -157,7 +160,7 @@ void Finder::Simulate() {
   // In a large program most of them belong to something else.
   const std::set<uint64_t> constants = ConstantsOf(*version_.program);
   for (const uint64_t constant : constants) {
-    if (constants.size() <= kMostConstants) AddLimit(constant);
+    if (constants.size() <= kMostConstants) AddLimit(program_limits_, constant);
   }
   std::vector<uint64_t> values(terms_.size());
   std::map<uint32_t, CellId> cell_of;  // by variable
@@ -207,10 +210,16 @@ void Finder::GuessLimits(const std::vector<CellId>& cells, uint64_t greatest) {
                              ? cells.size()
                              : CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cells.front()));
   const uint64_t most = width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1;
-  size_t count = 0;
-  for (auto limit = limits_.lower_bound(greatest); limit != limits_.end() && *limit < most && count < kMostLimits;
-       ++limit, ++count) {
-    guesses_.push_back({.cells = cells, .values = {*limit}, .kind = Invariant::Kind::kAtMost});
+  std::set<uint64_t> nearest;
+  for (const std::set<uint64_t>* limits : {&limits_, &program_limits_}) {
+    size_t count = 0;
+    for (auto limit = limits->lower_bound(greatest); limit != limits->end() && *limit < most && count < kMostLimits;
+         ++limit, ++count) {
+      nearest.insert(*limit);
+    }
+  }
+  for (const uint64_t limit : nearest) {
+    guesses_.push_back({.cells = cells, .values = {limit}, .kind = Invariant::Kind::kAtMost});
   }
 }
 
