@@ -222,6 +222,26 @@ std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::St
   return writers;
 }
 
+/// The changed statements that decide whether others are executed.
+std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::StatementId>& statements,
+                                       const Texts& other_texts) {
+  const std::map<ir::StatementId, std::set<ir::StatementId>> heads = HeadsOf(side.version);
+  std::set<ir::StatementId> around = statements;
+  std::vector<ir::StatementId> open(statements.begin(), statements.end());
+  while (!open.empty()) {
+    const auto found = heads.find(open.back());
+    open.pop_back();
+    if (found == heads.end()) continue;
+    for (const ir::StatementId head : found->second) {
+      if (around.insert(head).second) open.push_back(head);
+    }
+  }
+  std::erase_if(around, [&](ir::StatementId id) {
+    return statements.contains(id) || !StatementOf(side, id, other_texts).changed;
+  });
+  return around;
+}
+
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
   const Texts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
   const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
@@ -248,12 +268,16 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
       return std::ranges::any_of(statements, &ItemStatement::changed);
     };
     if (!item.changed_itself || is_changed(item.old_statements) || is_changed(item.new_statements)) continue;
-    for (const ir::StatementId id : ChangedBefore(old_side, old_touched.writers[i], new_texts)) {
-      item.old_statements.push_back(StatementOf(old_side, id, new_texts));
-    }
-    for (const ir::StatementId id : ChangedBefore(new_side, new_touched.writers[i], old_texts)) {
-      item.new_statements.push_back(StatementOf(new_side, id, old_texts));
-    }
+    const auto add_changed = [&](const auto& find) {
+      for (const ir::StatementId id : find(old_side, old_touched.writers[i], new_texts)) {
+        item.old_statements.push_back(StatementOf(old_side, id, new_texts));
+      }
+      for (const ir::StatementId id : find(new_side, new_touched.writers[i], old_texts)) {
+        item.new_statements.push_back(StatementOf(new_side, id, old_texts));
+      }
+    };
+    add_changed(ChangedHeads);
+    if (!is_changed(item.old_statements) && !is_changed(item.new_statements)) add_changed(ChangedBefore);
   }
 }
 

@@ -153,6 +153,21 @@ std::optional<CellWord> CellWords::FromSymbols(const Cell& cell) const {
   return std::nullopt;
 }
 
+std::optional<CellWord> CellWords::FromDialect(const Cell& cell) const {
+  const ir::Program& program = *version_.program;
+  const std::string &space = program.spaces[cell.space].name, offset = std::to_string(cell.offset);
+  for (const std::string& name : {space + "[" + offset + "]", space + "+" + offset + ":8"}) {
+    const std::optional<dialects::Location> location = compilation_.dialect->locate(program, name);
+    if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) continue;
+    ir::Place place = location->place;
+    if (place.space != cell.space || place.offset != cell.offset || place.type != ir::Type::kI8) continue;
+    place.name = name;
+    place.address.clear();
+    return OfPlace(place);
+  }
+  return std::nullopt;
+}
+
 CellWord CellWords::WordOf(CellId id) const {
   const ir::Program& program = *version_.program;
   const Cell cell = CellAt(program, version_.cells, id);
@@ -185,6 +200,7 @@ CellWord CellWords::WordOf(CellId id) const {
     }
   }
   if (const std::optional<CellWord> symbol = FromSymbols(cell)) return *symbol;
+  if (const std::optional<CellWord> known = FromDialect(cell)) return *known;
   CellWord byte{.name = program.spaces[cell.space].name + " byte " + std::to_string(cell.offset),
                 .address = {},
                 .place = std::nullopt,
@@ -205,6 +221,63 @@ std::string CellWords::MeaningOf(const CellWord& word) const {
     break;
   }
   return text;
+}
+
+namespace {
+
+using Heads = std::map<ir::StatementId, std::set<ir::StatementId>>;
+
+/// Walks all routines with the statement that owns the region.
+class HeadWalk {
+ public:
+  explicit HeadWalk(const ir::Program& program) : program_(program) {}
+
+  Heads Run() {
+    for (uint32_t i = 0; i < program_.routines.size(); ++i) {
+      routine_ = ir::RoutineId(i);
+      const ir::Routine& routine = program_.routines[routine_];
+      for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+        Walk(region, ir::StatementId());
+      }
+    }
+    for (const auto& [statement, routine] : outermost_) {
+      for (const ir::StatementId caller : callers_[routine]) Add(statement, caller);
+    }
+    return std::move(heads_);
+  }
+
+ private:
+  void Add(ir::StatementId statement, ir::StatementId head) {
+    if (head.valid() && head != statement) heads_[statement].insert(head);
+  }
+
+  void Walk(ir::RegionId region, ir::StatementId owner) {
+    if (!region.valid()) return;
+    ir::StatementId statement = owner;
+    for (const ir::InstId id : program_.regions[region].insts) {
+      const ir::Inst& inst = program_[id];
+      if (inst.op == ir::OpKind::kStatement) {
+        statement = ir::StatementId(inst.payload);
+        Add(statement, owner);
+        if (!owner.valid()) outermost_.emplace(statement, routine_);
+      }
+      if (inst.op == ir::OpKind::kCall) callers_[program_.calls[ir::CallId(inst.payload)].routine].insert(statement);
+      if (ir::Info(inst.op).effect != ir::Effect::kControl) continue;
+      for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) Walk(owned, statement);
+    }
+  }
+
+  const ir::Program& program_;
+  ir::RoutineId routine_;
+  Heads heads_;
+  std::map<ir::StatementId, ir::RoutineId> outermost_;
+  std::map<ir::RoutineId, std::set<ir::StatementId>> callers_;
+};
+
+}  // namespace
+
+std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const Version& version) {
+  return HeadWalk(*version.program).Run();
 }
 
 std::vector<StatementAccess> AccessesOf(const Version& version) { return AccessWalk(version).Run(); }

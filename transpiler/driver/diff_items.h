@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class CellWords {
 
  private:
   std::optional<CellWord> FromSymbols(const prove::Cell& cell) const;
+  /// A byte that the program reaches by a computed index only.
+  std::optional<CellWord> FromDialect(const prove::Cell& cell) const;
   CellWord OfPlace(const ir::Place& place) const;
   bool IsNamed(const ir::Place& place) const;
 
@@ -45,5 +48,9 @@ struct StatementAccess {
   bool writes = false;
 };
 std::vector<StatementAccess> AccessesOf(const prove::Version& version);
+
+/// By statement: those that decide whether it is executed, the heads of the blocks around it and the calls of its
+/// routine; of those again to be asked.
+std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::Version& version);
 
 }  // namespace plcxx::driver
