@@ -61,7 +61,7 @@ TEST(WholeSample, IsProved) {
       "cd '" PLCXX_ROOT "/samples/nc110/lathe_16k20' && " PLCXX_BINARY
       " verify lathe.sym fast.plc spindle.plc turret.plc --set iocfil=IOCFIL --set axcfil=AXCFIL "
       "--set pgcfil=PGCFIL --set messages=RUMES5 --set menu=LGCMNU --set help=HELP "
-      "--time-limit 600 >'" +
+      "--time 10min >'" +
       workplace.Path("said") + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << workplace.Read("said");
   EXPECT_THAT(workplace.Read("said"), HasSubstr("the compiled code is proved equal to the program"));

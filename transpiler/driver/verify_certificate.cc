@@ -48,6 +48,7 @@ Json RoutineJson(const prove::RoutineProof& proof) {
   json["state_bytes"] = proof.bytes;
   json["host_functions"] = proof.host_functions;
   json["obligations"] = proof.obligations;
+  if (proof.claims != 0) json["loop_claims"] = proof.claims;
   json["instructions"] = proof.instructions;
   if (!proof.relies_on.empty()) json["relies_on"] = proof.relies_on;
   for (const prove::CodeDifference& difference : proof.differences)

@@ -12,6 +12,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/program_output.h"
+#include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/verify_certificate.h"
 #include "transpiler/emit/cpp_printer.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr const char* kFooter = R"(Examples:
   plcxx verify turret.sym turret.plc
   plcxx verify mill.cld --certificate mill.verified.json
-  plcxx verify turret.plc -O s --time-limit 300
+  plcxx verify turret.plc -O s --time 5min
 
 The program is emitted and compiled by Clang to LLVM's instructions. Each function is executed on symbols, once as the
 program means it and once as it was compiled, and both are proved equal for every state and every input: all of State,
@@ -35,8 +36,6 @@ What is told of a routine that is not: the first values that differ, and a state
 Assumed is what the certificate lists.
 Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wrong use, 3 a fault of plcxx.)";
 
-constexpr uint64_t kMsPerSecond = 1000;
-
 struct VerifySettings {
   CommonOptions common;
   std::string name;
@@ -44,7 +43,7 @@ struct VerifySettings {
   std::string level = "2";
   std::string certificate;
   std::vector<std::string> routines;
-  unsigned seconds = 60;
+  std::string time = "60s";
   bool quiet = false;
 };
 
@@ -65,16 +64,24 @@ std::string DifferenceText(const prove::CodeDifference& difference) {
   return text + "\n";
 }
 
+/// "1 instruction", "2 instructions".
+std::string Count(uint64_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
 std::string ProofText(const prove::RoutineProof& proof) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
     case prove::ProofResult::kProved:
-      text += "proved (" + std::to_string(proof.bytes) + " bytes of State, " + std::to_string(proof.host_functions) +
-              " host functions, " + std::to_string(proof.instructions) + " instructions";
-      if (!proof.relies_on.empty()) text += "; with " + std::to_string(proof.relies_on.size()) + " proved functions";
+      text += "proved (" + Count(proof.bytes, "byte") + " of State, " + Count(proof.host_functions, "host function") +
+              ", " + Count(proof.instructions, "instruction");
+      if (proof.claims != 0) text += "; " + Count(proof.claims, "claim") + " of loops";
+      if (!proof.relies_on.empty()) text += "; with " + Count(proof.relies_on.size(), "proved function");
       return text + ")\n";
     case prove::ProofResult::kNotDecided:
-      return text + "not decided: " + proof.reason + "\n";
+      text += "not decided: " + proof.reason + "\n";
+      for (const prove::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+      return text;
     case prove::ProofResult::kDifferent:
       break;
   }
@@ -86,8 +93,8 @@ std::string ProofText(const prove::RoutineProof& proof) {
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
-  Verification(const VerifySettings& settings, Compilation& compilation, ProgressLine& progress)
-      : settings_(settings), compilation_(compilation), progress_(progress) {}
+  Verification(const VerifySettings& settings, uint64_t routine_ms, Compilation& compilation, ProgressLine& progress)
+      : settings_(settings), routine_ms_(routine_ms), compilation_(compilation), progress_(progress) {}
 
   /// Whether all is proved.
   bool Run();
@@ -101,6 +108,7 @@ class Verification {
   bool WriteCertificate(const prove::Bitcode& bitcode);
 
   const VerifySettings& settings_;
+  uint64_t routine_ms_;
   Compilation& compilation_;
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
@@ -175,7 +183,7 @@ bool Verification::Run() {
   const prove::LoadedCode loaded = prove::LoadCode(bitcode.files);
   if (loaded.code == nullptr) return Refuse(loaded.reason);
   prove::VerifyLimits limits;
-  limits.routine_ms = kMsPerSecond * settings_.seconds;
+  limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
   proofs_ = prove::Verify(emittable, *loaded.code, routines_, limits);
   bool all = true;
@@ -192,6 +200,11 @@ bool Verification::Run() {
 }
 
 int RunVerify(const VerifySettings& settings) {
+  const std::optional<uint64_t> routine_ms = ParseDuration(settings.time);
+  if (!routine_ms || *routine_ms == 0) {
+    PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
+    return kWrongUse;
+  }
   OutputOptions names;
   names.name = settings.name;
   std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, names);
@@ -199,7 +212,7 @@ int RunVerify(const VerifySettings& settings) {
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request);
-  Verification verification(settings, compilation, progress);
+  Verification verification(settings, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
   PrintDiagnostics(compilation, FormatOf(settings.common));
@@ -231,9 +244,9 @@ void AddVerify(CLI::App& app, Run& run) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group("Limits");
-  command->add_option("--time-limit", settings->seconds, "Seconds for one function; else 60")
-      ->type_name("S")
-      ->check(CLI::Range(1u, 86'400u))
+  command->add_option("--time", settings->time, "For one function, as in 500ms, 60s or 5min")
+      ->type_name("TIME")
+      ->default_str("60s")
       ->group("Limits");
   command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
   command->footer(kFooter);

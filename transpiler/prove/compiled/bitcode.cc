@@ -12,14 +12,16 @@ namespace {
 
 constexpr int kCompilerSeconds = 600;
 
-/// What plcxx build does, but for what would make many instructions of one. The generated functions stay functions
-/// (those of the runtime are inline) with the parameters that the source says, also where only the file itself calls
-/// them, so that each can be proved by itself.
+/// What plcxx build does, but for what would make many instructions of one, or have rounds of a loop begin elsewhere
+/// than in the source. The generated functions stay functions (those of the runtime are inline) with the parameters
+/// that the source says, also where only the file itself calls them, so that each can be proved by itself.
 constexpr std::string_view kFlags[] = {"-emit-llvm",
                                        "-g0",
                                        "-fno-vectorize",
                                        "-fno-slp-vectorize",
                                        "-fno-unroll-loops",
+                                       "-mllvm",
+                                       "-rotation-max-header-size=0",
                                        "-finline-hint-functions",
                                        "-fno-discard-value-names",
                                        "-Dstatic=__attribute__((used)) static"};

@@ -52,6 +52,23 @@ struct HostRequest {
   uint8_t result_width = 0;  // 0: none
 };
 
+/// A loop as the execution came to its head, when it is not unrolled: see prove/execute/loop_heads.h.
+struct CodeLoop {
+  std::string_view name;  // "PM22, for.cond"
+  /// What is not the same in each round: values that the code keeps, and slots.
+  struct Item {
+    std::string_view name;  // empty: a slot
+    uint32_t slot = 0;
+  };
+  std::span<const Item> items;
+  struct Head {
+    TermId when;                 // execution comes here
+    std::vector<TermId> values;  // of the items
+  };
+  Head entry;
+  std::vector<Head> samples;
+};
+
 class CodeSurroundings {
  public:
   CodeSurroundings() = default;
@@ -64,6 +81,15 @@ class CodeSurroundings {
   virtual bool Replaces(std::string_view) const { return false; }
   /// Does what the host does to `memory`, and gives its result. A reason in `refusal` ends the execution.
   virtual TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) = 0;
+
+  /// A loop begins that is not unrolled; loops inside it are opened and closed before it is closed.
+  virtual void OpenLoop() {}
+  /// What its items are at the head of any round. Asked again with more items where the round changes others.
+  virtual std::vector<TermId> AtHead(const CodeLoop&) { return {}; }
+  /// `again`: since the head, whether another round follows, and the items then.
+  virtual void CloseLoop(TermId /*again*/, std::span<const TermId> /*values*/) {}
+  /// What may be taken for granted of loops that have ended; none: nothing.
+  virtual TermId Given() { return {}; }
 };
 
 /// One argument of a function as the source declares it.
@@ -95,7 +121,14 @@ struct CodeRun {
   uint32_t state_bytes = 0;
   uint32_t further_slots = 0;
   std::vector<CodeArgument> arguments;
-  uint32_t most_rounds = 4096;       // of one loop
+  uint32_t most_rounds = 4096;  // of one loop
+  enum class Loops : uint8_t {
+    kUnrolled,
+    kAtHeads,     // where it is not known after `rounds` rounds whether they go on, they get their heads from outside
+    kFirstRounds  // what goes round more often is left out
+  };
+  Loops loops = Loops::kUnrolled;
+  uint32_t rounds = 4;
   uint32_t most_terms = 20'000'000;  // that the execution may make
 };
 
@@ -103,6 +136,7 @@ struct CodeRun {
 struct Obligation {
   TermId never;
   std::string text;  // "a division by zero"
+  TermId given;      // of loops, CodeSurroundings::Given(); may be none
 };
 
 struct CodeOutcome {
@@ -111,6 +145,7 @@ struct CodeOutcome {
   TermId result;              // none when the function has none
   std::vector<Obligation> obligations;
   uint64_t instructions = 0;  // executed, loops and calls as often as they were
+  TermId left_out;            // when a loop would have gone round more often
 };
 
 class CompiledCode {

@@ -1,8 +1,10 @@
 #include "transpiler/prove/compiled/state_image.h"
 
 #include <algorithm>
+#include <array>
 
 #include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/gather.h"
 
 namespace plcxx::prove {
 namespace {
@@ -151,9 +153,9 @@ TermId StateImage::ByteFor(Terms& terms, uint32_t offset, const std::function<Te
       return terms.Width(value) < 8 ? terms.Zext(value, 8) : terms.Extract(value, byte.low, 8);
     }
     case ByteKind::kBits: {
-      TermId value = cell(byte.cell);
-      for (uint32_t bit = 1; bit < 8; ++bit) value = terms.Concat(cell(CellId(byte.cell.index + bit)), value);
-      return value;
+      std::array<TermId, 8> bits;
+      for (uint32_t bit = 0; bit < 8; ++bit) bits[bit] = cell(CellId(byte.cell.index + bit));
+      return Gather(terms, bits);
     }
   }
   PLCXX_UNREACHABLE();

@@ -44,6 +44,7 @@ struct RoutineProof {
   uint64_t bytes = 0;                       // of State, compared
   uint64_t host_functions = 0;              // whose calls were compared
   uint64_t obligations = 0;                 // shown to be impossible
+  uint64_t claims = 0;                      // of loops that were not unrolled
   uint64_t instructions = 0;                // of LLVM that were executed
   uint64_t asked = 0;                       // comparisons that are not one term
   std::vector<std::string> relies_on;       // functions whose proofs this one takes for granted

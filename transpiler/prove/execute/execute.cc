@@ -19,7 +19,8 @@ Executor::Executor(Memory& memory)
       terms_(memory.terms()),
       program_(memory.program()),
       values_(memory.program().insts.size()),
-      first_term_(memory.terms().size()) {}
+      first_term_(memory.terms().size()),
+      context_(terms_.Bit(true)) {}
 
 void Executor::Refuse(std::string reason) {
   if (refusal_.empty()) refusal_ = std::move(reason);

@@ -18,6 +18,7 @@
 
 #include "transpiler/ir/program.h"
 #include "transpiler/prove/execute/cells.h"
+#include "transpiler/prove/execute/loop_heads.h"
 #include "transpiler/prove/terms/terms.h"
 
 namespace plcxx::prove {
@@ -78,6 +79,8 @@ struct Environment {
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
   /// it reads (summary.h): two loops that are written alike are equal then, nothing else is known of them.
   uint32_t summarize_after = 0;
+  /// What is done with a loop of which it is not known after a few rounds whether it goes on; none: it is unrolled.
+  LoopPolicy* loops = nullptr;
   /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.
   uint32_t most_rounds = 4096;
   uint32_t most_terms = 20'000'000;
@@ -92,6 +95,9 @@ class Memory {
   void Write(CellId cell, TermId value);
   /// Whether the execution has written the cell since the memory was made; Read of others gives the initial value.
   bool IsWritten(CellId cell) const { return written_[cell.index]; }
+
+  /// By CellId, of those that were asked for or written.
+  const std::vector<TermId>& values() const { return values_; }
 
   /// A place that is not indexed; width of its type.
   TermId ReadPlace(const ir::Place& place);

@@ -1,23 +1,11 @@
-// Executor: branches, exits and loops.
+// Executor: branches and exits.
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
 #include "transpiler/prove/execute/executor.h"
-#include "transpiler/prove/execute/summary.h"
 
 namespace plcxx::prove {
-
-template <class Body>
-Executor::Arm Executor::RunArm(TermId when, Body&& body) {
-  const Flow outer = std::exchange(flow_, {.active = terms_.Bit(true), .leaving = {}});
-  memory_.BeginChanges();
-  body();
-  Arm arm{.when = when, .changes = memory_.TakeChanges(), .flow = std::move(flow_)};
-  flow_ = outer;
-  return arm;
-}
 
 void Executor::Leave(ir::InstId target, bool repeats, TermId when) {
   if (terms_.IsFalse(when)) return;
@@ -177,136 +165,6 @@ void Executor::ExecuteRepeat(ir::InstId, const ir::Inst& inst) {
   arms.push_back(RunArm(terms_.And(wants, refused), [&] { ExecuteRegion(ir::RegionId(inst.b)); }));
   std::erase_if(arms, [this](const Arm& arm) { return terms_.IsFalse(arm.when); });
   Join(std::move(arms));
-}
-
-void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
-  const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
-  const uint32_t most = memory_.environment().summarize_after;
-  const bool known = loop.kind == ir::LoopBound::kProven && loop.bound <= most;
-  if (most == 0 || known) {
-    UnrollLoop(id, loop);
-    return;
-  }
-  const Flow before = flow_;
-  memory_.BeginChanges();
-  const Unrolled unrolled = UnrollLoop(id, loop);
-  const std::vector<Memory::Change> changes = memory_.TakeChanges();
-  if (unrolled == Unrolled::kWhole) {
-    for (const Memory::Change& change : changes) memory_.Write(change.cell, change.value);
-    return;
-  }
-  flow_ = before;
-  ExecuteSummary(id);
-}
-
-Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop) {
-  const uint32_t most_unknown = memory_.environment().summarize_after;
-  const TermId before = flow_.active;
-  std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
-  TermId done = terms_.Bit(false);
-  uint32_t unknown = 0;
-  for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
-    if (loop.kind == ir::LoopBound::kProven && round >= loop.bound && !loop.condition.valid()) break;
-    if (round > 0 && flow_.active != before && most_unknown != 0 && ++unknown > most_unknown) return Unrolled::kGivenUp;
-    if (round > memory_.environment().most_rounds) {
-      Refuse("a loop may go round more than " + std::to_string(memory_.environment().most_rounds) + " times");
-      break;
-    }
-    flow_.active = ExecuteRound(id, loop, round, done);
-  }
-  if (refusal_.empty()) {
-    flow_.active = flow_.leaving.empty() ? before : terms_.Or(done, flow_.active);
-  }
-  for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
-  return Unrolled::kWhole;
-}
-
-void Executor::ExecuteSummary(ir::InstId id) {
-  const LoopSummary summary = SummarizeLoop(program_, memory_.cells(), id);
-  if (summary.opaque) {
-    Refuse(
-        "a loop that may go round any number of times calls a function that writes the state, or repeats another loop");
-    return;
-  }
-  // Its arguments, in words of up to 64 bits; one term then stands for all that the loop knows.
-  std::vector<TermId> arguments;
-  for (const ir::ValueId value : summary.outside) arguments.push_back(ValueOf(value.index));
-  TermId word;
-  for (size_t i = 0; i < summary.cells.size(); ++i) {
-    if (!summary.reads[i]) continue;
-    const TermId part = memory_.Read(summary.cells[i]);
-    if (word.valid() && terms_.Width(word) + terms_.Width(part) <= 64) {
-      word = terms_.Concat(part, word);
-      continue;
-    }
-    if (word.valid()) arguments.push_back(word);
-    word = part;
-  }
-  if (word.valid()) arguments.push_back(word);
-  arguments.push_back(memory_.environment().now);
-  uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : summary.text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  const std::string name =
-      std::string(kLoopFunction) + std::to_string(hash) + "." + std::to_string(summary.text.size());
-  const TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
-  const auto result = [&](const std::string& what, uint8_t width, TermId before = {}) {
-    const std::array<TermId, 2> from = {known, before};
-    return terms_.Apply(terms_.Function(name + " " + what, width), {from.data(), before.valid() ? size_t{2} : 1});
-  };
-  for (const uint32_t number : summary.written) {
-    const CellId cell = summary.cells[number];
-    const uint8_t width = CellWidth(program_, CellAt(program_, memory_.cells(), cell));
-    const TermId before = summary.reads[number] ? TermId() : memory_.Read(cell);
-    WriteCell(cell, result("cell " + std::to_string(number), width, before));
-  }
-  for (size_t i = 0; i < summary.targets.size(); ++i) {
-    const TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));
-    Leave(summary.targets[i], false, leaves);
-    flow_.active = terms_.And(flow_.active, terms_.Not(leaves));
-  }
-}
-
-TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, uint64_t round, TermId& done) {
-  const auto finish = [&](TermId when) { done = terms_.Or(done, when); };
-  if (loop.condition.valid()) {
-    ExecuteRegion(loop.condition);
-    finish(TakeLeaving(id, false));
-    if (terms_.IsFalse(flow_.active)) return flow_.active;
-    const TermId condition = ValueOf(program_.regions[loop.condition].insts.back().index);
-    finish(terms_.And(flow_.active, terms_.Not(condition)));
-    flow_.active = terms_.And(flow_.active, condition);
-    if (terms_.IsFalse(flow_.active)) return flow_.active;
-  }
-  if (loop.kind == ir::LoopBound::kProven && round >= loop.bound) {
-    // The front end has shown that nobody comes here.
-    finish(flow_.active);
-    return terms_.Bit(false);
-  }
-  const bool exhausted = loop.kind == ir::LoopBound::kGuard && round >= loop.bound;
-  const TermId running = flow_.active;
-  // The body as an arm of its own: what it computes is not guarded inside, only joined behind.
-  flow_.active = terms_.Bit(true);
-  const std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
-  Arm arm = RunArm(running, [&] { ExecuteRegion(exhausted ? loop.exhausted : loop.body); });
-  const TermId fell_through = arm.flow.active;
-  arm.flow.active = terms_.Bit(true);
-  std::vector<Arm> arms;
-  arms.push_back(std::move(arm));
-  Join(std::move(arms));
-  if (!refusal_.empty()) return terms_.Bit(false);
-  finish(TakeLeaving(id, false));
-  TermId next = TakeLeaving(id, true);
-  for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
-  const TermId through = terms_.And(running, fell_through);
-  if (exhausted || loop.kind == ir::LoopBound::kBudget) {
-    finish(through);
-    return next;
-  }
-  if (loop.step.valid() && !terms_.IsFalse(through)) {
-    flow_.active = through;
-    ExecuteRegion(loop.step);
-  }
-  return terms_.Or(next, through);
 }
 
 }  // namespace plcxx::prove

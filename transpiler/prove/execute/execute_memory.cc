@@ -1,6 +1,9 @@
 // Executor: what it reads and writes.
+#include <algorithm>
+
 #include "transpiler/prove/execute/executor.h"
 #include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/look_up.h"
 
 namespace plcxx::prove {
 namespace {
@@ -59,13 +62,16 @@ TermId Executor::ReadPlace(const ir::Place& place) {
 }
 
 TermId Executor::ReadAt(const ir::Place& place, TermId index) {
-  TermId value = terms_.Const(0, WidthOf(place.type));
-  if (!IsPresent(program_, place)) return value;
+  const TermId none = terms_.Const(0, WidthOf(place.type));
+  if (!IsPresent(program_, place)) return none;
+  std::vector<TableElement> elements;
   ForEachElement(program_, place, [&](int64_t i, const ir::Place& element) {
-    const TermId chosen = terms_.Eq(index, terms_.Const(static_cast<uint64_t>(i), 32));
-    if (!terms_.IsFalse(chosen)) value = terms_.Ite(chosen, memory_.ReadPlace(element), value);
+    const uint64_t at = Masked(static_cast<uint64_t>(i), 32);
+    if (!terms_.IsFalse(terms_.Eq(index, terms_.Const(at, 32)))) elements.push_back({at, memory_.ReadPlace(element)});
   });
-  return value;
+  // Negative indices come last as numbers without sign.
+  std::ranges::sort(elements, {}, &TableElement::index);
+  return LookUp(terms_, index, elements, none);
 }
 
 void Executor::WriteAt(const ir::Place& place, TermId index, TermId value) {

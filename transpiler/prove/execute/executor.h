@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/execute/execute.h"
@@ -62,11 +63,23 @@ class Executor {
   void Leave(ir::InstId target, bool repeats, TermId when);
   TermId SelectedBy(const ir::SwitchCase& one, TermId selector);
   std::vector<TermId> CaseConditions(const std::vector<ir::SwitchCase>& cases, TermId selector);
+  // Loops (execute_loops.cc).
   enum class Unrolled : uint8_t { kWhole, kGivenUp };
-  Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop);
+  /// What was at the head of a round: all cells.
+  struct Sample {
+    TermId when;
+    std::vector<TermId> cells;
+  };
+  /// `samples`: to be filled; may be none.
+  Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples);
   void ExecuteSummary(ir::InstId id);
-  /// One round of a loop; gives when another one follows.
-  TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, uint64_t round, TermId& done);
+  void ExecuteByHead(ir::InstId id, const ir::Loop& loop);
+  /// From the entry through a round that stands for each; `more`: cells that the round writes and nobody knew.
+  void ExecuteOneForAll(ir::InstId id, const ir::Loop& loop, ProgramLoop& known, std::vector<CellId>& more);
+  /// One round of a loop; gives when another one follows. `number`: of rounds before this one.
+  TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, TermId number, TermId& done);
+  /// When execution comes to this point of the routine; known with a policy for loops only.
+  TermId Absolute() { return terms_.And(context_, flow_.active); }
 
   TermId ReadPlace(const ir::Place& place);
   TermId ReadAt(const ir::Place& place, TermId index);
@@ -87,6 +100,21 @@ class Executor {
   Flow flow_;
   Refusal refusal_;
   uint32_t first_term_;
+  TermId context_;         // when the stretch of `flow_` begins
+  uint32_t sampling_ = 0;  // loops around this point whose first rounds are looked at
 };
+
+template <class Body>
+Executor::Arm Executor::RunArm(TermId when, Body&& body) {
+  const Flow outer = std::exchange(flow_, {.active = terms_.Bit(true), .leaving = {}});
+  const TermId context = context_;
+  if (memory_.environment().loops != nullptr) context_ = terms_.And(context, terms_.And(outer.active, when));
+  memory_.BeginChanges();
+  body();
+  Arm arm{.when = when, .changes = memory_.TakeChanges(), .flow = std::move(flow_)};
+  flow_ = outer;
+  context_ = context;
+  return arm;
+}
 
 }  // namespace plcxx::prove

@@ -3,6 +3,7 @@
 
 #include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/terms/gather.h"
 
 namespace plcxx::prove {
 
@@ -71,16 +72,12 @@ TermId Memory::ReadPlace(const ir::Place& place) {
   if (place.type == ir::Type::kBit) return Read(cells_->OfBit(place.space, place.offset, place.bit));
   const uint32_t bytes = ir::Bytes(place.type);
   const ir::Space& space = program_->spaces[place.space];
-  TermId value;
-  // From the least significant bit up.
+  std::vector<TermId> parts;  // from the least significant bit up
   for (uint32_t significance = 0; significance < bytes; ++significance) {
     const uint32_t at = place.offset + SignificanceOf(space, significance, bytes);
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      const TermId part = Read(cells_->OfBit(place.space, at, bit));
-      value = value.valid() ? terms_->Concat(part, value) : part;
-    }
+    for (uint8_t bit = 0; bit < 8; ++bit) parts.push_back(Read(cells_->OfBit(place.space, at, bit)));
   }
-  return value;
+  return Gather(*terms_, parts);
 }
 
 void Memory::WritePlace(const ir::Place& place, TermId value) {

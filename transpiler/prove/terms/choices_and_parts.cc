@@ -15,6 +15,14 @@ TermId Terms::EqOfConst(TermId a, TermId constant) {
       return Eq(TermId(term.a), Const(~value, term.width));
     case TermKind::kConcat: {
       const uint8_t low = Width(TermId(term.b));
+      // The sign above a number: if it is that of the constant's part, that part says all.
+      const Term above = terms_[term.a];
+      if (above.kind == TermKind::kIte &&
+          TermId(above.a) == Extract(TermId(term.b), static_cast<uint8_t>(low - 1), 1) && IsConst(TermId(above.b)) &&
+          IsConst(TermId(above.c))) {
+        const TermId sign(value >> (low - 1) & 1 ? above.b : above.c);
+        return Value(sign) == value >> low ? Eq(TermId(term.b), Const(value, low)) : zero_;
+      }
       return And(Eq(TermId(term.a), Const(value >> low, Width(TermId(term.a)))), Eq(TermId(term.b), Const(value, low)));
     }
     case TermKind::kIte:

@@ -1,4 +1,4 @@
-// Executor: blocks, loops and calls.
+// Executor: blocks and calls.
 #include <llvm/IR/CFG.h>
 #include <llvm/Support/Casting.h>
 
@@ -153,36 +153,6 @@ void Executor::RunLevel(const FlowLevel& level, Passage entry, TermId context, s
         leaving.push_back(std::move(passage));
       }
     }
-  }
-}
-
-void Executor::RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving) {
-  const llvm::BasicBlock* head = level.nodes.front().block;
-  TermId active = terms_.Bit(true);
-  Passage next = std::move(entry);
-  for (uint32_t round = 0;; ++round) {
-    if (round > run_.most_rounds) {
-      Refuse("a loop may go round more than " + std::to_string(run_.most_rounds) + " times");
-      return;
-    }
-    std::vector<Passage> passages, again;
-    std::vector<TermId> conditions;
-    TermId any = terms_.Bit(false);
-    RunLevel(level, std::move(next), terms_.And(context, active), passages);
-    if (refused()) return;
-    for (Passage& passage : passages) {
-      if (passage.to == head) {
-        conditions.push_back(passage.when);
-        any = terms_.Or(any, passage.when);
-        again.push_back(std::move(passage));
-        continue;
-      }
-      passage.when = terms_.And(active, passage.when);
-      if (!terms_.IsFalse(passage.when)) leaving.push_back(std::move(passage));
-    }
-    active = terms_.And(active, any);
-    if (again.empty() || terms_.IsFalse(active)) return;
-    next = Join(std::move(again), conditions);
   }
 }
 

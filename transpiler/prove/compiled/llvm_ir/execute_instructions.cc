@@ -31,7 +31,7 @@ bool Executor::Check(const llvm::Instruction& inst) {
 
 void Executor::Require(TermId never, const char* text) {
   const TermId condition = terms_.And(context_, never);
-  if (!terms_.IsFalse(condition)) outcome_.obligations.push_back({condition, text});
+  if (!terms_.IsFalse(condition)) outcome_.obligations.push_back({condition, text, surroundings_.Given()});
 }
 
 void Executor::ExecuteInst(const llvm::Instruction& inst) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
+#include "transpiler/prove/terms/look_up.h"
 
 namespace plcxx::prove::llvm_ir {
 namespace {
@@ -73,13 +74,12 @@ TermId Executor::LoadFrom(uint32_t number, TermId offset, uint32_t bytes) {
   }
   const Reach reach = ReachOf(object, offset, bytes);
   if (reach.none) return Undefined(width);
-  TermId value;
-  if (reach.beyond) value = Undefined(width);
-  for (uint64_t at = reach.high;; at -= reach.step) {
-    const TermId here = LoadAt(object, at, bytes);
-    value = value.valid() ? terms_.Ite(terms_.Eq(offset, terms_.Const(at, 64)), here, value) : here;
-    if (at == reach.low) return value;
+  std::vector<TableElement> elements;
+  for (uint64_t at = reach.low; at <= reach.high; at += reach.step) {
+    if (at == reach.high || !terms_.IsFalse(terms_.Eq(offset, terms_.Const(at, 64))))
+      elements.push_back({at, LoadAt(object, at, bytes)});
   }
+  return LookUp(terms_, offset, elements, reach.beyond ? Undefined(width) : TermId());
 }
 
 TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {

@@ -16,8 +16,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/compiled/compiled_code.h"
@@ -95,13 +97,33 @@ class Executor {
   // Flow (execute_flow.cc).
   CodeValue Call(const llvm::Function& function, std::vector<CodeValue> arguments);
   void RunLevel(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
-  void RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
   void RunBlock(const llvm::BasicBlock& block, Passage entry, std::vector<Passage>& leaving);
   void Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, TermId when, std::vector<Passage>& leaving);
   void LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage>& leaving);
   /// One passage for several; `conditions` of them are since one node, and one of them holds.
   Passage Join(std::vector<Passage> passages, const std::vector<TermId>& conditions);
   CodeValue Choose(TermId condition, const CodeValue& then, const CodeValue& otherwise);
+
+  // Loops (execute_loops.cc).
+  /// One that is not unrolled: what is at its heads.
+  struct LoopState {
+    std::vector<CodeLoop::Item> items;
+    std::vector<const llvm::PHINode*> phis;  // of the items in front
+    std::vector<uint32_t> objects;           // of phis that are pointers, else 0
+    std::vector<std::pair<TermId, Passage>> heads;
+  };
+  void RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
+  /// Whether it is whole: nothing was left out.
+  void UnrollLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving,
+                  LoopState* state);
+  void RunByHead(const FlowLevel& level, const Passage& entry, TermId context, LoopState& state,
+                 std::vector<Passage>& leaving);
+  /// Those that go back to the head as one, the others to `leaving`; none goes back: no passage.
+  std::optional<Passage> JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages, TermId active,
+                                     std::vector<Passage>& leaving);
+  bool FindItems(const llvm::BasicBlock& head, LoopState& state);
+  void AddSlots(const Slots& a, const Slots& b, LoopState& state);
+  std::vector<TermId> ItemsOf(const Passage& passage, const LoopState& state);
 
   // Values (values.cc).
   CodeValue ValueOf(const llvm::Value* value);
@@ -176,7 +198,8 @@ class Executor {
   // Of the function and block that executes.
   Values values_;
   Slots slots_;
-  TermId context_;  // when it comes here at all
+  TermId context_;         // when it comes here at all
+  uint32_t sampling_ = 0;  // loops around this point whose first rounds are looked at
 };
 
 /// Of a constant as it lies in memory.

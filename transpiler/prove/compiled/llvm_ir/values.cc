@@ -65,7 +65,9 @@ Executor::Executor(const llvm::Module& module, FlowCache& flows, Terms& terms, C
                {.kind = ObjectKind::kState, .bytes = run.state_bytes},
                {.kind = ObjectKind::kHost}},
       initial_(run.state_bytes + run.further_slots),
-      next_slot_(run.state_bytes + run.further_slots) {}
+      next_slot_(run.state_bytes + run.further_slots) {
+  outcome_.left_out = terms.Bit(false);
+}
 
 bool Executor::IsSupported(const llvm::Type& type) const {
   if (type.isIntegerTy()) return type.getIntegerBitWidth() <= kWidest;

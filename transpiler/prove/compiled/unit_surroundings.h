@@ -1,0 +1,79 @@
+// What surrounds one function while it is executed on both sides: functions that are replaced, loops, and the host.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/prove/compiled/host_surroundings.h"
+#include "transpiler/prove/compiled/loop_relation.h"
+#include "transpiler/prove/compiled/verified_program.h"
+
+namespace plcxx::prove {
+
+/// The calls that are replaced while one function is executed, on either side.
+class Replaced : public ReplacedParts {
+ public:
+  Replaced(const VerifiedProgram& program, Terms& terms, TermId hash, CallLog::Matching matching)
+      : program_(program), hash_(hash), log_(terms, matching) {}
+
+  std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine) override {
+    const ReplacedCall* call = Of(program_.units.of_routines[routine.index]);
+    return call == nullptr ? std::nullopt : std::optional(call->OnCells(memory, hash_, log_));
+  }
+  std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at) override {
+    const UnitId unit = program_.units.At(program_.emittable, region, at);
+    const ReplacedCall* call = Of(unit);
+    if (call == nullptr) return std::nullopt;
+    at = call->unit().part.end;
+    return call->OnCells(memory, hash_, log_);
+  }
+  CallLog& log() { return log_; }
+  const ReplacedCall* OfFunction(std::string_view name) const {
+    const auto call = std::ranges::find_if(program_.calls, [&](const auto& one) {
+      return one != nullptr && name.ends_with(one->unit().name) && program_.CppName(one->unit()) == name;
+    });
+    return call == program_.calls.end() ? nullptr : call->get();
+  }
+
+ private:
+  const ReplacedCall* Of(UnitId unit) const { return unit.valid() ? program_.calls[unit.index].get() : nullptr; }
+
+  const VerifiedProgram& program_;
+  TermId hash_;
+  CallLog log_;
+};
+
+/// The host, the functions that are replaced, and loops; there need not be any of these.
+class Surroundings : public HostSurroundings {
+ public:
+  Surroundings(Terms& terms, const VerifiedProgram& program, TermId now, Replaced* replaced, LoopRelation* loops,
+               std::function<TermId(uint32_t slot)> initial)
+      : HostSurroundings(terms, program.emittable, program.image, now, std::move(initial)),
+        terms_(terms),
+        replaced_(replaced),
+        loops_(loops) {}
+
+  bool Replaces(std::string_view function) const override {
+    return replaced_ != nullptr && replaced_->OfFunction(function) != nullptr;
+  }
+  TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
+    const ReplacedCall* call = replaced_ == nullptr ? nullptr : replaced_->OfFunction(request.function);
+    if (call != nullptr) return call->OnCode(terms_, memory, request, replaced_->log(), refusal);
+    return HostSurroundings::CallHost(memory, request, refusal);
+  }
+  void OpenLoop() override { loops_->OpenInCode(); }
+  std::vector<TermId> AtHead(const CodeLoop& loop) override { return loops_->AtHeadInCode(loop); }
+  void CloseLoop(TermId again, std::span<const TermId> values) override { loops_->CloseInCode(again, values); }
+  TermId Given() override { return loops_ == nullptr ? TermId() : loops_->given_in_code(); }
+
+ private:
+  Terms& terms_;
+  Replaced* replaced_;
+  LoopRelation* loops_;
+};
+
+}  // namespace plcxx::prove

@@ -1,0 +1,298 @@
+#include "transpiler/prove/compiled/unit_verifier.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/prove/compiled/local_sweep.h"
+#include "transpiler/prove/meaning/meaning.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr size_t kMostDifferences = 8;
+constexpr size_t kMostValues = 60;     // of a state that is shown
+constexpr uint32_t kMostRounds = 512;  // of one loop; of init, where nothing is unknown, more
+constexpr uint32_t kMostRoundsOfInit = 4096;
+
+}  // namespace
+
+Environment UnitVerifier::MakeEnvironment() {
+  Environment environment;
+  environment.now = now_;
+  environment.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
+  environment.replaced = replaced_.get();
+  if (treatment_.loops != Loops::kUnrolled) environment.loops = &policy_;
+  environment.initial = [this](CellId cell) {
+    const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
+    return power_on ? image_.CellAtPowerOn(terms_, cell) : image_.CellBefore(terms_, cell);
+  };
+  environment.observe = [this](Memory& memory, ir::HostFunctionId function, TermId when) {
+    Observe(memory, function, when);
+  };
+  return environment;
+}
+
+void UnitVerifier::Observe(Memory& memory, ir::HostFunctionId function, TermId when) {
+  const ir::HostFunction& host = program_.ir.host_functions[function];
+  const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
+  const uint32_t begin = retentive ? image_.retentive_begin() : 0;
+  const uint32_t end = retentive ? image_.retentive_end() : image_.size();
+  std::vector<TermId> bytes;
+  for (uint32_t at = begin; at < end; ++at) {
+    if (image_[at].kind == ByteKind::kNothing) continue;
+    bytes.push_back(image_.ByteFor(terms_, at, [&memory](CellId cell) { return memory.Read(cell); }, hash_));
+  }
+  const CellId counter = program_.cells.OfCalls(function);
+  const TermId calls = memory.Read(counter);
+  memory.Write(counter, terms_.Ite(when, HavingSeen(terms_, host.name, calls, bytes), calls));
+}
+
+TermId UnitVerifier::InitialSlot(uint32_t slot) {
+  if (slot >= locals_begin()) return local_bytes_[slot - locals_begin()];
+  if (slot >= image_.size())
+    return image_.CellBefore(terms_, program_.cells.OfCalls(ir::HostFunctionId(slot - image_.size())));
+  // Before init the memory may hold anything.
+  return is_init() ? terms_.Variable("State byte " + std::to_string(slot), 8) : image_.ByteBefore(terms_, slot);
+}
+
+void UnitVerifier::MakeArguments() {
+  const auto variable = [this](ir::PlaceId id) {
+    return terms_.Variable(program_.emittable.place_names[id.index], WidthOf(program_.ir.places[id].type));
+  };
+  arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
+  for (size_t i = 0; i < unit_.values.size(); ++i) {
+    const ir::PlaceId id = unit_.values[i];
+    values_.push_back(given_[i] ? terms_.Const(*given_[i], WidthOf(program_.ir.places[id].type)) : variable(id));
+    arguments_.push_back({.name = program_.emittable.place_names[id.index], .value = values_.back()});
+  }
+  for (const ir::PlaceId id : unit_.references) {
+    references_.push_back(variable(id));
+    slots_.push_back(locals_begin() + static_cast<uint32_t>(local_bytes_.size()));
+    const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
+    const TermId wide = terms_.Zext(references_.back(), static_cast<uint8_t>(8 * bytes));
+    for (uint32_t i = 0; i < bytes; ++i) local_bytes_.push_back(terms_.Extract(wide, static_cast<uint8_t>(8 * i), 8));
+    arguments_.push_back({.kind = CodeArgument::Kind::kMemory,
+                          .name = program_.emittable.place_names[id.index],
+                          .value = {},
+                          .slot = slots_.back(),
+                          .bytes = bytes});
+  }
+  arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
+}
+
+std::string UnitVerifier::ExecuteProgram(Memory& memory) {
+  if (!is_inner()) return Execute(memory, unit_.part.routine, values_);
+  for (size_t i = 0; i < values_.size(); ++i) memory.WritePlace(program_.ir.places[unit_.values[i]], values_[i]);
+  for (size_t i = 0; i < references_.size(); ++i)
+    memory.WritePlace(program_.ir.places[unit_.references[i]], references_[i]);
+  return ExecutePart(memory, unit_.part);
+}
+
+CodeOutcome UnitVerifier::ExecuteCode() {
+  Surroundings surroundings(terms_, program_, now_, replaced_.get(), relation_.get(),
+                            [this](uint32_t slot) { return InitialSlot(slot); });
+  CodeRun run;
+  run.function = program_.CppName(unit_);
+  run.state_bytes = image_.size();
+  run.further_slots = program_.ir.host_functions.size() + static_cast<uint32_t>(local_bytes_.size());
+  run.arguments = arguments_;
+  run.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
+  if (treatment_.loops != Loops::kUnrolled) {
+    run.loops = relation_ != nullptr ? CodeRun::Loops::kAtHeads : CodeRun::Loops::kFirstRounds;
+    run.rounds = policy_.rounds;
+  }
+  return program_.code.Execute(terms_, surroundings, run);
+}
+
+void UnitVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
+  const auto cell = [&memory](CellId id) { return memory.Read(id); };
+  const TermId given = GivenAtEnd(outcome);
+  const auto ask = [&](std::string what, TermId program, TermId code) {
+    questions_.push_back({.what = std::move(what), .pair = {program, code}, .given = given, .guess = {}});
+  };
+  for (uint32_t at = 0; at < image_.size(); ++at) {
+    if (image_[at].kind == ByteKind::kNothing) continue;
+    ask(image_.NameOf(at), image_.ByteFor(terms_, at, cell, hash_), outcome.slots[at]);
+    ++proof_.bytes;
+  }
+  for (uint32_t i = 0; i < program_.ir.host_functions.size(); ++i) {
+    const ir::HostFunctionId host(i);
+    if (!program_.emittable.host_used[i] || host == program_.ir.schedule.now) continue;
+    ask("calls of " + program_.ir.host_functions[host].name, memory.Read(program_.cells.OfCalls(host)),
+        outcome.slots[image_.size() + i]);
+    ++proof_.host_functions;
+  }
+  for (size_t i = 0; i < references_.size(); ++i) {
+    const ir::PlaceId id = unit_.references[i];
+    const TermId value = memory.ReadPlace(program_.ir.places[id]);
+    const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
+    const TermId wide = terms_.Zext(value, static_cast<uint8_t>(8 * bytes));
+    for (uint32_t k = 0; k < bytes; ++k)
+      ask(program_.emittable.place_names[id.index], terms_.Extract(wide, static_cast<uint8_t>(8 * k), 8),
+          outcome.slots[slots_[i] + k]);
+  }
+  if (unit_.result.valid() && outcome.result.valid()) {
+    ask("the result", memory.ReadPlace(program_.ir.places[unit_.result]), outcome.result);
+  }
+  if (replaced_ != nullptr) {
+    for (const CallLog::Claim& claim : replaced_->log().claims())
+      ask("what " + claim.call->unit().name + " is called with", claim.program, claim.code);
+  }
+  for (const Obligation& obligation : outcome.obligations) {
+    const bool all = treatment_.loops == Loops::kFirstRounds || !obligation.given.valid();
+    questions_.push_back({.what = obligation.text,
+                          .pair = {terms_.Bit(false), obligation.never},
+                          .given = all ? given : obligation.given,
+                          .guess = {}});
+    ++proof_.obligations;
+  }
+}
+
+std::vector<TermId> UnitVerifier::VariablesOf(const TermPair& pair) const {
+  std::vector<bool> seen(terms_.size());
+  std::vector<TermId> open = {pair.a, pair.b}, variables;
+  while (!open.empty()) {
+    const TermId id = open.back();
+    open.pop_back();
+    if (seen[id.index]) continue;
+    seen[id.index] = true;
+    if (terms_[id].kind == TermKind::kVariable) variables.push_back(id);
+    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+  }
+  std::ranges::sort(variables);
+  return variables;
+}
+
+TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
+  if (relation_ != nullptr) return has_loops_ ? relation_->Given() : TermId();
+  if (!has_loops_) return {};
+  return terms_.Not(terms_.Or(policy_.left_out, outcome.left_out));
+}
+
+TermPair UnitVerifier::Asked(const Question& question) {
+  if (!question.given.valid()) return question.pair;
+  const TermId none = terms_.Const(0, terms_.Width(question.pair.a));
+  return {terms_.Ite(question.given, question.pair.a, none), terms_.Ite(question.given, question.pair.b, none)};
+}
+
+CodeDifference UnitVerifier::Show(Solver& solver, const Question& question) {
+  CodeDifference difference{.what = question.what};
+  const TermPair asked = Asked(question);
+  const TermId differ = terms_.Ne(asked.a, asked.b);
+  if (solver.Check({&differ, 1}, program_.limits.question_ms) != Answer::kPossible) return difference;
+  difference.has_values = true;
+  difference.expected = solver.ValueOf(question.pair.a);
+  difference.compiled = solver.ValueOf(question.pair.b);
+  for (const TermId variable : VariablesOf(asked)) {
+    const uint64_t value = solver.ValueOf(variable);
+    if (value != 0 && difference.state.size() < kMostValues)
+      difference.state.push_back({terms_.VariableName(terms_[variable].a), value});
+  }
+  return difference;
+}
+
+std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Question> questions) {
+  std::vector<TermPair> pairs;
+  for (const Question& question : questions) pairs.push_back(Asked(question));
+  SweepLimits sweep;
+  sweep.pair_ms = program_.limits.question_ms;
+  sweep.total_ms = program_.limits.routine_ms;
+  if (program_.limits.progress) {
+    sweep.progress = [this](size_t done, size_t all) {
+      program_.limits.progress(unit_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
+    };
+  }
+  pairs = MakeAlike(terms_, solver, pairs, program_.limits.routine_ms / 2);
+  for (const TermPair& pair : pairs) proof_.asked += pair.a != pair.b ? 1 : 0;
+  return prove::Compare(terms_, solver, pairs, sweep);
+}
+
+bool UnitVerifier::DecideLoops(Solver& solver) {
+  std::vector<Question> questions;
+  for (const LoopClaim& claim : relation_->claims())
+    questions.push_back({.what = claim.what, .pair = claim.pair, .given = claim.given, .guess = claim.guess});
+  proof_.claims = questions.size();
+  const std::vector<Verdict> verdicts = Compare(solver, questions);
+  for (size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i] == Verdict::kEqual) continue;
+    if (!questions[i].guess.empty()) {
+      refuted_.push_back(questions[i].guess);
+    } else if (proof_.reason.empty()) {
+      proof_.reason =
+          verdicts[i] == Verdict::kDifferent ? questions[i].what : "not within the time: " + questions[i].what;
+      if (verdicts[i] == Verdict::kDifferent) proof_.differences.push_back(Show(solver, questions[i]));
+    }
+  }
+  return refuted_.empty() && proof_.reason.empty();
+}
+
+void UnitVerifier::Decide(Solver& solver) {
+  const std::vector<Verdict> verdicts = Compare(solver, questions_);
+  proof_.result = ProofResult::kProved;
+  for (size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i] == Verdict::kDifferent) {
+      proof_.result = ProofResult::kDifferent;
+      if (proof_.differences.size() < kMostDifferences) proof_.differences.push_back(Show(solver, questions_[i]));
+    } else if (verdicts[i] == Verdict::kUndecided && proof_.result == ProofResult::kProved) {
+      proof_.result = ProofResult::kNotDecided;
+      proof_.reason = "not within the time: " + questions_[i].what;
+    }
+  }
+  if (!has_loops_) return;
+  // A state at the head of a loop need not be one that is reached; and rounds that were left out are not proved.
+  if (proof_.result == ProofResult::kDifferent && relation_ != nullptr) {
+    proof_.result = ProofResult::kNotDecided;
+    proof_.reason = "behind its loops: " + proof_.differences.front().what;
+  } else if (proof_.result == ProofResult::kProved && relation_ == nullptr) {
+    proof_.result = ProofResult::kNotDecided;
+    proof_.reason = "a loop may go round more than " + std::to_string(policy_.rounds) + " times";
+  }
+}
+
+RoutineProof UnitVerifier::Run() {
+  proof_.routine = is_inner() ? unit_.name : routine_.name;
+  proof_.exported = !is_inner();
+  if (program_.limits.progress) program_.limits.progress(proof_.routine);
+  image_.MakeVariables(terms_);
+  now_ = terms_.Variable("now", 32);
+  hash_ = is_init() ? terms_.Const(image_.layout_hash(), 32) : image_.HashBefore(terms_);
+  const bool in_order = treatment_.callees == Callees::kReplacedInOrder;
+  if (treatment_.callees != Callees::kFollowed) {
+    replaced_ = std::make_unique<Replaced>(program_, terms_, hash_,
+                                           in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments);
+  }
+  MakeArguments();
+  const Environment environment = MakeEnvironment();
+  if (treatment_.loops == Loops::kInStep && !in_order) {
+    relation_ = std::make_unique<LoopRelation>(terms_, program_.emittable, program_.cells, image_, environment.initial,
+                                               treatment_.dropped);
+  }
+  policy_.heads = relation_.get();
+  policy_.left_out = terms_.Bit(false);
+  Memory memory(terms_, program_.ir, program_.cells, environment);
+  proof_.reason = ExecuteProgram(memory);
+  has_loops_ = policy_.has_heads || !terms_.IsFalse(policy_.left_out);
+  gave_up_ = !proof_.reason.empty();
+  if (gave_up_) return std::move(proof_);
+  const CodeOutcome outcome = ExecuteCode();
+  has_loops_ = has_loops_ || (relation_ != nullptr && relation_->has_code()) ||
+               (outcome.left_out.valid() && !terms_.IsFalse(outcome.left_out));
+  proof_.instructions = outcome.instructions;
+  proof_.reason = outcome.refusal;
+  if (!proof_.reason.empty()) return std::move(proof_);
+  LoadedSolver loaded = LoadSolver(terms_);
+  if (loaded.solver == nullptr) {
+    proof_.reason = loaded.reason;
+    gave_up_ = true;
+    return std::move(proof_);
+  }
+  if (relation_ != nullptr && !DecideLoops(*loaded.solver)) {
+    gave_up_ = true;
+    return std::move(proof_);
+  }
+  Ask(memory, outcome);
+  Decide(*loaded.solver);
+  gave_up_ = proof_.result == ProofResult::kNotDecided;
+  return std::move(proof_);
+}
+}  // namespace plcxx::prove

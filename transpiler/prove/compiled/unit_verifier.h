@@ -1,0 +1,105 @@
+// One function: both executions, and their comparison.
+//
+// In: a unit, and how calls and loops are treated. Out: its proof, or why there is none. Not its job: which treatment
+// to try next (verify.cc).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/compiled/constant_arguments.h"
+#include "transpiler/prove/compiled/unit_surroundings.h"
+#include "transpiler/prove/compiled/verified_program.h"
+#include "transpiler/prove/execute/execute.h"
+#include "transpiler/prove/solver/solver.h"
+#include "transpiler/prove/solver/sweep.h"
+
+namespace plcxx::prove {
+
+/// What is done with calls of functions that are proved; the first is the cheapest, the last finds differences.
+enum class Callees : uint8_t { kReplacedInOrder, kReplacedByArguments, kFollowed };
+
+/// What is done with loops of which it is not known how often they go round.
+enum class Loops : uint8_t {
+  kInStep,      // one round stands for each (loop_relation.h); where calls are replaced in order, as kFirstRounds
+  kUnrolled,    // as often as they may go round
+  kFirstRounds  // what goes round more often is left out: finds differences, proves nothing
+};
+
+struct Treatment {
+  Callees callees{};
+  Loops loops{};
+  DroppedGuesses dropped;
+};
+
+class UnitVerifier {
+ public:
+  UnitVerifier(const VerifiedProgram& program, const Unit& unit, const ArgumentCase& given, const Treatment& treatment)
+      : program_(program),
+        unit_(unit),
+        given_(given),
+        treatment_(treatment),
+        routine_(program.ir.routines[unit.part.routine]),
+        image_(program.image) {}
+
+  RoutineProof Run();
+  /// Not decided, and looking into what it calls, or at it in its callers, would not help.
+  bool gave_up() const { return gave_up_; }
+  /// A loop was not executed as often as it may go round.
+  bool has_loops() const { return has_loops_; }
+  /// What was guessed of loops and is not so.
+  const std::vector<std::string>& refuted() const { return refuted_; }
+
+ private:
+  struct Question {
+    std::string what;
+    TermPair pair;      // the IR's, the code's
+    TermId given;       // where it is asked; none: everywhere
+    std::string guess;  // of which it is; may be none
+  };
+
+  /// A chunk or subroutine: it works on its caller's locals.
+  bool is_inner() const { return unit_.part.region.valid() || emit::SharesLocals(routine_.kind); }
+  bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
+  uint32_t locals_begin() const { return image_.size() + program_.ir.host_functions.size(); }
+  Environment MakeEnvironment();
+  void Observe(Memory& memory, ir::HostFunctionId function, TermId when);
+  TermId InitialSlot(uint32_t slot);
+  void MakeArguments();
+  std::string ExecuteProgram(Memory& memory);
+  CodeOutcome ExecuteCode();
+  void Ask(Memory& memory, const CodeOutcome& outcome);
+  /// What is given everywhere behind loops.
+  TermId GivenAtEnd(const CodeOutcome& outcome);
+  TermPair Asked(const Question& question);
+  std::vector<Verdict> Compare(Solver& solver, std::span<const Question> questions);
+  /// Whether what is claimed of loops is so.
+  bool DecideLoops(Solver& solver);
+  void Decide(Solver& solver);
+  CodeDifference Show(Solver& solver, const Question& question);
+  std::vector<TermId> VariablesOf(const TermPair& pair) const;
+
+  const VerifiedProgram& program_;
+  const Unit& unit_;
+  const ArgumentCase& given_;
+  const Treatment& treatment_;
+  const ir::Routine& routine_;
+  StateImage image_;
+  Terms terms_;
+  TermId now_, hash_;
+  std::vector<CodeArgument> arguments_;
+  std::vector<TermId> values_, references_;  // of the arguments, in the unit's order
+  std::vector<uint32_t> slots_;              // of the references
+  std::vector<TermId> local_bytes_;
+  std::unique_ptr<Replaced> replaced_;
+  std::unique_ptr<LoopRelation> relation_;
+  LoopPolicy policy_;
+  std::vector<Question> questions_;
+  RoutineProof proof_;
+  std::vector<std::string> refuted_;
+  bool gave_up_ = false, has_loops_ = false;
+};
+
+}  // namespace plcxx::prove
