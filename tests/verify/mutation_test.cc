@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,26 @@ W100K1=[W100K0-5]
 ENDF TWO
 W100K2=BIN(W5K0)
 U4A5=[W100K2>W100K1]
+)";
+
+/// Loops of which only the state knows how often they go round, one in the other.
+constexpr const char* kLoops = R"(U4A0=I0A0
+$
+W100K0=0
+W100K1=0
+DOW ONE: [W100K0<W3K0]
+W100K0=[W100K0+1]
+W100K1=[W100K1+W4K0]
+DOF TWO: I0A7
+U4A3=/U4A3
+ENDF TWO
+W100K2=0
+DOW THREE: [W100K2<W5K0]
+W100K2=[W100K2+2]
+W100K3=[W100K3+W100K0]
+ENDW THREE
+ENDW ONE
+U4A1=[W100K1>20H]
 )";
 
 struct Mutation {
@@ -77,6 +98,24 @@ constexpr Mutation kMutations[] = {
     {"carry_stays", "plcxx/counters.h",
      "uint32_t slow_cycle) noexcept {\n  counter.carry = false;\n  if (!TakeCountInput",
      "uint32_t slow_cycle) noexcept {\n  if (!TakeCountInput"},
+};
+
+constexpr Mutation kMutationsOfLoops[] = {
+    {"loop_step", "turret.cpp", "m[W100K2] = Add8(m[W100K2], 2)", "m[W100K2] = Add8(m[W100K2], 1)"},
+    {"loop_bound", "turret.cpp", "m[W100K0] < m[W3K0]", "m[W100K0] <= m[W3K0]"},
+    {"inner_bound", "turret.cpp", "m[W100K2] < m[W5K0]", "m[W100K2] < m[W4K0]"},
+    {"guard_count", "turret.cpp", "round == 255", "round == 254"},
+    {"inner_guard_count", "turret.cpp", "round2 == 255", "round2 == 256"},
+    {"fault_forgotten", "turret.cpp", "fault(host, fault_kind::LOOP_LIMIT, 258497691u);", ""},
+    {"sum_forgotten", "turret.cpp", "m[W100K1] = Add8(m[W100K1], m[W4K0]);", ""},
+    {"sum_of_another", "turret.cpp", "Add8(m[W100K3], m[W100K0])", "Add8(m[W100K3], m[W100K2])"},
+    {"start_forgotten", "turret.cpp", "    m[W100K2] = 0;\n", ""},
+    {"toggle_forgotten", "turret.cpp", "m[U4A3] = !m[U4A3]", "m[U4A3] = m[U4A3]"},
+    {"leaves_early", "turret.cpp", "m[W100K0] = Add8(m[W100K0], 1);",
+     "m[W100K0] = Add8(m[W100K0], 1); if (m[W100K1] == 77) break;"},
+    {"wrong_late", "turret.cpp", "m[W100K0] = Add8(m[W100K0], 1);",
+     "m[W100K0] = Add8(m[W100K0], m[W100K0] == 200 ? 2 : 1);"},
+    {"exit_value", "turret.cpp", "m[W100K1] > 0x20", "m[W100K0] > 0x20"},
 };
 
 enum class Expected : uint8_t { kProved, kCaught };
@@ -125,11 +164,13 @@ std::vector<std::string> Words(std::string_view text) {
 /// One program, as it is compiled and proved.
 class Subject {
  public:
-  Subject(const compile::Toolchain& toolchain, const char* name, const char* text, const char* dialect)
+  Subject(const compile::Toolchain& toolchain, const char* name, const char* text, const char* dialect,
+          const std::vector<std::pair<std::string, std::string>>& options = {})
       : toolchain_(toolchain) {
     driver::CompilationRequest request;
     request.sources = {directory_.Write(name, text)};
     request.dialect = dialect;
+    request.options = options;
     compilation_ = driver::Compile(request);
     EXPECT_TRUE(compilation_.ok());
     emittable_ = emit::Legalize(compilation_.program, {.name = "turret"});
@@ -182,6 +223,21 @@ class MutationTest : public ::testing::Test {
     turret_ = std::make_unique<Subject>(toolchain_, "turret.plc", kProgram, "nc110");
   }
 
+  static void ExpectCaught(Subject& subject, const Mutation& mutation) {
+    std::string& text = subject.TextOf(mutation.file);
+    const std::string whole = text;
+    const size_t at = text.find(mutation.from);
+    ASSERT_NE(at, std::string::npos) << mutation.name;
+    ASSERT_EQ(text.find(mutation.from, at + 1), std::string::npos) << mutation.name;
+    text.replace(at, mutation.from.size(), mutation.to);
+    const std::string caught = subject.Caught();
+    EXPECT_NE(caught, "") << mutation.name;
+    // It differs, and a state shows it; "not within the time" would be too little.
+    EXPECT_EQ(caught.find("not within"), std::string::npos) << mutation.name << ": " << caught;
+    ExpectInTable(mutation.name, caught);
+    text = whole;
+  }
+
   compile::Toolchain toolchain_;
   std::unique_ptr<Subject> turret_;
 };
@@ -189,20 +245,13 @@ class MutationTest : public ::testing::Test {
 TEST_F(MutationTest, UnchangedIsProved) { EXPECT_EQ(turret_->Caught(), ""); }
 
 TEST_F(MutationTest, ChangesAreCaught) {
-  for (const Mutation& mutation : kMutations) {
-    std::string& text = turret_->TextOf(mutation.file);
-    const std::string whole = text;
-    const size_t at = text.find(mutation.from);
-    ASSERT_NE(at, std::string::npos) << mutation.name;
-    ASSERT_EQ(text.find(mutation.from, at + 1), std::string::npos) << mutation.name;
-    text.replace(at, mutation.from.size(), mutation.to);
-    const std::string caught = turret_->Caught();
-    EXPECT_NE(caught, "") << mutation.name;
-    // It differs, and a state shows it; "not decided" would be too little.
-    EXPECT_EQ(caught.find("not within"), std::string::npos) << mutation.name << ": " << caught;
-    ExpectInTable(mutation.name, caught);
-    text = whole;
-  }
+  for (const Mutation& mutation : kMutations) ExpectCaught(*turret_, mutation);
+}
+
+TEST_F(MutationTest, ChangesInLoopsAreCaught) {
+  Subject loops(toolchain_, "turret.plc", kLoops, "nc110", {{"enable-dow", "on"}});
+  EXPECT_EQ(loops.Caught(), "");
+  for (const Mutation& mutation : kMutationsOfLoops) ExpectCaught(loops, mutation);
 }
 
 TEST_F(MutationTest, FlagsThatChangeTheMeaningAreCaught) {

@@ -10,17 +10,20 @@ namespace plcxx::prove {
 namespace {
 
 constexpr size_t kMostDifferences = 8;
-constexpr size_t kMostValues = 60;     // of a state that is shown
-constexpr uint32_t kMostRounds = 512;  // of one loop; of init, where nothing is unknown, more
+constexpr size_t kMostValues = 60;      // of a state that is shown
+constexpr uint32_t kMostRounds = 512;   // of one loop; of init, where nothing is unknown, more
+constexpr uint32_t kMostUnrolled = 32;  // where that is tried after all else
 constexpr uint32_t kMostRoundsOfInit = 4096;
+constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
 }  // namespace
 
 Environment UnitVerifier::MakeEnvironment() {
   Environment environment;
   environment.now = now_;
-  environment.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
+  environment.most_rounds = MostRounds();
   environment.replaced = replaced_.get();
+  environment.most_terms = kMostTerms;
   if (treatment_.loops != Loops::kUnrolled) environment.loops = &policy_;
   environment.initial = [this](CellId cell) {
     const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
@@ -96,7 +99,8 @@ CodeOutcome UnitVerifier::ExecuteCode() {
   run.state_bytes = image_.size();
   run.further_slots = program_.ir.host_functions.size() + static_cast<uint32_t>(local_bytes_.size());
   run.arguments = arguments_;
-  run.most_rounds = is_init() ? kMostRoundsOfInit : kMostRounds;
+  run.most_terms = kMostTerms;
+  run.most_rounds = MostRounds();
   if (treatment_.loops != Loops::kUnrolled) {
     run.loops = relation_ != nullptr ? CodeRun::Loops::kAtHeads : CodeRun::Loops::kFirstRounds;
     run.rounds = policy_.rounds;
@@ -163,6 +167,11 @@ std::vector<TermId> UnitVerifier::VariablesOf(const TermPair& pair) const {
   return variables;
 }
 
+uint32_t UnitVerifier::MostRounds() const {
+  if (is_init()) return kMostRoundsOfInit;
+  return treatment_.loops == Loops::kUnrolled ? kMostUnrolled : kMostRounds;
+}
+
 TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
   if (relation_ != nullptr) return has_loops_ ? relation_->Given() : TermId();
   if (!has_loops_) return {};
@@ -223,6 +232,8 @@ bool UnitVerifier::DecideLoops(Solver& solver) {
       if (verdicts[i] == Verdict::kDifferent) proof_.differences.push_back(Show(solver, questions[i]));
     }
   }
+  if (!refuted_.empty() && proof_.reason.empty())
+    proof_.reason = "what its loops keep is not found: " + refuted_.front();
   return refuted_.empty() && proof_.reason.empty();
 }
 

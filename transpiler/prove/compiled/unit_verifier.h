@@ -64,6 +64,7 @@ class UnitVerifier {
   bool is_inner() const { return unit_.part.region.valid() || emit::SharesLocals(routine_.kind); }
   bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
   uint32_t locals_begin() const { return image_.size() + program_.ir.host_functions.size(); }
+  uint32_t MostRounds() const;
   Environment MakeEnvironment();
   void Observe(Memory& memory, ir::HostFunctionId function, TermId when);
   TermId InitialSlot(uint32_t slot);

@@ -173,16 +173,12 @@ void Verification::Prove(UnitId id) {
     return tried.proof.result == ProofResult::kNotDecided && !tried.but_for_open.has_value();
   };
   if (tried.has_loops && is_open()) {
-    // Unrolled they may end soon enough, or differ.
+    // The first rounds may differ; and unrolled they may end soon enough.
     const RoutineProof in_step = std::move(tried.proof);
-    tried = ProveWith(unit, Loops::kUnrolled, granted);
-    if (is_open()) {
-      Try first = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds);
-      if (first.proof.result == ProofResult::kDifferent) {
-        tried = std::move(first);
-      } else {
-        tried.proof = in_step;
-      }
+    tried = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds);
+    if (tried.proof.result != ProofResult::kDifferent) {
+      tried = ProveWith(unit, Loops::kUnrolled, granted);
+      if (is_open()) tried.proof = in_step;
     }
   }
   RoutineProof& proof = tried.proof;

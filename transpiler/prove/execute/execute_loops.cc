@@ -168,6 +168,21 @@ TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, TermId number
   return terms_.Or(next, through);
 }
 
+/// Cells of bytes that are not what they were; of the other bytes what was written is what was there.
+void Executor::AddChanged(const std::vector<Memory::Change>& changes, std::vector<CellId>& cells) {
+  const auto byte_of = [this](CellId id) {
+    const Cell cell = CellAt(program_, memory_.cells(), id);
+    return cell.kind == CellKind::kBit ? id.index - cell.bit : id.index;
+  };
+  std::vector<uint32_t> bytes;  // ascending
+  for (const Memory::Change& change : changes) {
+    if (change.value != memory_.Read(change.cell)) bytes.push_back(byte_of(change.cell));
+  }
+  for (const Memory::Change& change : changes) {
+    if (std::ranges::binary_search(bytes, byte_of(change.cell))) cells.push_back(change.cell);
+  }
+}
+
 void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
   LoopPolicy& policy = *memory_.environment().loops;
   // The first rounds: if they are all, there is no more to be done.
@@ -187,9 +202,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
   }
   policy.has_heads = true;
   std::vector<CellId> cells, more;
-  for (const Memory::Change& change : changes) {
-    if (change.value != memory_.Read(change.cell)) cells.push_back(change.cell);
-  }
+  AddChanged(changes, cells);
   policy.heads->Open();
   Arm arm;
   do {

@@ -73,6 +73,7 @@ class Executor {
   /// `samples`: to be filled; may be none.
   Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples);
   void ExecuteSummary(ir::InstId id);
+  void AddChanged(const std::vector<Memory::Change>& changes, std::vector<CellId>& cells);
   void ExecuteByHead(ir::InstId id, const ir::Loop& loop);
   /// From the entry through a round that stands for each; `more`: cells that the round writes and nobody knew.
   void ExecuteOneForAll(ir::InstId id, const ir::Loop& loop, ProgramLoop& known, std::vector<CellId>& more);
