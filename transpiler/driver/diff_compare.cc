@@ -172,7 +172,7 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 30;  // of the time: for shorter runs
+constexpr uint64_t kExampleShare = 50;  // of the time: for shorter runs
 constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
 
 /// What the statements of one version do with the items, by index of the item.
@@ -368,11 +368,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       std::min(last_end, Clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare));
   // A run that is known is shown, shortened or not, as long as there is a little time left.
   const Clock::time_point shown_end =
-      std::min(last_end, end + std::chrono::milliseconds(options.time_ms / kExampleShare / 2));
+      std::min(last_end, end + std::chrono::milliseconds(options.time_ms / kExampleShare / 4));
   auto waiting = std::ranges::count_if(items, is_shown);
   ExampleBudget budget{.left = kMostExamples,
                        .end = end,
                        .last_end = shown_end,
+                       .all_end = last_end,
                        .old_program = ScenarioProgram(old_side.compilation),
                        .new_program = ScenarioProgram(new_side.compilation)};
   for (Gathered& gathered : items) {

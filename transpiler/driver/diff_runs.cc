@@ -19,7 +19,7 @@ using prove::Random;
 
 constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
-constexpr uint64_t kRandomShare = 5, kQuickShare = 60;  // of the time: a fifth, a sixtieth
+constexpr uint64_t kRandomShare = 5, kQuickShare = 80;  // of the time: a fifth, an eightieth
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr uint32_t kLeastPulses = 20;
 constexpr size_t kMostSought = 400;

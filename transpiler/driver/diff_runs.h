@@ -64,7 +64,8 @@ struct CounterexampleRequest {
 struct ExampleBudget {
   int left = 0;
   std::chrono::steady_clock::time_point end;       // of the search for a shorter one
-  std::chrono::steady_clock::time_point last_end;  // of everything
+  std::chrono::steady_clock::time_point last_end;  // of showing what is known
+  std::chrono::steady_clock::time_point all_end;   // of everything
   ScenarioProgram old_program, new_program;
 };
 

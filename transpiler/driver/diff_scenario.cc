@@ -256,12 +256,15 @@ Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const Counterexa
   ends.new_machine.Look();
   const std::optional<std::string> expectation = Expectation(old_side, new_side, request, ends, example);
   if (!expectation) return example;
-  example.scenario = "# " + request.name + ": " + example.old_value + " in the old version, " + example.new_value +
-                     " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps.scenario + "- " +
+  const bool is_value = request.kind != ItemKind::kCalls;
+  const std::string heading =
+      is_value ? "# " + request.name + " is " + example.old_value + " in the old version and " + example.new_value
+               : "# " + request.name + ": " + example.old_value + " in the old version, " + example.new_value;
+  example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps.scenario + "- " +
                      *expectation + "\n";
   // To run it once more costs about the same.
   const auto now = std::chrono::steady_clock::now();
-  example.confirmed = now + (now - begin) < budget.last_end && Passes(example.scenario, budget.old_program, options) &&
+  example.confirmed = now + (now - begin) < budget.all_end && Passes(example.scenario, budget.old_program, options) &&
                       !Passes(example.scenario, budget.new_program, options);
   return example;
 }

@@ -125,13 +125,25 @@ void Shortener::DropTime() {
 }
 
 void Shortener::RoundTime() {
+  constexpr uint32_t kFewPasses = 4;
   for (size_t step = 0; step < stimuli_.size(); ++step) {
+    const bool many_passes = stimuli_[step].slow > kFewPasses;
     for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U, 5000U, 10'000U, 20'000U, 60'000U}) {
-      if (stimuli_[step].ms <= ms) break;
+      if (!many_passes && stimuli_[step].ms <= ms) break;
       Stimuli shorter = stimuli_;
+      shorter[step].slow = 0;
       shorter[step].ms = ms;
       if (Try(std::move(shorter))) break;
     }
+  }
+}
+
+void Shortener::JoinWaits() {
+  for (size_t step = 0; step + 1 < stimuli_.size() && !IsOver();) {
+    Stimuli shorter = Without(stimuli_, step, step + 1);
+    const bool waits = stimuli_[step].ms != 0 && shorter[step].ms != 0;
+    shorter[step].ms += stimuli_[step].ms;
+    if (!waits || !Try(std::move(shorter))) ++step;
   }
 }
 
@@ -139,13 +151,15 @@ Stimuli Shortener::Shorten(Stimuli stimuli) {
   stimuli_ = std::move(stimuli);
   tries_ = 0;
   KeepLastSteps();
-  DropTime();
   DropSteps();
   DropInputs();
+  DropTime();
   RoundTime();
   stimuli_ = Joined(stimuli_);
   // A wait that came in pieces is one number now, perhaps a rounder one; two steps are one, perhaps.
+  RoundTime();
   DropSteps();
+  JoinWaits();
   RoundTime();
   return std::move(stimuli_);
 }

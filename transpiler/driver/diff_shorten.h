@@ -48,6 +48,8 @@ class Shortener {
   void DropInputs();
   void DropTime();
   void RoundTime();
+  /// What two waiting steps set is set at once, and both waits come behind it.
+  void JoinWaits();
 
   const DiffSide& old_side_;
   const DiffSide& new_side_;

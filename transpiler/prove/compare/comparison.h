@@ -33,6 +33,7 @@ struct Comparison {
   std::vector<PairResult> results;      // of matched state, ascending by old cell
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
   Transition old_next, new_next;        // of the last period, over the pairing's variables
+  uint64_t execution_ms = 0;            // that the last execution of a part took
   bool fast_part_works = false;         // a fast part with a time of its own was executed, and is not empty
   std::vector<Invariant> old_invariants, new_invariants;
   std::chrono::steady_clock::time_point deadline;

@@ -151,9 +151,11 @@ bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const C
     if (cut) surroundings.cut = [&cut, which](CellId cell, TermId value) { return cut(which, cell, value); };
     return RunPart(comparison.terms, comparison.pairing.version(which), part, surroundings);
   };
+  const uint64_t before_ms = comparison.RestMs();
   comparison.old_next = run(Which::kOld);
   if (TakeRefusal(comparison, comparison.old_next, "old")) return false;
   comparison.new_next = run(Which::kNew);
+  comparison.execution_ms = before_ms - comparison.RestMs();
   return !TakeRefusal(comparison, comparison.new_next, "new");
 }
 

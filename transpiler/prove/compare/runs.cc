@@ -201,6 +201,8 @@ void SearchRuns(Comparison& comparison) {
   // Behind a change that reaches everything the questions are large: a state answers them sooner than a run.
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
   const uint64_t end_ms = EndMs(comparison, many ? 60 : 8);
+  // Nothing would be left for the questions.
+  if (comparison.RestMs() <= end_ms + comparison.execution_ms) return;
   Unrolled state = PowerOn(comparison);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
@@ -278,10 +280,12 @@ class StateVariables {
 void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs, const StateVariables& variables,
                      uint64_t end_ms) {
   constexpr int kStates = 64;
+  constexpr size_t kMostFound = 300;  // more of them nobody reads
+  size_t found = 0;
   const std::vector<TermId> cone = ConeOf(comparison, pairs);
   std::vector<uint64_t> values;
   Random random(0x2545F4914F6CDD1D);
-  for (int state = 0; state < kStates && comparison.RestMs() > end_ms; ++state) {
+  for (int state = 0; state < kStates && found < kMostFound && comparison.RestMs() > end_ms; ++state) {
     // Bits of every density: much of a machine is 0.
     const uint64_t density = uint64_t{8} << state % 5;
     EvaluateCone(comparison.terms, cone, values, [&](TermId variable) {
@@ -290,8 +294,9 @@ void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs,
     });
     std::optional<Justification> why;
     for (const OpenPair& pair : pairs) {
-      if (pair.result->run || values[pair.differ.index] == 0) continue;
+      if (pair.result->run || values[pair.differ.index] == 0 || found == kMostFound) continue;
       if (!why) why.emplace(comparison.terms, cone, values);
+      ++found;
       pair.result->run = variables.StateOf(why->ReasonsFor(pair.differ), values);
     }
   }
@@ -312,9 +317,12 @@ void SearchStates(Comparison& comparison) {
     if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
   }
   if (pairs.empty()) return;
+  std::ranges::stable_partition(pairs, [&comparison](const OpenPair& pair) {
+    return DirectionOf(comparison.old_version, pair.result->old_cell) == ir::Direction::kOutput;
+  });
   const StateVariables variables(comparison);
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  const uint64_t end_ms = many ? EndMs(comparison, 60) : 0;
+  const uint64_t end_ms = many ? EndMs(comparison, 90) : 0;
   const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
   if (any_state && many) TryRandomStates(comparison, pairs, variables, end_ms);
   comparison.PushInvariants();
