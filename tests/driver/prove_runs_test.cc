@@ -93,11 +93,12 @@ TEST(ProveRuns, RetentiveMemoryThatIsAnything) {
   const Workplace work;
   const Ran zero = Prove(work, "m.plc", kUnguarded, "never U4A8\n");
   EXPECT_EQ(zero.code, 0) << zero;
-  // The control stores the package when the machine goes off: a power cycle alone does not bring the value back.
+  // The control keeps the package only while U10K0 is 1 when the machine goes off.
   const Ran any = Prove(work, "m.plc", kUnguarded, "never U4A8\n", "--any-retentive --set old=on");
   EXPECT_EQ(any.code, 1) << any;
-  EXPECT_THAT(any.out, HasSubstr("a run of 1 period violates it"));
-  EXPECT_THAT(any.out, HasSubstr("the run: W4T0="));
+  EXPECT_THAT(any.out, HasSubstr("VIOLATED     never U4A8"));
+  EXPECT_THAT(work.Read("found/property-1.yaml"), HasSubstr("- set: {U10K0: 1}\n- power_cycle: {}\n"));
+  ExpectShown(work);
   const Ran guarded = Prove(work, "m.plc", kGuarded, "never U4A8\n", "--any-retentive --set old=on");
   EXPECT_EQ(guarded.code, 0) << guarded;
 }

@@ -91,12 +91,17 @@ class Prove {
     }
     if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
     if (const int code = ReadProperties(); code != kDone) return code;
+    for (const PlacedProperty& placed : properties_) NameLocationsOf(placed.property, machine_);
     progress_.Show("executing");
     PropertyRuns runs(machine_, KnownRuns(request_));
     options_.try_runs = [&runs](const prove::RunSearch& search) { return runs.Find(search); };
     options_.why_not_shown = [this](const prove::Property& property, const prove::PropertyResult& result) {
       scenario_of_run_ = MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
       return scenario_of_run_.reason;
+    };
+    options_.progress = [this](const std::string& what) {
+      progress_.Show("property " + std::to_string(proved_.size() + 1) + " of " + std::to_string(properties_.size()) +
+                     ": " + what);
     };
     prove::PropertyChecker checker(machine_.version, options_);
     if (!checker.refusal().empty()) {

@@ -124,6 +124,13 @@ prove::PropertySurroundings SurroundingsOf(const dialects::Dialect& dialect, con
   return surroundings;
 }
 
+void NameLocationsOf(const prove::Property& property, ProveMachine& machine) {
+  for (const PropertyOperand& operand : property.operands) {
+    const bool is_whole = operand.low_bit == 0 && operand.cells.size() == operand.width;
+    if (is_whole) machine.named.push_back({.name = operand.text, .cells = operand.cells});
+  }
+}
+
 std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<CellId>& cells) {
   const ir::Program& program = machine.compilation.program;
   const dialects::Dialect& dialect = *machine.compilation.dialect;
@@ -142,6 +149,9 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
       if (name.empty()) continue;
       for (const CellId cell : own) word_of.try_emplace(cell, InputWord{.name = name, .cells = own});
     }
+  }
+  for (const InputWord& named : machine.named) {
+    for (const CellId cell : named.cells) word_of.try_emplace(cell, named);
   }
   std::vector<InputWord> words;
   std::set<std::string> taken;

@@ -27,6 +27,7 @@ struct ProveMachine {
   uint32_t slices = 1;      // of the program as it runs
   prove::Version version;
   prove::PropertyTiming timing;
+  std::vector<InputWord> named;  // by properties: the program itself need not have a place there
 };
 
 /// Compiles; when that fails the diagnostics say why, and the rest is of no use. The machine must not be moved after.
@@ -35,6 +36,9 @@ void MakeProveMachine(const CompilationRequest& request, ProveMachine& machine);
 /// Cells and words of a program as its scenarios write them. Both outlive what it gives.
 prove::PropertySurroundings SurroundingsOf(const dialects::Dialect& dialect, const ir::Program& program,
                                            const prove::Cells& cells, const prove::PropertyTiming& timing);
+
+/// Notes the locations that a property names.
+void NameLocationsOf(const prove::Property& property, ProveMachine& machine);
 
 /// What time the parts of a program take, in periods: measured by running it.
 prove::PropertyTiming TimingOf(const ir::Program& program);

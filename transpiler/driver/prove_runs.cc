@@ -19,9 +19,9 @@ using prove::Random;
 
 constexpr uint32_t kMostPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
-constexpr int kHoldRuns = 24, kRandomRuns = 24, kDisturbances = 6;
+constexpr int kShortHoldRuns = 96, kHoldRuns = 24, kRandomRuns = 24, kDisturbances = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
-constexpr uint32_t kHoldMs = 30'000;
+constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
 /// The answer is there; a short one is read more easily.
 constexpr std::chrono::seconds kShorteningTime{3};
 
@@ -147,17 +147,21 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
     if (Late()) return std::nullopt;
     if (violates(plan)) return plan;
   }
-  std::vector<CellId> inputs;  // nearest first
+  std::vector<CellId> inputs, of_machine;  // nearest first
   for (const CellId cell : search.inputs) {
-    if (can_be_set_[cell.index]) inputs.push_back(cell);
+    if (!can_be_set_[cell.index]) continue;
+    inputs.push_back(cell);
+    if (DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
   }
   Random random(0x9E3779B97F4A7C15);
   const uint32_t hold = std::min(kMostPeriods, PeriodsOfMs(machine_, kHoldMs));
-  for (int run = 0; run < kHoldRuns && !Late(); ++run) {
-    Plan plan{.events = {}, .periods = hold};
-    for (const CellId cell : inputs) {
-      // First what is nearest alone: in most machines all inputs at once prevent more than they cause.
-      const bool value = run == 0 ? true : (random.Next() >> 7 & 1) != 0;
+  for (int run = 0; run < kShortHoldRuns + kHoldRuns && !Late(); ++run) {
+    const bool is_short = run < kShortHoldRuns;
+    Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
+    // Settings that the host might change say little about most machines.
+    for (const CellId cell : is_short ? of_machine : inputs) {
+      // First all at once.
+      const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
       if (value) plan.events.push_back({1, cell, true});
     }
     if (violates(plan)) return plan;
@@ -179,7 +183,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
       }
     } else {
       for (uint32_t period = 1; period <= plan.periods; ++period) {
-        for (const CellId cell : inputs) {
+        for (const CellId cell : run % 4 == 0 ? of_machine : inputs) {
           if (period == 1 || random.OneIn(one_in)) plan.events.push_back({period, cell, random.Next() % 4 < density});
         }
         if (random.OneIn(8)) {

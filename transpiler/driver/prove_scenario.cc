@@ -106,6 +106,17 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
   };
   if (!run.retentive.empty()) {
     set(run.retentive);
+    // Some controls keep the memory only when the program has asked for it.
+    const ir::PlaceId asked = machine.compilation.program.schedule.retain_at_power_off;
+    if (asked.valid()) {
+      const ir::Program& program = machine.compilation.program;
+      const std::vector<InputWord> request =
+          WordsOf(machine, CellsOf(program, machine.version.cells, program.places[asked]));
+      if (!request.front().name.empty()) {
+        steps += "- set: {" + Quoted(request.front().name) + ": 1}\n";
+        add_line(request.front().name + "=1");
+      }
+    }
     steps += "- power_cycle: {}\n";
     add_line("power cycle");
   }

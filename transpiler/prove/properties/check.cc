@@ -13,8 +13,9 @@ namespace plcxx::prove {
 namespace {
 
 constexpr size_t kMostInvariantCells = 160;  // around which invariants are looked for
-/// Of the time: a fortieth, but not much, for a few runs first, a third of what is left for many.
-constexpr uint32_t kQuickShare = 40, kThoroughShare = 3;
+/// Of the time: a fortieth, but not much, for a few runs first, a tenth and a third of what is left for many.
+constexpr uint32_t kQuickShare = 40, kSearchShare = 10, kThoroughShare = 3;
+constexpr uint32_t kFirstInductionShare = 8, kInductionShare = 2;
 constexpr uint32_t kMostQuickMs = 1500;
 constexpr uint32_t kMostQuickWindow = 20;
 constexpr std::chrono::seconds kRemarkTime{5};
@@ -32,6 +33,8 @@ PropertyChecker::PropertyChecker(const Version& version, CheckOptions options)
   solver_ = std::move(loaded.solver);
   refusal_ = std::move(loaded.reason);
   if (!refusal_.empty()) return;
+  new_each_time_ = inputs_;
+  for (uint32_t i = 0; i < version_.cells.count; ++i) new_each_time_[i] = inputs_[i] || IsInbox(version_, CellId(i));
   silent_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kNothing);
   if (AnswersMatter(*version.program))
     any_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kAny, silent_.get());
@@ -117,6 +120,9 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
       looked_for_invariants = true;
       FindInvariantsFor(property);
       if (!invariants_.empty() && TryInduction(property, k, result)) return result;
+      // A violation that is not far away is found sooner than facts that are missing.
+      if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
+      if (TryReachable(property, result)) return result;
     }
     if (k > 1 && try_runs()) return result;
     if (SearchRuns(property, window + k, result)) return result;
@@ -163,6 +169,19 @@ void PropertyChecker::Conclude(const Property& property, PropertyResult found, T
   result = std::move(found);
 }
 
+std::vector<TermId> PropertyChecker::StaysQuiet(Unrolled& unrolled, uint32_t periods) {
+  std::vector<TermId> conditions;
+  for (uint32_t period = 1; period <= periods; ++period) {
+    for (const Unrolled::Part& part : unrolled.parts(period)) {
+      for (const auto& [cell, variable] : part) {
+        if (DirectionOf(version_, cell) != ir::Direction::kInput)
+          conditions.push_back(terms_.Eq(variable, unrolled.Value(cell, 0)));
+      }
+    }
+  }
+  return conditions;
+}
+
 bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, PropertyResult& result) {
   Report("runs of " + Periods(period));
   for (Unrolled* const unrolled : {plain_.get(), answered_.get()}) {
@@ -170,7 +189,15 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
     if (Extend(*unrolled, period, result)) return true;
     const TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
     if (terms_.IsFalse(violated)) continue;
-    switch (Ask({&violated, 1}, RestMs())) {
+    // Runs that only move inputs of the machine are simulated as they are computed: they come first.
+    Answer answer = Answer::kNever;
+    std::vector<TermId> conditions = StaysQuiet(*unrolled, period);
+    if (!conditions.empty() && unrolled == plain_.get()) {
+      conditions.push_back(violated);
+      answer = Ask(conditions, RestMs() / 2);
+    }
+    if (answer != Answer::kPossible) answer = Ask({&violated, 1}, RestMs());
+    switch (answer) {
       case Answer::kNever:
         break;
       case Answer::kUnknown:
@@ -211,7 +238,9 @@ bool PropertyChecker::TryInduction(const Property& property, uint32_t k, Propert
   for (uint32_t period = window; period < window + k; ++period)
     conditions.push_back(HoldsAfter(terms_, property, period, value));
   conditions.push_back(terms_.Not(HoldsAfter(terms_, property, window + k, value)));
-  switch (Ask(conditions, RestMs() / 2)) {
+  // From a state that cannot be reached much may happen: the first answer need not be waited for.
+  const uint32_t share = k == 1 && invariants_.empty() ? kFirstInductionShare : kInductionShare;
+  switch (Ask(conditions, RestMs() / share)) {
     case Answer::kPossible:
       return false;
     case Answer::kUnknown:
@@ -263,7 +292,8 @@ void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
   if (ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
   invariants_ = FindInvariants(
-      terms_, *solver_, version_, cells, [this](CellId cell) { return bool{inputs_[cell.index]}; }, RestMs() / 3);
+      terms_, *solver_, version_, cells, [this](CellId cell) { return bool{new_each_time_[cell.index]}; },
+      RestMs() / 3);
 }
 
 /// What the host has loaded at power-on, where that matters.
@@ -307,9 +337,11 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
       }
     }
   }
-  // An input that need not change does not; one that need not be 1 is 0.
+  // An input that need not change does not.
   std::map<CellId, uint64_t> before;
   for (const Input& input : inputs) {
+    const TermId start = unrolled.Value(input.cell, 0);
+    before.try_emplace(input.cell, terms_.IsConst(start) ? terms_.Value(start) : 0);
     const uint64_t value = values[input.variable];
     if (value != before[input.cell] && !cone.has_unknown_function()) {
       values[input.variable] = before[input.cell];
@@ -317,6 +349,14 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
     }
     before[input.cell] = values[input.variable];
   }
+  // What stays as it is behind power-on, and is no input of the machine, is not worth a word.
+  std::map<CellId, bool> moves;
+  for (const Input& input : inputs) {
+    const TermId start = unrolled.Value(input.cell, 0);
+    const bool moved = !terms_.IsConst(start) || terms_.Value(start) != values[input.variable];
+    moves[input.cell] = moves[input.cell] || moved || DirectionOf(version_, input.cell) == ir::Direction::kInput;
+  }
+  std::erase_if(inputs, [&moves](const Input& input) { return !moves[input.cell]; });
   PropertyRun run;
   run.retentive = RetentiveOf(cone);
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));

@@ -2,9 +2,9 @@
 //
 // Runs from power-on are searched, one period deeper each time, for one that violates it. Between two depths
 // k-induction is tried: from any state, k periods without a violation are followed by another one. When that fails,
-// invariants of the program are found and proved (compare/invariants.h) and assumed. The slow part is one piece here,
-// however it is sliced. In: a structured program, a property. Out: a verdict. Not its job: words about it, replaying
-// runs.
+// invariants of the program are found and proved (compare/invariants.h) and assumed, then those that the property asks
+// for (reachable.h). The slow part is one piece here, however it is sliced. In: a structured program, a property. Out:
+// a verdict. Not its job: words about it, replaying runs.
 #pragma once
 
 #include <chrono>
@@ -21,6 +21,7 @@
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/properties/property.h"
+#include "transpiler/prove/properties/reachable.h"
 #include "transpiler/prove/properties/unroll.h"
 #include "transpiler/prove/solver/solver.h"
 
@@ -96,11 +97,19 @@ class PropertyChecker {
 
   /// Whether this is the end of the check: `result` has a verdict or a reason.
   bool Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result);
+  /// That what the host may write beside inputs of the machine stays as it is behind power-on.
+  std::vector<TermId> StaysQuiet(Unrolled& unrolled, uint32_t periods);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
   /// A run has been found: whether the machine shows it.
   void Conclude(const Property& property, PropertyResult found, TermId violated, PropertyResult& result);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
+  // By facts about the reachable states (check_reachable.cc).
+  bool TryReachable(const Property& property, PropertyResult& result);
+  /// Whether no reachable state, behind whole periods, is bad; `bad` is over the variables of Widest() and those of
+  /// `more`. Counts the facts.
+  bool IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId variable)>& more,
+                      PropertyResult& result);
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<CellId>& cells);
   PropertyRun RunOf(Unrolled& unrolled, TermId violated, uint32_t periods);
@@ -108,7 +117,7 @@ class PropertyChecker {
   /// What the solver answers; kUnknown, too, when the question is so large that it would not come to an answer.
   Answer Ask(std::span<const TermId> conditions, uint32_t milliseconds);
   std::string WhyUnknown() const;
-  const Relation& Widest() const { return any_ ? *any_ : *silent_; }
+  Relation& Widest() const { return any_ ? *any_ : *silent_; }
 
   // "is never stuck" (stuck.cc).
   /// Values of inputs, by period, part and cell; what is not in them is 0.
@@ -126,6 +135,7 @@ class PropertyChecker {
   Reach ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result);
   Reach FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state, uint64_t time,
                      PropertyResult& result);
+  bool IsNeverStuck(const StuckSearch& search, PropertyResult& result);
   std::optional<TermId> Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from, uint32_t period,
                                 PropertyResult& result);
 
@@ -135,6 +145,7 @@ class PropertyChecker {
   std::unique_ptr<Solver> solver_;
   std::string refusal_;
   std::vector<bool> inputs_;
+  std::vector<bool> new_each_time_;     // by cell: inputs, and the operator's texts
   std::unique_ptr<Relation> silent_;    // the host answers 0
   std::unique_ptr<Relation> any_;       // it answers anything; none where that makes no difference
   std::unique_ptr<Unrolled> plain_;     // from power-on, the host answers 0

@@ -8,8 +8,8 @@
 namespace plcxx::prove {
 namespace {
 
-/// What some routines, and all that they call, store at fixed addresses; a table that is written by index may reach
-/// over signals of the host, and says nothing about them.
+/// What some routines, and all that they call, store at fixed addresses and into arrays. An index that may reach all of
+/// a space may reach signals of the host there, and says nothing about them.
 class Stores {
  public:
   explicit Stores(const Version& version)
@@ -28,8 +28,10 @@ class Stores {
  private:
   void Place(ir::PlaceId id) {
     const ir::Place& place = program_.places[id];
-    if (place.is_field() || !IsInside(program_, place)) return;
-    for (const CellId cell : CellsOf(program_, version_.cells, place)) stored_[cell.index] = true;
+    if (place.is_field()) return;
+    const bool is_array = place.indexed && (place.low > 0 || place.high < program_.spaces[place.space].bytes);
+    if (!is_array && !IsInside(program_, place)) return;
+    for (const CellId cell : TouchedCells(program_, version_.cells, place)) stored_[cell.index] = true;
   }
 
   void Region(ir::RegionId region) {
@@ -56,6 +58,13 @@ class Stores {
 };
 
 }  // namespace
+
+bool IsInbox(const Version& version, CellId id) {
+  const ir::StateId inbox = version.program->text_inbox;
+  if (!inbox.valid()) return false;
+  const Cell cell = CellAt(*version.program, version.cells, id);
+  return cell.kind == CellKind::kField && cell.state == inbox;
+}
 
 std::vector<bool> InputsOf(const Version& version) {
   const ir::Program& program = *version.program;

@@ -11,5 +11,7 @@ namespace plcxx::prove {
 /// routines write which the host calls when it likes (signals of an NC), whatever else writes it. What goes out and
 /// nobody writes stays as it is.
 std::vector<bool> InputsOf(const Version& version);
+/// Whether a cell belongs to the text of the operator that has arrived last.
+bool IsInbox(const Version& version, CellId cell);
 
 }  // namespace plcxx::prove

@@ -30,17 +30,8 @@ Relation::Relation(Terms& terms, const Version& version, HostAnswers answers, co
 std::vector<TermId> Relation::Execute(Part part) {
   std::vector<TermId> after(version_.cells.count);
   if (!refusal_.empty()) return after;
-  const auto initial = [this](CellId cell) {
-    TermId& variable = variables_[cell];
-    if (!variable.valid()) {
-      const Cell what = CellAt(*version_.program, version_.cells, cell);
-      variable = terms_.Variable(CellName(*version_.program, what), CellWidth(*version_.program, what));
-      cells_[variable] = cell;
-    }
-    return variable;
-  };
   Memory memory(terms_, *version_.program, version_.cells,
-                {.initial = initial,
+                {.initial = [this](CellId cell) { return VariableOf(cell); },
                  .observe = {},
                  .now = now_,
                  .host_answers = answers_ == HostAnswers::kAny,
@@ -52,6 +43,16 @@ std::vector<TermId> Relation::Execute(Part part) {
     if (memory.IsWritten(CellId(i)) && IsState(version_, CellId(i))) after[i] = memory.Read(CellId(i));
   }
   return after;
+}
+
+TermId Relation::VariableOf(CellId cell) {
+  TermId& variable = variables_[cell];
+  if (!variable.valid()) {
+    const Cell what = CellAt(*version_.program, version_.cells, cell);
+    variable = terms_.Variable(CellName(*version_.program, what), CellWidth(*version_.program, what));
+    cells_[variable] = cell;
+  }
+  return variable;
 }
 
 CellId Relation::CellOf(TermId variable) const {

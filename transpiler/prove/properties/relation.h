@@ -32,6 +32,8 @@ class Relation {
 
   /// What a variable stands for; none: the time, when it is `now`, or not one of this relation.
   CellId CellOf(TermId variable) const;
+  /// That of a cell before a part.
+  TermId VariableOf(CellId cell);
   TermId now() const { return now_; }
 
  private:

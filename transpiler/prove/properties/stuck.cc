@@ -145,6 +145,20 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
   }
 }
 
+/// Whether no state can be reached from which none of the sequences of inputs works.
+bool PropertyChecker::IsNeverStuck(const StuckSearch& search, PropertyResult& result) {
+  Relation& relation = Widest();
+  Unrolled from(terms_, relation, inputs_, Start::kAnywhere, "from " + std::to_string(terms_.variable_count()));
+  from.StartFrom([&relation](CellId cell) { return relation.VariableOf(cell); }, relation.now());
+  TermId bad = terms_.Bit(true);
+  for (const Strategy& strategy : search.strategies) {
+    const std::optional<TermId> reached = Reached(search, strategy, from, 0, result);
+    if (!reached) return false;
+    bad = terms_.And(bad, terms_.Not(*reached));
+  }
+  return IsNeverReached(bad, {}, result);
+}
+
 PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
   PropertyResult result;
   result.periods = property.periods;
@@ -172,6 +186,7 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
       Conclude(property, result, TermId(), result);
       return result;
     }
+    if (reach == Reach::kStuck && IsNeverStuck(search, result)) reach = Reach::kAlways;
     if (reach == Reach::kAlways) continue;
     if (reach == Reach::kStuck) {
       result.reason = "there is a state from which no inputs make it " + std::to_string(wanted ? 1 : 0) +
@@ -180,7 +195,8 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
     return result;
   }
   result.verdict = PropertyVerdict::kProved;
-  result.invariants = static_cast<uint32_t>(invariants_.size());
+  result.reason.clear();
+  result.invariants = std::max(result.invariants, static_cast<uint32_t>(invariants_.size()));
   return result;
 }
 

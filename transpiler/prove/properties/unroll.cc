@@ -6,11 +6,6 @@
 namespace plcxx::prove {
 namespace {
 
-bool IsInbox(const Version& version, const Cell& cell) {
-  return cell.kind == CellKind::kField && version.program->text_inbox.valid() &&
-         cell.state == version.program->text_inbox;
-}
-
 /// The operand whose value may make another one of no account; none: all are needed.
 TermId DecidingOperand(const Term& term) {
   const bool decides =
@@ -129,8 +124,7 @@ bool Unrolled::IsFresh(CellId cell, const Step& step) const {
   if (!step.has_new_inputs) return false;
   if (inputs_[cell.index]) return true;
   // A text that arrives is an answer of the host, too.
-  return step.part == 0 && relation_.answers() == HostAnswers::kAny &&
-         IsInbox(version_, CellAt(*version_.program, version_.cells, cell));
+  return step.part == 0 && relation_.answers() == HostAnswers::kAny && IsInbox(version_, cell);
 }
 
 Unrolled::Found Unrolled::Follow(CellId cell, uint32_t step) {

@@ -10,5 +10,7 @@ namespace plcxx::prove {
 
 /// All that the roots are made of, themselves included; ascending, which is operands first.
 std::vector<TermId> ConeOf(const Terms& terms, std::span<const TermId> roots);
+/// The same without what only applications of functions are made of.
+std::vector<TermId> ConeAboveFunctions(const Terms& terms, std::span<const TermId> roots);
 
 }  // namespace plcxx::prove

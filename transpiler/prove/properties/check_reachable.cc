@@ -1,0 +1,132 @@
+// Properties by facts about the reachable states: what a property says of several periods becomes state of its own.
+#include <algorithm>
+#include <map>
+
+#include "transpiler/prove/properties/check.h"
+#include "transpiler/prove/properties/reachable.h"
+#include "transpiler/prove/terms/cone.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr uint32_t kShare = 3;  // of the time that is left
+constexpr size_t kMostHistory = 2000;
+constexpr size_t kMostBadTerms = 250'000;
+
+/// The values that the cells of a property had behind the last periods, and how many periods there have been.
+class History {
+ public:
+  History(Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
+
+  /// `after`: the value behind this period; `back`: 1 for the period before it.
+  TermId Before(CellId cell, TermId after, uint32_t back) { return Row(rows_[cell], after, back, "before"); }
+  /// Whether there have been so many periods.
+  TermId HaveBeen(uint32_t periods) {
+    return periods == 0 ? terms_.Bit(true) : Row(counted_, terms_.Bit(true), periods, "period before");
+  }
+  std::optional<StateWord> Find(TermId variable) const {
+    const auto found = words_.find(variable);
+    return found == words_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  TermId Row(std::vector<TermId>& row, TermId after, uint32_t back, const char* name) {
+    const uint8_t width = terms_.Width(after);
+    while (row.size() < back) {
+      const TermId variable = terms_.Variable(name + (" " + std::to_string(terms_.variable_count())), width);
+      // The period is the last part; the others change no history.
+      StateWord word{.now = variable, .next = std::vector<TermId>(parts_, variable), .start = terms_.Const(0, width)};
+      word.next.back() = row.empty() ? after : row.back();
+      words_[variable] = std::move(word);
+      row.push_back(variable);
+    }
+    return row[back - 1];
+  }
+
+  Terms& terms_;
+  size_t parts_;
+  std::map<CellId, std::vector<TermId>> rows_;
+  std::vector<TermId> counted_;
+  std::map<TermId, StateWord> words_;
+};
+
+/// What runs in any order, the period itself last.
+std::vector<const std::vector<TermId>*> PartsOf(const Relation& relation) {
+  if (relation.fast().empty()) return {&relation.period()};
+  return {&relation.fast(), &relation.period()};
+}
+
+}  // namespace
+
+/// Behind any reachable state, a period that does not violate it: shorter runs than its window have been searched.
+bool PropertyChecker::TryReachable(const Property& property, PropertyResult& result) {
+  const uint32_t window = WindowOf(property);
+  size_t cells = 0;
+  for (const PropertyOperand& operand : property.operands) cells += operand.cells.size();
+  if (Late() || window * cells > kMostHistory) return false;
+  Relation& relation = Widest();
+  const size_t parts = PartsOf(relation).size();
+  const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
+  const auto after = [&](CellId cell) {
+    const TermId next = relation.period()[cell.index];
+    return next.valid() ? next : before(cell);
+  };
+  History history(terms_, parts);
+  const TermId violated = terms_.Not(HoldsAfter(terms_, property, window, [&](CellId cell, uint32_t period) {
+    return period == window ? after(cell) : history.Before(cell, after(cell), window - period);
+  }));
+  const TermId bad = terms_.And(violated, history.HaveBeen(window - 1));
+  bool never = IsNeverReached(bad, [&](TermId variable) { return history.Find(variable); }, result);
+  if (!never && parts > 1 && window == 1 && !Late()) {
+    // Fast parts of the same period see the same inputs: looked at with it they say more, and take more time.
+    Unrolled whole(terms_, relation, inputs_, Start::kAnywhere, "whole " + std::to_string(terms_.variable_count()));
+    whole.StartFrom(before, relation.now());
+    if (Extend(whole, 1, result)) return true;
+    never = IsNeverReached(terms_.Not(HoldsAfter(terms_, property, 1, ValuesOf(whole))), {}, result);
+  }
+  if (!never) return false;
+  result.verdict = PropertyVerdict::kProved;
+  result.periods = 1;
+  result.reason.clear();
+  return true;
+}
+
+bool PropertyChecker::IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId)>& more,
+                                     PropertyResult& result) {
+  if (Late() || ConeAboveFunctions(terms_, {&bad, 1}).size() > kMostBadTerms) return false;
+  Report("reachable states");
+  Relation& relation = Widest();
+  const std::vector<const std::vector<TermId>*> parts = PartsOf(relation);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(RestMs() / kShare);
+  ReachQuestion question{.terms = terms_,
+                         .state_of = {},
+                         .parts = parts.size(),
+                         .bad = bad,
+                         .known = {},
+                         .rest_ms =
+                             [end] {
+                               const auto rest = end - std::chrono::steady_clock::now();
+                               const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(rest).count();
+                               return static_cast<uint32_t>(std::max<int64_t>(0, ms));
+                             },
+                         .progress = options_.progress};
+  question.state_of = [&](TermId variable) -> std::optional<StateWord> {
+    const CellId cell = relation.CellOf(variable);
+    if (!cell.valid()) return more ? more(variable) : std::nullopt;
+    if (new_each_time_[cell.index] || !IsState(version_, cell) || cell.index >= version_.cells.calls) return {};
+    StateWord word{.now = variable, .next = {}, .start = plain_->Value(cell, 0)};
+    for (const std::vector<TermId>* part : parts)
+      word.next.push_back((*part)[cell.index].valid() ? (*part)[cell.index] : variable);
+    return word;
+  };
+  // They hold behind periods, not between their parts.
+  if (parts.size() == 1) {
+    const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
+    for (const Invariant& invariant : invariants_) question.known.push_back(ConditionOf(terms_, invariant, before));
+  }
+  const std::optional<FoundFacts> facts = ShowUnreachable(question);
+  if (facts) result.invariants = static_cast<uint32_t>(question.known.size() + facts->forbidden.size());
+  return facts.has_value();
+}
+
+}  // namespace plcxx::prove

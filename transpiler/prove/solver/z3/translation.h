@@ -1,0 +1,121 @@
+// Terms as Z3's expressions; what a function gives is a variable. For the files of this module only.
+#pragma once
+
+#include <z3++.h>
+
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+class Translation {
+ public:
+  Translation(z3::context& context, const Terms& terms)
+      : context_(context), terms_(terms), one_(context.bv_val(1, 1)) {}
+
+  /// Of a term that has been translated: whether it depends on what a function gives.
+  bool Applies(TermId term) const { return applies_[term.index]; }
+  z3::expr Holds(TermId condition) { return Translate(condition) == one_; }
+
+  /// Operands first, without recursion: a chain of branches may be as deep as the program is long.
+  z3::expr Translate(TermId root) {
+    if (asts_.size() < terms_.size()) {
+      asts_.resize(terms_.size(), z3::ast(context_));
+      known_.resize(terms_.size());
+      applies_.resize(terms_.size());
+    }
+    std::vector<TermId> open{root};
+    while (!open.empty()) {
+      const TermId id = open.back();
+      if (known_[id.index]) {
+        open.pop_back();
+        continue;
+      }
+      bool complete = true;
+      bool applies = terms_[id].kind == TermKind::kApply;
+      if (!applies) {
+        terms_.ForEachOperand(terms_[id], [&](TermId operand) {
+          if (!known_[operand.index]) {
+            complete = false;
+            open.push_back(operand);
+          }
+          applies = applies || applies_[operand.index];
+        });
+      }
+      if (!complete) continue;
+      asts_[id.index] = Make(id);
+      known_[id.index] = true;
+      applies_[id.index] = applies;
+      open.pop_back();
+    }
+    return Get(root.index);
+  }
+
+ private:
+  z3::expr Get(uint32_t id) { return z3::expr(context_, asts_[id]); }
+  z3::expr AsBit(const z3::expr& condition) { return z3::ite(condition, one_, context_.bv_val(0, 1)); }
+
+  z3::expr Make(TermId id) {
+    const Term& term = terms_[id];
+    switch (term.kind) {
+      case TermKind::kConst:
+        return context_.bv_val((uint64_t{term.b} << 32) | term.a, term.width);
+      case TermKind::kVariable:
+        return context_.bv_const(("v" + std::to_string(term.a)).c_str(), term.width);
+      case TermKind::kNot:
+        return ~Get(term.a);
+      case TermKind::kAnd:
+        return Get(term.a) & Get(term.b);
+      case TermKind::kOr:
+        return Get(term.a) | Get(term.b);
+      case TermKind::kXor:
+        return Get(term.a) ^ Get(term.b);
+      case TermKind::kAdd:
+        return Get(term.a) + Get(term.b);
+      case TermKind::kSub:
+        return Get(term.a) - Get(term.b);
+      case TermKind::kMul:
+        return Get(term.a) * Get(term.b);
+      case TermKind::kUdiv:
+        return z3::udiv(Get(term.a), Get(term.b));
+      case TermKind::kUrem:
+        return z3::urem(Get(term.a), Get(term.b));
+      case TermKind::kSdiv:
+        return Get(term.a) / Get(term.b);
+      case TermKind::kSrem:
+        return z3::srem(Get(term.a), Get(term.b));
+      case TermKind::kShl:
+        return z3::shl(Get(term.a), Get(term.b));
+      case TermKind::kLshr:
+        return z3::lshr(Get(term.a), Get(term.b));
+      case TermKind::kAshr:
+        return z3::ashr(Get(term.a), Get(term.b));
+      case TermKind::kEq:
+        return AsBit(Get(term.a) == Get(term.b));
+      case TermKind::kUlt:
+        return AsBit(z3::ult(Get(term.a), Get(term.b)));
+      case TermKind::kSlt:
+        return AsBit(Get(term.a) < Get(term.b));
+      case TermKind::kIte:
+        return z3::ite(Get(term.a) == one_, Get(term.b), Get(term.c));
+      case TermKind::kConcat:
+        return z3::concat(Get(term.a), Get(term.b));
+      case TermKind::kExtract:
+        return Get(term.a).extract(term.b + term.width - 1, term.b);
+      case TermKind::kApply:
+        return context_.bv_const(("a" + std::to_string(id.index)).c_str(), term.width);
+    }
+    PLCXX_UNREACHABLE();
+  }
+
+  z3::context& context_;
+  const Terms& terms_;
+  z3::expr one_;
+  std::vector<z3::ast> asts_;  // by TermId, where known_
+  std::vector<bool> known_;
+  std::vector<bool> applies_;  // functions, it or what it is made of
+};
+
+}  // namespace plcxx::prove
