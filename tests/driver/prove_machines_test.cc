@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 class ProveMachines : public ::testing::TestWithParam<std::string> {
  protected:
   static std::string Path(const std::string& ending) {
-    return PLCXX_ROOT "/tests/prove/machines/" + GetParam() + ending;
+    const std::string source = GetParam();
+    return PLCXX_ROOT "/tests/prove/machines/" + source.substr(0, source.find('.')) + ending;
   }
 };
 
@@ -33,7 +34,8 @@ TEST_P(ProveMachines, WhatDoesNotHoldIsShown) {
                            " --time 40s --format json --counterexamples found");
   EXPECT_EQ(ran.code, 1) << ran;
   size_t number = 0;
-  for (const auto& property : nlohmann::json::parse(ran.out)["properties"]) {
+  const auto report = nlohmann::json::parse(ran.out);
+  for (const auto& property : report["properties"]) {
     const std::string text = property["property"];
     SCOPED_TRACE(text);
     ++number;

@@ -304,6 +304,7 @@ std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
   if (options_.retentive != RetentiveMemory::kAny || !load.valid()) return stored;
   const std::string& name = program.host_functions[load].name;
   const TermId calls = CallsAfter(terms_, name, terms_.Const(0, 64), {});
+  if (const TermId copy = HasCopy(terms_, name, calls); cone.Has(copy) && solver_->ValueOf(copy) == 0) return stored;
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {
     const ir::Space& space = program.spaces[ir::SpaceId(i)];
     if (space.lifetime != ir::Lifetime::kRetentive) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/prove/execute/execute.h"
+
 namespace plcxx::prove {
 namespace {
 
@@ -19,6 +21,17 @@ TermId Chosen(const Terms& terms, const Term& term, TermId deciding) {
   if (term.kind == TermKind::kIte) return TermId(terms.IsTrue(deciding) ? term.b : term.c);
   const bool is_first = terms.IsTrue(deciding) == (term.kind == TermKind::kOr);
   return TermId(is_first ? term.a : term.b);
+}
+
+/// Before power-on nobody has been called, and the host may have any copy of the retentive memory.
+TermId StoredBefore(Terms& terms, const Version& version, CellId id) {
+  const ir::Program& program = *version.program;
+  const Cell cell = CellAt(program, version.cells, id);
+  const ir::HostFunctionId load = program.schedule.retentive_load;
+  if (cell.kind != CellKind::kBit || !load.valid()) return terms.Const(0, CellWidth(program, cell));
+  const std::string& name = program.host_functions[load].name;
+  const TermId calls = CallsAfter(terms, name, terms.Const(0, 64), {});
+  return terms.Extract(ByteFromHost(terms, name, calls, program.spaces[cell.space].name, cell.offset), cell.bit, 1);
 }
 
 }  // namespace
@@ -55,7 +68,7 @@ Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<boo
     return;
   }
   Transition init = RunInit(terms, version_,
-                            {.initial = [&](CellId) { return terms.Const(0, 64); },
+                            {.initial = [&](CellId cell) { return StoredBefore(terms, version_, cell); },
                              .now = terms.Const(0, 32),
                              .answers = start == Start::kAnyRetentive ? HostAnswers::kAny : HostAnswers::kNothing,
                              .outputs = {},
