@@ -72,5 +72,19 @@ TEST_F(DiffCommand, SaysWhatIsWrong) {
   EXPECT_THAT(broken.errors, HasSubstr("cannot be compared: it has errors"));
 }
 
+/// Ports that are refreshed at every millisecond show more than the ends of ticks: nothing is claimed of such a
+/// program.
+TEST_F(DiffCommand, WhatHappensBetweenTicksIsRefused) {
+  const std::string program = PLCXX_ROOT "/tests/golden/prostep/jumps/loop_budget.plc";
+  EXPECT_EQ(place_.Run("diff " + program + " " + program + " --dialect prostep").code, 0);
+  const Ran ran = place_.Run("diff " + program + " " + program + " --dialect prostep --set io-refresh=1ms");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("at every millisecond between two ticks is not followed yet"));
+  place_.Write("m.prop", "never 'O 0.0' and 'O 0.1'\n");
+  const Ran prove = place_.Run("prove " + program + " --dialect prostep --set io-refresh=1ms --property m.prop");
+  EXPECT_EQ(prove.code, 2) << prove;
+  EXPECT_THAT(prove.errors, HasSubstr("at every millisecond between two ticks is not followed yet"));
+}
+
 }  // namespace
 }  // namespace plcxx::driver

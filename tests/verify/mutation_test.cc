@@ -88,6 +88,7 @@ constexpr Mutation kMutations[] = {
     {"exchange_forgotten", "turret.cpp", "  write_outputs(host, m);\n", ""},
     {"parts_swapped", "turret.cpp", "  fast(m, host);\n  slow(m, 0, host);", "  slow(m, 0, host);\n  fast(m, host);"},
     {"not_cleared", "turret.cpp", "  Clear(m.ring_counter);\n", ""},
+    {"retentive_not_cleared", "turret.cpp", "  m.retentive = Retentive{};\n", ""},
     {"layout_not_marked", "turret.cpp", "m.retentive.layout = kRetentiveLayout;", ""},
     // The runtime.
     {"timer_off_by_one", "plcxx/timers.h", "timer.elapsed_ms >= preset_ms", "timer.elapsed_ms > preset_ms"},

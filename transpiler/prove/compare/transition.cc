@@ -67,6 +67,9 @@ Transition RunInit(Terms& terms, const Version& version, const Surroundings& sur
   for (uint32_t i = 0; i < version.cells.count; ++i) {
     if (!transition.next[i].valid()) transition.next[i] = at_power_on.initial(CellId(i));
   }
+  // A period is one step here: what happens between two would be left out.
+  if (version.program->schedule.elapses_every_ms && transition.refusal.empty())
+    transition.refusal = "what the control does at every millisecond between two ticks is not followed yet";
   return transition;
 }
 

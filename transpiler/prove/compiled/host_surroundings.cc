@@ -17,6 +17,11 @@ TermId HavingSeen(Terms& terms, const std::string& function, TermId calls, std::
   return terms.Apply(terms.Function("seen by " + function, 64), arguments);
 }
 
+TermId StoredByte(Terms& terms, const std::string& space, uint32_t offset) {
+  const TermId at = terms.Const(offset, 32);
+  return terms.Apply(terms.Function("stored " + space, 8), {&at, 1});
+}
+
 void HostSurroundings::WriteState(CodeMemory& memory, const ir::HostFunction& host, TermId calls) {
   const ir::Program& program = *emittable_.program;
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
@@ -40,18 +45,20 @@ void HostSurroundings::WriteState(CodeMemory& memory, const ir::HostFunction& ho
 void HostSurroundings::WriteRetentive(CodeMemory& memory, uint32_t slot, const ir::HostFunction& host, TermId calls) {
   const ir::Program& program = *emittable_.program;
   const TermId hash = terms_.Const(image_.layout_hash(), 32);
+  // Without a copy, as at the first power-on, it leaves alone what it is given.
+  const TermId has_copy = HasCopy(terms_, host.name, calls);
+  const auto write = [&](uint32_t at, TermId byte) {
+    const uint32_t place = slot + at - image_.retentive_begin();
+    memory.Write(place, terms_.Ite(has_copy, byte, memory.Read(place)));
+  };
   for (uint32_t at = image_.retentive_begin(); at < image_.retentive_end(); ++at) {
-    const StateByte& byte = image_[at];
-    if (byte.kind == ByteKind::kLayout)
-      memory.Write(slot + at - image_.retentive_begin(), terms_.Extract(hash, byte.low, 8));
+    if (image_[at].kind == ByteKind::kLayout) write(at, terms_.Extract(hash, image_[at].low, 8));
   }
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
-      if (!HostWrites(program, host.access, space, offset)) continue;
-      const uint32_t place = emittable_.layout.bytes[s][offset].whole.offset;
-      memory.Write(slot + place - image_.retentive_begin(),
-                   ByteFromHost(terms_, host.name, calls, program.spaces[space].name, offset));
+      if (HostWrites(program, host.access, space, offset))
+        write(emittable_.layout.bytes[s][offset].whole.offset, StoredByte(terms_, program.spaces[space].name, offset));
     }
   }
 }

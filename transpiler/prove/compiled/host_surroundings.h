@@ -14,6 +14,9 @@ namespace plcxx::prove {
 /// What a host function has been told when it has read `bytes` of the state.
 TermId HavingSeen(Terms& terms, const std::string& function, TermId calls, std::span<const TermId> bytes);
 
+/// A byte of the copy of retentive memory that the host may have.
+TermId StoredByte(Terms& terms, const std::string& space, uint32_t offset);
+
 class HostSurroundings : public CodeSurroundings {
  public:
   HostSurroundings(Terms& terms, const emit::Emittable& emittable, const StateImage& image, TermId now,

@@ -29,6 +29,10 @@ Environment UnitVerifier::MakeEnvironment() {
     const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
     return power_on ? image_.CellAtPowerOn(terms_, cell) : image_.CellBefore(terms_, cell);
   };
+  environment.stored = [this](CellId id) {
+    const Cell cell = CellAt(program_.ir, program_.cells, id);
+    return terms_.Extract(StoredByte(terms_, program_.ir.spaces[cell.space].name, cell.offset), cell.bit, 1);
+  };
   environment.observe = [this](Memory& memory, ir::HostFunctionId function, TermId when) {
     Observe(memory, function, when);
   };

@@ -6,7 +6,7 @@
 namespace plcxx::prove {
 namespace {
 
-constexpr uint32_t kMostSteps = 2000;  // choices in choices
+constexpr uint32_t kMostSteps = 60;  // choices in choices
 
 class Gatherer {
  public:
