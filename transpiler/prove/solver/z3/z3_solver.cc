@@ -1,17 +1,13 @@
 // Solver by Z3; see solver.h for what it has to do.
 //
-// What a function gives is a variable: questions are about bits alone then, and Z3's solver for these is many times
-// faster than the one that knows functions. Where it finds values, and a function is there more than once, it is asked
-// again with what that means: equal arguments, equal results. Only where that would be said of very many pairs the
-// general solver is asked.
+// What a function gives is a variable at first: most questions are about bits alone then, and Z3's solver for these is
+// many times faster than the one that knows functions. That one is asked where equal arguments may matter: where the
+// first finds values and functions are there. For it each of these variables is defined as what the function gives.
 #include <z3++.h>
 
-#include <algorithm>
 #include <memory>
-#include <optional>
 #include <string>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 #include "transpiler/prove/solver/solver.h"
@@ -29,42 +25,37 @@ class Z3Solver : public Solver {
     const z3::expr holds = translation_.Holds(condition);
     bits_.add(holds);
     general_.add(holds);
-    const std::vector<TermId> applied = AppliesIn({&condition, 1});
-    Define(applied);
-    assumed_.insert(assumed_.end(), applied.begin(), applied.end());
+    Define(general_, {&condition, 1});
+    assumed_applies_.back() = assumed_applies_.back() || translation_.Applies(condition);
   }
   void Push() override {
     bits_.push();
     general_.push();
-    levels_.push_back(assumed_.size());
+    assumed_applies_.push_back(assumed_applies_.back());
   }
   void Pop() override {
     bits_.pop();
     general_.pop();
-    assumed_.resize(levels_.back());
-    levels_.pop_back();
+    assumed_applies_.pop_back();
   }
 
   Answer Check(std::span<const TermId> conditions, uint32_t milliseconds) override {
     model_.reset();
     z3::expr_vector holds(context_);
-    for (const TermId condition : conditions) holds.push_back(translation_.Holds(condition));
-    const auto ask = [&](z3::solver& solver, auto&& add) {
+    bool applies = assumed_applies_.back();
+    for (const TermId condition : conditions) {
+      holds.push_back(translation_.Holds(condition));
+      applies = applies || translation_.Applies(condition);
+    }
+    const auto ask = [&](z3::solver& solver, bool defines) {
       solver.push();
-      add();
+      if (defines) Define(solver, conditions);
       const Answer answer = Ask(solver, holds, milliseconds);
       solver.pop();
       return answer;
     };
-    const Answer answer = ask(bits_, [] {});
-    if (answer == Answer::kNever) return answer;
-    const std::vector<TermId> applied = AppliesIn(conditions);
-    const std::optional<std::vector<Pair>> pairs = PairsOf(applied);
-    if (!pairs) return ask(general_, [&] { Define(applied); });
-    if (pairs->empty()) return answer;
-    return ask(bits_, [&] {
-      for (const Pair& pair : *pairs) bits_.add(EqualWhereArgumentsAre(pair));
-    });
+    const Answer answer = ask(bits_, false);
+    return applies && answer != Answer::kNever ? ask(general_, true) : answer;
   }
 
   uint64_t ValueOf(TermId term) override {
@@ -91,64 +82,20 @@ class Z3Solver : public Solver {
     }
   }
 
-  /// What functions give, anywhere in these conditions, ascending.
-  std::vector<TermId> AppliesIn(std::span<const TermId> conditions) {
-    std::vector<TermId> open, found;
+  /// Tells `solver` what the variables are that stand for functions in these conditions.
+  void Define(z3::solver& solver, std::span<const TermId> conditions) {
+    std::vector<TermId> open;
     std::unordered_set<uint32_t> seen;
     const auto add = [&](TermId id) {
       if (translation_.Applies(id) && seen.insert(id.index).second) open.push_back(id);
     };
     for (const TermId condition : conditions) add(condition);
     while (!open.empty()) {
-      const TermId id = open.back();
+      const Term& term = terms_[open.back()];
+      if (term.kind == TermKind::kApply) solver.add(translation_.Translate(open.back()) == Applied(term));
       open.pop_back();
-      if (terms_[id].kind == TermKind::kApply) {
-        found.push_back(id);
-        // Nobody else has asked for its arguments yet.
-        for (const TermId argument : terms_.Arguments(terms_[id])) translation_.Translate(argument);
-      }
-      terms_.ForEachOperand(terms_[id], add);
+      terms_.ForEachOperand(term, add);
     }
-    std::ranges::sort(found);
-    return found;
-  }
-
-  /// Two results of one function.
-  struct Pair {
-    TermId one, other;
-  };
-  /// Of these and what is assumed; none: there are too many.
-  std::optional<std::vector<Pair>> PairsOf(std::span<const TermId> applied) const {
-    constexpr size_t kMostEqualities = 20'000;
-    std::vector<TermId> all(assumed_);
-    all.insert(all.end(), applied.begin(), applied.end());
-    std::ranges::sort(all, {}, [this](TermId id) { return std::pair(terms_[id].a, id.index); });
-    all.erase(std::ranges::unique(all).begin(), all.end());
-    std::vector<Pair> pairs;
-    size_t equalities = 0;
-    for (size_t i = 0; i < all.size(); ++i) {
-      for (size_t k = i + 1; k < all.size() && terms_[all[k]].a == terms_[all[i]].a; ++k) {
-        equalities += terms_.Arguments(terms_[all[i]]).size();
-        if (equalities > kMostEqualities) return std::nullopt;
-        pairs.push_back({all[i], all[k]});
-      }
-    }
-    return pairs;
-  }
-
-  z3::expr EqualWhereArgumentsAre(const Pair& pair) {
-    const auto one = terms_.Arguments(terms_[pair.one]), other = terms_.Arguments(terms_[pair.other]);
-    z3::expr_vector either(context_);
-    either.push_back(translation_.Translate(pair.one) == translation_.Translate(pair.other));
-    for (size_t i = 0; i < one.size(); ++i) {
-      if (one[i] != other[i]) either.push_back(translation_.Translate(one[i]) != translation_.Translate(other[i]));
-    }
-    return z3::mk_or(either);
-  }
-
-  /// Tells the general solver what the variables are that stand for functions.
-  void Define(std::span<const TermId> applied) {
-    for (const TermId id : applied) general_.add(translation_.Translate(id) == Applied(terms_[id]));
   }
 
   z3::expr Applied(const Term& term) {
@@ -167,8 +114,7 @@ class Z3Solver : public Solver {
   z3::context context_;
   z3::solver bits_, general_;
   Translation translation_;
-  std::vector<TermId> assumed_;  // what functions give in assumptions
-  std::vector<size_t> levels_;   // how many of them before each Push
+  std::vector<bool> assumed_applies_ = {false};  // by level
   std::unique_ptr<z3::model> model_;
 };
 
