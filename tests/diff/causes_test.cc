@@ -4,28 +4,10 @@
 #include <algorithm>
 #include <string>
 
-#include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
+#include "tests/diff/compare_texts.h"
 
 namespace plcxx::driver {
 namespace {
-
-Diff CompareTexts(const std::string& dialect, const std::string& extension, const std::string& old_text,
-                  const std::string& new_text) {
-  const testing_support::TemporaryDirectory directory;
-  const auto side = [&](const std::string& name, const std::string& text) {
-    CompilationRequest request;
-    request.sources = {directory.Write(name + extension, text)};
-    request.dialect = dialect;
-    return MakeDiffSide(name, request);
-  };
-  DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
-  EXPECT_TRUE(old_side.compilation.ok());
-  EXPECT_TRUE(new_side.compilation.ok());
-  Diff diff = CompareSides(old_side, new_side, {});
-  EXPECT_EQ(diff.refusal, "");
-  return diff;
-}
 
 std::string ChangedTexts(const std::vector<ItemStatement>& statements) {
   std::string texts;
@@ -37,7 +19,7 @@ std::string ChangedTexts(const std::vector<ItemStatement>& statements) {
 
 TEST(Causes, AConditionAroundAnAssignmentIsShown) {
   const std::string inner = "DOF: I0A4\nW4A0=7\nENDF\nENDF\n";
-  const Diff diff = CompareTexts("nc110", ".plc", "$\nDOF: I0A3\n" + inner, "$\nDOF: I0A3*I0A5\n" + inner);
+  const Diff diff = CompareTexts({"nc110", ".plc"}, "$\nDOF: I0A3\n" + inner, "$\nDOF: I0A3*I0A5\n" + inner);
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(diff.items[0].name, "W4A0");
   EXPECT_EQ(ChangedTexts(diff.items[0].old_statements), "DOF: I0A3\n");
@@ -50,7 +32,7 @@ TEST(Causes, AConditionOfACallIsShown) {
            "void plc1() { if (" +
            condition + ") work(); }\nvoid plc2() { }\n";
   };
-  const Diff diff = CompareTexts("hnc", ".cld", program("X[1]"), program("X[2]"));
+  const Diff diff = CompareTexts({"hnc", ".cld"}, program("X[1]"), program("X[2]"));
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(ChangedTexts(diff.items[0].old_statements), "if (X[1])\n");
 }
@@ -61,7 +43,7 @@ TEST(Causes, AByteBehindAComputedIndexHasItsNameAndItsScenario) {
            "void init() { plc1_time = 1; plc2_time = 1; }\nvoid plc1() { put(5, X[0] & " +
            mask + "); put(6, X[1]); }\nvoid plc2() { }\n";
   };
-  const Diff diff = CompareTexts("hnc", ".cld", program("3"), program("7"));
+  const Diff diff = CompareTexts({"hnc", ".cld"}, program("3"), program("7"));
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(diff.items[0].name, "Y[5]");
   ASSERT_TRUE(diff.items[0].counterexample.has_value());

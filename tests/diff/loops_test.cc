@@ -3,27 +3,14 @@
 
 #include <string>
 
-#include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
+#include "tests/diff/compare_texts.h"
 
 namespace plcxx::driver {
 namespace {
 
-Diff CompareTexts(const std::string& old_text, const std::string& new_text) {
-  const testing_support::TemporaryDirectory directory;
-  const auto side = [&](const std::string& name, const std::string& text) {
-    CompilationRequest request;
-    request.sources = {directory.Write(name + ".plc", text)};
-    request.dialect = "technol";
-    return MakeDiffSide(name, request);
-  };
-  DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
-  EXPECT_TRUE(old_side.compilation.ok());
-  EXPECT_TRUE(new_side.compilation.ok());
-  Diff diff =
-      CompareSides(old_side, new_side, {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
-  EXPECT_EQ(diff.refusal, "");
-  return diff;
+Diff CompareMechanisms(const std::string& old_text, const std::string& new_text) {
+  return CompareTexts({"technol", ".plc"}, old_text, new_text,
+                      {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
 }
 
 ItemVerdict VerdictOf(const Diff& diff, const std::string& name) {
@@ -79,7 +66,7 @@ A_DONE:   MECH_END MA
 
 TEST(Loops, AnErrorThatIsRaisedElsewhereChangesNoLoop) {
   // MA is told nothing of what the control was told by MB.
-  const Diff diff = CompareTexts(kTwoMechanisms, Replaced(kTwoMechanisms, "LDR  B1", "LDR  -B1"));
+  const Diff diff = CompareMechanisms(kTwoMechanisms, Replaced(kTwoMechanisms, "LDR  B1", "LDR  -B1"));
   EXPECT_EQ(VerdictOf(diff, "OB"), ItemVerdict::kDifferent);
   EXPECT_EQ(VerdictOf(diff, "OA"), ItemVerdict::kEqual);
   EXPECT_EQ(VerdictOf(diff, "MA"), ItemVerdict::kEqual);
@@ -115,11 +102,11 @@ ROUND:    LOD  LEFT
 
 TEST(Loops, WhatALoopOnlyWritesKeepsWhatWasThereBefore) {
   // Most often the loop leaves LAMP as it was: the change in front of it comes through.
-  const Diff lamp = CompareTexts(kCounting, Replaced(kCounting, "WR   LAMP", "FL   0,LAMP"));
+  const Diff lamp = CompareMechanisms(kCounting, Replaced(kCounting, "WR   LAMP", "FL   0,LAMP"));
   EXPECT_EQ(VerdictOf(lamp, "LAMP"), ItemVerdict::kDifferent);
   EXPECT_EQ(VerdictOf(lamp, "LEFT"), ItemVerdict::kEqual);
   EXPECT_EQ(VerdictOf(lamp, "OTHER"), ItemVerdict::kEqual);
-  const Diff rounds = CompareTexts(kCounting, Replaced(kCounting, "LOD  IN10", "LOD  IN11"));
+  const Diff rounds = CompareMechanisms(kCounting, Replaced(kCounting, "LOD  IN10", "LOD  IN11"));
   EXPECT_NE(VerdictOf(rounds, "LAMP"), ItemVerdict::kEqual);
 }
 

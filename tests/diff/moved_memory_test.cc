@@ -3,28 +3,10 @@
 
 #include <string>
 
-#include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
+#include "tests/diff/compare_texts.h"
 
 namespace plcxx::driver {
 namespace {
-
-Diff CompareFiles(const std::string& dialect, const std::string& extension, const std::string& old_text,
-                  const std::string& new_text) {
-  const testing_support::TemporaryDirectory directory;
-  const auto side = [&](const std::string& name, const std::string& text) {
-    CompilationRequest request;
-    request.sources = {directory.Write(name + extension, text)};
-    request.dialect = dialect;
-    return MakeDiffSide(name, request);
-  };
-  DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
-  EXPECT_TRUE(old_side.compilation.ok());
-  EXPECT_TRUE(new_side.compilation.ok());
-  Diff diff = CompareSides(old_side, new_side, {});
-  EXPECT_EQ(diff.refusal, "");
-  return diff;
-}
 
 std::string NamesOf(const Diff& diff) {
   std::string names;
@@ -50,9 +32,9 @@ std::string CProgram(const std::string& added, const std::string& body) {
 
 TEST(MovedMemory, AVariableOfCMovesArraysAndWhatLoopsRead) {
   const std::string same = "  Y[0] = total & 255;\n";
-  const Diff moved = CompareFiles("hnc", ".cld", CProgram("", same), CProgram("static unsigned char added;\n", same));
+  const Diff moved = CompareTexts({"hnc", ".cld"}, CProgram("", same), CProgram("static unsigned char added;\n", same));
   EXPECT_EQ(NamesOf(moved), "");
-  const Diff changed = CompareFiles("hnc", ".cld", CProgram("", same),
+  const Diff changed = CompareTexts({"hnc", ".cld"}, CProgram("", same),
                                     CProgram("static unsigned char added;\n", "  Y[0] = total & 127;\n"));
   EXPECT_EQ(NamesOf(changed), "Y[0] ");
   EXPECT_EQ(changed.items.front().verdict, ItemVerdict::kDifferent);
@@ -68,13 +50,13 @@ TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
       "}\n"
       "void plc2() { }\n";
   const std::string include = "#include \"plc.h\"\n";
-  const Diff diff = CompareFiles("hnc", ".cld", include + "unsigned char a[4], b[4];\n" + loop,
+  const Diff diff = CompareTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
                                  include + "unsigned char b[4], a[4];\n" + loop);
   EXPECT_EQ(NamesOf(diff), "");
   // The other array is another one, though it lies where the first one was.
   std::string other = loop;
   other.replace(other.find("a[1]"), 1, "b");
-  const Diff changed = CompareFiles("hnc", ".cld", include + "unsigned char a[4], b[4];\n" + loop,
+  const Diff changed = CompareTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
                                     include + "unsigned char b[4], a[4];\n" + other);
   EXPECT_EQ(NamesOf(changed), "Y[0] ");
 }

@@ -6,6 +6,7 @@
 #include "transpiler/diagnostics/snippet.h"
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/support/check.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::diag {
 namespace {
@@ -108,10 +109,6 @@ class TextRenderer {
   std::string out_;
 };
 
-std::string Counted(size_t count, std::string_view what) {
-  return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::string CountsText(std::span<const Diagnostic> diagnostics) {
@@ -120,7 +117,7 @@ std::string CountsText(std::span<const Diagnostic> diagnostics) {
     const auto count = static_cast<size_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
     if (count == 0) continue;
     if (!text.empty()) text += ", ";
-    text += Counted(count, SeverityName(severity));
+    text += support::Counted(count, SeverityName(severity));
   }
   return text;
 }

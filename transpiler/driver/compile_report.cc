@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
@@ -16,10 +17,6 @@ uint64_t Microseconds(uint64_t ns) { return (ns + kNsPerUs - 1) / kNsPerUs; }
 std::string Padded(std::string text, size_t width) {
   text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
   return text;
-}
-
-std::string Plural(uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 /// Without directory: the report must not depend on where the sources stand.
@@ -76,16 +73,16 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
 }
 
 std::string ReportText(const Compilation& compilation) {
-  std::string text = compilation.name + ": " + Plural(compilation.summary.lines, "line") + ", " +
-                     Plural(compilation.summary.statements, "statement") + ", " + CountText(compilation.diagnostics) +
-                     "\n";
+  std::string text = compilation.name + ": " + support::Counted(compilation.summary.lines, "line") + ", " +
+                     support::Counted(compilation.summary.statements, "statement") + ", " +
+                     CountText(compilation.diagnostics) + "\n";
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
     text += "  " + partition.name + std::string(partition.name.size() < 6 ? 6 - partition.name.size() : 0, ' ') +
             Padded(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
             Padded(std::to_string(partition.code_bytes), 10) + " bytes\n";
   }
   if (compilation.estimates.slow_period_ms > 0) {
-    text += "  slow part in " + Plural(compilation.estimates.slices, "slice") + ", period " +
+    text += "  slow part in " + support::Counted(compilation.estimates.slices, "slice") + ", period " +
             std::to_string(compilation.estimates.slow_period_ms) + " ms\n";
   }
   return text;

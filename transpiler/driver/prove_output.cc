@@ -1,4 +1,5 @@
 #include "transpiler/driver/prove_output.h"
+#include "transpiler/support/counted.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -8,10 +9,6 @@ namespace plcxx::driver {
 namespace {
 
 using prove::PropertyVerdict;
-
-std::string Count(uint32_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 std::string_view NameOf(PropertyVerdict verdict) {
   switch (verdict) {
@@ -31,22 +28,23 @@ std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
   switch (result.verdict) {
     case PropertyVerdict::kProved: {
       const bool is_stuck = proved.placed.property.kind == prove::PropertyKind::kNeverStuck;
-      std::string text = is_stuck ? "within " + Count(result.periods, "period") + " from every state"
-                                  : "by induction over " + Count(result.periods, "period");
-      if (result.invariants > 0) text += ", with " + Count(result.invariants, "invariant");
+      std::string text = is_stuck ? "within " + support::Counted(result.periods, "period") + " from every state"
+                                  : "by induction over " + support::Counted(result.periods, "period");
+      if (result.invariants > 0) text += ", with " + support::Counted(result.invariants, "invariant");
       std::vector<std::string> lines{std::move(text)};
       if (!result.remark.empty()) lines.push_back("note: " + result.remark);
       return lines;
     }
     case PropertyVerdict::kViolated: {
-      std::vector<std::string> lines{"after " + Count(result.periods, "period") + ": " + proved.scenario.steps};
+      std::vector<std::string> lines{"after " + support::Counted(result.periods, "period") + ": " +
+                                     proved.scenario.steps};
       if (!result.reason.empty()) lines.push_back(result.reason);
       if (!proved.file.empty()) lines.push_back("scenario: " + proved.file);
       return lines;
     }
     case PropertyVerdict::kUndecided:
       if (result.run && !proved.scenario.steps.empty()) return {result.reason, "the run: " + proved.scenario.steps};
-      return {result.reason, "no run of up to " + Count(result.searched, "period") + " violates it"};
+      return {result.reason, "no run of up to " + support::Counted(result.searched, "period") + " violates it"};
   }
   PLCXX_UNREACHABLE();
 }

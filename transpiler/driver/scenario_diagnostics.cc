@@ -1,4 +1,5 @@
 #include "transpiler/driver/scenario_diagnostics.h"
+#include "transpiler/support/counted.h"
 
 #include <algorithm>
 #include <cctype>
@@ -70,8 +71,6 @@ bool IsWarning(const diag::Diagnostic& diagnostic, std::string_view code) {
   return diagnostic.severity != diag::Severity::kError && CodeMatches(diagnostic.row->code, code);
 }
 
-std::string Counted(size_t count) { return std::to_string(count) + (count == 1 ? " warning" : " warnings"); }
-
 }  // namespace
 
 bool CodeMatches(std::string_view code, std::string_view wanted) {
@@ -97,7 +96,7 @@ std::optional<std::string> CheckExpectedWarnings(const Scenario& scenario, const
                                                  const source::SourceManager& sources) {
   const std::vector<ExpectedWarning>& expected = *scenario.warnings;
   if (expected.empty() && diagnostics.warning_count() > 0) {
-    return scenario.path + ": expected no warnings, found " + Counted(diagnostics.warning_count());
+    return scenario.path + ": expected no warnings, found " + support::Counted(diagnostics.warning_count(), "warning");
   }
   std::string text;
   const auto complain = [&](ScenarioMark mark, std::string message) {

@@ -19,6 +19,7 @@
 #include "transpiler/emit/emittable.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
@@ -64,19 +65,15 @@ std::string DifferenceText(const prove::CodeDifference& difference) {
   return text + "\n";
 }
 
-/// "1 instruction", "2 instructions".
-std::string Count(uint64_t number, const std::string& what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
-}
-
 std::string ProofText(const prove::RoutineProof& proof) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
     case prove::ProofResult::kProved:
-      text += "proved (" + Count(proof.bytes, "byte") + " of State, " + Count(proof.host_functions, "host function") +
-              ", " + Count(proof.instructions, "instruction");
-      if (proof.claims != 0) text += "; " + Count(proof.claims, "claim") + " of loops";
-      if (!proof.relies_on.empty()) text += "; with " + Count(proof.relies_on.size(), "proved function");
+      text += "proved (" + support::Counted(proof.bytes, "byte") + " of State, " +
+              support::Counted(proof.host_functions, "host function") + ", " +
+              support::Counted(proof.instructions, "instruction");
+      if (proof.claims != 0) text += "; " + support::Counted(proof.claims, "claim") + " of loops";
+      if (!proof.relies_on.empty()) text += "; with " + support::Counted(proof.relies_on.size(), "proved function");
       return text + ")\n";
     case prove::ProofResult::kNotDecided:
       text += "not decided: " + proof.reason + "\n";
