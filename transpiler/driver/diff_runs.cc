@@ -23,6 +23,7 @@ constexpr uint64_t kRandomShare = 5, kQuickShare = 80;  // of the time: a fifth,
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr uint32_t kLeastPulses = 20;
 constexpr size_t kMostSought = 400;
+constexpr uint64_t kWatchedMs = 30'000;  // from power-on
 
 /// The pairs that the host writes and a version reads, by the names of inputs that a scenario can set.
 std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const prove::Version& new_version,
@@ -91,6 +92,25 @@ std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vec
   return behind;
 }
 
+/// Without memory that the host might write as well, such as data with presets: a random one there hides what differs.
+std::vector<prove::SetCell> InputsOfTheMachine(const prove::Version& version, std::vector<prove::SetCell> inputs) {
+  std::erase_if(inputs, [&version](const prove::SetCell& input) {
+    return DirectionOf(version, input.old_cell) != ir::Direction::kInput;
+  });
+  return inputs;
+}
+
+/// The inputs as they stand after so many steps of a run.
+std::vector<prove::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
+  std::map<CellId, prove::SetCell> level;
+  for (uint32_t step = 0; step < steps; ++step) {
+    for (const prove::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
+  }
+  std::vector<prove::SetCell> inputs;
+  for (const auto& [cell, input] : level) inputs.push_back(input);
+  return inputs;
+}
+
 std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
   std::vector<Stimuli> all;
   for (const std::vector<KnownStep>& steps : KnownRuns(side.request)) {
@@ -126,25 +146,52 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
-  const auto run_both = [&](Stimuli stimuli) {
+  const auto run_both = [&](const Stimuli& stimuli) {
     DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
-    uint64_t periods = 0;
     const auto run = static_cast<uint32_t>(result.runs.size());
+    result.runs.push_back(stimuli);
+    uint64_t periods = 0;
+    // Shorter runs are better ones.
+    const auto add = [&](CellId cell, const RandomRuns::Difference& difference) {
+      const auto [at, added] = result.difference_of.try_emplace(cell, difference);
+      if (!added && difference.periods < at->second.periods) at->second = difference;
+    };
     for (uint32_t step = 0; step < stimuli.size() && !late(); ++step) {
-      if (!old_machine.Apply(stimuli[step], &prove::SetCell::old_cell)) break;
-      if (!new_machine.Apply(stimuli[step], &prove::SetCell::new_cell)) break;
-      old_machine.Look();
-      new_machine.Look();
-      periods += stimuli[step].slow + stimuli[step].ms / period_ms;
+      const Stimulus& stimulus = stimuli[step];
+      uint32_t passed_ms = 0;
+      const auto apply = [&](const Stimulus& piece) {
+        if (!old_machine.Apply(piece, &prove::SetCell::old_cell)) return false;
+        if (!new_machine.Apply(piece, &prove::SetCell::new_cell)) return false;
+        old_machine.Look();
+        new_machine.Look();
+        periods += piece.slow + piece.ms / period_ms;
+        passed_ms += piece.ms;
+        return true;
+      };
+      // What differs for a moment only is seen by who looks after every period, as long as that does not take long.
+      const bool watches = !quick && periods * period_ms < kWatchedMs;
+      Stimulus piece = stimulus;
+      while (watches && passed_ms + period_ms < stimulus.ms && !late()) {
+        piece.ms = period_ms;
+        if (!apply(piece)) return;
+        piece = {.inputs = {}, .words = {}, .slow = 0, .ms = stimulus.ms - passed_ms};
+        std::optional<RandomRuns::Difference> here;
+        for (const auto& [old_cell, new_cell] : pairs) {
+          if (result.difference_of.contains(old_cell)) continue;
+          if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
+          if (!here) {
+            here = {.run = static_cast<uint32_t>(result.runs.size()), .steps = step + 1, .periods = periods};
+            result.runs.emplace_back(stimuli.begin(), stimuli.begin() + step + 1).back().ms = passed_ms;
+          }
+          add(old_cell, *here);
+        }
+      }
+      if (late() || !apply(piece)) break;
       for (const auto& [old_cell, new_cell] : pairs) {
         if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
-        // Shorter runs are better ones.
-        const RandomRuns::Difference difference{.run = run, .steps = step + 1, .periods = periods};
-        const auto [at, added] = result.difference_of.try_emplace(old_cell, difference);
-        if (!added && periods < at->second.periods) at->second = difference;
+        add(old_cell, {.run = run, .steps = step + 1, .periods = periods});
       }
     }
-    result.runs.push_back(std::move(stimuli));
     if (quick) return;
     const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
     if (std::ranges::all_of(pairs, differs)) --spare;
@@ -158,12 +205,27 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
   const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_side.whole, new_side.whole);
   const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
+  const std::vector<prove::SetCell> machines = InputsOfTheMachine(old_version, behind);
+  // Near the inputs with which something was seen there is more to be seen: what follows from it.
+  std::vector<prove::SetCell> telling;
+  const auto run_and_learn = [&](const Stimuli& stimuli) {
+    const size_t seen = result.difference_of.size();
+    const auto first_run = static_cast<uint32_t>(result.runs.size());
+    run_both(stimuli);
+    if (result.difference_of.size() == seen) return;
+    for (const auto& [cell, difference] : result.difference_of) {
+      if (difference.run >= first_run) telling = InputsAfter(result.runs[difference.run], difference.steps);
+    }
+  };
   for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
+    const std::vector<prove::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
-    run_both(HoldStimuli(random, behind, run, changed.times_ms));
+    const bool near = !telling.empty() && run % 2 == 0;
+    run_and_learn(
+        HoldStimuli(near ? AlmostTheSame(random, telling) : RandomInputs(random, set, run), run, changed.times_ms));
     if (options.progress) options.progress("counting run " + std::to_string(run + 1));
-    run_both(PulseStimuli(random, behind, run, pulses));
+    run_and_learn(PulseStimuli(random, set, run, pulses));
   }
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));
@@ -195,7 +257,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       }
       stimuli.push_back(std::move(stimulus));
     }
-    run_both(std::move(stimuli));
+    run_both(stimuli);
   }
 }
 

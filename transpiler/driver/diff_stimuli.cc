@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "transpiler/ir/op.h"
+#include "transpiler/prove/execute/cells.h"
 
 namespace plcxx::driver {
 namespace {
@@ -18,9 +22,33 @@ constexpr uint32_t kMostCounts = 1000;
 constexpr size_t kMostPresets = 12;     // different constants, when none was changed
 constexpr uint64_t kHeadstartMs = 200;  // for what comes before a timer
 
+uint8_t AtPowerOn(const ir::Space& space, uint32_t offset) {
+  const auto at = std::ranges::lower_bound(space.initial, offset, {}, &ir::InitialByte::offset);
+  return at != space.initial.end() && at->offset == offset ? at->value : uint8_t{0};
+}
+
+/// What declared data are when power comes, each as wide as the program reads it: presets stand there, too.
+std::vector<uint64_t> InitialWordsOf(const ir::Program& program) {
+  std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint64_t> words;  // by space, offset and number of bytes
+  for (const ir::Place& place : program.places) {
+    if (place.is_field() || place.indexed || place.type == ir::Type::kBit || !prove::IsInside(program, place)) continue;
+    const ir::Space& space = program.spaces[place.space];
+    const uint32_t bytes = ir::Bytes(place.type);
+    uint64_t value = 0;
+    for (uint32_t i = 0; i < bytes; ++i) {
+      const uint32_t nth = space.order == ir::ByteOrder::kLittle ? i : bytes - 1 - i;
+      value |= uint64_t{AtPowerOn(space, place.offset + nth)} << 8 * i;
+    }
+    if (value != 0) words[{place.space.index, place.offset, bytes}] = value;
+  }
+  std::vector<uint64_t> values;
+  for (const auto& [where, value] : words) values.push_back(value);
+  return values;
+}
+
 /// Ascending, each as often as it stands there.
 std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
-  std::vector<uint64_t> constants;
+  std::vector<uint64_t> constants = InitialWordsOf(program);
   for (const ir::Region& region : program.regions) {
     for (const ir::InstId id : region.insts) {
       const ir::Inst& inst = program[id];
@@ -48,18 +76,19 @@ uint64_t TimeWordMs(uint64_t word) {
   return ms;
 }
 
-/// How likely an input is 1 in a run, in eighths: half, many or few of them, in turn.
-uint32_t DensityOf(int run) {
-  constexpr std::array<uint32_t, 5> kEighths = {7, 4, 1, 6, 2};
-  return kEighths[static_cast<size_t>(run) % kEighths.size()];
-}
+}  // namespace
 
-std::vector<prove::SetCell> WithValues(prove::Random& random, std::vector<prove::SetCell> inputs, uint32_t density) {
+std::vector<prove::SetCell> RandomInputs(prove::Random& random, std::vector<prove::SetCell> inputs, int run) {
+  constexpr std::array<uint32_t, 5> kEighths = {7, 4, 1, 6, 2};
+  const uint32_t density = kEighths[static_cast<size_t>(run) % kEighths.size()];
   for (prove::SetCell& input : inputs) input.value = (random.Next() >> 7) % 8 < density ? 1 : 0;
   return inputs;
 }
 
-}  // namespace
+std::vector<prove::SetCell> AlmostTheSame(prove::Random& random, std::vector<prove::SetCell> inputs) {
+  for (uint64_t i = random.Next() % 3; i > 0; --i) inputs[(random.Next() >> 7) % inputs.size()].value ^= 1;
+  return inputs;
+}
 
 ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program) {
   const std::vector<uint64_t> old_constants = ConstantsOf(old_program), new_constants = ConstantsOf(new_program);
@@ -100,11 +129,10 @@ ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::
   return changed;
 }
 
-Stimuli HoldStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run,
-                    const std::vector<uint32_t>& times_ms) {
+Stimuli HoldStimuli(std::vector<prove::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms) {
   constexpr std::array<uint64_t, 6> kPatience = {30'000, 30'000, 10 * 60'000, 30'000, 10 * 60'000, kLongestMs};
   const uint64_t longest = kPatience[static_cast<size_t>(run) % kPatience.size()];
-  Stimuli stimuli{{.inputs = WithValues(random, inputs, DensityOf(run)), .words = {}, .slow = 1}};
+  Stimuli stimuli{{.inputs = std::move(inputs), .words = {}, .slow = 1}};
   std::set<uint32_t> ends{500, 1500, 3500, 8500, 28'500};
   ends.insert(times_ms.begin(), times_ms.end());
   uint32_t now = 0;
@@ -120,7 +148,7 @@ Stimuli HoldStimuli(prove::Random& random, const std::vector<prove::SetCell>& in
 }
 
 Stimuli PulseStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run, uint32_t count) {
-  Stimuli stimuli{{.inputs = WithValues(random, inputs, DensityOf(run)), .words = {}, .slow = 1}};
+  Stimuli stimuli{{.inputs = RandomInputs(random, inputs, run), .words = {}, .slow = 1}};
   prove::SetCell pulse = stimuli.front().inputs[random.Next() % inputs.size()];
   for (uint32_t i = 0; i < 2 * count; ++i) {
     pulse.value ^= 1;

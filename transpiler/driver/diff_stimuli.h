@@ -19,10 +19,15 @@ struct ChangedConstants {
 };
 ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program);
 
+/// A value for each input; `run`: half, many or few of them are 1, in turn.
+std::vector<prove::SetCell> RandomInputs(prove::Random& random, std::vector<prove::SetCell> inputs, int run);
+
+/// At most two of them have another value.
+std::vector<prove::SetCell> AlmostTheSame(prove::Random& random, std::vector<prove::SetCell> inputs);
+
 /// All inputs are set once, and then nothing happens for longer and longer: until each of `times_ms`, too, as far as
 /// this run is one of the patient ones. Long waits cost much, so most runs end early.
-Stimuli HoldStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run,
-                    const std::vector<uint32_t>& times_ms);
+Stimuli HoldStimuli(std::vector<prove::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
 
 /// All inputs are set once; then one of them comes and goes `count` times.
 Stimuli PulseStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run, uint32_t count);

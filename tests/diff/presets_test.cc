@@ -1,0 +1,33 @@
+// plcxx diff: times that stand in declared data, and what they change for a moment only.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/diff/compare_texts.h"
+
+namespace plcxx::driver {
+namespace {
+
+/// A step that takes too long: for one period, since what ends it lets it begin again.
+std::string PressWithPreset(const std::string& time_word) {
+  return "DDW 40 " + time_word +
+         "\n:MOD PM 0\n:O I 0.0\n:ON I 0.0\n:S F 251.0\n:S F 251.1\n:END PM 0\n"
+         ":MOD PM 9\n:A I 0.0\n:A I 0.1\n:AN I 3.7\n:S F 2.0\n:A I 1.0\n:O F 8.1\n:R F 2.0\n:A F 2.0\n:SR T 1\n: DW "
+         "40\n"
+         ":A T 1\n:= F 8.1\n:END PM 9\n"
+         ":MOD PM 10\n:A F 8.1\n:= O 0.7\n:END PM 10\n";
+}
+
+TEST(DiffPresets, AreFoundInDeclaredData) {
+  const Diff diff = CompareTexts({"prostep", ".plc"}, PressWithPreset("3005D"), PressWithPreset("3006D"));
+  for (const char* name : {"O 0.7", "F 8.1", "T 1"}) {
+    const auto at = std::ranges::find(diff.items, name, &DiffItem::name);
+    ASSERT_NE(at, diff.items.end()) << name;
+    EXPECT_EQ(at->verdict, ItemVerdict::kDifferent) << name;
+    EXPECT_TRUE(at->counterexample.has_value()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace plcxx::driver
