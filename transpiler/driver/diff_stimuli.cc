@@ -130,7 +130,7 @@ ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::
 }
 
 Stimuli HoldStimuli(std::vector<prove::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms) {
-  constexpr std::array<uint64_t, 6> kPatience = {30'000, 30'000, 10 * 60'000, 30'000, 10 * 60'000, kLongestMs};
+  constexpr std::array<uint64_t, 6> kPatience = {30'000, 30'000, 15 * 60'000, 30'000, 15 * 60'000, kLongestMs};
   const uint64_t longest = kPatience[static_cast<size_t>(run) % kPatience.size()];
   Stimuli stimuli{{.inputs = std::move(inputs), .words = {}, .slow = 1}};
   std::set<uint32_t> ends{500, 1500, 3500, 8500, 28'500};

@@ -97,6 +97,13 @@ void JoinAllButDifferent(Comparison& comparison) {
   }
 }
 
+/// Back to what is proved.
+void SeparateUndecided(Comparison& comparison) {
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kUndecided) comparison.pairing.Separate(result.old_cell);
+  }
+}
+
 CompareResult Finish(Comparison& comparison, uint32_t invariants) {
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
   CompareResult result{.pairs = std::move(comparison.results), .refusal = comparison.refusal, .invariants = invariants};
@@ -185,7 +192,6 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return Finish(comparison, 0);
   SetVerdicts(comparison);
   uint32_t invariants = 0;
-  comparison.round_ms = limits.total_ms / 4;
   // The solver's runs are the shortest ones; longer ones are tried for what these leave.
   SearchRuns(comparison);
   // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can be
@@ -198,16 +204,28 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
     const uint32_t undecided = comparison.UndecidedCount();
     return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
   };
-  bool has_invariants = false;
-  if (is_tried()) {
+  const auto try_invariants = [&](uint64_t most_ms) {
     JoinAllButDifferent(comparison);
-    has_invariants = AddInvariants(comparison);
+    const bool any = AddInvariants(comparison, most_ms);
     invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
-    if (has_invariants) try_reachable();
-  }
+    if (any && invariants != 0) {
+      try_reachable();
+    } else {
+      SeparateUndecided(comparison);
+    }
+  };
+  // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
+  comparison.round_ms = limits.total_ms / 16;
+  if (is_tried()) try_invariants(limits.total_ms / 40);
+  comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();
   if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
-  if (has_invariants && comparison.UndecidedCount() < undecided && is_tried()) try_reachable();
+  const bool without_some = comparison.old_invariants.empty() || comparison.new_invariants.empty();
+  if (is_tried() && without_some) {
+    try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 6));
+  } else if (is_tried() && comparison.UndecidedCount() < undecided) {
+    try_reachable();
+  }
   SearchStates(comparison);
   return Finish(comparison, invariants);
 }

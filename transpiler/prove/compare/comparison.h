@@ -94,8 +94,8 @@ inline constexpr uint32_t kMostLookedAt = 400;
 void SearchRuns(Comparison& comparison);
 /// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.
 void SearchStates(Comparison& comparison);
-/// Finds and proves invariants of both versions around the pairs that are undecided; questions assume them from then
-/// on. False as above.
-bool AddInvariants(Comparison& comparison);
+/// Finds and proves invariants of both versions around the pairs that are undecided, in up to `most_ms` for each
+/// version; questions assume them from then on. False as above.
+bool AddInvariants(Comparison& comparison, uint64_t most_ms);
 
 }  // namespace plcxx::prove

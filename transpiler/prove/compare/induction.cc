@@ -120,7 +120,7 @@ void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
   }
 }
 
-bool AddInvariants(Comparison& comparison) {
+bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
   std::vector<TermId> next;
   for (const Part part : {Part::kFast, Part::kPeriod}) {
     if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
@@ -139,7 +139,7 @@ bool AddInvariants(Comparison& comparison) {
     const std::vector<CellId> cells = SupportOfUndecided(comparison, which, cone);
     (is_old ? comparison.old_invariants : comparison.new_invariants) =
         FindInvariants(comparison.terms, *comparison.solver, is_old ? comparison.old_version : comparison.new_version,
-                       cells, is_input, std::min(comparison.RestMs() / 3, comparison.limits.total_ms / 6));
+                       cells, is_input, std::min(comparison.RestMs(), most_ms));
   }
   return true;
 }

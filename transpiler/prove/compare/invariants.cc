@@ -253,6 +253,7 @@ void Finder::Guess() {
 
 void Finder::DropWrongAtPowerOn() {
   std::erase_if(guesses_, [this](const Invariant& guess) {
+    if (std::chrono::steady_clock::now() >= deadline_) return true;
     const TermId wrong = terms_.Not(ConditionOf(terms_, guess, [this](CellId cell) { return init_.next[cell.index]; }));
     if (terms_.IsFalse(wrong)) return false;
     return solver_.Check({&wrong, 1}, 1000) != Answer::kNever;
