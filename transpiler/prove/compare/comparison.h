@@ -68,10 +68,13 @@ std::vector<Verdict> Answers(Comparison& comparison, std::span<const Question> q
 /// same time, with the same outputs. A call that only one of them makes counts as a difference of the calls.
 void AddObservations(Comparison& comparison, std::vector<Question>& questions);
 
-/// What a version gets instead of a value that it writes; see Environment::cut.
-using CutOf = std::function<TermId(Which which, CellId cell, TermId value)>;
+/// What a version gets instead of a value that it writes, and to which cells that happens; see Environment::cut.
+struct Cut {
+  std::function<TermId(Which which, CellId cell, TermId value)> value;
+  std::function<bool(Which which, CellId cell)> is_cut;
+};
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
-bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const CutOf& cut = {});
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const Cut* cut = nullptr);
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
 /// Takes out what starts with other values because retentive memory differs when power fails; adds the number. False as

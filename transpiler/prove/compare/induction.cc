@@ -144,11 +144,14 @@ bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
   return true;
 }
 
-bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const CutOf& cut) {
+bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const Cut* cut) {
   const auto run = [&](Which which) {
     Surroundings surroundings = SurroundingsOf(comparison, which);
     surroundings.answers = answers;
-    if (cut) surroundings.cut = [&cut, which](CellId cell, TermId value) { return cut(which, cell, value); };
+    if (cut != nullptr) {
+      surroundings.cut = [cut, which](CellId cell, TermId value) { return cut->value(which, cell, value); };
+      surroundings.is_cut = [cut, which](CellId cell) { return cut->is_cut(which, cell); };
+    }
     return RunPart(comparison.terms, comparison.pairing.version(which), part, surroundings);
   };
   const uint64_t before_ms = comparison.RestMs();

@@ -12,6 +12,7 @@ Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routin
                           .observe = {},
                           .host_bit = surroundings.host_bit,
                           .cut = surroundings.cut,
+                          .is_cut = surroundings.is_cut,
                           .now = surroundings.now,
                           .stored = stored,
                           .host_answers = surroundings.answers == HostAnswers::kAny,

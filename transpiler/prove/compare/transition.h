@@ -34,6 +34,7 @@ struct Surroundings {
   std::vector<CellId> outputs;                           // what observations look at
   std::function<Environment::HostBit(CellId)> host_bit;  // see Environment; may be empty
   std::function<TermId(CellId, TermId)> cut;             // see Environment; may be empty
+  std::function<bool(CellId)> is_cut;
 };
 
 /// What runs by itself: the schedule's period, and, where it has a time of its own, the fast part.

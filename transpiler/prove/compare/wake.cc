@@ -33,9 +33,17 @@ bool SeparateWake(Comparison& comparison) {
   for (const Part part : {Part::kFast, Part::kPeriod}) {
     if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
     Values old_values, new_values;
-    const auto cut = [&](Which which, CellId cell, TermId value) {
-      const CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
-      if (!old_cell.valid() || !is_cut[old_cell.index]) return value;
+    const auto old_cell_of = [&](Which which, CellId cell) {
+      return which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+    };
+    Cut cut;
+    cut.is_cut = [&](Which which, CellId cell) {
+      const CellId old_cell = old_cell_of(which, cell);
+      return old_cell.valid() && is_cut[old_cell.index];
+    };
+    cut.value = [&](Which which, CellId cell, TermId value) {
+      if (!cut.is_cut(which, cell)) return value;
+      const CellId old_cell = old_cell_of(which, cell);
       std::vector<TermId>& values = (which == Which::kOld ? old_values : new_values)[old_cell.index];
       values.push_back(value);
       TermId& unknown = unknowns[{old_cell.index, values.size()}];
@@ -46,7 +54,7 @@ bool SeparateWake(Comparison& comparison) {
       }
       return unknown;
     };
-    executed = ExecutePart(comparison, part, HostAnswers::kAny, cut);
+    executed = ExecutePart(comparison, part, HostAnswers::kAny, &cut);
     if (!executed) break;
     std::vector<Question> questions;
     for (const CellId cell : cells) {

@@ -69,6 +69,8 @@ struct Environment {
   std::function<HostBit(CellId cell)> host_bit;
   /// Told every value that a cell gets, it gives the one that the cell has from then on; empty: the same.
   std::function<TermId(CellId cell, TermId value)> cut;
+  /// Whether `cut` makes anything else of the values of a cell; empty: of all of them, perhaps.
+  std::function<bool(CellId cell)> is_cut;
   /// The answer to the schedule's `now`.
   TermId now;
   ReplacedParts* replaced = nullptr;
@@ -97,7 +99,7 @@ class Memory {
   bool IsWritten(CellId cell) const { return written_[cell.index]; }
 
   /// By CellId, of those that were asked for or written.
-  const std::vector<TermId>& values() const { return values_; }
+  const std::vector<TermId>& values();
 
   /// A place that is not indexed; width of its type.
   TermId ReadPlace(const ir::Place& place);
@@ -116,18 +118,31 @@ class Memory {
   Environment& environment() { return environment_; }
 
  private:
+  /// The bit of a word that was written as one. Taking words apart costs more than anything else in a program with
+  /// tables, and most are read as they were written; so it is done when somebody asks for the bit.
+  struct WordBit {
+    TermId word;  // none: the cell was written alone, or never
+    uint8_t bit = 0;
+  };
   struct Undo {
     CellId cell;
     TermId before;
+    WordBit word_before;
     bool was_written;
     uint32_t stamp;
   };
+
+  /// What the cell is, for TakeChanges; to be called before each change of it.
+  void NoteBefore(CellId cell);
+  /// The word of which the cells are all bits, from the least significant one on; none: they are not.
+  TermId WholeWord(std::span<const CellId> bits) const;
 
   Terms* terms_;
   const ir::Program* program_;
   const Cells* cells_;
   Environment environment_;
   std::vector<TermId> values_;  // invalid: not asked for yet
+  std::vector<WordBit> words_;  // what an invalid value was written as, and a valid one may have been
   std::vector<bool> written_;
   std::vector<uint32_t> stamps_;  // the Begin during which the cell's value was noted last
   std::vector<std::vector<Undo>> undo_;

@@ -13,24 +13,39 @@ Memory::Memory(Terms& terms, const ir::Program& program, const Cells& cells, Env
       cells_(&cells),
       environment_(std::move(environment)),
       values_(cells.count),
+      words_(cells.count),
       written_(cells.count),
       stamps_(cells.count) {}
 
 TermId Memory::Read(CellId cell) {
   TermId& value = values_[cell.index];
-  if (!value.valid()) value = environment_.initial(cell);
+  if (value.valid()) return value;
+  const WordBit& word = words_[cell.index];
+  value = word.word.valid() ? terms_->Extract(word.word, word.bit, 1) : environment_.initial(cell);
   return value;
+}
+
+const std::vector<TermId>& Memory::values() {
+  for (uint32_t i = 0; i < values_.size(); ++i) {
+    if (words_[i].word.valid()) Read(CellId(i));
+  }
+  return values_;
+}
+
+void Memory::NoteBefore(CellId cell) {
+  if (open_stamps_.empty() || stamps_[cell.index] == open_stamps_.back()) return;
+  undo_.back().push_back({.cell = cell,
+                          .before = values_[cell.index],
+                          .word_before = words_[cell.index],
+                          .was_written = written_[cell.index],
+                          .stamp = std::exchange(stamps_[cell.index], open_stamps_.back())});
 }
 
 void Memory::Write(CellId cell, TermId value) {
   if (environment_.cut) value = environment_.cut(cell, value);
-  if (!open_stamps_.empty() && stamps_[cell.index] != open_stamps_.back()) {
-    undo_.back().push_back({.cell = cell,
-                            .before = Read(cell),
-                            .was_written = written_[cell.index],
-                            .stamp = std::exchange(stamps_[cell.index], open_stamps_.back())});
-  }
+  NoteBefore(cell);
   values_[cell.index] = value;
+  words_[cell.index] = {};
   written_[cell.index] = true;
 }
 
@@ -42,8 +57,9 @@ void Memory::BeginChanges() {
 std::vector<Memory::Change> Memory::TakeChanges() {
   std::vector<Change> changes;
   for (const Undo& undo : undo_.back()) {
-    changes.push_back({undo.cell, values_[undo.cell.index]});
+    changes.push_back({undo.cell, Read(undo.cell)});
     values_[undo.cell.index] = undo.before;
+    words_[undo.cell.index] = undo.word_before;
     written_[undo.cell.index] = undo.was_written;
     stamps_[undo.cell.index] = undo.stamp;
   }
@@ -55,11 +71,6 @@ std::vector<Memory::Change> Memory::TakeChanges() {
 
 namespace {
 
-/// The byte of a value (0 = the least significant) that stands at byte `at` of a place of `bytes` bytes.
-uint32_t SignificanceOf(const ir::Space& space, uint32_t at, uint32_t bytes) {
-  return space.order == ir::ByteOrder::kBig ? bytes - 1 - at : at;
-}
-
 CellId FieldCell(const Memory& memory, const ir::Place& place) {
   const ir::StateKind kind = memory.program().states[place.state].kind;
   return CellId(memory.cells().states[place.state.index] + FieldTermIndex(kind, place.field));
@@ -67,17 +78,30 @@ CellId FieldCell(const Memory& memory, const ir::Place& place) {
 
 }  // namespace
 
+TermId Memory::WholeWord(std::span<const CellId> bits) const {
+  const TermId word = words_[bits.front().index].word;
+  if (!word.valid() || terms_->Width(word) != bits.size()) return {};
+  for (size_t i = 0; i < bits.size(); ++i) {
+    const WordBit& at = words_[bits[i].index];
+    if (at.word != word || at.bit != i) return {};
+  }
+  return word;
+}
+
 TermId Memory::ReadPlace(const ir::Place& place) {
   if (place.is_field()) return Read(FieldCell(*this, place));
   if (place.type == ir::Type::kBit) return Read(cells_->OfBit(place.space, place.offset, place.bit));
-  const uint32_t bytes = ir::Bytes(place.type);
-  const ir::Space& space = program_->spaces[place.space];
-  std::vector<TermId> parts;  // from the least significant bit up
-  for (uint32_t significance = 0; significance < bytes; ++significance) {
-    const uint32_t at = place.offset + SignificanceOf(space, significance, bytes);
-    for (uint8_t bit = 0; bit < 8; ++bit) parts.push_back(Read(cells_->OfBit(place.space, at, bit)));
+  const std::vector<CellId> cells = CellsOf(*program_, *cells_, place);
+  if (const TermId word = WholeWord(cells); word.valid()) return word;
+  std::vector<TermId> bits;
+  bool is_part = false;  // of a word that was written and is better kept
+  for (const CellId cell : cells) {
+    bits.push_back(Read(cell));
+    is_part = is_part || words_[cell.index].word.valid();
   }
-  return Gather(*terms_, parts);
+  const TermId whole = Gather(*terms_, bits);
+  for (uint8_t bit = 0; !is_part && bit < cells.size(); ++bit) words_[cells[bit].index] = {.word = whole, .bit = bit};
+  return whole;
 }
 
 void Memory::WritePlace(const ir::Place& place, TermId value) {
@@ -89,14 +113,21 @@ void Memory::WritePlace(const ir::Place& place, TermId value) {
     Write(cells_->OfBit(place.space, place.offset, place.bit), value);
     return;
   }
-  const uint32_t bytes = ir::Bytes(place.type);
-  const ir::Space& space = program_->spaces[place.space];
-  for (uint32_t significance = 0; significance < bytes; ++significance) {
-    const uint32_t at = place.offset + SignificanceOf(space, significance, bytes);
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      Write(cells_->OfBit(place.space, at, bit),
-            terms_->Extract(value, static_cast<uint8_t>(8 * significance + bit), 1));
+  const std::vector<CellId> cells = CellsOf(*program_, *cells_, place);
+  const bool by_bit = environment_.cut && std::ranges::any_of(cells, [this](CellId cell) {
+                        return !environment_.is_cut || environment_.is_cut(cell);
+                      });
+  uint8_t bit = 0;
+  for (const CellId cell : cells) {
+    if (by_bit) {
+      Write(cell, terms_->Extract(value, bit, 1));
+    } else {
+      NoteBefore(cell);
+      values_[cell.index] = {};
+      words_[cell.index] = {.word = value, .bit = bit};
+      written_[cell.index] = true;
     }
+    ++bit;
   }
 }
 
