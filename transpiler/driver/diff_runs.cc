@@ -9,6 +9,7 @@
 #include "transpiler/driver/diff_machine.h"
 #include "transpiler/driver/diff_stimuli.h"
 #include "transpiler/driver/known_runs.h"
+#include "transpiler/prove/compare/requests.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::driver {
@@ -38,6 +39,15 @@ std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const pr
     }
   }
   return inputs;
+}
+
+/// The control does what it was asked for now and then: the requests are cleared before some of the steps.
+void AddDoneRequests(Random& random, const std::vector<prove::SetCell>& requests, Stimuli& stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    for (const prove::SetCell& request : requests) {
+      if (random.OneIn(2)) stimulus.inputs.push_back(request);
+    }
+  }
 }
 
 /// Whether now and then nothing happens for a while, so that timers end.
@@ -137,6 +147,9 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   const bool quick = request.effort == prove::Effort::kQuick;
   if (!quick && request.cells.size() > kMostSought) return;  // the wake of a change that reaches everything
   const std::vector<prove::SetCell> inputs = InputsOf(old_version, new_version, request.match);
+  std::vector<prove::SetCell> requests;
+  for (const CellId cell : MatchedRequests(old_version, new_version, request.match))
+    requests.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
   std::vector<std::pair<CellId, CellId>> pairs;
   for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
   const auto begin = std::chrono::steady_clock::now();
@@ -146,7 +159,9 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
-  const auto run_both = [&](const Stimuli& stimuli) {
+  Random random(quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03);
+  const auto run_both = [&](Stimuli stimuli) {
+    AddDoneRequests(random, requests, stimuli);
     DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
     const auto run = static_cast<uint32_t>(result.runs.size());
     result.runs.push_back(stimuli);
@@ -196,7 +211,6 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
     if (std::ranges::all_of(pairs, differs)) --spare;
   };
-  Random random(quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03);
   const std::vector<Stimuli> known = StimuliOfScenarios(old_side);
   std::vector<bool> wanted(new_version.cells.count);
   for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;

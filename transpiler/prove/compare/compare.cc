@@ -131,6 +131,7 @@ Comparison::Comparison(const Version& old_side, const Version& new_side, const M
       pairing(terms, old_side, new_side, matching),
       old_uses(UsesOf(old_side)),
       new_uses(UsesOf(new_side)),
+      requests(MatchedRequests(old_side, new_side, matching)),
       round_ms(compare_limits.total_ms / 90),
       now(terms.Variable("now", 32)),
       deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {

@@ -9,6 +9,7 @@
 #include "transpiler/prove/compare/compare.h"
 #include "transpiler/prove/compare/invariants.h"
 #include "transpiler/prove/compare/pairing.h"
+#include "transpiler/prove/compare/requests.h"
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/solver/sweep.h"
 
@@ -26,6 +27,7 @@ struct Comparison {
   std::string refusal;
   Pairing pairing;
   Uses old_uses, new_uses;
+  std::vector<CellId> requests;                  // old cells that the control clears when it likes
   std::vector<CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
   /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
   uint64_t round_ms;

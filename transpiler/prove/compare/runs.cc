@@ -16,6 +16,7 @@ namespace {
 struct Unrolled {
   std::vector<TermId> old_state, new_state;        // by cell
   std::vector<std::map<uint32_t, TermId>> inputs;  // by period: what each input (an old cell) is
+  std::vector<std::map<uint32_t, TermId>> done;    // by period: whether the control has done each request (an old cell)
 };
 
 void SetInput(Comparison& comparison, Unrolled& state, uint32_t old_cell) {
@@ -50,11 +51,30 @@ std::optional<bool> AdvancePart(Comparison& comparison, Unrolled& state, Which w
   return changed;
 }
 
+/// Before a period the control clears the requests that it has done, in both versions the same ones.
+void ClearDoneRequests(Comparison& comparison, Unrolled& state) {
+  Terms& terms = comparison.terms;
+  for (const CellId old_cell : comparison.requests) {
+    TermId& one = state.old_state[old_cell.index];
+    TermId& other = state.new_state[comparison.match.new_of_old[old_cell.index].index];
+    if (terms.IsFalse(one) && terms.IsFalse(other)) continue;
+    const Cell cell = CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell);
+    const TermId done = terms.Variable("before period " + std::to_string(state.done.size()) + " done " +
+                                           CellName(*comparison.old_version.program, cell),
+                                       1);
+    state.done.back()[old_cell.index] = done;
+    one = terms.And(one, terms.Not(done));
+    other = terms.And(other, terms.Not(done));
+  }
+}
+
 /// As `run: {ms: ...}` of one period does it: the fast parts that are due, then the period.
 bool Advance(Comparison& comparison, Unrolled& state) {
   const ir::Schedule& schedule = comparison.old_version.program->schedule;
   const uint64_t before = state.inputs.size(), begin_ms = before * schedule.period_ms;
   state.inputs.emplace_back();
+  state.done.emplace_back();
+  ClearDoneRequests(comparison, state);
   for (const Which which : {Which::kOld, Which::kNew}) {
     const uint32_t fast_ms =
         (which == Which::kOld ? comparison.old_version : comparison.new_version).program->schedule.fast_ms;
@@ -77,7 +97,8 @@ Unrolled PowerOn(Comparison& comparison) {
                                   .outputs = {}};
   return {.old_state = RunInit(comparison.terms, comparison.old_version, surroundings).next,
           .new_state = RunInit(comparison.terms, comparison.new_version, surroundings).next,
-          .inputs = {}};
+          .inputs = {},
+          .done = {}};
 }
 
 /// A pair that is looked at, and the term that is 1 where it differs.
@@ -133,9 +154,15 @@ Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector
   const ir::Program& program = *comparison.old_version.program;
   std::map<uint32_t, uint64_t> level;
   Run run;
-  for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
+  for (size_t period = 0; period < state.inputs.size(); ++period) {
     run.periods.emplace_back();
-    for (const auto& [old_cell, variable] : inputs) {
+    for (const auto& [old_cell, variable] : state.done[period]) {
+      const auto found = needed.find(variable.index);
+      if (found == needed.end() || found->second == 0) continue;
+      run.periods.back().push_back(
+          {.old_cell = CellId(old_cell), .new_cell = comparison.match.new_of_old[old_cell], .value = 0});
+    }
+    for (const auto& [old_cell, variable] : state.inputs[period]) {
       const auto found = needed.find(variable.index);
       if (found == needed.end()) continue;
       const Cell cell = CellAt(program, comparison.old_version.cells, CellId(old_cell));
@@ -164,6 +191,9 @@ void TryRandomInputs(Comparison& comparison, const Unrolled& state, const std::v
   std::unordered_map<uint32_t, uint32_t> cell_of;  // by variable
   for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
     for (const auto& [old_cell, variable] : inputs) cell_of[variable.index] = old_cell;
+  }
+  for (const std::map<uint32_t, TermId>& done : state.done) {
+    for (const auto& [old_cell, variable] : done) cell_of[variable.index] = old_cell;
   }
   std::vector<uint64_t> values;
   Random random(0xA0761D6478BD642F + state.inputs.size());

@@ -1,0 +1,106 @@
+// plcxx diff: what happens only when the control has done what the program asked it for.
+//
+// A request stays until the control clears it, in a scenario until a step does: without such steps the program waits
+// for ever, and nothing behind the wait could be told apart.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/diff/compared_texts.h"
+
+namespace plcxx::driver {
+namespace {
+
+using testing::HasSubstr;
+
+const Language kTechnol{"technol", ".plc"};
+
+TEST(Requests, WhatComesWhenOneIsDone) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+BITY: DFM CEKA
+        DATA_END
+        MODULE_MAIN
+        LDR CEKA
+        LA -REQ_CLOSE_ALL
+        @
+        WR Q
+        LDR A
+        FL1 1,REQ_CLOSE_ALL
+        LDR REQ_CLOSE_ALL
+        WR CEKA
+        MODULE_MAIN_END
+        STOP
+)";
+  const Diff diff = ComparedTexts(kTechnol, With(program, ""), With(program, "LA -A"));
+  const DiffItem* const item = ItemNamed(diff, "Q");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << item->reason;
+  ASSERT_TRUE(item->counterexample);
+  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_FALSE(item->counterexample->from_state);
+  EXPECT_EQ(item->counterexample->steps, "A=1, slow 1, REQ_CLOSE_ALL=0, slow 1");
+}
+
+/// More periods than the solver looks at.
+TEST(Requests, WhatComesWhenManyWereDone) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+BITY: DFM CEKA
+N: DS 1
+        DATA_END
+        MODULE_MAIN
+        LDR CEKA
+        LA -REQ_CLOSE_ALL
+        JL0 DAL
+        LOD N
+        AD CNST.1
+        STO N
+DAL:    LOD N
+        GT CNST.@
+        WR Q
+        LDR A
+        FL1 1,REQ_CLOSE_ALL
+        LDR REQ_CLOSE_ALL
+        WR CEKA
+        MODULE_MAIN_END
+        STOP
+)";
+  const Diff diff = ComparedTexts(kTechnol, With(program, "8"), With(program, "9"));
+  const DiffItem* const item = ItemNamed(diff, "Q");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << item->reason;
+  ASSERT_TRUE(item->counterexample);
+  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_FALSE(item->counterexample->from_state);
+  EXPECT_THAT(item->counterexample->steps, HasSubstr("REQ_CLOSE_ALL=0"));
+}
+
+/// What the program clears itself is no request.
+TEST(Requests, AFlagIsNotClearedByTheControl) {
+  const std::string program = R"(        DATA
+IN0: DFM A,B
+OUT0: DFM Q
+BITY: DFM CEKA,STAV
+        DATA_END
+        MODULE_MAIN
+        LDR CEKA
+        LA -STAV
+        @
+        WR Q
+        LDR A
+        FL1 1,STAV
+        LDR STAV
+        WR CEKA
+        MODULE_MAIN_END
+        STOP
+)";
+  const Diff diff = ComparedTexts(kTechnol, With(program, ""), With(program, "LA -A"));
+  EXPECT_EQ(NamesIn(diff), "");
+}
+
+}  // namespace
+}  // namespace plcxx::driver

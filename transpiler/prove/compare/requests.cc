@@ -1,0 +1,103 @@
+#include "transpiler/prove/compare/requests.h"
+
+#include "transpiler/ir/op.h"
+
+namespace plcxx::prove {
+namespace {
+
+/// Looks for `if REQUEST { answer = polled(); if answer == ... { REQUEST = 0 } }`.
+class RequestWalk {
+ public:
+  RequestWalk(const Version& version, std::vector<bool>& cells)
+      : version_(version), program_(*version.program), cells_(cells) {}
+
+  void Region(ir::RegionId region) {
+    if (!region.valid()) return;
+    for (const ir::InstId id : program_.regions[region].insts) Inst(program_[id]);
+  }
+
+ private:
+  void Inst(const ir::Inst& inst) {
+    switch (ir::Info(inst.op).shape) {
+      case ir::Shape::kIf: {
+        const ir::Inst& condition = program_[ir::InstId(inst.a)];
+        const bool asks_bit = IsBit(condition, ir::Shape::kLoad);
+        const std::vector<CellId> answered = answered_;
+        if (asks_bit) asked_.push_back(CellOf(condition));
+        Region(ir::RegionId(inst.b));
+        if (asks_bit) asked_.pop_back();
+        answered_ = answered;  // behind the branch nobody knows whether the host was asked
+        Region(ir::RegionId(inst.c));
+        break;
+      }
+      case ir::Shape::kHostCall: {
+        const ir::HostFunction& host = program_.host_functions[program_.calls[ir::CallId(inst.payload)].host];
+        if (host.polled && host.result != ir::Type::kNone) answered_ = asked_;
+        break;
+      }
+      case ir::Shape::kStore: {
+        if (!IsBit(inst, ir::Shape::kStore)) break;
+        const ir::Inst& value = program_[ir::InstId(inst.a)];
+        const bool clears = ir::Info(value.op).shape == ir::Shape::kConst && ir::ConstantValue(value) == 0;
+        const CellId cell = CellOf(inst);
+        for (const CellId asked : answered_) {
+          if (clears && asked == cell) cells_[cell.index] = true;
+        }
+        break;
+      }
+      case ir::Shape::kPure:
+      case ir::Shape::kStep:
+      case ir::Shape::kText:
+      case ir::Shape::kConst:
+      case ir::Shape::kStatement:
+      case ir::Shape::kLoad:
+      case ir::Shape::kSwitch:
+      case ir::Shape::kBlock:
+      case ir::Shape::kLoop:
+      case ir::Shape::kRepeat:
+      case ir::Shape::kExit:
+      case ir::Shape::kCall:
+      case ir::Shape::kJump:
+      case ir::Shape::kLabel:
+        break;
+    }
+  }
+
+  bool IsBit(const ir::Inst& inst, ir::Shape shape) const {
+    if (ir::Info(inst.op).shape != shape) return false;
+    const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
+    return !place.is_field() && !place.indexed && place.type == ir::Type::kBit && IsInside(program_, place);
+  }
+  CellId CellOf(const ir::Inst& inst) const {
+    const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
+    return version_.cells.OfBit(place.space, place.offset, place.bit);
+  }
+
+  const Version& version_;
+  const ir::Program& program_;
+  std::vector<bool>& cells_;
+  std::vector<CellId> asked_, answered_;  // bits that are 1 here; that were when the host was asked
+};
+
+}  // namespace
+
+std::vector<bool> RequestCells(const Version& version) {
+  std::vector<bool> cells(version.cells.count);
+  for (const ir::Routine& routine : version.program->routines) {
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue})
+      RequestWalk(version, cells).Region(region);
+  }
+  return cells;
+}
+
+std::vector<CellId> MatchedRequests(const Version& old_version, const Version& new_version, const Match& match) {
+  const std::vector<bool> old_cells = RequestCells(old_version), new_cells = RequestCells(new_version);
+  std::vector<CellId> requests;
+  for (uint32_t i = 0; i < old_cells.size(); ++i) {
+    const CellId new_cell = match.new_of_old[i];
+    if (old_cells[i] && new_cell.valid() && new_cells[new_cell.index]) requests.emplace_back(i);
+  }
+  return requests;
+}
+
+}  // namespace plcxx::prove
