@@ -8,6 +8,7 @@ namespace plcxx::driver {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class DiffCommand : public testing::Test {
  protected:
@@ -53,12 +54,56 @@ TEST_F(DiffCommand, AsAToolOfGitItIsNeverBroken) {
   const Ran ran = place_.Run("diff --git-external door.plc old/door.plc 1234567 100644 new/door.plc 89abcde 100644");
   EXPECT_EQ(ran.code, 0) << ran;
   EXPECT_THAT(ran.out, HasSubstr("door.plc (old) -> door.plc (new): 1 output differs"));
+  place_.Write("wrong.plc", "$\nU4A0=\n");
+  const Ran broken = place_.Run("diff --git-external door.plc old/door.plc 1234567 100644 wrong.plc 89abcde 100644");
+  EXPECT_EQ(broken.code, 0) << broken;
+  EXPECT_THAT(broken.errors, HasSubstr("'door.plc (new)' cannot be compared"));
+}
+
+/// git's copies stand in a temporary directory under names that say nothing, and are gone when the reader sees them.
+TEST_F(DiffCommand, AsAToolOfGitItUsesGitsNames) {
+  place_.Write("copy_1", "$\nU4A0=I0A0*/I0A1\n");
+  place_.Write("copy_2", "$\nU4A0=I0A0\n");
+  const Ran ran = place_.Run(
+      "diff --dialect nc110 --counterexamples found --git-external door.plc copy_1 1234567 100644 copy_2 89abcde "
+      "100644");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("old * door.plc:2  U4A0=I0A0*/I0A1"));
+  EXPECT_THAT(ran.out, HasSubstr("new * door.plc:2  U4A0=I0A0"));
+  EXPECT_THAT(ran.out, Not(HasSubstr("copy_")));
+  EXPECT_THAT(place_.Read("found/U4A0.yaml"), HasSubstr("sources: ['../door.plc']"));
+}
+
+TEST_F(DiffCommand, GitAlsoTellsOfFilesThatComeGoAndMove) {
+  EXPECT_EQ(place_.Run("diff --git-external door.plc /dev/null . . new/door.plc 89abcde 100644").out,
+            "door.plc: only in the new version\n");
+  EXPECT_EQ(place_.Run("diff --git-external door.plc old/door.plc 1234567 100644 /dev/null . .").out,
+            "door.plc: only in the old version\n");
+  const Ran moved = place_.Run(
+      "diff --git-external door.plc old/door.plc 1234567 100644 new/door.plc 89abcde 100644 gate.plc 'similarity index "
+      "90%'");
+  EXPECT_EQ(moved.code, 0) << moved;
+  EXPECT_THAT(moved.out, HasSubstr("door.plc (old) -> gate.plc (new): 1 output differs"));
 }
 
 TEST_F(DiffCommand, AScenarioPassesOnTheOldVersionOnly) {
   EXPECT_EQ(place_.Run("diff old new --counterexamples found").code, 1);
   EXPECT_EQ(place_.Run("test found/U4A0.yaml --engine sim").code, 0);
   EXPECT_EQ(place_.Run("test found/U4A0.yaml --engine sim --sources new/door.plc").code, 1);
+}
+
+/// What stands at its old address in the new version is something else.
+TEST_F(DiffCommand, AMovedLocationIsNamedByItsSymbol) {
+  place_.Write("old/door.sym", "* door\nRUN = U100K0\n");
+  place_.Write("new/door.sym", "* door\nRUN = U101K0\n");
+  place_.Write("old/door.plc", "$\n!RUN=I0A0*/I0A1\nU4A0=!RUN*I0A2\n");
+  place_.Write("new/door.plc", "$\n!RUN=I0A0\nU4A0=!RUN*I0A2\n");
+  const Ran ran = place_.Run("diff old new --sources door.sym door.plc --counterexamples found");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, Not(HasSubstr("seen in the simulator only")));
+  EXPECT_THAT(place_.Read("found/U100K0.yaml"), HasSubstr("- expect: {RUN: 0}"));
+  EXPECT_EQ(place_.Run("test found/U100K0.yaml --engine sim").code, 0);
+  EXPECT_EQ(place_.Run("test found/U100K0.yaml --engine sim --sources new/door.sym new/door.plc").code, 1);
 }
 
 TEST_F(DiffCommand, SaysWhatIsWrong) {

@@ -22,6 +22,7 @@ struct DiffSide {
   CompilationRequest request;  // for replaying scenarios
   std::string scenario_base;   // where the sources stand for scenarios; relative names are below it
   std::string hidden_prefix;   // of paths of its files, which is not shown: a copy of a revision
+  std::string file_name;       // not empty: its only source is a copy of this file
   Compilation compilation;     // as it runs
   ir::Program whole;           // the slow part in one piece
 };

@@ -113,6 +113,10 @@ int RunDiff(const DiffSettings& settings) {
     return kWrongUse;
   }
   auto& requests = std::get<DiffRequests>(resolved);
+  if (!requests.one_sided.empty()) {
+    std::cout << requests.one_sided << "\n";
+    return kDone;
+  }
   DiffOptions options{.same = {}, .time_ms = *time_ms, .scenario_directory = settings.scenarios, .progress = {}};
   for (const std::string& pair : settings.same) {
     const size_t equals = pair.find('=');
@@ -128,18 +132,22 @@ int RunDiff(const DiffSettings& settings) {
       MakeDiffSide(requests.old_side.label, requests.old_side.compilation, requests.old_side.hidden_prefix);
   DiffSide new_side =
       MakeDiffSide(requests.new_side.label, requests.new_side.compilation, requests.new_side.hidden_prefix);
+  old_side.file_name = requests.old_side.file_name;
+  new_side.file_name = requests.new_side.file_name;
   progress.Clear();
-  if (!IsUsable(old_side, settings) || !IsUsable(new_side, settings)) return kWrongUse;
+  // git takes anything but 0 for a broken tool, and shows no other file.
+  const int not_compared = settings.words.external ? kDone : kWrongUse;
+  if (!IsUsable(old_side, settings) || !IsUsable(new_side, settings)) return not_compared;
   if (old_side.compilation.dialect != new_side.compilation.dialect) {
     PrintUsageError("the versions are in different languages: " + std::string(old_side.compilation.dialect->name) +
                     " and " + std::string(new_side.compilation.dialect->name));
-    return kWrongUse;
+    return not_compared;
   }
   const Diff diff = CompareSides(old_side, new_side, options);
   progress.Clear();
   if (!diff.refusal.empty()) {
     PrintUsageError("cannot compare: " + diff.refusal);
-    return kWrongUse;
+    return not_compared;
   }
   if (settings.format == "html") {
     std::cout << DiffPage(diff, old_side, new_side);
@@ -149,7 +157,7 @@ int RunDiff(const DiffSettings& settings) {
   if (!settings.scenarios.empty()) {
     if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;
   }
-  if (settings.words.external) return kDone;  // git takes anything else for a broken tool
+  if (settings.words.external) return kDone;
   return diff.items.empty() ? kDone : kProgramHasErrors;
 }
 
@@ -166,7 +174,7 @@ void AddDiff(CLI::App& app, Run& run) {
   command->add_option("--sources", settings->words.sources, "The program's sources, relative to both directories")
       ->type_name("FILE...");
   command->add_option("--git", settings->words.revisions, "Compare two revisions")->type_name("A..B");
-  command->add_flag("--git-external", settings->words.external, "Take the seven words that git gives to a diff tool");
+  command->add_flag("--git-external", settings->words.external, "Take the words that git gives to a diff tool");
   command->add_option("--map", settings->same, "A location of the old version that is another one in the new version")
       ->type_name("OLD=NEW");
   command->add_option("--counterexamples", settings->scenarios, "Write a scenario for each difference")

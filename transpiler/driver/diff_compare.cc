@@ -1,13 +1,13 @@
 // The comparison of two versions: cells in, items with names, causes and counterexamples out.
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_items.h"
 #include "transpiler/driver/diff_runs.h"
+#include "transpiler/driver/diff_statements.h"
 #include "transpiler/driver/optimized_program.h"
 #include "transpiler/passes/pipeline.h"
 
@@ -25,83 +25,16 @@ struct Named {
         compilation(diff_side.compilation),
         version(side_version),
         words(version, compilation),
-        accesses(AccessesOf(version)) {}
+        accesses(AccessesOf(version)),
+        heads(HeadsOf(version)) {}
 
   const DiffSide& side;
   const Compilation& compilation;
   const prove::Version& version;
   CellWords words;
   std::vector<StatementAccess> accesses;
+  std::map<ir::StatementId, std::set<ir::StatementId>> heads;
 };
-
-/// The statement without what does not count: spaces between words.
-std::string Normalized(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const bool space = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    if (!space) {
-      result += c;
-    } else if (!result.empty() && result.back() != ' ') {
-      result += ' ';
-    }
-  }
-  while (!result.empty() && result.back() == ' ') result.pop_back();
-  return result;
-}
-
-/// What a version says, without spaces that do not count.
-struct Texts {
-  std::set<std::string> statements, lines;
-};
-
-std::vector<std::string_view> LinesOf(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
-  }
-  return lines;
-}
-
-Texts TextsOf(const Compilation& compilation) {
-  Texts texts;
-  for (const ir::Statement& statement : compilation.program.statements) {
-    const std::string_view text = compilation.sources->Text(statement.range);
-    texts.statements.insert(Normalized(text));
-    for (const std::string_view line : LinesOf(text)) texts.lines.insert(Normalized(line));
-  }
-  return texts;
-}
-
-std::string ShownPath(const DiffSide& side, const std::string& path) {
-  if (!side.hidden_prefix.empty() && path.starts_with(side.hidden_prefix)) {
-    return path.substr(side.hidden_prefix.size());
-  }
-  return std::filesystem::path(path).lexically_normal().generic_string();
-}
-
-/// A statement of several lines is shown by the first one that the other version does not have.
-ItemStatement StatementOf(const Named& side, ir::StatementId id, const Texts& other_texts) {
-  const ir::Statement& statement = side.version.program->statements[id];
-  const std::string_view text = side.compilation.sources->Text(statement.range);
-  const bool changed = !other_texts.statements.contains(Normalized(text));
-  std::string_view shown = text.substr(0, text.find_first_of("\r\n"));
-  for (const std::string_view line : LinesOf(text)) {
-    if (!changed || other_texts.lines.contains(Normalized(line))) continue;
-    const size_t first = std::min(line.find_first_not_of(" \t"), line.size());
-    if (first < line.size()) shown = line.substr(first);
-    break;
-  }
-  const auto offset = static_cast<uint32_t>(shown.data() - text.data());
-  const source::Position at = side.compilation.sources->Locate(statement.range.begin + offset);
-  return {.statement = id,
-          .file = at.file.valid() ? ShownPath(side.side, side.compilation.sources->Get(at.file).path) : std::string(),
-          .line = at.line,
-          .column = at.column,
-          .text = std::string(shown),
-          .changed = changed};
-}
 
 ItemKind KindOf(const prove::Version& version, CellId cell) {
   if (CellAt(*version.program, version.cells, cell).kind == prove::CellKind::kCalls) return ItemKind::kCalls;
@@ -205,7 +138,7 @@ Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::ve
 /// The changed statements that write what `readers` read: a value may be another one in the middle of a scan only, and
 /// what has it then is not in the list.
 std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::StatementId>& readers,
-                                        const Texts& other_texts) {
+                                        const StatementTexts& other_texts) {
   std::vector<bool> read(side.version.cells.count);
   for (const StatementAccess& access : side.accesses) {
     if (access.writes || !readers.contains(access.statement)) continue;
@@ -218,14 +151,14 @@ std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::St
       if (read[cell]) writers.insert(access.statement);
     }
   }
-  std::erase_if(writers, [&](ir::StatementId id) { return !StatementOf(side, id, other_texts).changed; });
+  std::erase_if(writers, [&](ir::StatementId id) { return !StatementOf(side.side, id, other_texts).changed; });
   return writers;
 }
 
 /// The changed statements that decide whether others are executed.
 std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::StatementId>& statements,
-                                       const Texts& other_texts) {
-  const std::map<ir::StatementId, std::set<ir::StatementId>> heads = HeadsOf(side.version);
+                                       const StatementTexts& other_texts) {
+  const std::map<ir::StatementId, std::set<ir::StatementId>>& heads = side.heads;
   std::set<ir::StatementId> around = statements;
   std::vector<ir::StatementId> open(statements.begin(), statements.end());
   while (!open.empty()) {
@@ -237,23 +170,23 @@ std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::Sta
     }
   }
   std::erase_if(around, [&](ir::StatementId id) {
-    return statements.contains(id) || !StatementOf(side, id, other_texts).changed;
+    return statements.contains(id) || !StatementOf(side.side, id, other_texts).changed;
   });
   return around;
 }
 
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
-  const Texts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
+  const StatementTexts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
   const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
   const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
   for (uint32_t i = 0; i < items.size(); ++i) {
     DiffItem& item = items[i].item;
     if (item.verdict == ItemVerdict::kEqual) continue;
     std::set<std::string> through;
-    const auto add = [&](const Named& side, const Touched& touched, const Texts& other_texts,
+    const auto add = [&](const Named& side, const Touched& touched, const StatementTexts& other_texts,
                          std::vector<ItemStatement>& statements) {
       for (const ir::StatementId id : touched.writers[i]) {
-        statements.push_back(StatementOf(side, id, other_texts));
+        statements.push_back(StatementOf(side.side, id, other_texts));
         const auto reads = touched.reads.find(id);
         if (reads == touched.reads.end()) continue;
         for (const uint32_t other : reads->second) {
@@ -264,20 +197,22 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
     add(old_side, old_touched, new_texts, item.old_statements);
     add(new_side, new_touched, old_texts, item.new_statements);
     item.through.assign(through.begin(), through.end());
+    ShowChangedLines(old_side.side, new_side.side, item);
     const auto is_changed = [](const std::vector<ItemStatement>& statements) {
       return std::ranges::any_of(statements, &ItemStatement::changed);
     };
     if (!item.changed_itself || is_changed(item.old_statements) || is_changed(item.new_statements)) continue;
     const auto add_changed = [&](const auto& find) {
       for (const ir::StatementId id : find(old_side, old_touched.writers[i], new_texts)) {
-        item.old_statements.push_back(StatementOf(old_side, id, new_texts));
+        item.old_statements.push_back(StatementOf(old_side.side, id, new_texts));
       }
       for (const ir::StatementId id : find(new_side, new_touched.writers[i], old_texts)) {
-        item.new_statements.push_back(StatementOf(new_side, id, old_texts));
+        item.new_statements.push_back(StatementOf(new_side.side, id, old_texts));
       }
     };
     add_changed(ChangedHeads);
     if (!is_changed(item.old_statements) && !is_changed(item.new_statements)) add_changed(ChangedBefore);
+    ShowChangedLines(old_side.side, new_side.side, item);
   }
 }
 
@@ -369,6 +304,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   // A run that is known is shown, shortened or not, as long as there is a little time left.
   const Clock::time_point shown_end =
       std::min(last_end, end + std::chrono::milliseconds(options.time_ms / kExampleShare / 4));
+  const Clock::time_point reused_end =
+      std::min(last_end, shown_end + std::chrono::milliseconds(options.time_ms / kExampleShare / 4));
   auto waiting = std::ranges::count_if(items, is_shown);
   ExampleBudget budget{.left = kMostExamples,
                        .end = end,
@@ -382,20 +319,25 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       continue;
     }
     const Clock::time_point now = Clock::now();
+    const CounterexampleRequest request{.old_version = old_version,
+                                        .new_version = new_version,
+                                        .old_words = old_named.words,
+                                        .new_words = new_named.words,
+                                        .name = gathered.item.name,
+                                        .kind = gathered.item.kind,
+                                        .old_cells = gathered.old_cells,
+                                        .run = gathered.worst->run,
+                                        .runs = runs,
+                                        .match = match};
+    std::optional<Counterexample>& example = gathered.item.counterexample;
     if (is_shown(gathered) && budget.left > 0 && now < shown_end) {
       // Each has its share, and what the ones before it left over.
       budget.end = now + std::max(Clock::duration::zero(), end - now) /
                              std::max<int64_t>(1, std::min<int64_t>(waiting--, budget.left));
-      gathered.item.counterexample = FindCounterexample(old_side, new_side,
-                                                        {.old_words = old_named.words,
-                                                         .new_words = new_named.words,
-                                                         .name = gathered.item.name,
-                                                         .kind = gathered.item.kind,
-                                                         .old_cells = gathered.old_cells,
-                                                         .run = gathered.worst->run,
-                                                         .runs = runs,
-                                                         .match = match},
-                                                        options, budget);
+      example = FindCounterexample(old_side, new_side, request, options, budget);
+    }
+    if (is_shown(gathered) && !example && budget.left > 0 && Clock::now() < reused_end) {
+      example = FindAmongShown(old_side, new_side, request, options, budget);
     }
     // A state from which they differ is a difference when it can be set and both were run from it.
     if (gathered.item.verdict == ItemVerdict::kUndecided && gathered.item.counterexample) {

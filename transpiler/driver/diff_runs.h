@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,6 +51,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
              RandomRuns& result);
 
 struct CounterexampleRequest {
+  const prove::Version& old_version;
+  const prove::Version& new_version;
   const CellWords& old_words;
   const CellWords& new_words;
   std::string name;
@@ -60,6 +63,9 @@ struct CounterexampleRequest {
   const prove::Match& match;
 };
 
+/// A run that was shown, with both versions at its end: other items may differ there, too.
+struct ShownRun;
+
 /// What all counterexamples of a comparison may cost together, and the programs that they are replayed on.
 struct ExampleBudget {
   int left = 0;
@@ -67,11 +73,17 @@ struct ExampleBudget {
   std::chrono::steady_clock::time_point last_end;  // of showing what is known
   std::chrono::steady_clock::time_point all_end;   // of everything
   ScenarioProgram old_program, new_program;
+  std::vector<std::shared_ptr<const ShownRun>> shown;
 };
 
 /// The shortest scenario that could be found: it has been run on both versions, unless `confirmed` is false.
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                  const CounterexampleRequest& request, const DiffOptions& options,
                                                  ExampleBudget& budget);
+
+/// The same for an item that has no time of its own left: one of the runs that were shown for others, as it is.
+std::optional<Counterexample> FindAmongShown(DiffSide& old_side, DiffSide& new_side,
+                                             const CounterexampleRequest& request, const DiffOptions& options,
+                                             ExampleBudget& budget);
 
 }  // namespace plcxx::driver

@@ -33,6 +33,30 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
   return other;
 }
 
+/// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
+std::vector<CellId> CellsNamed(const DiffSide& side, const prove::Version& version, const std::string& name) {
+  const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.compilation.program, name);
+  if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
+  if (!prove::IsInside(*version.program, location->place)) return {};
+  return CellsOf(*version.program, version.cells, location->place);
+}
+
+/// How a scenario names the word. Where a location has moved, its address is another one's in the new version: then by
+/// the symbol that moved with it, where there is one.
+std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                         const CellWord& word) {
+  if (!word.place) return word.name;
+  std::vector<std::string> names{word.name};
+  if (!word.place->name.empty() && word.place->name != word.name) names.push_back(word.place->name);
+  for (const std::string& name : names) {
+    std::vector<CellId> matched = CellsNamed(old_side, request.old_version, name);
+    if (matched.empty()) continue;
+    for (CellId& cell : matched) cell = request.match.new_of_old[cell.index];
+    if (matched == CellsNamed(new_side, request.new_version, name)) return name;
+  }
+  return word.name;
+}
+
 /// A part of a timer that is nobody else's, or the calls of a function: no location of a scenario.
 bool HasNoName(const CellWord& word) { return !word.place && word.cells.size() == 1; }
 
@@ -43,7 +67,8 @@ std::string ValueText(const CellWord& word, uint64_t value) {
 }
 
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name.
-std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequest& request,
+std::vector<std::pair<std::string, std::string>> SetsOf(const DiffSide& old_side, const DiffSide& new_side,
+                                                        const CounterexampleRequest& request,
                                                         const std::vector<prove::SetCell>& inputs,
                                                         std::map<CellId, uint64_t>& now) {
   std::vector<CellWord> words;
@@ -61,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const CounterexampleRequ
       const auto cell = now.find(word.cells[i]);
       if (cell != now.end()) value |= cell->second << i;
     }
-    sets.emplace_back(word.name, ValueText(word, value));
+    sets.emplace_back(ScenarioName(old_side, new_side, request, word), ValueText(word, value));
   }
   return sets;
 }
@@ -89,7 +114,8 @@ std::string Heading(const DiffSide& side, const DiffOptions& options) {
   std::string text = "dialect: " + std::string(side.compilation.dialect->name) + "\nsources: [";
   std::string separator;
   for (const std::string& source : side.request.sources) {
-    const std::string path = (std::filesystem::path(side.scenario_base) / source).string();
+    const std::string& name = side.file_name.empty() ? source : side.file_name;
+    const std::string path = (std::filesystem::path(side.scenario_base) / name).string();
     text += separator + Quoted(RelativePath(path, options.scenario_directory));
     separator = ", ";
   }
@@ -163,6 +189,19 @@ struct Ends {
   DiffMachine old_machine, new_machine;
 };
 
+}  // namespace
+
+struct ShownRun {
+  Stimuli stimuli;
+  bool from_state;
+  Ends ends;
+  std::chrono::steady_clock::duration cost;
+};
+
+namespace {
+
+constexpr size_t kMostRemembered = 16;  // runs; each holds two machines
+
 /// Where the item differs, and its values there.
 struct SeenDifference {
   CellWord word;
@@ -188,12 +227,13 @@ SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) 
 struct WrittenSteps {
   std::string scenario, line;
 };
-WrittenSteps Write(const DiffSide& old_side, const CounterexampleRequest& request, const Stimuli& stimuli) {
+WrittenSteps Write(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                   const Stimuli& stimuli) {
   WrittenSteps written;
   std::map<CellId, uint64_t> now;
   const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const Stimulus& stimulus : stimuli) {
-    std::vector<std::pair<std::string, std::string>> sets = SetsOf(request, stimulus.inputs, now);
+    std::vector<std::pair<std::string, std::string>> sets = SetsOf(old_side, new_side, request, stimulus.inputs, now);
     sets.insert(sets.end(), stimulus.words.begin(), stimulus.words.end());
     std::erase_if(sets, [&old_side](const auto& set) {
       return !old_side.compilation.dialect->locate(old_side.compilation.program, set.first);
@@ -219,8 +259,7 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
                                        Counterexample& example) {
   if (request.kind == ItemKind::kCalls) {
     const ir::Program &old_program = old_side.compilation.program, &new_program = new_side.compilation.program;
-    const prove::Version version = prove::MakeVersion(old_side.whole);
-    const ir::HostFunctionId id(request.old_cells.front().index - version.cells.calls);
+    const ir::HostFunctionId id(request.old_cells.front().index - request.old_version.cells.calls);
     const std::string& function = old_side.whole.host_functions[id].name;
     const std::vector<sim::HostEvent>&old_events = ends.old_machine.events(), &new_events = ends.new_machine.events();
     const FirstDifferentCall call = FindDifferentCall(old_program, old_events, new_program, new_events, function);
@@ -235,26 +274,35 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   example.new_value = ValueText(seen.word, seen.new_value);
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
-  if (!old_side.compilation.dialect->locate(old_side.compilation.program, seen.word.name)) return std::nullopt;
-  return "expect: {" + Quoted(seen.word.name) + ": " + example.old_value + "}";
+  const std::string name = ScenarioName(old_side, new_side, request, seen.word);
+  if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+  return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
+}
+
+std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& new_side,
+                                     const CounterexampleRequest& request, Stimuli stimuli, bool from_state) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::shared_ptr<ShownRun> run(
+      new ShownRun{.stimuli = std::move(stimuli),
+                   .from_state = from_state,
+                   .ends = {DiffMachine(old_side, request.old_version), DiffMachine(new_side, request.new_version)},
+                   .cost = {}});
+  for (const Stimulus& stimulus : run->stimuli) {
+    run->ends.old_machine.Apply(stimulus, &prove::SetCell::old_cell);
+    run->ends.new_machine.Apply(stimulus, &prove::SetCell::new_cell);
+  }
+  run->ends.old_machine.Look();
+  run->ends.new_machine.Look();
+  run->cost = std::chrono::steady_clock::now() - begin;
+  return run;
 }
 
 Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const CounterexampleRequest& request,
-                        const Stimuli& stimuli, const DiffOptions& options, ExampleBudget& budget) {
-  Counterexample example;
-  WrittenSteps steps = Write(old_side, request, stimuli);
+                        const ShownRun& run, const DiffOptions& options, ExampleBudget& budget) {
+  Counterexample example{.from_state = run.from_state};
+  WrittenSteps steps = Write(old_side, new_side, request, run.stimuli);
   example.steps = std::move(steps.line);
-  const prove::Version old_version = prove::MakeVersion(old_side.whole),
-                       new_version = prove::MakeVersion(new_side.whole);
-  const auto begin = std::chrono::steady_clock::now();
-  Ends ends{DiffMachine(old_side, old_version), DiffMachine(new_side, new_version)};
-  for (const Stimulus& stimulus : stimuli) {
-    ends.old_machine.Apply(stimulus, &prove::SetCell::old_cell);
-    ends.new_machine.Apply(stimulus, &prove::SetCell::new_cell);
-  }
-  ends.old_machine.Look();
-  ends.new_machine.Look();
-  const std::optional<std::string> expectation = Expectation(old_side, new_side, request, ends, example);
+  const std::optional<std::string> expectation = Expectation(old_side, new_side, request, run.ends, example);
   if (!expectation) return example;
   const bool is_value = request.kind != ItemKind::kCalls;
   const std::string heading =
@@ -263,8 +311,8 @@ Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const Counterexa
   example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps.scenario + "- " +
                      *expectation + "\n";
   // To run it once more costs about the same.
-  const auto now = std::chrono::steady_clock::now();
-  example.confirmed = now + (now - begin) < budget.all_end && Passes(example.scenario, budget.old_program, options) &&
+  example.confirmed = std::chrono::steady_clock::now() + run.cost < budget.all_end &&
+                      Passes(example.scenario, budget.old_program, options) &&
                       !Passes(example.scenario, budget.new_program, options);
   return example;
 }
@@ -274,20 +322,35 @@ Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const Counterexa
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                  const CounterexampleRequest& request, const DiffOptions& options,
                                                  ExampleBudget& budget) {
-  const prove::Version old_version = prove::MakeVersion(old_side.whole),
-                       new_version = prove::MakeVersion(new_side.whole);
   std::vector<CellId> new_cells;
   for (const CellId cell : request.old_cells) new_cells.push_back(request.match.new_of_old[cell.index]);
-  Shortener shortener(old_side, new_side, old_version, new_version, request.old_cells, new_cells, budget.end);
+  Shortener shortener(old_side, new_side, request.old_version, request.new_version, request.old_cells, new_cells,
+                      budget.end);
   for (Candidate& candidate : Candidates(old_side, request)) {
     if (!shortener.Shows(candidate.stimuli, budget.last_end)) continue;
     --budget.left;
-    const Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
-    Counterexample example = Describe(old_side, new_side, request, shortened, options, budget);
-    example.from_state = candidate.from_state;
-    return example;
+    Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
+    const std::shared_ptr<const ShownRun> run =
+        Show(old_side, new_side, request, std::move(shortened), candidate.from_state);
+    if (budget.shown.size() < kMostRemembered) budget.shown.push_back(run);
+    return Describe(old_side, new_side, request, *run, options, budget);
   }
   return std::nullopt;
+}
+
+std::optional<Counterexample> FindAmongShown(DiffSide& old_side, DiffSide& new_side,
+                                             const CounterexampleRequest& request, const DiffOptions& options,
+                                             ExampleBudget& budget) {
+  const auto differs_in = [&request](const std::shared_ptr<const ShownRun>& run) {
+    return std::ranges::any_of(request.old_cells, [&](CellId cell) {
+      const CellId new_cell = request.match.new_of_old[cell.index];
+      return run->ends.old_machine.Seen(cell) != run->ends.new_machine.Seen(new_cell);
+    });
+  };
+  const auto found = std::ranges::find_if(budget.shown, differs_in);
+  if (found == budget.shown.end()) return std::nullopt;
+  --budget.left;
+  return Describe(old_side, new_side, request, **found, options, budget);
 }
 
 }  // namespace plcxx::driver

@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kGitSeconds = 60;
+constexpr const char* kNoFile = "/dev/null";
 
 /// The sources of a directory when the user names none: what its scenarios say, else what looks like a source.
 struct FoundSources {
@@ -148,21 +149,27 @@ std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words, cons
   if (!words.revisions.empty()) return ResolveRevisions(words, common);
   DiffRequests requests;
   std::vector<std::string> paths = words.paths;
-  std::string name;
+  std::vector<std::string> names;
   if (words.external) {
-    // git's words: path old-file old-hex old-mode new-file new-hex new-mode
-    if (paths.size() != 7) return "--git-external takes the seven words that git gives to a diff tool";
-    name = paths[0];
+    // git's words: path old-file old-hex old-mode new-file new-hex new-mode; of a renamed file its new path and how
+    // much it is like the old one, too. A file that one side alone has is compared with the empty device.
+    if (paths.size() != 7 && paths.size() != 9) return "--git-external takes the words that git gives to a diff tool";
+    names = {paths[0], paths[paths.size() == 9 ? 7 : 0]};
     paths = {paths[1], paths[4]};
+    if (paths[0] == kNoFile || paths[1] == kNoFile) {
+      requests.one_sided = names[0] + ": only in the " + (paths[0] == kNoFile ? "new" : "old") + " version";
+      return requests;
+    }
   }
   if (paths.size() != 2)
     return "diff takes an old and a new program: two files, two directories, or --git A..B SOURCE...";
   for (const bool is_old : {true, false}) {
     DiffRequest& side = is_old ? requests.old_side : requests.new_side;
+    const size_t at = is_old ? 0 : 1;
     side.compilation = common;
-    side.label = name.empty() ? paths[is_old ? 0 : 1] : name + (is_old ? " (old)" : " (new)");
-    if (std::optional<std::string> wrong = FillRequest(paths[is_old ? 0 : 1], words.sources, side.compilation))
-      return *wrong;
+    side.label = names.empty() ? paths[at] : names[at] + (is_old ? " (old)" : " (new)");
+    if (!names.empty()) side.file_name = names[at];
+    if (std::optional<std::string> wrong = FillRequest(paths[at], words.sources, side.compilation)) return *wrong;
   }
   return requests;
 }

@@ -18,17 +18,18 @@ struct DiffWords {
   std::vector<std::string> paths;    // OLD NEW, or with `revisions` the sources
   std::vector<std::string> sources;  // --sources: of both directories, relative to them
   std::string revisions;             // --git A..B
-  bool external = false;             // --git-external: paths are the seven words of a diff tool of git
+  bool external = false;             // --git-external: paths are the words that git gives to a diff tool
 };
 
 struct DiffRequest {
   std::string label;
   CompilationRequest compilation;
-  std::string hidden_prefix;  // of paths, see DiffSide
+  std::string hidden_prefix, file_name;  // of paths, see DiffSide
 };
 
 struct DiffRequests {
   DiffRequest old_side, new_side;
+  std::string one_sided;  // not empty: git compares a file with none, and this is to be said of it
   std::vector<std::unique_ptr<compile::TemporaryDirectory>> copies;
 };
 

@@ -1,0 +1,26 @@
+// How a statement that matters to a difference is shown: its place, and the line of it that was changed.
+//
+// In: a version's statements. Out: their lines for a reader. Not its job: which statements matter (diff_compare.cc).
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "transpiler/driver/diff.h"
+
+namespace plcxx::driver {
+
+/// What a version says, without spaces that do not count.
+struct StatementTexts {
+  std::set<std::string> statements, lines;
+};
+StatementTexts TextsOf(const Compilation& compilation);
+
+ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const StatementTexts& other_texts);
+
+/// Of changed statements of several lines that both versions have: the first line that the other one has not at this
+/// place, though it may stand elsewhere.
+void ShowChangedLines(const DiffSide& old_side, const DiffSide& new_side, DiffItem& item);
+
+}  // namespace plcxx::driver
