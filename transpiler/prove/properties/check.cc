@@ -139,7 +139,8 @@ bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, b
   std::vector<CellId> cells;
   for (const PropertyOperand& operand : property.operands)
     cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
-  for (const CellId cell : CellsBehind(terms_, Widest(), cells)) {
+  // Where the host may answer anything, inputs that it writes within a period are answers, too: no cells.
+  for (const CellId cell : CellsBehind(terms_, *silent_, cells)) {
     if (inputs_[cell.index]) search.inputs.push_back(cell);
   }
   PropertyResult found;
@@ -282,7 +283,7 @@ void PropertyChecker::FindInvariantsFor(const Property& property) {
 }
 
 void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
-  // They are proved for the slow part's period alone.
+  // Those that outlive a fast part, too, take longer to prove than what the property itself asks for takes to learn.
   if (version_.program->schedule.fast_ms != 0) return;
   const std::vector<CellId> behind = CellsBehind(terms_, Widest(), cells);
   std::vector<TermId> next;
