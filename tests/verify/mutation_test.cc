@@ -65,6 +65,43 @@ ENDW ONE
 U4A1=[W100K1>20H]
 )";
 
+/// One loop each, with the budget of rounds that these languages have.
+constexpr const char* kLoopOfTechnol = R"(        DATA
+N: DS 2
+S: DS 2
+        DATA_END
+        MODULE_MAIN
+        LOD CNST.0
+        STO S
+ZPET: LOD S
+        AD N
+        STO S
+        LOD N
+        SU CNST.1
+        STO N
+        NE CNST.0
+        JL1 ZPET
+        MODULE_MAIN_END
+        STOP
+)";
+
+constexpr const char* kLoopOfHost50 = R"(SLOW
+NETWORK L0000
+LD 1
+MOV 0, %W0
+MOV 0, %W1
+NETWORK L0001
+LD 1
+ADDW %W0, 1, %W0
+ADDW %W1, %W3, %W1
+COMP %W0 < %W4
+LBL J1
+NETWORK L0002
+LD 1
+ADDW %W2, 1, %W2
+END_SLOW
+)";
+
 struct Mutation {
   std::string_view name;
   std::string_view file;  // "turret.cpp", "plcxx/timers.h"
@@ -119,6 +156,23 @@ constexpr Mutation kMutationsOfLoops[] = {
     {"exit_value", "turret.cpp", "m[W100K1] > 0x20", "m[W100K0] > 0x20"},
 };
 
+constexpr Mutation kMutationsOfTechnol[] = {
+    {"technol_sum", "turret.cpp", "Add16(m[S], m[N])", "Add16(m[S], m[S])"},
+    {"technol_step", "turret.cpp", "Sub16(m[N], 1)", "Sub16(m[N], 2)"},
+    {"technol_bound", "turret.cpp", "!= 0) {\n      if (rounds_left", "!= 1) {\n      if (rounds_left"},
+    {"technol_start", "turret.cpp", "  m[S] = 0;\n", ""},
+    {"technol_budget", "turret.cpp", "rounds_left = 65536u", "rounds_left = 65534u"},
+};
+
+constexpr Mutation kMutationsOfHost50[] = {
+    {"host50_sum", "turret.cpp", "Add32(m[W1], m[W3])", "Add32(m[W1], m[W0])"},
+    {"host50_step", "turret.cpp", "m[W0] = Add32(m[W0], 1)", "m[W0] = Add32(m[W0], 2)"},
+    {"host50_bound", "turret.cpp", "S32(m[W0]) < S32(m[W4])", "S32(m[W0]) <= S32(m[W4])"},
+    {"host50_start", "turret.cpp", "  m[W1] = 0;\n", ""},
+    {"host50_budget", "turret.cpp", "jumps_left = 10000", "jumps_left = 10001"},
+    {"host50_return", "turret.cpp", "      return;\n    }\n    break;", "    }\n    break;"},
+};
+
 enum class Expected : uint8_t { kProved, kCaught };
 
 struct Flags {
@@ -162,6 +216,16 @@ std::vector<std::string> Words(std::string_view text) {
   return words;
 }
 
+enum class Asked : uint8_t { kRoutines, kFunctions };
+
+std::string FirstNotProved(const std::vector<RoutineProof>& proofs, Asked asked) {
+  for (const RoutineProof& proof : proofs) {
+    if (proof.exported != (asked == Asked::kRoutines) || proof.result == ProofResult::kProved) continue;
+    return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
+  }
+  return "";
+}
+
 /// One program, as it is compiled and proved.
 class Subject {
  public:
@@ -189,11 +253,11 @@ class Subject {
     if (std::holds_alternative<BitcodeFailure>(compiled)) return "not compiled";
     const LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
     if (loaded.code == nullptr) return loaded.reason;
-    for (const RoutineProof& proof : Verify(emittable_, *loaded.code, RoutinesToVerify(compilation_.program), {})) {
-      if (!proof.exported || proof.result == ProofResult::kProved) continue;
-      return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
-    }
-    return "";
+    const std::vector<RoutineProof> proofs =
+        Verify(emittable_, *loaded.code, RoutinesToVerify(compilation_.program), {});
+    std::string caught = FirstNotProved(proofs, Asked::kRoutines);
+    if (caught.find("all is proved but") != std::string::npos) caught = FirstNotProved(proofs, Asked::kFunctions);
+    return caught;
   }
 
   /// The file's text, generated or of the runtime.
@@ -253,6 +317,18 @@ TEST_F(MutationTest, ChangesInLoopsAreCaught) {
   Subject loops(toolchain_, "turret.plc", kLoops, "nc110", {{"enable-dow", "on"}});
   EXPECT_EQ(loops.Caught(), "");
   for (const Mutation& mutation : kMutationsOfLoops) ExpectCaught(loops, mutation);
+}
+
+TEST_F(MutationTest, ChangesInLoopsOfTechnolAreCaught) {
+  Subject loop(toolchain_, "turret.plc", kLoopOfTechnol, "technol");
+  EXPECT_EQ(loop.Caught(), "");
+  for (const Mutation& mutation : kMutationsOfTechnol) ExpectCaught(loop, mutation);
+}
+
+TEST_F(MutationTest, ChangesInLoopsOfHost50AreCaught) {
+  Subject loop(toolchain_, "turret.il", kLoopOfHost50, "host50");
+  EXPECT_EQ(loop.Caught(), "");
+  for (const Mutation& mutation : kMutationsOfHost50) ExpectCaught(loop, mutation);
 }
 
 TEST_F(MutationTest, FlagsThatChangeTheMeaningAreCaught) {

@@ -184,11 +184,17 @@ bool Verification::Run() {
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
   proofs_ = prove::Verify(emittable, *loaded.code, routines_, limits);
   bool all = true;
+  std::string causes;
   for (const prove::RoutineProof& proof : proofs_) {
-    if (!proof.exported) continue;
+    // A function that only others call matters where it is why these are not proved.
+    if (!proof.exported) {
+      if (proof.result != prove::ProofResult::kProved) causes += ProofText(proof);
+      continue;
+    }
     text_ += ProofText(proof);
     all = all && proof.result == prove::ProofResult::kProved;
   }
+  if (!all) text_ += causes;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
   const std::string what = left_out_.empty() ? "the compiled code is" : "what was asked for is";
   text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;

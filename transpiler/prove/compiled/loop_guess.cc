@@ -7,6 +7,8 @@ namespace plcxx::prove {
 namespace {
 
 constexpr size_t kMostGuesses = 12;
+constexpr size_t kMostGuessesOfLater = 6;
+constexpr size_t kFewestLater = 6;  // samples behind an entry
 
 enum Likelihood : uint8_t { kSame, kFixed, kApart, kMasked, kApartSinceEntry, kScaled };
 
@@ -44,20 +46,25 @@ class Guesser {
   Guesser(const SampledValue& item, TermId at_entry, const SampledLoop& loop)
       : item_(item), at_entry_(at_entry), loop_(loop), count_(item.values.size()) {}
 
-  std::vector<Guess> Run();
+  std::vector<RatedGuess> Run();
 
  private:
+  /// Of which samples guesses are: all; or those behind the entry, where the item begins as something else.
+  enum class Of : uint8_t { kAll, kLater };
+  void Try(Of of);
+  bool IsAsked(size_t sample) const { return of_ == Of::kAll || loop_.entries[sample] != sample; }
   uint64_t Bits(uint64_t value) const { return Masked(value, item_.width); }
   /// Whether all samples satisfy it.
   template <class Test>
   bool All(Test&& test) const {
     for (size_t i = 0; i < count_; ++i) {
-      if (!test(i)) return false;
+      if (IsAsked(i) && !test(i)) return false;
     }
     return true;
   }
   uint64_t AtEntry(size_t sample) const { return item_.values[loop_.entries[sample]]; }
   void Add(Likelihood likelihood, Guess guess) { found_.emplace_back(likelihood, std::move(guess)); }
+  Guess BehindEntry(Guess guess) const;
   void TryForm(const Form& form);
   void TryApart(const Form& form);
   void TryMasked(const Form& form);
@@ -67,12 +74,22 @@ class Guesser {
   TermId at_entry_;
   const SampledLoop& loop_;
   size_t count_;
+  Of of_ = Of::kAll;
+  size_t base_ = 0;  // a sample that is asked
   std::vector<std::pair<Likelihood, Guess>> found_;
 };
 
+Guess Guesser::BehindEntry(Guess guess) const {
+  return
+      [guess = std::move(guess), entry = at_entry_, later = loop_.later](Terms& terms, std::span<const TermId> words) {
+        return terms.Ite(words[later], guess(terms, words), entry);
+      };
+}
+
 void Guesser::TryApart(const Form& form) {
   const uint8_t width = item_.width;
-  const uint64_t apart = Bits(item_.values[0] - form.values[0]), sum = Bits(item_.values[0] + form.values[0]);
+  const uint64_t apart = Bits(item_.values[base_] - form.values[base_]),
+                 sum = Bits(item_.values[base_] + form.values[base_]);
   if (All([&](size_t i) { return Bits(item_.values[i] - form.values[i]) == apart; })) {
     Add(kApart, [term = form.term, apart, width](Terms& terms, std::span<const TermId> words) {
       return terms.Add(term(terms, words), terms.Const(apart, width));
@@ -128,38 +145,57 @@ void Guesser::TryScaled(const Form& form) {
 }
 
 void Guesser::TryForm(const Form& form) {
-  if (item_.values == form.values) {
+  if (All([&](size_t i) { return item_.values[i] == form.values[i]; })) {
     Add(kSame, form.term);
     return;
   }
   TryApart(form);
+  if (of_ == Of::kLater) return;
   TryMasked(form);
   TryScaled(form);
 }
 
-std::vector<Guess> Guesser::Run() {
-  if (count_ == 0) return {};
-  if (All([&](size_t i) { return item_.values[i] == item_.values[0]; })) {
-    Add(kFixed, [value = item_.values[0], width = item_.width](Terms& terms, std::span<const TermId>) {
+void Guesser::Try(Of of) {
+  of_ = of;
+  base_ = 0;
+  while (base_ < count_ && !IsAsked(base_)) ++base_;
+  if (base_ == count_) return;
+  if (All([&](size_t i) { return item_.values[i] == item_.values[base_]; })) {
+    Add(kFixed, [value = item_.values[base_], width = item_.width](Terms& terms, std::span<const TermId>) {
       return terms.Const(value, width);
     });
-  } else if (All([&](size_t i) { return item_.values[i] == AtEntry(i); })) {
+  } else if (of == Of::kAll && All([&](size_t i) { return item_.values[i] == AtEntry(i); })) {
     Add(kFixed, [entry = at_entry_](Terms&, std::span<const TermId>) { return entry; });
   }
   for (size_t number = 0; number < loop_.words.size(); ++number) {
     for (const Form& form : FormsOf(loop_.words[number], number, item_.width)) TryForm(form);
   }
   std::ranges::stable_sort(found_, {}, &std::pair<Likelihood, Guess>::first);
-  std::vector<Guess> guesses;
+}
+
+std::vector<RatedGuess> Guesser::Run() {
+  if (count_ == 0) return {};
+  std::vector<RatedGuess> guesses;
+  Try(Of::kAll);
   for (auto& [likelihood, guess] : found_) {
-    if (guesses.size() < kMostGuesses) guesses.push_back(std::move(guess));
+    if (guesses.size() < kMostGuesses) guesses.push_back({std::move(guess), likelihood == kFixed});
+  }
+  found_.clear();
+  size_t later = 0;
+  for (size_t i = 0; i < count_; ++i) later += loop_.entries[i] != i ? 1 : 0;
+  if (later < kFewestLater) return guesses;
+  const size_t of_all = guesses.size();
+  Try(Of::kLater);
+  for (auto& [likelihood, guess] : found_) {
+    if (guesses.size() < of_all + kMostGuessesOfLater)
+      guesses.push_back({BehindEntry(std::move(guess)), likelihood == kFixed});
   }
   return guesses;
 }
 
 }  // namespace
 
-std::vector<Guess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop) {
+std::vector<RatedGuess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop) {
   return Guesser(item, at_entry, loop).Run();
 }
 

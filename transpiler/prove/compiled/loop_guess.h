@@ -27,8 +27,14 @@ struct SampledLoop {
   std::vector<SampledValue> words;
   std::shared_ptr<const std::vector<TermId>> words_at_entry;
   std::vector<uint32_t> entries;  // by sample: the one of the entry before it; of an entry itself
+  size_t later = 0;               // the word, of width 1, that says that some round was before
 };
 
-std::vector<Guess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop);
+struct RatedGuess {
+  Guess guess;
+  bool is_fixed = false;  // over no word: nothing was seen to move it
+};
+
+std::vector<RatedGuess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop);
 
 }  // namespace plcxx::prove

@@ -11,6 +11,7 @@ namespace {
 
 constexpr uint32_t kSamples = 48;
 constexpr size_t kMostGuessedWords = 64;  // of one loop; tables are any values
+constexpr size_t kMostOthers = 12;        // words of a loop that later ones are guessed by
 
 /// The samples of several heads as rows: those in which execution comes there.
 class HeadSamples {
@@ -59,8 +60,10 @@ uint32_t LoopRelation::Dropped(const std::string& key) const {
   return at == dropped_.end() ? 0 : at->second;
 }
 
-void LoopRelation::Claim(std::string what, std::string guess, TermId given, TermId a, TermId b) {
-  if (a != b) claims_.push_back({.what = std::move(what), .guess = std::move(guess), .given = given, .pair = {a, b}});
+void LoopRelation::Claim(std::string what, std::string guess, Blame blame, TermId given, TermId a, TermId b) {
+  if (a != b)
+    claims_.push_back(
+        {.what = std::move(what), .guess = std::move(guess), .blame = blame, .given = given, .pair = {a, b}});
 }
 
 void LoopRelation::AddWord(OfProgram& loop, std::string name, std::vector<size_t> cells) {
@@ -113,6 +116,11 @@ void LoopRelation::MakeWords(OfProgram& loop) {
   }
 }
 
+TermId LoopRelation::LaterAt(const OfProgram& loop, const ProgramLoop::Head& head) {
+  if (terms_.IsConst(head.round)) return terms_.Bit(!terms_.IsZero(head.round));
+  return head.round == loop.head.round ? loop.later : terms_.Bit(true);
+}
+
 std::vector<TermId> LoopRelation::WordsAt(const OfProgram& loop, const ProgramLoop::Head& head) {
   std::vector<TermId> words;
   for (const Word& word : loop.words) {
@@ -120,7 +128,8 @@ std::vector<TermId> LoopRelation::WordsAt(const OfProgram& loop, const ProgramLo
     for (const size_t cell : word.cells) bits.push_back(head.values[cell]);
     words.push_back(Gather(terms_, bits));
   }
-  if (loop.known.bound != 0) words.push_back(head.round);
+  words.push_back(head.round);
+  words.push_back(LaterAt(loop, head));
   return words;
 }
 
@@ -140,16 +149,22 @@ Guess LoopRelation::FixedBits(const SampledValue& sampled) {
   };
 }
 
-TermId LoopRelation::Apply(const WordGuess& guess, TermId word, TermId round) {
+TermId LoopRelation::Apply(const WordGuess& guess, TermId word, std::span<const TermId> others) {
   switch (guess.of) {
     case WordGuess::Of::kNothing:
       return word;
-    case WordGuess::Of::kRounds:
-      return guess.guess(terms_, {&round, 1});
+    case WordGuess::Of::kOthers:
+      return guess.guess(terms_, others);
     case WordGuess::Of::kItself:
       return guess.guess(terms_, {&word, 1});
   }
   PLCXX_UNREACHABLE();
+}
+
+std::vector<TermId> LoopRelation::OthersOf(const OfProgram& loop, std::span<const TermId> words) {
+  std::vector<TermId> others(words.begin() + static_cast<std::ptrdiff_t>(loop.words.size()), words.end());
+  for (const size_t word : loop.others) others.push_back(words[word]);
+  return others;
 }
 
 void LoopRelation::GuessWords(OfProgram& loop, const std::string& prefix) {
@@ -164,34 +179,116 @@ void LoopRelation::GuessWords(OfProgram& loop, const std::string& prefix) {
   add(loop.known.entry);
   for (const ProgramLoop::Head& sample : loop.known.samples) add(sample);
   const HeadSamples samples(terms_, heads);
-  SampledLoop rounds{.words = {}, .words_at_entry = {}, .entries = samples.entries()};
-  if (loop.known.bound != 0) {
-    rounds.words.push_back(samples[loop.words.size()]);
-    rounds.words_at_entry = std::make_shared<const std::vector<TermId>>(1, loop.known.entry.round);
+  const auto at_entry = std::make_shared<std::vector<TermId>>();
+  SampledLoop sampled{.words = {}, .words_at_entry = at_entry, .entries = samples.entries(), .later = 1};
+  for (size_t i = loop.words.size(); i < loop.words.size() + 2; ++i) {
+    sampled.words.push_back(samples[i]);
+    at_entry->push_back(heads.front()[i + 1]);
   }
   for (size_t i = 0; i < loop.words.size(); ++i) {
     WordGuess& chosen = loop.guesses[i];
     chosen.key = prefix + loop.words[i].name;
-    std::vector<Guess> guesses = GuessesFor(samples[i], heads.front()[i + 1], rounds);
+    std::vector<RatedGuess> guesses = GuessesFor(samples[i], heads.front()[i + 1], sampled);
     const uint32_t dropped = Dropped(chosen.key);
     if (dropped < guesses.size()) {
-      chosen.of = WordGuess::Of::kRounds;
-      chosen.guess = std::move(guesses[dropped]);
-    } else if (dropped == guesses.size()) {
+      chosen.of = WordGuess::Of::kOthers;
+      chosen.guess = std::move(guesses[dropped].guess);
+      continue;
+    }
+    if (dropped == guesses.size()) {
       chosen.guess = FixedBits(samples[i]);
       chosen.of = chosen.guess ? WordGuess::Of::kItself : WordGuess::Of::kNothing;
     }
+    if (loop.words[i].width == 1 || loop.others.size() == kMostOthers) continue;
+    loop.others.push_back(i);
+    sampled.words.push_back(samples[i]);
+    at_entry->push_back(heads.front()[i + 1]);
   }
 }
 
-void LoopRelation::ClaimWords(const OfProgram& loop, const std::string& where, TermId given,
+void LoopRelation::ClaimWords(const OfProgram& loop, const std::string& where, Blame blame, TermId given,
                               const ProgramLoop::Head& head) {
   const std::vector<TermId> words = WordsAt(loop, head);
+  const std::vector<TermId> others = OthersOf(loop, words);
   for (size_t i = 0; i < loop.words.size(); ++i) {
     const WordGuess& guess = loop.guesses[i];
     if (guess.of != WordGuess::Of::kNothing)
-      Claim(where + loop.words[i].name, guess.key, given, words[i], Apply(guess, words[i], head.round));
+      Claim(where + loop.words[i].name, guess.key, blame, given, words[i], Apply(guess, words[i], others));
   }
+}
+
+Replacements LoopRelation::HeadAt(const OfProgram& loop, const ProgramLoop::Head& head) {
+  Replacements replacements = {{loop.head.round, head.round}, {loop.later, LaterAt(loop, head)}};
+  const std::vector<TermId> words = WordsAt(loop, head);
+  for (size_t i = 0; i < loop.words.size(); ++i) {
+    if (loop.any[i].valid()) replacements.emplace(loop.any[i], words[i]);
+  }
+  return replacements;
+}
+
+std::vector<FactCandidate> LoopRelation::FactsOf(const OfProgram& loop) {
+  const Replacements entry = HeadAt(loop, loop.known.entry);
+  const auto is_known = [&loop](TermId variable) { return variable.index < loop.first_term; };
+  const auto at_entry = [&](TermId term) { return Substitute(terms_, term, entry); };
+  const std::vector<TermId> words = WordsAt(loop, loop.head), next = WordsAt(loop, loop.next);
+  Replacements back;
+  for (size_t i = 0; i < loop.words.size(); ++i) {
+    if (next[i] != words[i] && terms_.Width(next[i]) > 1 && !terms_.IsConst(next[i])) back.emplace(next[i], words[i]);
+  }
+  std::vector<FactCandidate> facts;
+  for (const TermId again : {Substitute(terms_, loop.again, back), loop.again}) {
+    for (FactCandidate& fact : FactsFrom(terms_, again, loop.head.round, loop.later, is_known, at_entry)) {
+      if (std::ranges::find(facts, fact.always, &FactCandidate::always) == facts.end())
+        facts.push_back(std::move(fact));
+    }
+  }
+  return facts;
+}
+
+std::vector<TermId> LoopRelation::FactsOnSamples(const OfProgram& loop, const std::string& prefix,
+                                                 std::vector<std::string>& keys) {
+  const std::vector<FactCandidate> candidates = FactsOf(loop);
+  std::vector<std::vector<TermId>> heads;
+  const auto add = [&](const ProgramLoop::Head& head) {
+    const Replacements at = HeadAt(loop, head);
+    std::vector<TermId>& row = heads.emplace_back();
+    row.push_back(terms_.And(head.when, loop.given_before));
+    for (const FactCandidate& fact : candidates) row.push_back(Substitute(terms_, fact.always, at));
+    for (const FactCandidate& fact : candidates) row.push_back(Substitute(terms_, fact.later, at));
+  };
+  add(loop.known.entry);
+  for (const ProgramLoop::Head& sample : loop.known.samples) add(sample);
+  const HeadSamples samples(terms_, heads);
+  std::vector<TermId> facts;
+  const auto use = [&](size_t column, TermId fact, std::string key) {
+    const std::vector<uint64_t>& values = samples[column].values;
+    if (Dropped(key) != 0 || terms_.IsTrue(fact)) return false;
+    if (std::ranges::any_of(values, [](uint64_t value) { return value == 0; })) return false;
+    facts.push_back(fact);
+    keys.push_back(std::move(key));
+    return true;
+  };
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const FactCandidate& fact = candidates[i];
+    if (!use(i, fact.always, prefix + fact.key)) use(candidates.size() + i, fact.later, prefix + "later " + fact.key);
+  }
+  return facts;
+}
+
+TermId LoopRelation::ClaimFacts(const OfProgram& loop, size_t number) {
+  std::vector<std::string> keys;
+  const std::vector<TermId> facts = FactsOnSamples(loop, LoopName(number) + " fact ", keys);
+  const Replacements entry = HeadAt(loop, loop.known.entry), next = HeadAt(loop, loop.next);
+  const TermId enters = terms_.And(loop.given_before, loop.known.entry.when);
+  const TermId goes_on = terms_.And(loop.given_inside, terms_.And(loop.head.when, loop.again));
+  TermId all = terms_.Bit(true);
+  for (size_t i = 0; i < facts.size(); ++i) {
+    Claim(keys[i] + ", at its entry", keys[i], Blame::kAtEntry, enters, Substitute(terms_, facts[i], entry),
+          terms_.Bit(true));
+    Claim(keys[i], keys[i], Blame::kFactOrFixed, goes_on, Substitute(terms_, facts[i], next), terms_.Bit(true));
+    all = terms_.And(all, facts[i]);
+  }
+  return all;
 }
 
 void LoopRelation::Open() {
@@ -211,20 +308,27 @@ ProgramLoop::Head LoopRelation::AtHead(const ProgramLoop& known) {
   const std::string name = LoopName(number);
   MakeWords(loop);
   GuessWords(loop, name + " ");
-  ClaimWords(loop, name + ", at its entry: ", terms_.And(given_, known.entry.when), known.entry);
+  ClaimWords(loop, name + ", at its entry: ", Blame::kAtEntry, terms_.And(given_, known.entry.when), known.entry);
   const std::string where = " in any round of " + name;
   ProgramLoop::Head& head = loop.head;
   head.when = known.entry.when;
-  head.round = known.bound != 0 ? terms_.Variable("rounds" + where, 32) : terms_.Const(0, 32);
+  // Of a loop that counts none it is a number that nothing but guesses depends on.
+  head.round = terms_.Variable("rounds" + where, 32);
   head.values.resize(known.cells.size());
+  loop.any.resize(loop.words.size());
+  loop.later = terms_.Variable("a later round" + where, 1);
+  std::vector<TermId> others = {head.round, loop.later};
   for (size_t i = 0; i < loop.words.size(); ++i) {
     const Word& word = loop.words[i];
-    const bool free = loop.guesses[i].of != WordGuess::Of::kRounds;
-    const TermId any = free ? terms_.Variable(word.name + where, word.width) : TermId();
-    const TermId value = Apply(loop.guesses[i], any, head.round);
+    if (loop.guesses[i].of != WordGuess::Of::kOthers) loop.any[i] = terms_.Variable(word.name + where, word.width);
+    const TermId value = Apply(loop.guesses[i], loop.any[i], others);
+    if (std::ranges::find(loop.others, i) != loop.others.end()) others.push_back(value);
     for (size_t k = 0; k < word.cells.size(); ++k)
       head.values[word.cells[k]] = word.cells.size() == 1 ? value : terms_.Extract(value, static_cast<uint8_t>(k), 1);
   }
+  loop.facts = terms_.Variable("facts" + where, 1);
+  loop.first_term = terms_.size();
+  Holds(loop.facts);
   return head;
 }
 
@@ -244,7 +348,17 @@ void LoopRelation::Close(TermId again, std::span<const TermId> values) {
   loop.next = {.when = loop.head.when,
                .values = std::vector<TermId>(values.begin(), values.end()),
                .round = terms_.Add(loop.head.round, terms_.Const(1, 32))};
-  ClaimWords(loop, LoopName(number) + ": ", terms_.And(given_, terms_.And(loop.head.when, again)), loop.next);
+  ClaimWords(loop, LoopName(number) + ": ", Blame::kWord, terms_.And(given_, terms_.And(loop.head.when, again)),
+             loop.next);
+  const Replacements facts = {{loop.facts, ClaimFacts(loop, number)}};
+  const auto say = [&](TermId& given) { given = Substitute(terms_, given, facts); };
+  say(given_);
+  for (size_t i = number; i < loops_.size(); ++i) {
+    say(loops_[i]->holds);
+    say(loops_[i]->given_inside);
+    if (i != number) say(loops_[i]->given_before);
+  }
+  for (size_t i = loop.claims; i < claims_.size(); ++i) say(claims_[i].given);
   given_ = terms_.And(given_, Implies(loop.head.when, terms_.Not(again)));
 }
 
@@ -290,7 +404,7 @@ Guess LoopRelation::OwnCells(const OfProgram& loop, uint32_t slot) {
   };
 }
 
-std::vector<Guess> LoopRelation::Choose(const OfProgram& loop, const CodeLoop& code, std::vector<std::string>& keys) {
+void LoopRelation::Choose(const OfProgram& loop, const CodeLoop& code, OfCode& open) {
   std::vector<std::vector<TermId>> heads;
   const auto add = [&](const ProgramLoop::Head& program, const CodeLoop::Head& compiled) {
     std::vector<TermId>& row = heads.emplace_back();
@@ -306,21 +420,24 @@ std::vector<Guess> LoopRelation::Choose(const OfProgram& loop, const CodeLoop& c
   SampledLoop sampled{
       .words = {}, .words_at_entry = std::make_shared<const std::vector<TermId>>(words), .entries = samples.entries()};
   for (size_t i = 0; i < words.size(); ++i) sampled.words.push_back(samples[i]);
-  std::vector<Guess> chosen;
+  sampled.later = words.size() - 1;
+  open.guesses.assign(code.items.size(), Guess());
+  open.blames.assign(code.items.size(), Blame::kMemory);
   for (size_t i = 0; i < code.items.size(); ++i) {
-    uint32_t dropped = Dropped(keys[i]);
+    uint32_t dropped = Dropped(open.keys[i]);
     if (code.items[i].name.empty()) {
       Guess own = OwnCells(loop, code.items[i].slot);
       if (own && dropped == 0) {
-        chosen.push_back(std::move(own));
+        open.guesses[i] = std::move(own);
         continue;
       }
       dropped -= own ? 1 : 0;
     }
-    std::vector<Guess> guesses = GuessesFor(samples[words.size() + i], code.entry.values[i], sampled);
-    chosen.push_back(dropped < guesses.size() ? std::move(guesses[dropped]) : Guess());
+    std::vector<RatedGuess> guesses = GuessesFor(samples[words.size() + i], code.entry.values[i], sampled);
+    if (dropped >= guesses.size()) continue;
+    open.guesses[i] = std::move(guesses[dropped].guess);
+    open.blames[i] = guesses[dropped].is_fixed ? Blame::kFactOrFixed : Blame::kValue;
   }
-  return chosen;
 }
 
 void LoopRelation::OpenInCode() {
@@ -341,12 +458,12 @@ std::vector<TermId> LoopRelation::AtHeadInCode(const CodeLoop& code) {
   for (const CodeLoop::Item& item : code.items) {
     open.items.push_back(NameOf(item));
     const std::string place =
-        item.name.empty() ? "slot " + std::to_string(item.slot) : "value " + std::to_string(open.keys.size());
-    open.keys.push_back("code of " + LoopName(open.number) + " " + place);
+        item.name.empty() ? " slot " + std::to_string(item.slot) : " value " + std::to_string(open.keys.size());
+    open.keys.push_back(std::string(kGuessOfCode) + LoopName(open.number) + place);
   }
-  open.guesses = Choose(loop, code, open.keys);
+  Choose(loop, code, open);
   const TermId given = terms_.And(terms_.And(open.given_before, loop.given_before), open.when);
-  Claim(open.name + ": is reached", "", given, loop.head.when, terms_.Bit(true));
+  Claim(open.name + ": is reached", "", {}, given, loop.head.when, terms_.Bit(true));
   const std::vector<TermId> before = WordsAt(loop, loop.known.entry), inside = WordsAt(loop, loop.head);
   std::vector<TermId> values;
   for (size_t i = 0; i < code.items.size(); ++i) {
@@ -356,7 +473,8 @@ std::vector<TermId> LoopRelation::AtHeadInCode(const CodeLoop& code) {
                                        terms_.Width(entry)));
       continue;
     }
-    Claim(open.name + ", at its entry: " + open.items[i], open.keys[i], given, open.guesses[i](terms_, before), entry);
+    Claim(open.name + ", at its entry: " + open.items[i], open.keys[i], Blame::kAtEntry, given,
+          open.guesses[i](terms_, before), entry);
     values.push_back(open.guesses[i](terms_, inside));
   }
   given_in_code_ = terms_.And(given_in_code_, loop.holds);
@@ -369,12 +487,13 @@ void LoopRelation::CloseInCode(TermId again, std::span<const TermId> values) {
   const OfProgram& loop = *loops_[open.number];
   const TermId reached = terms_.And(open.when, loop.head.when);
   const TermId given = terms_.And(terms_.And(given_in_code_, loop.given_inside), reached);
-  Claim(open.name + ": whether it goes round again", "", given, loop.again, again);
+  Claim(open.name + ": whether it goes round again", "", {}, given, loop.again, again);
   const TermId goes_on = terms_.And(given, loop.again);
   const std::vector<TermId> next = WordsAt(loop, loop.next);
   for (size_t i = 0; i < values.size(); ++i) {
     if (open.guesses[i])
-      Claim(open.name + ": " + open.items[i], open.keys[i], goes_on, open.guesses[i](terms_, next), values[i]);
+      Claim(open.name + ": " + open.items[i], open.keys[i], open.blames[i], goes_on, open.guesses[i](terms_, next),
+            values[i]);
   }
   const TermId ended =
       terms_.And(Implies(open.when, terms_.Not(again)), Implies(loop.head.when, terms_.Not(loop.again)));

@@ -5,8 +5,9 @@
 // are variables, the same for both sides; of the code's values, terms over them that the first rounds suggest
 // (loop_guess.h). Claims: at the entry both are related so; from a related head, one round on both sides goes on under
 // the same conditions to related heads. Then they are related at the last head, too, which is where execution goes on:
-// that it is the last one is given for all that follows, and for nothing that is claimed of the loop itself. A guess
-// that is not so is dropped, and everything done again with the next one.
+// that it is the last one is given for all that follows, and for nothing that is claimed of the loop itself. So are
+// facts that are no equalities (loop_facts.h): each is claimed at the entry and, from a head where all of them hold, at
+// the next. A guess that is not so is dropped, and everything done again with the next one.
 // In: both executions, the program's first. Out: terms for heads, claims, and what is given. Not its job: proving.
 #pragma once
 
@@ -16,12 +17,15 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/emit/emittable.h"
 #include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/compiled/loop_facts.h"
 #include "transpiler/prove/compiled/loop_guess.h"
 #include "transpiler/prove/compiled/state_image.h"
+#include "transpiler/prove/compiled/substitute.h"
 #include "transpiler/prove/execute/loop_heads.h"
 #include "transpiler/prove/solver/sweep.h"
 
@@ -29,10 +33,21 @@ namespace plcxx::prove {
 
 /// How many guesses have been dropped, by what is guessed.
 using DroppedGuesses = std::map<std::string, uint32_t>;
+constexpr std::string_view kGuessOfCode = "code of ";  // with which those begin that are of no word of the program
+
+/// Which of the guesses that are not so are dropped first: a wrong one makes others fail that are right.
+enum class Blame : uint8_t {
+  kAtEntry,      // no other guess is behind it
+  kWord,         // of the program
+  kFactOrFixed,  // facts; that what the compiled loop keeps does not change
+  kValue,        // what the compiled loop keeps
+  kMemory        // that memory is as the program says
+};
 
 struct LoopClaim {
   std::string what;   // "loop 1, for.body: DB24"
   std::string guess;  // of which it is; empty: of none, it must hold
+  Blame blame{};      // of the guess
   TermId given;       // width 1: it is claimed where this holds
   TermPair pair;
 };
@@ -70,9 +85,10 @@ class LoopRelation : public LoopHeads {
     uint8_t width = 1;
     std::vector<size_t> cells;  // indices of ProgramLoop::cells
   };
-  /// What is said of a word: what it is for the number of rounds, or which of its bits are fixed.
+  /// What is said of a word: what it is for the number of rounds and for words before it, or which of its bits are
+  /// fixed.
   struct WordGuess {
-    enum class Of : uint8_t { kNothing, kRounds, kItself };
+    enum class Of : uint8_t { kNothing, kOthers, kItself };
     Of of = Of::kNothing;
     Guess guess;
     std::string key;
@@ -82,7 +98,12 @@ class LoopRelation : public LoopHeads {
     std::vector<Word> words;
     std::vector<std::pair<uint32_t, uint8_t>> places;  // by index of a cell: its word, and bit of it
     std::vector<WordGuess> guesses;                    // by word
+    std::vector<size_t> others;                        // words that guesses of later ones are over
+    std::vector<TermId> any;                           // by word: its variable at the head; none: it is a guess
     ProgramLoop::Head head, next;
+    TermId later;             // at its head: some round was before
+    TermId facts;             // a variable until it is closed: what is no equality and holds at its head
+    uint32_t first_term = 0;  // that is made behind its head
     TermId given_before, given_inside, again, holds;
     size_t claims = 0;  // before it
   };
@@ -91,6 +112,7 @@ class LoopRelation : public LoopHeads {
     std::string name;
     std::vector<std::string> items, keys;
     std::vector<Guess> guesses;  // by item; none: it is any value
+    std::vector<Blame> blames;   // by item
     TermId when, given_before;
     size_t claims = 0;
   };
@@ -98,18 +120,31 @@ class LoopRelation : public LoopHeads {
   TermId Implies(TermId a, TermId b) { return terms_.Or(terms_.Not(a), b); }
   void MakeWords(OfProgram& loop);
   void AddWord(OfProgram& loop, std::string name, std::vector<size_t> cells);
-  /// The words, and the number of rounds where it is counted.
+  /// The words, the number of rounds, and whether there was one.
   std::vector<TermId> WordsAt(const OfProgram& loop, const ProgramLoop::Head& head);
   void GuessWords(OfProgram& loop, const std::string& prefix);
   static Guess FixedBits(const SampledValue& sampled);
-  TermId Apply(const WordGuess& guess, TermId word, TermId round);
-  void ClaimWords(const OfProgram& loop, const std::string& where, TermId given, const ProgramLoop::Head& head);
+  TermId LaterAt(const OfProgram& loop, const ProgramLoop::Head& head);
+  /// `others`: the number of rounds, whether there was one, then OfProgram::others.
+  TermId Apply(const WordGuess& guess, TermId word, std::span<const TermId> others);
+  std::vector<TermId> OthersOf(const OfProgram& loop, std::span<const TermId> words);
+  /// What the variables of a head are at another one.
+  Replacements HeadAt(const OfProgram& loop, const ProgramLoop::Head& head);
+  /// Those that are claimed, as one term.
+  TermId ClaimFacts(const OfProgram& loop, size_t number);
+  /// From the condition under which the loop goes round again, as it is over one head and, where it is tested behind
+  /// what the round writes, over the next one.
+  std::vector<FactCandidate> FactsOf(const OfProgram& loop);
+  std::vector<TermId> FactsOnSamples(const OfProgram& loop, const std::string& prefix, std::vector<std::string>& keys);
+  void ClaimWords(const OfProgram& loop, const std::string& where, Blame blame, TermId given,
+                  const ProgramLoop::Head& head);
   /// A byte of State, or what a host function was told, as the program's cells say; none: the loop does not write them.
   Guess OwnCells(const OfProgram& loop, uint32_t slot);
-  std::vector<Guess> Choose(const OfProgram& loop, const CodeLoop& code, std::vector<std::string>& keys);
+  /// Of the items of `code`, to `open`.
+  void Choose(const OfProgram& loop, const CodeLoop& code, OfCode& open);
   uint32_t Dropped(const std::string& key) const;
   std::string NameOf(const CodeLoop::Item& item) const;
-  void Claim(std::string what, std::string guess, TermId given, TermId a, TermId b);
+  void Claim(std::string what, std::string guess, Blame blame, TermId given, TermId a, TermId b);
 
   Terms& terms_;
   const emit::Emittable& emittable_;

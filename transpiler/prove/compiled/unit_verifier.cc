@@ -226,10 +226,15 @@ bool UnitVerifier::DecideLoops(Solver& solver) {
     questions.push_back({.what = claim.what, .pair = claim.pair, .given = claim.given, .guess = claim.guess});
   proof_.claims = questions.size();
   const std::vector<Verdict> verdicts = Compare(solver, questions);
+  Blame least = Blame::kMemory;
   for (size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i] == Verdict::kEqual) continue;
     if (!questions[i].guess.empty()) {
-      refuted_.push_back(questions[i].guess);
+      const Blame blame = relation_->claims()[i].blame;
+      if (blame < least) refuted_.clear();
+      least = std::min(least, blame);
+      if (blame == least && std::ranges::find(refuted_, questions[i].guess) == refuted_.end())
+        refuted_.push_back(questions[i].guess);
     } else if (proof_.reason.empty()) {
       proof_.reason =
           verdicts[i] == Verdict::kDifferent ? questions[i].what : "not within the time: " + questions[i].what;

@@ -13,7 +13,7 @@
 namespace plcxx::prove {
 namespace {
 
-constexpr int kMostRetries = 40;  // with other guesses of what loops have in common
+constexpr int kMostRetries = 80;  // with other guesses of what loops have in common
 
 /// Both are proofs of one function, each for other arguments.
 void Add(RoutineProof& all, RoutineProof one) {
@@ -95,14 +95,26 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::milliseconds(program_.limits.routine_ms);
   Treatment treatment{.callees = callees, .loops = Loops::kInStep, .dropped = {}};
+  bool second_chance = false;
   for (int i = 0;; ++i) {
     UnitVerifier verifier(program_, unit, given, treatment);
     Try tried;
     tried.proof = verifier.Run();
     tried.gave_up = verifier.gave_up();
     tried.has_loops = verifier.has_loops();
+    if (i == 0 && tried.has_loops && tried.proof.result != ProofResult::kProved) {
+      // Before guesses are looked for that would not help: the first rounds may differ.
+      Try first = RunOnce(unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}});
+      if (first.proof.result == ProofResult::kDifferent) return first;
+    }
     for (const std::string& guess : verifier.refuted()) ++treatment.dropped[guess];
-    if (verifier.refuted().empty() || i == kMostRetries || Clock::now() >= deadline) return tried;
+    if (i == kMostRetries || Clock::now() >= deadline) return tried;
+    if (!verifier.refuted().empty()) continue;
+    // What the code keeps may have been dropped for what was said wrongly of the program's words; these are right now.
+    const auto of_code = [](const auto& dropped) { return dropped.first.starts_with(kGuessOfCode); };
+    const bool again = !second_chance && tried.has_loops && tried.proof.result != ProofResult::kProved;
+    if (!again || std::erase_if(treatment.dropped, of_code) == 0) return tried;
+    second_chance = true;
   }
 }
 

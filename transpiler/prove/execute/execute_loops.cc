@@ -11,6 +11,7 @@ namespace {
 
 constexpr uint8_t kRoundWidth = 32;
 constexpr uint64_t kMostCounted = 0xFFFFFFFF;
+constexpr size_t kMostSamples = 16;  // heads of one loop that are looked at
 
 }  // namespace
 
@@ -52,17 +53,18 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, std
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (round > 0 && flow_.active != before) ++unknown;
     if (most_unknown != 0 && unknown > most_unknown) return Unrolled::kGivenUp;
-    if (policy != nullptr && unknown > policy->rounds) {
+    const bool too_many = round > memory_.environment().most_rounds;
+    if (policy != nullptr && (unknown > policy->rounds || too_many)) {
       policy->left_out = terms_.Or(policy->left_out, Absolute());
       flow_.active = terms_.Bit(false);
       break;
     }
-    if (round > memory_.environment().most_rounds) {
+    if (too_many) {
       Refuse("a loop may go round more than " + std::to_string(memory_.environment().most_rounds) + " times");
       break;
     }
     const TermId number = terms_.Const(round, kRoundWidth);
-    if (samples != nullptr)
+    if (samples != nullptr && samples->size() < kMostSamples)
       samples->push_back({terms_.And(Absolute(), terms_.Not(policy->left_out)), memory_.values()});
     flow_.active = ExecuteRound(id, loop, number, done);
   }

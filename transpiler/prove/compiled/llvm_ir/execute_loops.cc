@@ -6,6 +6,11 @@
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
 namespace plcxx::prove::llvm_ir {
+namespace {
+
+constexpr size_t kMostHeads = 16;  // of one loop that are looked at
+
+}  // namespace
 
 void Executor::RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving) {
   if (run_.loops != CodeRun::Loops::kAtHeads || sampling_ != 0) {
@@ -61,16 +66,18 @@ void Executor::UnrollLoop(const FlowLevel& level, Passage entry, TermId context,
   Passage next = std::move(entry);
   uint32_t unknown = 0;
   for (uint32_t round = 0;; ++round) {
-    if (limited && unknown > run_.rounds) {
+    const bool too_many = round > run_.most_rounds;
+    if (limited && (unknown > run_.rounds || too_many)) {
       outcome_.left_out = terms_.Or(outcome_.left_out, terms_.And(context, active));
       return;
     }
-    if (round > run_.most_rounds) {
+    if (too_many) {
       Refuse("a loop may go round more than " + std::to_string(run_.most_rounds) + " times");
       return;
     }
     const TermId when = terms_.And(context, active);
-    if (state != nullptr) state->heads.emplace_back(terms_.And(when, terms_.Not(outcome_.left_out)), next);
+    if (state != nullptr && state->heads.size() < kMostHeads)
+      state->heads.emplace_back(terms_.And(when, terms_.Not(outcome_.left_out)), next);
     std::vector<Passage> passages;
     RunLevel(level, std::move(next), when, passages);
     if (refused()) return;
