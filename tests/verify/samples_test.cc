@@ -28,7 +28,8 @@ constexpr Sample kSamples[] = {
      "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il --routine init --routine fast"},
     {"prostep/mill_fnd32",
      "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep --routine init --routine refresh_inputs "
-     "--routine refresh_outputs --routine PM1 --routine PM2 --routine PM9 --routine PM10 --routine fast"},
+     "--routine refresh_outputs --routine PM1 --routine PM2 --routine PM9 --routine PM10 --routine PM11 --routine PM12 "
+     "--routine PM13 --routine fast"},
     {"technol/mcv_750",
      "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol --routine init --routine fast "
      "--routine requests"},

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/form.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
@@ -40,6 +43,10 @@ class LocalSweep {
   void Simulate();
   void SimulateOnce(int vector);
   uint64_t Sample(int vector, uint8_t width);
+  uint64_t SampleFor(int vector, TermId variable);
+  /// Notes what the terms of a cone are compared with.
+  void NoteComparisons(std::span<const TermId> cone);
+  void NoteComparison(TermId compared, uint64_t value);
   void SweepTerm(TermId id);
   bool AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds);
   /// A copy of a term in which what is shared, `depth` shared terms down, is a variable. Invalid: it is too large.
@@ -47,8 +54,10 @@ class LocalSweep {
   TermId CutOf(TermId id);
   /// What values of its variables say of a condition, samples or all that there are: most questions need no solver.
   Answer AskValues(TermId condition);
+  /// Most questions are the same one about other bytes of State: each is asked once.
+  Answer Ask(TermId condition, uint32_t milliseconds);
   std::vector<TermId> ConeFrom(TermId condition);
-  uint64_t ValueFor(const std::function<uint64_t(const Term& variable)>& variable);
+  uint64_t ValueFor(const std::function<uint64_t(TermId variable)>& variable);
   bool IsShared(TermId id) const { return id.index < shared_.size() && shared_[id.index]; }
   void Share(TermId id) {
     if (id.index >= shared_.size()) shared_.resize(terms_.size());
@@ -68,11 +77,18 @@ class LocalSweep {
   std::vector<uint64_t> constants_, signatures_, values_;
   std::vector<TermId> representative_;
   std::vector<bool> shared_;
-  std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
-  std::unordered_map<uint32_t, TermId> cuts_;                  // looked up only
-  std::unordered_map<uint64_t, TermId> copies_;                // of one question, by term and depth
-  std::vector<TermId> question_;                               // all terms of the last one
-  std::vector<uint64_t> question_values_;                      // by TermId
+  std::unordered_map<uint32_t, std::vector<uint64_t>> compared_;  // by TermId of a variable; looked up only
+  std::unordered_map<uint32_t, std::vector<uint64_t>> results_;   // by function without meaning; looked up only
+  std::unordered_map<uint64_t, std::vector<TermId>> classes_;     // looked up only
+  std::unordered_map<uint32_t, TermId> cuts_;                     // looked up only
+  std::unordered_map<uint64_t, TermId> copies_;                   // of one question, by term and depth
+  std::vector<TermId> question_;                                  // all terms of the last one
+  std::vector<uint64_t> question_values_;                         // by TermId
+  struct Answered {
+    Answer answer = Answer::kUnknown;
+    uint32_t milliseconds = 0;
+  };
+  std::unordered_map<std::string, Answered> answers_;  // by form; looked up only
   bool cut_ = false;
   Random random_{0x9E3779B97F4A7C15};
 };
@@ -120,12 +136,54 @@ uint64_t LocalSweep::Sample(int vector, uint8_t width) {
   }
 }
 
+void LocalSweep::NoteComparison(TermId compared, uint64_t value) {
+  Term term = terms_[compared];
+  while (term.kind == TermKind::kConcat && terms_.IsZero(TermId(term.a))) {
+    compared = TermId(term.b);
+    term = terms_[compared];
+  }
+  if (term.kind == TermKind::kExtract) {
+    value <<= term.b;
+    compared = TermId(term.a);
+    term = terms_[compared];
+  }
+  if (term.kind == TermKind::kVariable) compared_[compared.index].push_back(value);
+  if (term.kind == TermKind::kApply && terms_.Info(FunctionId(term.a)).evaluate == nullptr)
+    results_[term.a].push_back(value);
+}
+
+void LocalSweep::NoteComparisons(std::span<const TermId> cone) {
+  for (const TermId id : cone) {
+    const Term term = terms_[id];
+    const bool compares = term.kind == TermKind::kEq || term.kind == TermKind::kUlt || term.kind == TermKind::kSlt;
+    if (!compares) continue;
+    for (const auto& [one, other] : {std::pair(TermId(term.a), TermId(term.b)), {TermId(term.b), TermId(term.a)}}) {
+      if (!terms_.IsConst(other)) continue;
+      NoteComparison(one, terms_.Value(other));
+      if (term.kind != TermKind::kEq) NoteComparison(one, terms_.Value(other) - 1);
+    }
+  }
+}
+
+/// A condition that asks for one value of a word would hardly ever hold else.
+uint64_t LocalSweep::SampleFor(int vector, TermId variable) {
+  const auto own = compared_.find(variable.index);
+  const uint64_t random = random_.Next();
+  if (own == compared_.end() || (random & 1) != 0) return Sample(vector, terms_.Width(variable));
+  return own->second[(random >> 1) % own->second.size()];
+}
+
 void LocalSweep::SimulateOnce(int vector) {
   for (const TermId id : cone_) {
     const Term& term = terms_[id];
-    const uint64_t value = EvaluateTerm(
+    uint64_t value = EvaluateTerm(
         terms_, term, [this](TermId operand) { return values_[operand.index]; },
-        [&](uint32_t) { return Sample(vector, term.width); });
+        [&](uint32_t) { return SampleFor(vector, id); });
+    // Any function will do, if equal arguments give equal results.
+    if (term.kind == TermKind::kApply && (value & 1) != 0) {
+      const auto own = results_.find(term.a);
+      if (own != results_.end()) value = Masked(own->second[(value >> 1) % own->second.size()], term.width);
+    }
     values_[id.index] = value;
     uint64_t& signature = signatures_[id.index];
     signature = (signature ^ value) * 0x9E3779B97F4A7C15;
@@ -136,6 +194,7 @@ void LocalSweep::SimulateOnce(int vector) {
 void LocalSweep::Simulate() {
   values_.assign(terms_.size(), 0);
   signatures_.assign(terms_.size(), 0);
+  NoteComparisons(cone_);
   for (int vector = 0; vector < kVectors; ++vector) SimulateOnce(vector);
 }
 
@@ -193,12 +252,12 @@ TermId LocalSweep::Copy(TermId root, int depth) {
 }
 
 /// Of the last term of `question_`.
-uint64_t LocalSweep::ValueFor(const std::function<uint64_t(const Term& variable)>& variable) {
+uint64_t LocalSweep::ValueFor(const std::function<uint64_t(TermId variable)>& variable) {
   for (const TermId id : question_) {
     const Term& term = terms_[id];
     question_values_[id.index] = EvaluateTerm(
         terms_, term, [this](TermId operand) { return question_values_[operand.index]; },
-        [&](uint32_t) { return variable(term); });
+        [&](uint32_t) { return variable(id); });
   }
   return question_values_[question_.back().index];
 }
@@ -216,17 +275,20 @@ Answer LocalSweep::AskValues(TermId condition) {
   if (known && bits <= kMostBits && question_.size() <= kMostTermsOfAllValues) {
     for (uint64_t number = 0; number < uint64_t{1} << bits; ++number) {
       uint64_t rest = number;
-      const auto next = [&rest](const Term& term) {
-        const uint64_t value = Masked(rest, term.width);
-        rest = term.width < 64 ? rest >> term.width : 0;
+      const auto next = [&](TermId variable) {
+        const uint8_t width = terms_.Width(variable);
+        const uint64_t value = Masked(rest, width);
+        rest = width < 64 ? rest >> width : 0;
         return value;
       };
       if (ValueFor(next) != 0) return Answer::kPossible;
     }
     return Answer::kNever;
   }
+  compared_.clear();
+  NoteComparisons(question_);
   for (int vector = 0; vector < kQuestionVectors; ++vector) {
-    if (ValueFor([&](const Term& term) { return Sample(vector, term.width); }) != 0) return Answer::kPossible;
+    if (ValueFor([&](TermId variable) { return SampleFor(vector, variable); }) != 0) return Answer::kPossible;
   }
   return Answer::kUnknown;
 }
@@ -246,6 +308,18 @@ std::vector<TermId> LocalSweep::ConeFrom(TermId condition) {
   return cone;
 }
 
+Answer LocalSweep::Ask(TermId condition, uint32_t milliseconds) {
+  const auto [at, added] = answers_.try_emplace(FormOf(terms_, condition));
+  Answered& known = at->second;
+  if (!added && (known.answer != Answer::kUnknown || milliseconds <= known.milliseconds)) return known.answer;
+  if (added) known.answer = AskValues(condition);
+  if (known.answer == Answer::kUnknown) {
+    known.answer = solver_.Check({&condition, 1}, milliseconds);
+    known.milliseconds = milliseconds;
+  }
+  return known.answer;
+}
+
 bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds) {
   if (a == b) return true;
   for (const int depth : depths) {
@@ -256,9 +330,7 @@ bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint3
     if (!other.valid()) return false;
     const TermId differ = terms_.Ne(one, other);
     if (terms_.IsFalse(differ)) return true;
-    Answer answer = AskValues(differ);
-    if (answer == Answer::kUnknown) answer = solver_.Check({&differ, 1}, milliseconds);
-    if (answer == Answer::kNever) return true;
+    if (Ask(differ, milliseconds) == Answer::kNever) return true;
     // Where nothing was cut, they do differ.
     if (!cut_ || Late()) return false;
   }

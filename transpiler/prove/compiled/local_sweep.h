@@ -16,7 +16,8 @@
 
 namespace plcxx::prove {
 
-/// `a` of all pairs is one side, `b` the other. Ends after about so many milliseconds.
+/// `a` of all pairs is one side, `b` the other. Ends after about so many milliseconds. `solver` assumes nothing: what
+/// it says of one term is taken for every term of the same form (form.h).
 std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds);
 
 }  // namespace plcxx::prove

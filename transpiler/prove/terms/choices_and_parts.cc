@@ -5,6 +5,21 @@
 #include "transpiler/prove/terms/terms.h"
 
 namespace plcxx::prove {
+namespace {
+
+/// What Sext has made of it; none: it is something else.
+TermId SignExtended(Terms& terms, TermId id) {
+  const Term term = terms[id];
+  if (term.kind != TermKind::kConcat) return {};
+  const Term above = terms[TermId(term.a)];
+  const TermId number(term.b);
+  if (above.kind != TermKind::kIte || !terms.IsConst(TermId(above.b)) || !terms.IsZero(TermId(above.c))) return {};
+  if (terms.Value(TermId(above.b)) != Masked(~uint64_t{0}, above.width)) return {};
+  const auto sign = static_cast<uint8_t>(terms.Width(number) - 1);
+  return TermId(above.a) == terms.Extract(number, sign, 1) ? number : TermId();
+}
+
+}  // namespace
 
 TermId Terms::EqOfConst(TermId a, TermId constant) {
   const Term term = terms_[a.index];
@@ -86,6 +101,8 @@ TermId Terms::Ult(TermId a, TermId b) {
   const uint64_t ones = Masked(~uint64_t{0}, Width(a));
   if (IsConst(a) && Value(a) == ones) return zero_;
   if (IsConst(b) && Value(b) == 1) return Eq(a, Const(0, Width(a)));
+  // One spelling of a comparison with a constant: it stands on the right.
+  if (IsConst(a)) return IsConst(b) ? Bit(Value(a) < Value(b)) : Not(Ult(b, Const(Value(a) + 1, Width(a))));
   // Zeros above both: compare what is below them.
   const Term one = terms_[a.index], other = terms_[b.index];
   if (one.kind == TermKind::kConcat && IsZero(TermId(one.a))) {
@@ -97,9 +114,12 @@ TermId Terms::Ult(TermId a, TermId b) {
       return Value(b) > Masked(~uint64_t{0}, low) ? one_ : Ult(TermId(one.b), Const(Value(b), low));
     }
   }
-  if (other.kind == TermKind::kConcat && IsZero(TermId(other.a)) && IsConst(a)) {
-    const uint8_t low = Width(TermId(other.b));
-    return Value(a) >= Masked(~uint64_t{0}, low) ? zero_ : Ult(Const(Value(a), low), TermId(other.b));
+  // The sign above a number leaves a gap between the numbers that are not negative and those that are.
+  if (const TermId number = SignExtended(*this, a); number.valid() && IsConst(b)) {
+    const uint8_t low = Width(number);
+    const uint64_t half = uint64_t{1} << (low - 1);
+    if (Value(b) <= half || Value(b) >= ones - half + 1) return Ult(number, Const(Value(b), low));
+    return Not(Extract(number, static_cast<uint8_t>(low - 1), 1));
   }
   return Binary(TermKind::kUlt, a, b, 1);
 }
@@ -116,6 +136,19 @@ TermId Terms::Slt(TermId a, TermId b) {
   };
   if (is_positive(a) && is_positive(b)) return Ult(a, b);
   if (IsZero(b)) return Extract(a, static_cast<uint8_t>(width - 1), 1);
+  if (IsConst(a) && IsConst(b)) return Bit(AsSigned(Value(a), width) < AsSigned(Value(b), width));
+  const uint64_t greatest = Masked(~uint64_t{0}, width) >> 1;
+  if (IsConst(a)) return Value(a) == greatest ? zero_ : Not(Slt(b, Const(Value(a) + 1, width)));
+  if (IsConst(b) && Value(b) == greatest + 1) return zero_;
+  if (const TermId number = SignExtended(*this, a); number.valid()) {
+    const uint8_t low = Width(number);
+    if (const TermId other = SignExtended(*this, b); other.valid() && Width(other) == low) return Slt(number, other);
+    if (IsConst(b)) {
+      const uint64_t shortened = Masked(Value(b), low);
+      if (AsSigned(shortened, low) == AsSigned(Value(b), width)) return Slt(number, Const(shortened, low));
+      return Bit(AsSigned(Value(b), width) > 0);
+    }
+  }
   return Binary(TermKind::kSlt, a, b, 1);
 }
 
@@ -145,6 +178,18 @@ TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
   if (one.kind == TermKind::kConcat && other.kind == TermKind::kConcat &&
       Width(TermId(one.b)) == Width(TermId(other.b)) && (one.a == other.a || one.b == other.b)) {
     return Concat(Ite(condition, TermId(one.a), TermId(other.a)), Ite(condition, TermId(one.b), TermId(other.b)));
+  }
+  // A row of which one part is the constant's, as a bit below zeros or 0.
+  for (const auto& [row, constant] : {std::pair(then, otherwise), std::pair(otherwise, then)}) {
+    const Term term = terms_[row.index];
+    if (!IsConst(constant) || term.kind != TermKind::kConcat) continue;
+    const uint8_t low = Width(TermId(term.b));
+    const TermId high_part = Const(Value(constant) >> low, static_cast<uint8_t>(term.width - low));
+    const TermId low_part = Const(Value(constant), low);
+    if (high_part.index != term.a && low_part.index != term.b) continue;
+    const TermId high(term.a), rest(term.b);
+    if (row == then) return Concat(Ite(condition, high, high_part), Ite(condition, rest, low_part));
+    return Concat(Ite(condition, high_part, high), Ite(condition, low_part, rest));
   }
   return Add({TermKind::kIte, one.width, condition.index, then.index, otherwise.index});
 }

@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "transpiler/prove/terms/division.h"
+
 namespace plcxx::prove {
 
 size_t Terms::Index::SlotOf(const Term& term) const {
@@ -72,6 +74,8 @@ TermId Terms::Not(TermId a) {
   const Term term = terms_[a.index];
   if (term.kind == TermKind::kNot) return TermId(term.a);
   if (IsConst(a)) return Const(~Value(a), term.width);
+  // Part by part: a bit in a byte that is negated stays a bit below zeros that are known.
+  if (term.kind == TermKind::kConcat) return Concat(Not(TermId(term.a)), Not(TermId(term.b)));
   return Add({TermKind::kNot, term.width, a.index});
 }
 
@@ -194,6 +198,7 @@ TermId Terms::Add(TermId a, TermId b) {
   if (b < a) std::swap(a, b);
   if (IsZero(a)) return b;
   if (IsZero(b)) return a;
+  if (const TermId rest = RemainderOfSum(*this, a, b); rest.valid()) return rest;
   // (x + c) + d = x + (c + d)
   for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
     const Term term = terms_[other.index];
@@ -233,14 +238,31 @@ TermId Terms::Udiv(TermId a, TermId b) {
   if (IsConst(b) && Value(b) != 0 && (Value(b) & (Value(b) - 1)) == 0) {
     return Lshr(a, Const(static_cast<uint64_t>(std::countr_zero(Value(b))), Width(a)));
   }
-  return Binary(TermKind::kUdiv, a, b, Width(a));
+  const uint8_t width = Width(a);
+  if (!IsConst(b) || IsZero(b) || IsConst(a)) return Binary(TermKind::kUdiv, a, b, width);
+  // What is known to be 0 says so: above the number, and above what the divisor leaves of it.
+  if (const Term term = terms_[a.index]; term.kind == TermKind::kConcat && IsZero(TermId(term.a))) {
+    const TermId number(term.b);
+    if (Value(b) > Masked(~uint64_t{0}, Width(number))) return Const(0, width);
+    return Zext(Udiv(number, Const(Value(b), Width(number))), width);
+  }
+  const auto bits = static_cast<uint8_t>(std::bit_width(Masked(~uint64_t{0}, width) / Value(b)));
+  return Zext(Extract(Binary(TermKind::kUdiv, a, b, width), 0, bits), width);
 }
 
 TermId Terms::Urem(TermId a, TermId b) {
   if (IsConst(b) && Value(b) != 0 && (Value(b) & (Value(b) - 1)) == 0) {
     return And(a, Const(Value(b) - 1, Width(a)));
   }
-  return Binary(TermKind::kUrem, a, b, Width(a));
+  const uint8_t width = Width(a);
+  if (!IsConst(b) || IsZero(b) || IsConst(a)) return Binary(TermKind::kUrem, a, b, width);
+  if (const Term term = terms_[a.index]; term.kind == TermKind::kConcat && IsZero(TermId(term.a))) {
+    const TermId number(term.b);
+    if (Value(b) > Masked(~uint64_t{0}, Width(number))) return a;
+    return Zext(Urem(number, Const(Value(b), Width(number))), width);
+  }
+  const auto bits = static_cast<uint8_t>(std::bit_width(Value(b) - 1));
+  return Zext(Extract(Binary(TermKind::kUrem, a, b, width), 0, bits), width);
 }
 
 TermId Terms::Sdiv(TermId a, TermId b) { return Binary(TermKind::kSdiv, a, b, Width(a)); }
@@ -264,6 +286,8 @@ TermId Terms::Lshr(TermId a, TermId b) {
     const uint64_t by = Value(b);
     if (by == 0) return a;
     if (by >= width) return Const(0, width);
+    if (const TermId quotient = QuotientOfProduct(*this, a, static_cast<uint8_t>(by)); quotient.valid())
+      return quotient;
     return Zext(Extract(a, static_cast<uint8_t>(by), static_cast<uint8_t>(width - by)), width);
   }
   return Binary(TermKind::kLshr, a, b, width);
@@ -325,6 +349,9 @@ TermId Terms::Apply(FunctionId function, std::span<const TermId> arguments) {
 }
 
 TermId Terms::Rebuild(const Term& term, std::span<const TermId> operands) {
+  // A quotient is made as the part of it that need not be 0 (Udiv, Urem); of the whole there is this term alone.
+  const bool divides = term.kind == TermKind::kUdiv || term.kind == TermKind::kUrem;
+  if (divides && operands[0].index == term.a && operands[1].index == term.b) return Add(term);
   switch (term.kind) {
     case TermKind::kConst:
     case TermKind::kVariable:

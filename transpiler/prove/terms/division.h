@@ -1,0 +1,18 @@
+// Divisions by constants as compilers write them, recognized: one spelling for both sides.
+//
+// Not its job: signed divisions, and divisors that are powers of two (terms.cc).
+#pragma once
+
+#include <cstdint>
+
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+/// x * m >> shift where that is x / d for every x; else none. `product` is the product.
+TermId QuotientOfProduct(Terms& terms, TermId product, uint8_t shift);
+
+/// x - d * (x / d), or the low bits of all of it, as those of x % d; else none.
+TermId RemainderOfSum(Terms& terms, TermId a, TermId b);
+
+}  // namespace plcxx::prove
