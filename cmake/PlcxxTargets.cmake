@@ -35,8 +35,9 @@ function(plcxx_test NAME)
   list(TRANSFORM ARG_DEPENDS PREPEND plcxx_)
   add_executable(${NAME}_test ${SOURCES})
   target_link_libraries(${NAME}_test PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} plcxx_options GTest::gmock_main)
-  # What the tests cost is compiling them.
+  # What the tests cost is compiling them, and most of that is the headers, which several files share this way.
   target_compile_options(${NAME}_test PRIVATE $<$<CONFIG:Release>:-O0>)
+  set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   target_compile_definitions(${NAME}_test PRIVATE PLCXX_ROOT="${PROJECT_SOURCE_DIR}" PLCXX_BINARY="${CMAKE_BINARY_DIR}/bin/plcxx")
   set_target_properties(${NAME}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${NAME} COMMAND ${NAME}_test)

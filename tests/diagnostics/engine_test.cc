@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 
 // Rows of our own: the catalogue's wording may change without touching these tests.
-constexpr Message<Text, Number> kBroken{
+constexpr Message<Text, Number> kBrokenTimes{
     {"Broken", "test-1", Severity::kError, "'{0}' is broken {1} times", "mend '{0}'"}};
 constexpr Message<> kOdd{{"Odd", "test-W7", Severity::kWarning, "this is odd", ""}};
 constexpr Message<> kOther{{"Other", "test-W8", Severity::kWarning, "this is other", ""}};
@@ -37,7 +37,7 @@ TEST(FormatDeathTest, AWrongRowIsOurFault) {
 
 TEST(Engine, ReportsWithParameters) {
   Engine engine;
-  engine.Report({3, 5}, kBroken, "I0A7", 12).notes.push_back({{1, 2}, "here"});
+  engine.Report({3, 5}, kBrokenTimes, "I0A7", 12).notes.push_back({{1, 2}, "here"});
   ASSERT_EQ(engine.all().size(), 1u);
   const Diagnostic& diagnostic = engine.all().front();
   EXPECT_EQ(diagnostic.text, "'I0A7' is broken 12 times");
@@ -64,9 +64,9 @@ TEST(Engine, KeepsARepetitionOnce) {
   engine.Report({3, 5}, kOdd);
   engine.Report({3, 5}, kOdd).notes.push_back({{}, "lost"});
   engine.Report({3, 6}, kOdd);
-  engine.Report({3, 5}, kBroken, "a", 1);
-  engine.Report({3, 5}, kBroken, "b", 1);
-  engine.Report({3, 5}, kBroken, "b", 1);
+  engine.Report({3, 5}, kBrokenTimes, "a", 1);
+  engine.Report({3, 5}, kBrokenTimes, "b", 1);
+  engine.Report({3, 5}, kBrokenTimes, "b", 1);
   EXPECT_EQ(engine.all().size(), 4u);
   EXPECT_TRUE(engine.all().front().notes.empty());
   EXPECT_EQ(engine.error_count(), 2u);
@@ -105,7 +105,7 @@ TEST(Engine, OtherNamesDoNotSwitchOff) {
 
 TEST(Engine, ErrorsCannotBeSwitchedOff) {
   Engine engine({.disabled = {"1", "test-1"}});
-  engine.Report({}, kBroken, "a", 1);
+  engine.Report({}, kBrokenTimes, "a", 1);
   EXPECT_TRUE(engine.HasErrors());
 }
 
@@ -138,10 +138,10 @@ TEST(Engine, WarningsBecomeErrors) {
 
 TEST(Engine, SortsBySourceAndKeepsTheOrderOfTies) {
   Engine engine;
-  engine.Report({9, 9}, kBroken, "z", 1);
-  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({9, 9}, kBrokenTimes, "z", 1);
+  engine.Report({5, 9}, kBrokenTimes, "b", 1);
   engine.Report({5, 6}, kOdd);
-  engine.Report({5, 6}, kBroken, "a", 1);
+  engine.Report({5, 6}, kBrokenTimes, "a", 1);
   engine.Report({}, kOther);
   engine.SortBySource();
   EXPECT_THAT(Texts(engine), ElementsAre("this is other", "'b' is broken 1 times", "this is odd",
@@ -150,23 +150,23 @@ TEST(Engine, SortsBySourceAndKeepsTheOrderOfTies) {
 
 TEST(Engine, StopsAtTheFirstError) {
   Engine engine;
-  engine.Report({9, 9}, kBroken, "z", 1);
-  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({9, 9}, kBrokenTimes, "z", 1);
+  engine.Report({5, 9}, kBrokenTimes, "b", 1);
   engine.Report({1, 2}, kOdd);
   engine.Report({7, 8}, kOther);
   engine.KeepFirstErrorOnly();
   EXPECT_THAT(Texts(engine), ElementsAre("this is odd", "'b' is broken 1 times"));
   EXPECT_EQ(engine.error_count(), 1u);
   EXPECT_EQ(engine.warning_count(), 1u);
-  engine.Report({9, 9}, kBroken, "z", 1);
+  engine.Report({9, 9}, kBrokenTimes, "z", 1);
   EXPECT_EQ(engine.error_count(), 2u) << "what was dropped may be reported again";
 }
 
 TEST(Engine, LimitsTheErrorsAndKeepsTheRest) {
   Engine engine;
-  engine.Report({9, 9}, kBroken, "z", 1);
-  engine.Report({1, 2}, kBroken, "a", 1);
-  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({9, 9}, kBrokenTimes, "z", 1);
+  engine.Report({1, 2}, kBrokenTimes, "a", 1);
+  engine.Report({5, 9}, kBrokenTimes, "b", 1);
   engine.Report({11, 12}, kOdd);
   engine.LimitErrors(3);
   EXPECT_EQ(engine.error_count(), 3u);
@@ -180,7 +180,7 @@ TEST(Engine, LimitsTheErrorsAndKeepsTheRest) {
 
 TEST(Engine, MovesPlaces) {
   Engine engine;
-  engine.Report({5, 9}, kBroken, "b", 1);
+  engine.Report({5, 9}, kBrokenTimes, "b", 1);
   engine.Report({2, 3}, kOdd);
   engine.MovePlaces([](source::Range range) { return range.begin == 5 ? source::Range{1, 2} : range; });
   EXPECT_EQ(engine.all()[0].range, (source::Range{1, 2}));

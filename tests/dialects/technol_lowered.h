@@ -85,7 +85,7 @@ inline void LowerInto(LoweredProgram& lowered, const std::string& text, const Op
 }
 
 /// The cells of these tests stand on line 2, the code of MODULE_MAIN begins on line 5.
-inline std::string Program(std::string_view code, std::string_view behind = "") {
+inline std::string TechnolProgram(std::string_view code, std::string_view behind = "") {
   return "DATA\nBITS: DFM A,B,C,Q\nX: DB ?\nW: DW ?\nD: DD ?\nDATA_END\nMODULE_MAIN\n" + std::string(code) +
          "MODULE_MAIN_END\n" + std::string(behind) + "STOP\n";
 }
@@ -94,7 +94,7 @@ inline std::string Program(std::string_view code, std::string_view behind = "") 
 inline std::vector<std::string> Main(std::string_view code, std::string_view behind = "",
                                      const OptionMap& options = {}) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program(code, behind), options);
+  LowerInto(lowered, TechnolProgram(code, behind), options);
   EXPECT_THAT(lowered.Reported({"TE"}), testing::IsEmpty()) << code;
   std::vector<std::string> lines = lowered.Routine("MODULE_MAIN");
   const auto first =

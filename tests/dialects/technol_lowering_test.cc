@@ -71,7 +71,7 @@ TEST(TechnolLowering, ADivisionBranchesWhereTheDivisorIsNotKnown) {
 // covers: TECHNOL-115, TECHNOL-119
 TEST(TechnolLowering, AMechanismIsASwitchOverItsStep) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nLDR B\nEX0\nFL 1,C\nMECH_END M\n"));
+  LowerInto(lowered, TechnolProgram("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nLDR B\nEX0\nFL 1,C\nMECH_END M\n"));
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   std::vector<std::string> lines = lowered.Routine("mech_M");
   lines.erase(lines.begin(), std::find(lines.begin(), lines.end(), "%12 = load M_step"));
@@ -86,7 +86,8 @@ TEST(TechnolLowering, AMechanismIsASwitchOverItsStep) {
 // covers: TECHNOL-116
 TEST(TechnolLowering, AJumpBackAcrossAWaitIsAnotherRoundOfTheSwitch) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nZ: FL 1,C\nLDR B\nEX0\nLDR A\nJL1 Z\nMECH_END M\n"));
+  LowerInto(lowered,
+            TechnolProgram("FL 1,M\n", "MECH_BEGIN M\nFL 1,A\nZ: FL 1,C\nLDR B\nEX0\nLDR A\nJL1 Z\nMECH_END M\n"));
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   const std::vector<std::string> lines = lowered.Routine("mech_M");
   const auto has = [&](std::string_view line) { return std::ranges::count(lines, line); };
@@ -101,7 +102,8 @@ TEST(TechnolLowering, AJumpBackAcrossAWaitIsAnotherRoundOfTheSwitch) {
 // covers: TECHNOL-116
 TEST(TechnolLowering, AJumpToTheNextStretchEndsItsOwn) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("FL 1,M\n", "MECH_BEGIN M\nLDR A\nJL1 Z\nFL 1,C\nZ: LDR B\nEX0\nFL 0,C\nMECH_END M\n"));
+  LowerInto(lowered,
+            TechnolProgram("FL 1,M\n", "MECH_BEGIN M\nLDR A\nJL1 Z\nFL 1,C\nZ: LDR B\nEX0\nFL 0,C\nMECH_END M\n"));
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   EXPECT_THAT(lowered.Routine("mech_M"), IsSupersetOf({"default falls_through {", "case 1 {"}));
 }
@@ -109,7 +111,7 @@ TEST(TechnolLowering, AJumpToTheNextStretchEndsItsOwn) {
 // covers: TECHNOL-089
 TEST(TechnolLowering, SubprogramsWithACommonTailAreOneRoutine) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("CALL S1\nCALL S2\n", "S1: FL 1,A\nS2: FL 1,B\nRET\n"));
+  LowerInto(lowered, TechnolProgram("CALL S1\nCALL S2\n", "S1: FL 1,A\nS2: FL 1,B\nRET\n"));
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   EXPECT_THAT(lowered.Routine("S1"), IsSupersetOf({"%0 = load entry", "switch %0 {", "case 1 {"}));
   EXPECT_THAT(lowered.Routine("MODULE_MAIN"), IsSupersetOf({"call S1 (%0)"}));
@@ -118,7 +120,7 @@ TEST(TechnolLowering, SubprogramsWithACommonTailAreOneRoutine) {
 // covers: TECHNOL-087
 TEST(TechnolLowering, ARefusedJumpInASubprogramLeavesItsCallers) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("CALL S\nFL 1,A\n", "S: LDR B\nJL1 S\nRET\n"));
+  LowerInto(lowered, TechnolProgram("CALL S\nFL 1,A\n", "S: LDR B\nJL1 S\nRET\n"));
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   EXPECT_THAT(lowered.Routine("MODULE_MAIN"), IsSupersetOf({"%0 = call S ()", "jump L0 if %0"}));
 }
@@ -126,14 +128,14 @@ TEST(TechnolLowering, ARefusedJumpInASubprogramLeavesItsCallers) {
 // covers: TECHNOL-196
 TEST(TechnolLowering, OnlyRequestsOfTheProgramAreAskedFor) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("FL 1,REQ_CLOSE_ALL\n"));
+  LowerInto(lowered, TechnolProgram("FL 1,REQ_CLOSE_ALL\n"));
   EXPECT_THAT(lowered.Routine("requests"), IsSupersetOf({"%0 = load REQ_CLOSE_ALL", "host close_all ()"}));
   EXPECT_THAT(lowered.Routine("requests"), Not(Contains("host backup_pos ()")));
 }
 
 TEST(TechnolLocate, AddressesWithoutRegisters) {
   LoweredProgram lowered;
-  LowerInto(lowered, Program("LDR A\nWR Q\nMECH_BEGIN M\nMECH_END M\n"));
+  LowerInto(lowered, TechnolProgram("LDR A\nWR Q\nMECH_BEGIN M\nMECH_END M\n"));
   const auto at = [&](std::string_view text) {
     const auto location = Locate(lowered.program(), text);
     if (!location) return std::string("none");

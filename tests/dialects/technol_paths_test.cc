@@ -13,7 +13,7 @@ constexpr size_t kFirstLine = 8;  // of the code
 std::vector<std::string> Reported(std::string_view code, const std::vector<std::string>& codes,
                                   std::string_view behind = "") {
   LoweredProgram lowered;
-  LowerInto(lowered, Program(code, behind));
+  LowerInto(lowered, TechnolProgram(code, behind));
   std::vector<std::string> result;
   for (const std::string& line : lowered.Reported(codes)) {
     const size_t blank = line.find(' ');

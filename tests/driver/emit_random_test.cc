@@ -8,7 +8,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr std::string_view kMemory = R"(space m 8 volatile little host_visible
+constexpr std::string_view kRandomMemory = R"(space m 8 volatile little host_visible
 space f 24 volatile big host_visible
 space k 8 retentive little host_visible
 space r 24 routine little
@@ -305,7 +305,7 @@ class Writer {
 
 std::string RandomProgram(uint32_t seed, const std::vector<uint32_t>& sizes) {
   std::mt19937 random(seed);
-  std::string text(kMemory);
+  std::string text(kRandomMemory);
   std::vector<std::string> names;
   uint32_t statement = 1;
   std::string routines;
@@ -321,12 +321,12 @@ std::string RandomProgram(uint32_t seed, const std::vector<uint32_t>& sizes) {
   return text + "}\nschedule period period\n";
 }
 
-const std::vector<std::string> kInputs = {"a", "b", "d", "x", "y", "w", "u", "q", "kd"};
+const std::vector<std::string> kRandomInputs = {"a", "b", "d", "x", "y", "w", "u", "q", "kd"};
 
 TEST(EmitRandom, SmallRoutines) {
   for (uint32_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
-    const EmittedProgram program(RandomProgram(seed, std::vector<uint32_t>(24, 5)), kInputs, seed);
+    const EmittedProgram program(RandomProgram(seed, std::vector<uint32_t>(24, 5)), kRandomInputs, seed);
     program.ExpectRunsAsSimulated();
     program.ExpectDebugsAsSimulated(seed);
     if (HasFailure()) return;
@@ -336,7 +336,7 @@ TEST(EmitRandom, SmallRoutines) {
 TEST(EmitRandom, LongRoutinesAreCut) {
   for (uint32_t seed = 1; seed <= 2; ++seed) {
     SCOPED_TRACE(seed);
-    const EmittedProgram program(RandomProgram(seed, {150, 300}), kInputs, seed);
+    const EmittedProgram program(RandomProgram(seed, {150, 300}), kRandomInputs, seed);
     const emit::Emittable emittable = emit::Legalize(program.program(), {.name = "p"});
     EXPECT_GT(emittable.chunks.size(), 1u);
     program.ExpectRunsAsSimulated();

@@ -72,7 +72,7 @@ constexpr std::string_view kControlled = R"(
 )";
 
 /// Holds inputs and ports as a machine does.
-class Machine : public dialects::ControlStub {
+class HeldMachine : public dialects::ControlStub {
  public:
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
                 std::optional<uint64_t>&) override {
@@ -99,7 +99,7 @@ class Machine : public dialects::ControlStub {
 /// In lockstep with a second engine.
 std::string RunScenario(const std::string& steps) {
   ScenarioBench bench(kControlled);
-  bench.stub = std::make_unique<Machine>();
+  bench.stub = std::make_unique<HeldMachine>();
   bench.other = ir::ReadOrDie(kControlled);
   return bench.Run(steps);
 }

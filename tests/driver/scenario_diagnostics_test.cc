@@ -19,7 +19,7 @@ constexpr diag::Message<> kLabel{{"Label", "test-41", diag::Severity::kError, "n
 constexpr diag::Message<> kUnused{{"Unused", "test-W356", diag::Severity::kWarning, "never read", "remove it"}};
 constexpr diag::Message<> kOther{{"Other", "test-W302", diag::Severity::kWarning, "twice", "remove it"}};
 
-Scenario Parsed(const std::string& text) { return std::get<Scenario>(ParseScenario("s.yaml", text)); }
+Scenario ParsedRight(const std::string& text) { return std::get<Scenario>(ParseScenario("s.yaml", text)); }
 
 /// Two files of four lines; diagnostics are given by their file and line.
 struct Compiled {
@@ -38,11 +38,11 @@ struct Compiled {
   }
   std::string Error(const std::string& yaml) {
     diagnostics.SortBySource();
-    return CheckExpectedError(Parsed("expect_error: " + yaml), diagnostics, sources).value_or("as expected");
+    return CheckExpectedError(ParsedRight("expect_error: " + yaml), diagnostics, sources).value_or("as expected");
   }
   std::string Warnings(const std::string& yaml) {
     diagnostics.SortBySource();
-    return CheckExpectedWarnings(Parsed("warnings: " + yaml), diagnostics, sources).value_or("as expected");
+    return CheckExpectedWarnings(ParsedRight("warnings: " + yaml), diagnostics, sources).value_or("as expected");
   }
 };
 

@@ -13,7 +13,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr std::string_view kProgram =
+constexpr std::string_view kSimulatedProgram =
     "U4A0=I0A0\n"
     "U4A1=I0A0*/U4A3\n"
     "W100K0=[W100K0+1]\n"
@@ -22,7 +22,7 @@ constexpr std::string_view kProgram =
 
 class Sim : public ::testing::Test {
  protected:
-  Sim() { work_.Write("main.plc", kProgram); }
+  Sim() { work_.Write("main.plc", kSimulatedProgram); }
   Ran Run(const std::string& arguments) { return work_.Run("sim main.plc -Wno-W330 " + arguments); }
   Workplace work_;
 };

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::string_view kTable = "popis\r\n$TCH 1 2 2\r\n00: 180.520 -5.1\r\n01: 12 .05\r\n";
-constexpr std::string_view kProgram =
+constexpr std::string_view kFilesProgram =
     "DATA\nA: DS 1\nDATA_END\nMODULE_MAIN\nESET 20,5\nCALL S\nESET 3\nMODULE_MAIN_END\nS: ESET 20,5\nRET\nSTOP\n";
 
 /// As 9.8.3 builds it from the table above.
@@ -50,7 +50,7 @@ TEST(TechnolFiles, ATableAloneBecomesItsImageAndItsListing) {
 TEST(TechnolFiles, ATableBesideAProgramToo) {
   const Workplace work;
   work.Write("tab1.tch", kTable);
-  work.Write("main.plc", kProgram);
+  work.Write("main.plc", kFilesProgram);
   EXPECT_EQ(work.Run("emit -q main.plc tab1.tch -o out").code, 0);
   EXPECT_THAT(work.Files("out"), UnorderedElementsAre("main.hpp", "main.cpp", "main.map.json", "main.report.json",
                                                       "tab1.bin", "tab1.lst"));
@@ -72,7 +72,7 @@ TEST(TechnolFiles, AWrongTableGivesNoImage) {
 // covers: TECHNOL-198
 TEST(TechnolFiles, TheReportHasTheNumbersOfAllEsets) {
   const Workplace work;
-  work.Write("main.plc", kProgram);
+  work.Write("main.plc", kFilesProgram);
   EXPECT_EQ(work.Run("emit -q main.plc -o out").code, 0);
   const auto report = nlohmann::json::parse(work.Read("out/main.report.json"));
   EXPECT_EQ(report["raised_errors"], nlohmann::json::parse(R"([{"main": 3, "sub": 0, "file": "main.plc", "line": 7},

@@ -7,7 +7,7 @@
 namespace plcxx::passes {
 namespace {
 
-std::string Structured(std::string_view body) {
+std::string StructuredLoops(std::string_view body) {
   ir::Program program = ReadFast(body);
   for (const std::string& finding : ir::Verify(program, ir::Stage::kLowered)) ADD_FAILURE() << finding;
   Structure(program);
@@ -15,7 +15,7 @@ std::string Structured(std::string_view body) {
 }
 
 TEST(StructureLoops, AJumpBackMakesALoop) {
-  EXPECT_EQ(Structured(R"(stmt s1
+  EXPECT_EQ(StructuredLoops(R"(stmt s1
 %0 = load b
 store a %0
 label L1
@@ -45,7 +45,7 @@ stmt s3
 }
 
 TEST(StructureLoops, WhatFollowsTheJumpInItsStatementIsInTheLoop) {
-  EXPECT_EQ(Structured(R"(label L1
+  EXPECT_EQ(StructuredLoops(R"(label L1
 stmt s1
 %0 = load a
 jump L1 if %0 budget rounds
@@ -65,7 +65,7 @@ stmt s2
 }
 
 TEST(StructureLoops, LoopsNest) {
-  EXPECT_EQ(Structured(R"(label L1
+  EXPECT_EQ(StructuredLoops(R"(label L1
 stmt s1
 %0 = load a
 store b %0
@@ -98,7 +98,7 @@ jump L1 if %0 budget rounds
 }
 
 TEST(StructureLoops, OfCrossingLoopsTheSecondHeadIsReachedByWayOfTheFirst) {
-  EXPECT_EQ(Structured(R"(label L1
+  EXPECT_EQ(StructuredLoops(R"(label L1
 stmt s1
 %0 = load a
 store b %0
@@ -143,7 +143,7 @@ loop @1 budget 0 rounds {
 }
 
 TEST(StructureLoops, ALoopEnteredInItsMiddleBeginsWhereTheWayInBegins) {
-  EXPECT_EQ(Structured(R"(stmt s1
+  EXPECT_EQ(StructuredLoops(R"(stmt s1
 %0 = load a
 jump L2 if %0
 label L1

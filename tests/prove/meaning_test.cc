@@ -126,7 +126,7 @@ const std::vector<RuntimeRow>& StepRows() {
 
 // --- values that are worth trying ---------------------------------------------------------------------------------
 
-class Numbers {
+class RandomNumbers {
  public:
   uint64_t Of(ir::Type type) {
     switch (type) {
@@ -274,7 +274,7 @@ class PureMeaning {
 };
 
 TEST(Meaning, OfPureOperationsIsThatOfTheRuntime) {
-  Numbers numbers;
+  RandomNumbers numbers;
   for (const RuntimeRow& row : PureRows()) {
     PureMeaning meaning(row);
     meaning.ExpectWidth();
@@ -363,7 +363,7 @@ class StepMeanings {
 
 // From any fields: no restriction to those that a program can reach.
 TEST(Meaning, OfStepsIsThatOfTheRuntime) {
-  Numbers numbers;
+  RandomNumbers numbers;
   for (const RuntimeRow& row : StepRows()) {
     StepMeanings meaning(row);
     meaning.ExpectShape();
@@ -383,7 +383,7 @@ TEST(Meaning, OfStepsIsThatOfTheRuntime) {
 // From power-on, with presets and periods in the range of programs: the long way through a delay or round a ring, all
 // operations of the kind mixed.
 TEST(Meaning, OfStepsInTheirOrdinaryCourse) {
-  Numbers numbers;
+  RandomNumbers numbers;
   for (uint32_t kind = 0; kind < ir::StateKindCount(); ++kind) {
     std::vector<StepMeanings> meanings;
     for (const RuntimeRow& row : StepRows()) {
@@ -427,7 +427,7 @@ TEST(Meaning, FieldsStandWhereTheTableHasThem) {
 }
 
 TEST(Meaning, OfTextsIsThatOfTheRuntime) {
-  Numbers numbers;
+  RandomNumbers numbers;
   const std::string longest(32, 'x'), too_long(33, 'x');
   for (const std::string& text : {std::string(), std::string("A"), std::string("TEXT\xFF"), longest, too_long}) {
     Terms terms;

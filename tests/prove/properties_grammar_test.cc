@@ -58,7 +58,7 @@ bool IsSpecial(const std::string& name, const std::string& terminal) {
   return name == "EOL" ? terminal == "\n" : terminal == "W is ( never";
 }
 
-PropertySurroundings Surroundings() {
+PropertySurroundings AnyNumberFits() {
   PropertySurroundings surroundings;
   surroundings.locate = [](std::string_view word) -> std::optional<LocatedOperand> {
     const bool is_bit = IsOneOf(Bits(), word);
@@ -118,7 +118,7 @@ TEST(PropertyGrammar, SentencesAreRead) {
     Numbers numbers(seed);
     const std::vector<std::string> terminals = TheGrammar().Sentence(numbers, Special, kShape);
     ASSERT_TRUE(TheGrammar().Accepts(terminals, IsSpecial));
-    const Properties parsed = ParseProperties(Joined(terminals), Surroundings());
+    const Properties parsed = ParseProperties(Joined(terminals), AnyNumberFits());
     for (const PropertyError& error : parsed.errors) {
       EXPECT_TRUE(IsBeyondGrammar(error))
           << error.line << ":" << error.column << ": " << testing::PrintToString(error.words) << "\n"
@@ -159,7 +159,7 @@ TEST(PropertyGrammar, WhatIsNoSentenceIsRefused) {
     // Behind a comment's sign everything is comment, also what was put there.
     const bool has_comment = std::ranges::find(terminals, "#") != terminals.end();
     if (has_comment) continue;
-    const Properties parsed = ParseProperties(Joined(terminals), Surroundings());
+    const Properties parsed = ParseProperties(Joined(terminals), AnyNumberFits());
     const bool is_sentence = TheGrammar().Accepts(terminals, IsSpecial);
     // A number that is wrong ends the reading of its line.
     if (std::ranges::any_of(parsed.errors, IsBeyondGrammar)) continue;

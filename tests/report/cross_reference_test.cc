@@ -20,7 +20,7 @@ const Signal& Named(const CrossReference& uses, std::string_view name) {
   return uses.signals.front();
 }
 
-constexpr std::string_view kProgram = R"(
+constexpr std::string_view kReferenced = R"(
 routine sub subroutine {
 body {
 stmt s2
@@ -43,7 +43,7 @@ store x %x
 )";
 
 TEST(CrossReference, ReadersAndWritersWithTheirRoutines) {
-  ProgramFixture fixture(std::string(kMemory) + std::string(kProgram), {"one", "two", "three"});
+  ProgramFixture fixture(std::string(kMemory) + std::string(kReferenced), {"one", "two", "three"});
   const CrossReference uses = MakeCrossReference(fixture.input());
   const Signal& x = Named(uses, "x");
   ASSERT_THAT(x.occurrences, SizeIs(3));
@@ -56,7 +56,7 @@ TEST(CrossReference, ReadersAndWritersWithTheirRoutines) {
 }
 
 TEST(CrossReference, PlacesThatShareBits) {
-  ProgramFixture fixture(std::string(kMemory) + std::string(kProgram), {"one", "two", "three"});
+  ProgramFixture fixture(std::string(kMemory) + std::string(kReferenced), {"one", "two", "three"});
   const CrossReference uses = MakeCrossReference(fixture.input());
   const Signal& v = Named(uses, "v");
   EXPECT_TRUE(v.written);
@@ -70,7 +70,7 @@ TEST(CrossReference, PlacesThatShareBits) {
 }
 
 TEST(CrossReference, NamesThatNothingUsesAndMeanings) {
-  ProgramFixture fixture(std::string(kMemory) + std::string(kProgram), {"one", "two", "three"});
+  ProgramFixture fixture(std::string(kMemory) + std::string(kReferenced), {"one", "two", "three"});
   fixture.program().documentation = {{"in0.0", "START", "", "cycle start", ""}, {"m0.2", "LAMP", "", "", ""}};
   for (const ir::Place& place : fixture.program().places) {
     if (place.name == "a" || place.name == "z") fixture.input().documented.emplace_back(place);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> Samples() {
+std::vector<double> DoubleSamples() {
   std::vector<double> samples = {0.0,
                                  -0.0,
                                  0.5,
@@ -47,7 +47,7 @@ bool Same(double a, double b) {
 
 // covers: HNC-301
 TEST(Doubles, RootsAndWholeNumbers) {
-  for (const double x : Samples()) {
+  for (const double x : DoubleSamples()) {
     ASSERT_TRUE(Same(SqrtF64(x), std::sqrt(x))) << x;
     ASSERT_TRUE(Same(FloorF64(x), std::floor(x))) << x;
     ASSERT_TRUE(Same(CeilF64(x), std::ceil(x))) << x;
@@ -57,7 +57,7 @@ TEST(Doubles, RootsAndWholeNumbers) {
 
 // covers: HNC-189, HNC-190
 TEST(Doubles, ConversionsGoByWayOf64Bits) {
-  for (const double x : Samples()) {
+  for (const double x : DoubleSamples()) {
     const bool fits = x > -9223372036854775808.0 && x < 9223372036854775808.0;
     const uint32_t expected = fits ? static_cast<uint32_t>(static_cast<uint64_t>(static_cast<int64_t>(x))) : 0U;
     ASSERT_EQ(TruncateF64(x), expected) << x;

@@ -18,7 +18,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Borders of the format and of the words, and patterns of all kinds.
-std::vector<float> Samples() {
+std::vector<float> FloatSamples() {
   std::vector<float> samples = {0.0F,
                                 -0.0F,
                                 0.5F,
@@ -61,7 +61,7 @@ testing::AssertionResult Same(float found, double expected) {
 
 // covers: HOST50-121..124 HOST50-144
 TEST(Floats, EveryOperationIsRoundedOnce) {
-  const std::vector<float> samples = Samples();
+  const std::vector<float> samples = FloatSamples();
   for (const float a : samples) {
     for (const float b : samples) {
       const double x = a, y = b;
@@ -78,7 +78,7 @@ TEST(Floats, EveryOperationIsRoundedOnce) {
 
 // covers: HOST50-120
 TEST(Floats, NegationInvertsTheSignOnly) {
-  for (const float value : Samples()) {
+  for (const float value : FloatSamples()) {
     if (std::isnan(value)) continue;  // whose bits C++ leaves open
     EXPECT_EQ(BitsOfF32(NegateF32(value)), BitsOfF32(value) ^ 0x80000000U) << value;
   }
@@ -92,8 +92,8 @@ TEST(Floats, BitsTellZerosApartAndNanFromNan) {
 
 // covers: HOST50-156
 TEST(Floats, WithNanOnlyNotEqualIsTrue) {
-  for (const float a : Samples()) {
-    for (const float b : Samples()) {
+  for (const float a : FloatSamples()) {
+    for (const float b : FloatSamples()) {
       const bool ordered = !std::isnan(a) && !std::isnan(b);
       ASSERT_EQ(EqualF32(a, b), ordered && a == b);
       ASSERT_EQ(NotEqualF32(a, b), !(ordered && a == b));
@@ -115,7 +115,7 @@ uint32_t Saturated(double whole) {
 
 // covers: HOST50-129 HOST50-130
 TEST(Floats, ToWordsBySaturation) {
-  for (const float value : Samples()) {
+  for (const float value : FloatSamples()) {
     ASSERT_EQ(TruncateF32(value), Saturated(std::trunc(double{value}))) << value;
     ASSERT_EQ(RoundF32(value), Saturated(std::round(double{value}))) << value;
   }

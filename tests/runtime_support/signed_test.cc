@@ -18,7 +18,7 @@ int64_t Number(uint64_t word, int bits) {
   return value >= int64_t{1} << (bits - 1) ? value - (int64_t{1} << bits) : value;
 }
 
-std::vector<uint32_t> Samples() {
+std::vector<uint32_t> SignedSamples() {
   std::vector<uint32_t> samples;
   for (int bit : {0, 1, 7, 8, 14, 15, 16, 30, 31}) {
     const uint32_t power = uint32_t{1} << bit;
@@ -48,8 +48,8 @@ TEST(Signed, AllPairsOfBytes) {
 
 // covers: PS-152, PS-222
 TEST(Signed, WiderWords) {
-  for (const uint32_t a : Samples()) {
-    for (const uint32_t b : Samples()) {
+  for (const uint32_t a : SignedSamples()) {
+    for (const uint32_t b : SignedSamples()) {
       const auto x = static_cast<uint16_t>(a), y = static_cast<uint16_t>(b);
       const int64_t p = Number(x, 16), q = Number(y, 16);
       ASSERT_EQ(NotEqual16(x, y), p != q);
@@ -73,8 +73,8 @@ TEST(Signed, WiderWords) {
 
 // covers: PS-202, PS-215
 TEST(Signed, DivisionTruncatesAndTheRemainderHasTheSignOfTheDividend) {
-  for (const uint32_t a : Samples()) {
-    for (const uint32_t b : Samples()) {
+  for (const uint32_t a : SignedSamples()) {
+    for (const uint32_t b : SignedSamples()) {
       const int64_t u = Number(a, 32), v = Number(b, 32);
       ASSERT_EQ(SignedDiv32(a, b), v == 0 ? 0 : static_cast<uint32_t>(u / v)) << u << '/' << v;
       ASSERT_EQ(SignedRem32(a, b), v == 0 ? a : static_cast<uint32_t>(u % v)) << u << '%' << v;
@@ -88,13 +88,13 @@ TEST(Signed, DivisionTruncatesAndTheRemainderHasTheSignOfTheDividend) {
 
 // covers: PS-201, PS-215
 TEST(Signed, WideningKeepsTheNumberAndHalvesPutItTogether) {
-  for (const uint32_t a : Samples()) {
+  for (const uint32_t a : SignedSamples()) {
     const auto word = static_cast<uint16_t>(a);
     ASSERT_EQ(Number(SignExtend16To32(word), 32), Number(word, 16));
     ASSERT_EQ(static_cast<int64_t>(SignExtend32To64(a)), Number(a, 32));
     ASSERT_EQ(Widen32To64(a), a);
     ASSERT_EQ((uint32_t{HighHalf32(a)} << 16) + LowHalf32(a), a);
-    for (const uint32_t b : Samples()) {
+    for (const uint32_t b : SignedSamples()) {
       const uint64_t product = Mul64(SignExtend32To64(a), SignExtend32To64(b));
       ASSERT_EQ(static_cast<int64_t>(product), Number(a, 32) * Number(b, 32));
       ASSERT_EQ((uint64_t{HighHalf64(product)} << 32) + LowHalf64(product), product);
@@ -131,7 +131,7 @@ TEST(Words, BytesOfAWord) {
 }
 
 TEST(Words, SingleBitsOfDoubleWords) {
-  for (const uint32_t a : Samples()) {
+  for (const uint32_t a : SignedSamples()) {
     for (uint32_t bit = 0; bit < 40; ++bit) {
       ASSERT_EQ(TestBit32(a, bit), bit < 32 && (uint64_t{a} >> bit & 1) != 0);
       ASSERT_EQ(BitAt32(true, bit), bit < 32 ? uint64_t{1} << bit : 0);
