@@ -8,8 +8,6 @@
 namespace plcxx::driver {
 namespace {
 
-const Language kTechnol{"technol", ".plc"};
-
 std::string Changed(const std::vector<ItemStatement>& statements) {
   std::string text;
   for (const ItemStatement& statement : statements) {

@@ -15,6 +15,7 @@ namespace plcxx::driver {
 struct Language {
   std::string dialect, extension;
 };
+inline const Language kTechnol{"technol", ".plc"}, kHost50{"host50", ".il"}, kNc110{"nc110", ".plc"};
 
 inline Diff ComparedTexts(const Language& language, const std::string& old_text, const std::string& new_text,
                           const DiffOptions& options = {}) {

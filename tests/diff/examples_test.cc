@@ -13,8 +13,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const Language kTechnol{"technol", ".plc"}, kHost50{"host50", ".il"}, kNc110{"nc110", ".plc"};
-
 /// A counterexample that begins at power-on and was run on both versions.
 void ExpectShown(const Diff& diff, const std::string& name) {
   const DiffItem* const item = ItemNamed(diff, name);

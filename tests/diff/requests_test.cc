@@ -14,8 +14,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const Language kTechnol{"technol", ".plc"};
-
 TEST(Requests, WhatComesWhenOneIsDone) {
   const std::string program = R"(        DATA
 IN0: DFM A
