@@ -14,6 +14,7 @@ constexpr size_t kMostValues = 60;      // of a state that is shown
 constexpr uint32_t kMostRounds = 512;   // of one loop; of init, where nothing is unknown, more
 constexpr uint32_t kMostUnrolled = 32;  // where that is tried after all else
 constexpr uint32_t kMostRoundsOfInit = 4096;
+constexpr uint32_t kQuickShare = 10;        // of the time
 constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
 }  // namespace
@@ -215,9 +216,24 @@ std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Quest
       program_.limits.progress(unit_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
     };
   }
-  pairs = MakeAlike(terms_, solver, pairs, program_.limits.routine_ms / 2);
-  for (const TermPair& pair : pairs) proof_.asked += pair.a != pair.b ? 1 : 0;
-  return prove::Compare(terms_, solver, pairs, sweep);
+  // Most are decided soon as they are. What is left has been rewritten more: both sides are made alike first.
+  SweepLimits quick = sweep;
+  quick.total_ms = program_.limits.routine_ms / kQuickShare;
+  quick.pair_ms = sweep.pair_ms / kQuickShare;
+  quick.progress = {};
+  std::vector<Verdict> verdicts = prove::Compare(terms_, solver, pairs, quick);
+  std::vector<size_t> open;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    proof_.asked += pairs[i].a != pairs[i].b ? 1 : 0;
+    if (verdicts[i] == Verdict::kUndecided) open.push_back(i);
+  }
+  if (open.empty()) return verdicts;
+  std::vector<TermPair> rest;
+  for (const size_t i : open) rest.push_back(pairs[i]);
+  rest = MakeAlike(terms_, solver, rest, program_.limits.routine_ms / 2);
+  const std::vector<Verdict> later = prove::Compare(terms_, solver, rest, sweep);
+  for (size_t k = 0; k < open.size(); ++k) verdicts[open[k]] = later[k];
+  return verdicts;
 }
 
 bool UnitVerifier::DecideLoops(Solver& solver) {
