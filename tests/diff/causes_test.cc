@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "tests/diff/compare_texts.h"
+#include "tests/diff/compared_texts.h"
 
 namespace plcxx::driver {
 namespace {
@@ -19,7 +19,7 @@ std::string ChangedTexts(const std::vector<ItemStatement>& statements) {
 
 TEST(Causes, AConditionAroundAnAssignmentIsShown) {
   const std::string inner = "DOF: I0A4\nW4A0=7\nENDF\nENDF\n";
-  const Diff diff = CompareTexts({"nc110", ".plc"}, "$\nDOF: I0A3\n" + inner, "$\nDOF: I0A3*I0A5\n" + inner);
+  const Diff diff = ComparedTexts({"nc110", ".plc"}, "$\nDOF: I0A3\n" + inner, "$\nDOF: I0A3*I0A5\n" + inner);
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(diff.items[0].name, "W4A0");
   EXPECT_EQ(ChangedTexts(diff.items[0].old_statements), "DOF: I0A3\n");
@@ -32,7 +32,7 @@ TEST(Causes, AConditionOfACallIsShown) {
            "void plc1() { if (" +
            condition + ") work(); }\nvoid plc2() { }\n";
   };
-  const Diff diff = CompareTexts({"hnc", ".cld"}, program("X[1]"), program("X[2]"));
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, program("X[1]"), program("X[2]"));
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(ChangedTexts(diff.items[0].old_statements), "if (X[1])\n");
 }
@@ -43,7 +43,7 @@ TEST(Causes, AByteBehindAComputedIndexHasItsNameAndItsScenario) {
            "void init() { plc1_time = 1; plc2_time = 1; }\nvoid plc1() { put(5, X[0] & " +
            mask + "); put(6, X[1]); }\nvoid plc2() { }\n";
   };
-  const Diff diff = CompareTexts({"hnc", ".cld"}, program("3"), program("7"));
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, program("3"), program("7"));
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(diff.items[0].name, "Y[5]");
   ASSERT_TRUE(diff.items[0].counterexample.has_value());

@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "tests/diff/compare_texts.h"
+#include "tests/diff/compared_texts.h"
 
 namespace plcxx::driver {
 namespace {
 
 Diff CompareMechanisms(const std::string& old_text, const std::string& new_text) {
-  return CompareTexts({"technol", ".plc"}, old_text, new_text,
-                      {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
+  return ComparedTexts({"technol", ".plc"}, old_text, new_text,
+                       {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
 }
 
 ItemVerdict VerdictOf(const Diff& diff, const std::string& name) {

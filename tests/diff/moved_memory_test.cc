@@ -3,16 +3,10 @@
 
 #include <string>
 
-#include "tests/diff/compare_texts.h"
+#include "tests/diff/compared_texts.h"
 
 namespace plcxx::driver {
 namespace {
-
-std::string NamesOf(const Diff& diff) {
-  std::string names;
-  for (const DiffItem& item : diff.items) names += item.name + " ";
-  return names;
-}
 
 /// An array with computed indices, and a loop of which nobody knows how often it goes round.
 std::string CProgram(const std::string& added, const std::string& body) {
@@ -32,11 +26,12 @@ std::string CProgram(const std::string& added, const std::string& body) {
 
 TEST(MovedMemory, AVariableOfCMovesArraysAndWhatLoopsRead) {
   const std::string same = "  Y[0] = total & 255;\n";
-  const Diff moved = CompareTexts({"hnc", ".cld"}, CProgram("", same), CProgram("static unsigned char added;\n", same));
-  EXPECT_EQ(NamesOf(moved), "");
-  const Diff changed = CompareTexts({"hnc", ".cld"}, CProgram("", same),
-                                    CProgram("static unsigned char added;\n", "  Y[0] = total & 127;\n"));
-  EXPECT_EQ(NamesOf(changed), "Y[0] ");
+  const Diff moved =
+      ComparedTexts({"hnc", ".cld"}, CProgram("", same), CProgram("static unsigned char added;\n", same));
+  EXPECT_EQ(NamesIn(moved), "");
+  const Diff changed = ComparedTexts({"hnc", ".cld"}, CProgram("", same),
+                                     CProgram("static unsigned char added;\n", "  Y[0] = total & 127;\n"));
+  EXPECT_EQ(NamesIn(changed), "Y[0] ");
   EXPECT_EQ(changed.items.front().verdict, ItemVerdict::kDifferent);
 }
 
@@ -50,15 +45,15 @@ TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
       "}\n"
       "void plc2() { }\n";
   const std::string include = "#include \"plc.h\"\n";
-  const Diff diff = CompareTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
-                                 include + "unsigned char b[4], a[4];\n" + loop);
-  EXPECT_EQ(NamesOf(diff), "");
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
+                                  include + "unsigned char b[4], a[4];\n" + loop);
+  EXPECT_EQ(NamesIn(diff), "");
   // The other array is another one, though it lies where the first one was.
   std::string other = loop;
   other.replace(other.find("a[1]"), 1, "b");
-  const Diff changed = CompareTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
-                                    include + "unsigned char b[4], a[4];\n" + other);
-  EXPECT_EQ(NamesOf(changed), "Y[0] ");
+  const Diff changed = ComparedTexts({"hnc", ".cld"}, include + "unsigned char a[4], b[4];\n" + loop,
+                                     include + "unsigned char b[4], a[4];\n" + other);
+  EXPECT_EQ(NamesIn(changed), "Y[0] ");
 }
 
 }  // namespace

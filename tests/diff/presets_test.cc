@@ -1,10 +1,9 @@
 // plcxx diff: times that stand in declared data, and what they change for a moment only.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
-#include "tests/diff/compare_texts.h"
+#include "tests/diff/compared_texts.h"
 
 namespace plcxx::driver {
 namespace {
@@ -20,12 +19,12 @@ std::string PressWithPreset(const std::string& time_word) {
 }
 
 TEST(DiffPresets, AreFoundInDeclaredData) {
-  const Diff diff = CompareTexts({"prostep", ".plc"}, PressWithPreset("3005D"), PressWithPreset("3006D"));
+  const Diff diff = ComparedTexts({"prostep", ".plc"}, PressWithPreset("3005D"), PressWithPreset("3006D"));
   for (const char* name : {"O 0.7", "F 8.1", "T 1"}) {
-    const auto at = std::ranges::find(diff.items, name, &DiffItem::name);
-    ASSERT_NE(at, diff.items.end()) << name;
-    EXPECT_EQ(at->verdict, ItemVerdict::kDifferent) << name;
-    EXPECT_TRUE(at->counterexample.has_value()) << name;
+    const DiffItem* const item = ItemNamed(diff, name);
+    ASSERT_NE(item, nullptr) << name;
+    EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << name;
+    EXPECT_TRUE(item->counterexample.has_value()) << name;
   }
 }
 
