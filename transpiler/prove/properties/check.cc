@@ -283,7 +283,7 @@ void PropertyChecker::FindInvariantsFor(const Property& property) {
 }
 
 void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
-  // Those that outlive a fast part, too, take longer to prove than what the property itself asks for takes to learn.
+  // Of those that outlive a fast part, too, no property is known that needs them.
   if (version_.program->schedule.fast_ms != 0) return;
   const std::vector<CellId> behind = CellsBehind(terms_, Widest(), cells);
   std::vector<TermId> next;
