@@ -92,7 +92,7 @@ def measure(plcxx, dialect, options, base):
     alike, _ = run([plcxx, "diff", *common, limit, old, same], base)
     changed, answer = run([plcxx, "diff", *common, limit, "--format", "json", old, new], base, allowed=(0, 1))
     verified, *_ = write_programs(dialect, options.verified, base)
-    verify, certificate = run([plcxx, "verify", *common, "--time-limit", options.time, verified], base, allowed=(0, 1))
+    verify, certificate = run([plcxx, "verify", *common, limit, verified], base, allowed=(0, 1))
 
     def ratio(seconds):
         return f"{seconds:.2f} s ({seconds / emit:.0f})"
