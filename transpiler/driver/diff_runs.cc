@@ -217,7 +217,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   std::vector<prove::SetCell> behind;
   if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::SetCell::new_cell);
   // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
-  const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_side.whole, new_side.whole);
+  const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
   const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
   const std::vector<prove::SetCell> machines = InputsOfTheMachine(old_version, behind);
   // Near the inputs with which something was seen there is more to be seen: what follows from it.

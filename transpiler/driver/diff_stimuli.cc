@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "transpiler/ir/op.h"
-#include "transpiler/prove/execute/cells.h"
+#include "transpiler/prove/compare/transition.h"
 
 namespace plcxx::driver {
 namespace {
@@ -22,24 +22,20 @@ constexpr uint32_t kMostCounts = 1000;
 constexpr size_t kMostPresets = 12;     // different constants, when none was changed
 constexpr uint64_t kHeadstartMs = 200;  // for what comes before a timer
 
-uint8_t AtPowerOn(const ir::Space& space, uint32_t offset) {
-  const auto at = std::ranges::lower_bound(space.initial, offset, {}, &ir::InitialByte::offset);
-  return at != space.initial.end() && at->offset == offset ? at->value : uint8_t{0};
-}
-
 /// What declared data are when power comes, each as wide as the program reads it: presets stand there, too.
-std::vector<uint64_t> InitialWordsOf(const ir::Program& program) {
+std::vector<uint64_t> InitialWordsOf(const prove::Version& version) {
+  const ir::Program& program = *version.program;
   std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint64_t> words;  // by space, offset and number of bytes
   for (const ir::Place& place : program.places) {
     if (place.is_field() || place.indexed || place.type == ir::Type::kBit || !prove::IsInside(program, place)) continue;
     const ir::Space& space = program.spaces[place.space];
-    const uint32_t bytes = ir::Bytes(place.type);
     uint64_t value = 0;
-    for (uint32_t i = 0; i < bytes; ++i) {
-      const uint32_t nth = space.order == ir::ByteOrder::kLittle ? i : bytes - 1 - i;
-      value |= uint64_t{AtPowerOn(space, place.offset + nth)} << 8 * i;
+    uint32_t bit = 0;
+    for (const prove::CellId id : CellsOf(program, version.cells, place)) {
+      const prove::Cell cell = CellAt(program, version.cells, id);
+      value |= uint64_t{prove::PowerOnBit(space, cell.offset, cell.bit)} << bit++;
     }
-    if (value != 0) words[{place.space.index, place.offset, bytes}] = value;
+    if (value != 0) words[{place.space.index, place.offset, ir::Bytes(place.type)}] = value;
   }
   std::vector<uint64_t> values;
   for (const auto& [where, value] : words) values.push_back(value);
@@ -47,8 +43,9 @@ std::vector<uint64_t> InitialWordsOf(const ir::Program& program) {
 }
 
 /// Ascending, each as often as it stands there.
-std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
-  std::vector<uint64_t> constants = InitialWordsOf(program);
+std::vector<uint64_t> ConstantsOf(const prove::Version& version) {
+  const ir::Program& program = *version.program;
+  std::vector<uint64_t> constants = InitialWordsOf(version);
   for (const ir::Region& region : program.regions) {
     for (const ir::InstId id : region.insts) {
       const ir::Inst& inst = program[id];
@@ -90,14 +87,14 @@ std::vector<prove::SetCell> AlmostTheSame(prove::Random& random, std::vector<pro
   return inputs;
 }
 
-ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program) {
-  const std::vector<uint64_t> old_constants = ConstantsOf(old_program), new_constants = ConstantsOf(new_program);
+ChangedConstants FindChangedConstants(const prove::Version& old_version, const prove::Version& new_version) {
+  const std::vector<uint64_t> old_constants = ConstantsOf(old_version), new_constants = ConstantsOf(new_version);
   std::vector<uint64_t> gone, come;
   std::ranges::set_difference(old_constants, new_constants, std::back_inserter(gone));
   std::ranges::set_difference(new_constants, old_constants, std::back_inserter(come));
   ChangedConstants changed;
   if (gone.size() > kMostChanged || come.size() > kMostChanged) return changed;
-  const std::set<uint64_t> units = UnitsOf(old_program);
+  const std::set<uint64_t> units = UnitsOf(*old_version.program);
   std::set<uint32_t> times;
   if (gone.empty() && come.empty()) {
     // Something else was changed about a timer, perhaps: until a little behind each preset.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "transpiler/driver/diff_runs.h"
-#include "transpiler/ir/program.h"
+#include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::driver {
@@ -17,7 +17,7 @@ struct ChangedConstants {
   std::vector<uint32_t> times_ms;  // ascending: between an old preset and a new one, whatever its unit
   uint32_t counts = 0;             // the greatest one that a counter may have to reach; 0: none
 };
-ChangedConstants FindChangedConstants(const ir::Program& old_program, const ir::Program& new_program);
+ChangedConstants FindChangedConstants(const prove::Version& old_version, const prove::Version& new_version);
 
 /// A value for each input; `run`: half, many or few of them are 1, in turn.
 std::vector<prove::SetCell> RandomInputs(prove::Random& random, std::vector<prove::SetCell> inputs, int run);
