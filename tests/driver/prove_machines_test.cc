@@ -53,7 +53,7 @@ TEST_P(ProveMachines, WhatDoesNotHoldIsShown) {
 
 INSTANTIATE_TEST_SUITE_P(EachLanguage, ProveMachines,
                          ::testing::Values("hnc_press.cld", "host50_feed.il", "nc110_clamp.plc", "prostep_drum.plc",
-                                           "technol_arm.plc"),
+                                           "prostep_press.plc", "technol_arm.plc", "technol_functions.plc"),
                          [](const auto& machine) { return machine.param.substr(0, machine.param.find('.')); });
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "transpiler/driver/prove_monitor.h"
 #include "transpiler/driver/scenario_control.h"
 #include "transpiler/driver/scenario_plan.h"
+#include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/properties/answers.h"
 #include "transpiler/prove/terms/random.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
@@ -23,7 +25,7 @@ constexpr int kShortHoldRuns = 96, kHoldRuns = 24, kRandomRuns = 24, kDisturbanc
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
 /// The answer is there; a short one is read more easily.
-constexpr std::chrono::seconds kShorteningTime{3};
+constexpr std::chrono::seconds kShorteningTime{2};
 
 uint32_t PeriodsOfMs(const ProveMachine& machine, uint64_t ms) {
   const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
@@ -76,15 +78,16 @@ class Watched {
 }  // namespace
 
 PropertyRuns::PropertyRuns(const ProveMachine& machine, const std::vector<std::vector<KnownStep>>& known)
-    : machine_(machine), can_be_set_(machine.version.cells.count) {
-  const std::vector<bool> inputs = prove::InputsOf(machine.version);
+    : machine_(machine), inputs_(prove::InputsOf(machine.version)), can_be_set_(machine.version.cells.count) {
+  const std::vector<bool>& inputs = inputs_;
+  const std::vector<bool> requests = prove::RequestCells(machine.version);
   std::vector<CellId> cells;
   for (uint32_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i]) cells.emplace_back(i);
+    if (inputs[i] || requests[i]) cells.emplace_back(i);
   }
   for (const InputWord& word : WordsOf(machine, cells)) {
     if (word.name.empty()) continue;
-    for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs[cell.index];
+    for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs[cell.index] || requests[cell.index];
   }
   for (const std::vector<KnownStep>& steps : known) AddPlanOf(steps);
 }
@@ -108,7 +111,10 @@ void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
       }
       const std::optional<uint64_t> value = ParseScenarioValue(text, location->place.type, dialect);
       for (size_t i = 0; value && i < cells.size(); ++i) {
-        if (can_be_set_[cells[i].index]) plan.events.push_back({plan.periods + 1, cells[i], (*value >> i & 1) != 0});
+        if (!can_be_set_[cells[i].index]) continue;
+        const bool on = (*value >> i & 1) != 0;
+        // Of a request the program alone decides when it begins.
+        if (inputs_[cells[i].index] || !on) plan.events.push_back({plan.periods + 1, cells[i], on});
       }
     }
     const uint64_t fast =
@@ -153,6 +159,19 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
     inputs.push_back(cell);
     if (DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
   }
+  std::vector<CellId> requests;
+  for (const CellId cell : search.requests) {
+    if (can_be_set_[cell.index]) requests.push_back(cell);
+  }
+  // In every other run the control does what it is asked for, after a while or at once.
+  const auto add_done_requests = [&](Random& chosen, int run, Plan& plan) {
+    if (requests.empty() || run % 2 == 0) return;
+    const uint64_t pause = uint64_t{1} << chosen.Next() % 6;
+    for (uint32_t period = 2; period <= plan.periods; period += static_cast<uint32_t>(1 + chosen.Next() % pause)) {
+      for (const CellId cell : requests) plan.events.push_back({period, cell, false});
+    }
+    std::ranges::stable_sort(plan.events, {}, &RunEvent::period);
+  };
   Random random(0x9E3779B97F4A7C15);
   const uint32_t hold = std::min(kMostPeriods, PeriodsOfMs(machine_, kHoldMs));
   for (int run = 0; run < kShortHoldRuns + kHoldRuns && !Late(); ++run) {
@@ -164,6 +183,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
       const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
       if (value) plan.events.push_back({1, cell, true});
     }
+    add_done_requests(random, run, plan);
     if (violates(plan)) return plan;
   }
   for (int run = 0; (run < kRandomRuns || search.thorough) && !Late(); ++run) {
@@ -193,6 +213,8 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
         }
       }
     }
+    // Not the same runs in which the known ones are disturbed.
+    add_done_requests(random, run / 2, plan);
     if (violates(plan)) return plan;
   }
   return std::nullopt;
@@ -210,6 +232,7 @@ bool PropertyRuns::Try(const prove::Property& property, Plan& plan, Plan shorter
 
 /// Leaves out what need not be set, in halves and smaller pieces, and what need not be waited for.
 void PropertyRuns::Shorten(const prove::Property& property, Plan& plan) const {
+  ShortenWaits(property, plan);  // first: a short run is soon tried
   for (size_t piece = std::max<size_t>(1, plan.events.size() / 2); piece > 0; piece /= 2) {
     for (size_t begin = 0; begin < plan.events.size() && !Late();) {
       Plan shorter = plan;
@@ -219,12 +242,17 @@ void PropertyRuns::Shorten(const prove::Property& property, Plan& plan) const {
       if (!Try(property, plan, std::move(shorter))) begin += piece;
     }
   }
+  ShortenWaits(property, plan);
+}
+
+void PropertyRuns::ShortenWaits(const prove::Property& property, Plan& plan) const {
   for (size_t i = 0; i < plan.events.size(); ++i) {
     const uint32_t before = i == 0 ? 1 : plan.events[i - 1].period;
     for (uint32_t cut = plan.events[i].period - before; cut > 0 && !Late();) {
       Plan shorter = plan;
       for (size_t later = i; later < shorter.events.size(); ++later) shorter.events[later].period -= cut;
       if (Try(property, plan, std::move(shorter))) {
+        if (i >= plan.events.size()) return;
         cut = std::min(cut, plan.events[i].period - before);
       } else {
         cut /= 2;
@@ -243,10 +271,13 @@ std::optional<prove::PropertyRun> PropertyRuns::Find(const prove::RunSearch& sea
   const uint32_t parts =
       machine_.compilation.program.schedule.fast_ms == 0 ? 1 : std::max(1U, machine_.timing.fast_per_period);
   run.periods.assign(plan->periods, std::vector<std::vector<prove::InputValue>>(parts));
+  const std::vector<bool> handshakes = prove::HandshakeCells(machine_.version);
   std::map<CellId, bool> now;
   for (const RunEvent& event : plan->events) {
     const auto [at, added] = now.try_emplace(event.cell, false);
-    if (!added && at->second == event.value) continue;
+    // What the program writes, too, may be something else by now.
+    const bool stays = inputs_[event.cell.index] && !handshakes[event.cell.index];
+    if (!added && at->second == event.value && stays) continue;
     at->second = event.value;
     std::vector<prove::InputValue>& inputs = run.periods[event.period - 1].front();
     const auto same = std::ranges::find(inputs, event.cell, &prove::InputValue::cell);

@@ -1,8 +1,8 @@
 // Runs of a program in the simulator that violate a property: found by trying, then shortened.
 //
-// In: a program, a property, the inputs that matter to it. Out: a run from power-on after which the property is
-// violated, also where that takes a long start-up or a timer of minutes, which a solver does not reach. Not its job:
-// showing that there is none (prove/properties/check.h).
+// In: a program, a property, the inputs and requests that matter to it. Out: a run from power-on after which the
+// property is violated, also where that takes a long start-up or a timer of minutes, which a solver does not reach. Not
+// its job: showing that there is none (prove/properties/check.h).
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace plcxx::driver {
 
-/// Inputs as they are set before a period.
+/// Inputs as they are set before a period, requests as they are taken back.
 struct RunEvent {
   uint32_t period = 0;  // from 1
   prove::CellId cell;
@@ -45,11 +45,13 @@ class PropertyRuns {
   uint32_t ViolatedAfter(const prove::Property& property, const Plan& plan) const;
   std::optional<Plan> FindPlan(const prove::RunSearch& search) const;
   void Shorten(const prove::Property& property, Plan& plan) const;
+  void ShortenWaits(const prove::Property& property, Plan& plan) const;
   bool Try(const prove::Property& property, Plan& plan, Plan shorter) const;
 
   const ProveMachine& machine_;
   std::vector<Plan> known_;
-  std::vector<bool> can_be_set_;  // by cell: it is an input, and has a name in scenarios
+  std::vector<bool> inputs_;      // by cell
+  std::vector<bool> can_be_set_;  // by cell: it is an input or a request, and has a name in scenarios
   std::chrono::steady_clock::time_point deadline_;
 };
 

@@ -8,6 +8,7 @@
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_program.h"
 #include "transpiler/driver/scenario_suite.h"
+#include "transpiler/prove/compare/transition.h"
 
 namespace plcxx::driver {
 namespace {
@@ -75,10 +76,19 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
   std::ranges::sort(cells);
   const std::vector<InputWord> words = WordsOf(machine, cells);
   if (std::ranges::any_of(words, [](const InputWord& word) { return word.name.empty(); })) return false;
-  const ir::Schedule& schedule = machine.compilation.program.schedule;
+  const ir::Program& program = machine.compilation.program;
+  const ir::Schedule& schedule = program.schedule;
   const std::string time = std::to_string(schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
   const bool by_slow = machine.slices > 1;
+  // A scenario sets whole words: what the run does not name of them is as it was when power came.
   std::map<CellId, bool> now;
+  for (const InputWord& word : words) {
+    for (const CellId id : word.cells) {
+      const prove::Cell cell = CellAt(program, machine.version.cells, id);
+      now[id] =
+          cell.kind == prove::CellKind::kBit && prove::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
+    }
+  }
   uint32_t runs = 0;  // parts without a change in between
   std::string steps;
   const auto add_line = [&](const std::string& part) { scenario.steps += (scenario.steps.empty() ? "" : ", ") + part; };
@@ -107,9 +117,8 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
   if (!run.retentive.empty()) {
     set(run.retentive);
     // Some controls keep the memory only when the program has asked for it.
-    const ir::PlaceId asked = machine.compilation.program.schedule.retain_at_power_off;
+    const ir::PlaceId asked = schedule.retain_at_power_off;
     if (asked.valid()) {
-      const ir::Program& program = machine.compilation.program;
       const std::vector<InputWord> request =
           WordsOf(machine, CellsOf(program, machine.version.cells, program.places[asked]));
       if (!request.front().name.empty()) {

@@ -1,5 +1,6 @@
 #include "transpiler/dialects/technol/memory.h"
 
+#include <iterator>
 #include <string_view>
 
 #include "transpiler/support/check.h"
@@ -20,7 +21,8 @@ using ir::Lifetime;
 constexpr SpaceRow kRows[] = {
     {SpaceKey::kIn, "IN", "inputs of the machine", Lifetime::kVolatile, true, Direction::kInput},
     {SpaceKey::kOut, "OUT", "outputs to the machine", Lifetime::kVolatile, true, Direction::kOutput},
-    {SpaceKey::kSys, "SYS", "system cells and request bits", Lifetime::kVolatile, true, Direction::kInternal},
+    {SpaceKey::kSys, "SYS", "system cells and request bits", Lifetime::kVolatile, true,
+     Direction::kInternal},  // kSystemZones
     {SpaceKey::kBukon, "BUKON", "machine constants", Lifetime::kVolatile, true, Direction::kInput},
     {SpaceKey::kLabelMem, "LABEL_MEM", "backed-up area", Lifetime::kRetentive, true, Direction::kInternal},
     {SpaceKey::kTabTechnol, "TAB_TECHNOL", "technology table", Lifetime::kRetentive, true, Direction::kInternal},
@@ -34,6 +36,17 @@ constexpr SpaceRow kRows[] = {
      Direction::kInternal},
     {SpaceKey::kOwn, "own", "the same of modules and mechanisms that call nothing", Lifetime::kRoutine, false,
      Direction::kInternal},
+};
+/// Who writes the system cells (5.2). The requests are the program's, the NC takes them back; the starts of functions
+/// are the NC's, the scheduler takes them back.
+constexpr ir::Zone kSystemZones[] = {
+    {.begin = 0, .end = 1, .direction = Direction::kInput},     // MATTL
+    {.begin = 1, .end = 4, .direction = Direction::kOutput},    // BZH11, BZH21, BZH22
+    {.begin = 4, .end = 5, .direction = Direction::kInput},     // UPS_STAT
+    {.begin = 5, .end = 6, .direction = Direction::kOutput},    // UPS_CMD
+    {.begin = 6, .end = 7, .direction = Direction::kInput},     // UPS_FAULT
+    {.begin = 7, .end = 8, .direction = Direction::kInternal},  // SYSREQ
+    {.begin = 8, .end = 9, .direction = Direction::kInput},     // SYSNC
 };
 constexpr uint32_t kRegisterBytes = 4096;
 constexpr uint32_t kOwnBytes = 1U << 20;
@@ -67,6 +80,7 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
     if (space.bytes == 0) continue;
     space.own = row.key == SpaceKey::kOwn;
     if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
+    if (row.key == SpaceKey::kSys) space.zones.assign(std::begin(kSystemZones), std::end(kSystemZones));
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }
 }

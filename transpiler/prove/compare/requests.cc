@@ -1,5 +1,6 @@
 #include "transpiler/prove/compare/requests.h"
 
+#include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 
 namespace plcxx::prove {
@@ -45,16 +46,24 @@ class RequestWalk {
         }
         break;
       }
+      case ir::Shape::kBlock:
+        Region(ir::RegionId(inst.a));
+        break;
+      case ir::Shape::kSwitch:
+      case ir::Shape::kLoop:
+      case ir::Shape::kRepeat:
+        for (const ir::RegionId region : ir::OwnedRegions(program_, inst)) {
+          const std::vector<CellId> answered = answered_;
+          Region(region);
+          answered_ = answered;  // the next arm, or what follows, may come without this one
+        }
+        break;
       case ir::Shape::kPure:
       case ir::Shape::kStep:
       case ir::Shape::kText:
       case ir::Shape::kConst:
       case ir::Shape::kStatement:
       case ir::Shape::kLoad:
-      case ir::Shape::kSwitch:
-      case ir::Shape::kBlock:
-      case ir::Shape::kLoop:
-      case ir::Shape::kRepeat:
       case ir::Shape::kExit:
       case ir::Shape::kCall:
       case ir::Shape::kJump:

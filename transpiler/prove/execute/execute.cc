@@ -199,6 +199,16 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
   for (const auto& [cell, value] : callers) WriteCell(cell, value);
 }
 
+/// What stood in a place before the execution.
+TermId Executor::InitialOf(const ir::Place& place) {
+  TermId value;
+  for (const CellId cell : CellsOf(program_, memory_.cells(), place)) {
+    const TermId part = memory_.environment().initial(cell);
+    value = value.valid() ? terms_.Concat(part, value) : part;
+  }
+  return value;
+}
+
 void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::HostFunction& host = program_.host_functions[call.host];
@@ -214,6 +224,8 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   if (host.result != ir::Type::kNone) {
     values_[id.index] =
         answers ? AnswerOf(terms_, host.name, calls, WidthOf(host.result)) : terms_.Const(0, WidthOf(host.result));
+    const ir::Place* const input = memory_.environment().fetched ? memory_.environment().fetched(id) : nullptr;
+    if (input != nullptr) values_[id.index] = InitialOf(*input);
   }
   if (call.out.valid() && answers) {
     const ir::Place& out = program_.places[call.out];
@@ -226,12 +238,15 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   }
   if (host.access == ir::HostAccess::kNone || !answers) return;
   const bool restores = host.access == ir::HostAccess::kWritesRetentive && memory_.environment().stored;
+  const bool exchanges_state = host.routine_exchange && host.access == ir::HostAccess::kWritesState;
+  const auto is_exchanged = exchanges_state ? memory_.environment().is_exchanged : nullptr;
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
       if (!HostWrites(program_, host.access, space, offset)) continue;
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const CellId cell = memory_.cells().OfBit(space, offset, bit);
+        if (is_exchanged && !is_exchanged(cell)) continue;
         if (restores) {
           const TermId copied = memory_.environment().stored(cell);
           WriteCell(cell, terms_.Ite(HasCopy(terms_, host.name, calls), copied, memory_.Read(cell)));

@@ -78,6 +78,10 @@ struct Environment {
   std::function<TermId(CellId cell)> stored;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
+  /// The place whose initial value a call of the host gives, whatever host_answers says; none: another call.
+  std::function<const ir::Place*(ir::InstId call)> fetched;
+  /// Whether the regular exchange writes a cell; empty: all that the host's access says.
+  std::function<bool(CellId cell)> is_exchanged;
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
   /// it reads (summary.h): two loops that are written alike are equal then, nothing else is known of them.
   uint32_t summarize_after = 0;

@@ -83,6 +83,7 @@ class Executor {
   TermId Absolute() { return terms_.And(context_, flow_.active); }
 
   TermId ReadPlace(const ir::Place& place);
+  TermId InitialOf(const ir::Place& place);
   TermId ReadAt(const ir::Place& place, TermId index);
   void WriteAt(const ir::Place& place, TermId index, TermId value);
   /// Of all writes: where execution does not come by, the cell keeps its value.

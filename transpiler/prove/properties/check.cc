@@ -4,7 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "transpiler/prove/compare/requests.h"
 #include "transpiler/prove/execute/execute.h"
+#include "transpiler/prove/properties/answers.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/terms/cone.h"
@@ -28,7 +30,7 @@ std::string Periods(uint32_t count) { return std::to_string(count) + (count == 1
 }  // namespace
 
 PropertyChecker::PropertyChecker(const Version& version, CheckOptions options)
-    : version_(version), options_(std::move(options)), inputs_(InputsOf(version)) {
+    : version_(version), options_(std::move(options)), inputs_(InputsOf(version)), requests_(RequestCells(version)) {
   LoadedSolver loaded = LoadSolver(terms_);
   solver_ = std::move(loaded.solver);
   refusal_ = std::move(loaded.reason);
@@ -36,12 +38,16 @@ PropertyChecker::PropertyChecker(const Version& version, CheckOptions options)
   new_each_time_ = inputs_;
   for (uint32_t i = 0; i < version_.cells.count; ++i) new_each_time_[i] = inputs_[i] || IsInbox(version_, CellId(i));
   silent_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kNothing);
-  if (AnswersMatter(*version.program))
-    any_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kAny, silent_.get());
+  if (AnswersMatter(version)) any_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kAny, silent_.get());
   const Start start = options_.retentive == RetentiveMemory::kAny ? Start::kAnyRetentive : Start::kPowerOn;
   plain_ = std::make_unique<Unrolled>(terms_, *silent_, inputs_, start, "run");
+  // Without answers nothing is ever done that the program asks for: as scenarios do it, the bit is taken back.
+  if (any_) plain_->taken_back = requests_;
   if (any_) answered_ = std::make_unique<Unrolled>(terms_, *any_, inputs_, start, "answered run");
   anywhere_ = std::make_unique<Unrolled>(terms_, Widest(), inputs_, Start::kAnywhere, "any");
+  for (Unrolled* const unrolled : {plain_.get(), answered_.get(), anywhere_.get()}) {
+    if (unrolled != nullptr) unrolled->late = [this] { return Late(); };
+  }
   refusal_ = plain_->refusal();
   if (refusal_.empty()) refusal_ = anywhere_->refusal();
 }
@@ -108,11 +114,17 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
     if (std::exchange(tried_runs, true)) return false;
     return TryRuns(property, RestMs() / kThoroughShare, true, result);
   };
+  const auto search_runs = [&](uint32_t period) {
+    if (!SearchRuns(property, period, result)) return false;
+    // A run that the machine does not show says nothing of others.
+    if (result.verdict == PropertyVerdict::kUndecided) try_runs();
+    return true;
+  };
   // A long wait is found sooner by waiting.
   if (window > kMostQuickWindow && try_runs()) return result;
   // Behind `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
-    if (SearchRuns(property, period, result)) return result;
+    if (search_runs(period)) return result;
   }
   for (uint32_t k = 1; window + k <= options_.most_periods || k == 1; ++k) {
     if (TryInduction(property, k, result)) return result;
@@ -125,7 +137,7 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
       if (TryReachable(property, result)) return result;
     }
     if (k > 1 && try_runs()) return result;
-    if (SearchRuns(property, window + k, result)) return result;
+    if (search_runs(window + k)) return result;
   }
   result.reason = "no run of " + Periods(result.searched) + " from power-on violates it, and " +
                   std::to_string(options_.most_periods) + " periods are not enough to prove it";
@@ -135,13 +147,15 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
 bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result) {
   if (!options_.try_runs || options_.retentive == RetentiveMemory::kAny || Late()) return false;
   Report(thorough ? "trying runs" : "trying a few runs");
-  RunSearch search{.property = &property, .inputs = {}, .milliseconds = milliseconds, .thorough = thorough};
+  RunSearch search{
+      .property = &property, .inputs = {}, .requests = {}, .milliseconds = milliseconds, .thorough = thorough};
   std::vector<CellId> cells;
   for (const PropertyOperand& operand : property.operands)
     cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
   // Where the host may answer anything, inputs that it writes within a period are answers, too: no cells.
   for (const CellId cell : CellsBehind(terms_, *silent_, cells)) {
     if (inputs_[cell.index]) search.inputs.push_back(cell);
+    if (requests_[cell.index]) search.requests.push_back(cell);
   }
   PropertyResult found;
   found.run = options_.try_runs(search);
@@ -189,6 +203,10 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
     if (unrolled == nullptr) continue;
     if (Extend(*unrolled, period, result)) return true;
     const TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
+    if (Late()) {
+      result.reason = kNoTime;
+      return true;
+    }
     if (terms_.IsFalse(violated)) continue;
     // Runs that only move inputs of the machine are simulated as they are computed: they come first.
     Answer answer = Answer::kNever;
@@ -205,7 +223,18 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
         result.reason = WhyUnknown();
         return true;
       case Answer::kPossible:
+        PropertyResult found;
+        found.periods = period;
+        found.run = RunOf(*unrolled, violated, period);
         if (unrolled == answered_.get()) {
+          // What the host answered may not have mattered.
+          PropertyResult shown;
+          Conclude(property, std::move(found), violated, shown);
+          if (shown.verdict == PropertyVerdict::kViolated) {
+            shown.searched = result.searched;
+            result = std::move(shown);
+            return true;
+          }
           result.reason = DependsOnLoop(terms_, violated)
                               ? "after " + Periods(period) +
                                     " it depends on a loop of which it is not known how often it goes round"
@@ -213,9 +242,6 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
                                     " certain answers of the host violate it, which a simulation does not give";
           return true;
         }
-        PropertyResult found;
-        found.periods = period;
-        found.run = RunOf(*unrolled, violated, period);
         Conclude(property, std::move(found), violated, result);
         return true;
     }
@@ -262,6 +288,9 @@ std::string PropertyChecker::WhyUnknown() const {
 }
 
 Answer PropertyChecker::Ask(std::span<const TermId> conditions, uint32_t milliseconds) {
+  // What was made when the time was over means nothing.
+  too_large_ = false;
+  if (Late()) return Answer::kUnknown;
   // The solver's time begins when it has read the question.
   too_large_ = ConeOf(terms_, conditions).size() > kMostQuestionTerms;
   if (too_large_) return Answer::kUnknown;
@@ -339,6 +368,14 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
       }
     }
   }
+  std::vector<Input> taken_back;
+  for (uint32_t period = 1; period <= periods; ++period) {
+    for (const auto& [cell, variable] : unrolled.takes_back(period)) {
+      const bool takes = cone.Has(variable) && solver_->ValueOf(variable) != 0;
+      values[terms_[variable].a] = takes ? 1 : 0;
+      if (takes) taken_back.push_back({period, 0, cell, terms_[variable].a});
+    }
+  }
   // An input that need not change does not.
   std::map<CellId, uint64_t> before;
   for (const Input& input : inputs) {
@@ -350,6 +387,11 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
       if (Late() || cone.Evaluate(values) == 0) values[input.variable] = value;
     }
     before[input.cell] = values[input.variable];
+  }
+  for (const Input& request : taken_back) {
+    if (cone.has_unknown_function() || Late()) break;
+    values[request.variable] = 0;
+    if (cone.Evaluate(values) == 0) values[request.variable] = 1;
   }
   // What stays as it is behind power-on, and is no input of the machine, is not worth a word.
   std::map<CellId, bool> moves;
@@ -363,12 +405,17 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
   run.retentive = RetentiveOf(cone);
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));
   std::map<CellId, uint64_t> now;
+  std::map<CellId, uint32_t> set_in;  // by cell: the last period
+  const std::vector<bool> handshakes = HandshakeCells(version_);
   for (const Input& input : inputs) {
     if (now.try_emplace(input.cell, 0).second) run.periods[0][0].push_back({input.cell, false});
   }
   for (const Input& input : inputs) {
-    if (values[input.variable] == now[input.cell]) continue;
+    // What the program writes, too, is not what it was in the period before.
+    const bool may_differ = handshakes[input.cell.index] && set_in[input.cell] != input.period;
+    if (values[input.variable] == now[input.cell] && !may_differ) continue;
     now[input.cell] = values[input.variable];
+    set_in[input.cell] = input.period;
     std::vector<InputValue>& part = run.periods[input.period - 1][input.part];
     const auto same = std::ranges::find(part, input.cell, &InputValue::cell);
     if (same != part.end()) {
@@ -376,6 +423,9 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
     } else {
       part.push_back({input.cell, now[input.cell] != 0});
     }
+  }
+  for (const Input& request : taken_back) {
+    if (values[request.variable] != 0) run.periods[request.period - 1][0].push_back({request.cell, false});
   }
   return run;
 }

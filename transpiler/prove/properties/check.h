@@ -34,8 +34,8 @@ struct InputValue {
   bool value = false;
 };
 
-/// A run from power-on: inputs that are set before each part of each period. All inputs that matter are set in the
-/// first part; later only those that change.
+/// A run from power-on: inputs that are set before each part of each period, and requests that are taken back. All
+/// inputs that matter are set in the first part; later only those that change.
 struct PropertyRun {
   std::vector<InputValue> retentive;  // that was stored before power-on; what is not named is 0
   std::vector<std::vector<std::vector<InputValue>>> periods;
@@ -44,7 +44,8 @@ struct PropertyRun {
 /// Runs that are tried instead of computed.
 struct RunSearch {
   const Property* property = nullptr;
-  std::vector<CellId> inputs;  // on which the property depends, the nearest first
+  std::vector<CellId> inputs;    // on which the property depends, the nearest first
+  std::vector<CellId> requests;  // bits on which it depends and that the control takes back when it likes
   uint64_t milliseconds = 0;
   bool thorough = false;  // take all of the time
 };
@@ -145,6 +146,7 @@ class PropertyChecker {
   std::unique_ptr<Solver> solver_;
   std::string refusal_;
   std::vector<bool> inputs_;
+  std::vector<bool> requests_;          // by cell: see compare/requests.h
   std::vector<bool> new_each_time_;     // by cell: inputs, and the operator's texts
   std::unique_ptr<Relation> silent_;    // the host answers 0
   std::unique_ptr<Relation> any_;       // it answers anything; none where that makes no difference

@@ -80,6 +80,7 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   if (!never && parts > 1 && window == 1 && !Late()) {
     // Fast parts of the same period see the same inputs: looked at with it they say more, and take more time.
     Unrolled whole(terms_, relation, inputs_, Start::kAnywhere, "whole " + std::to_string(terms_.variable_count()));
+    whole.late = [this] { return Late(); };
     whole.StartFrom(before, relation.now());
     if (Extend(whole, 1, result)) return true;
     never = IsNeverReached(terms_.Not(HoldsAfter(terms_, property, 1, ValuesOf(whole))), {}, result);

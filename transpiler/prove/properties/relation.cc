@@ -4,6 +4,7 @@
 
 #include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/execute/summary.h"
+#include "transpiler/prove/properties/answers.h"
 #include "transpiler/prove/terms/cone.h"
 
 namespace plcxx::prove {
@@ -30,11 +31,19 @@ Relation::Relation(Terms& terms, const Version& version, HostAnswers answers, co
 std::vector<TermId> Relation::Execute(Part part) {
   std::vector<TermId> after(version_.cells.count);
   if (!refusal_.empty()) return after;
+  const std::map<ir::InstId, ir::PlaceId> fetched = FetchedInputs(version_);
+  const std::vector<bool> handshakes = HandshakeCells(version_);
   Memory memory(terms_, *version_.program, version_.cells,
                 {.initial = [this](CellId cell) { return VariableOf(cell); },
                  .observe = {},
                  .now = now_,
                  .host_answers = answers_ == HostAnswers::kAny,
+                 .fetched =
+                     [&](ir::InstId call) {
+                       const auto place = fetched.find(call);
+                       return place == fetched.end() ? nullptr : &version_.program->places[place->second];
+                     },
+                 .is_exchanged = [&](CellId cell) { return bool{handshakes[cell.index]}; },
                  .summarize_after = kSummarizeAfter,
                  .most_terms = kMostTerms});
   const ir::Schedule& schedule = version_.program->schedule;

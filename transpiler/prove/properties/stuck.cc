@@ -26,6 +26,7 @@ TermId Wanted(Terms& terms, const Property& property, bool wanted, uint32_t peri
 std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from,
                                                uint32_t period, PropertyResult& result) {
   Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "trial");
+  trial.late = [this] { return Late(); };
   trial.StartFrom([&from, period](CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
   trial.choose_input = [this, &strategy](CellId cell, uint32_t at, uint32_t part) {
     const uint8_t width = CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cell));
@@ -45,6 +46,7 @@ std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const 
 PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state,
                                                      uint64_t time, PropertyResult& result) {
   Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "try " + std::to_string(terms_.variable_count()));
+  trial.late = [this] { return Late(); };
   trial.StartFrom(
       [this, &state](CellId cell) {
         const auto value = state.find(cell);
@@ -149,6 +151,7 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
 bool PropertyChecker::IsNeverStuck(const StuckSearch& search, PropertyResult& result) {
   Relation& relation = Widest();
   Unrolled from(terms_, relation, inputs_, Start::kAnywhere, "from " + std::to_string(terms_.variable_count()));
+  from.late = [this] { return Late(); };
   from.StartFrom([&relation](CellId cell) { return relation.VariableOf(cell); }, relation.now());
   TermId bad = terms_.Bit(true);
   for (const Strategy& strategy : search.strategies) {

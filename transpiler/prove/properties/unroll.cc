@@ -8,6 +8,8 @@
 namespace plcxx::prove {
 namespace {
 
+constexpr uint32_t kCountsPerLook = 4096;  // terms between two looks at the clock
+
 /// The operand whose value may make another one of no account; none: all are needed.
 TermId DecidingOperand(const Term& term) {
   const bool decides =
@@ -36,20 +38,6 @@ TermId StoredBefore(Terms& terms, const Version& version, CellId id) {
 
 }  // namespace
 
-bool AnswersMatter(const ir::Program& program) {
-  if (program.text_inbox.valid()) return true;
-  for (uint32_t i = 0; i < program.host_functions.size(); ++i) {
-    const ir::HostFunctionId id(i);
-    const ir::HostFunction& function = program.host_functions[id];
-    if (id == program.schedule.now || id == program.schedule.retentive_load) continue;
-    if (function.result != ir::Type::kNone || !function.out.name.empty()) return true;
-    const bool writes =
-        function.access == ir::HostAccess::kWritesState || function.access == ir::HostAccess::kWritesRetentive;
-    if (writes && !function.routine_exchange) return true;
-  }
-  return false;
-}
-
 Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start,
                    std::string name)
     : terms_(terms),
@@ -59,6 +47,7 @@ Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<boo
       start_(start),
       name_(std::move(name)),
       inputs_of_(1),
+      takes_back_(1),
       known_(1),
       refusal_(relation.refusal()) {
   const ir::Schedule& schedule = version_.program->schedule;
@@ -120,6 +109,7 @@ TermId Unrolled::TimeAfter(uint32_t period) {
 
 void Unrolled::Advance() {
   inputs_of_.emplace_back(part_count());
+  takes_back_.emplace_back();
   known_.resize(known_.size() + StepsOfPeriod());
 }
 
@@ -140,14 +130,27 @@ bool Unrolled::IsFresh(CellId cell, const Step& step) const {
   return step.part == 0 && relation_.answers() == HostAnswers::kAny && IsInbox(version_, cell);
 }
 
+void Unrolled::AddTakingBack(CellId cell, const Step& step, TermId& stays) {
+  if (taken_back.empty() || !taken_back[cell.index] || !step.has_new_inputs || step.part != 0) return;
+  TermId& done = takes_back_[step.period][cell];
+  if (!done.valid()) {
+    const Cell what = CellAt(*version_.program, version_.cells, cell);
+    done = terms_.Variable(
+        name_ + " takes back " + std::to_string(step.period) + " " + CellName(*version_.program, what), 1);
+  }
+  stays = stays.valid() ? terms_.And(stays, terms_.Not(done)) : terms_.Not(done);
+}
+
 Unrolled::Found Unrolled::Follow(CellId cell, uint32_t step) {
+  TermId stays;
   for (; step > 0; --step) {
     const Step at = StepAt(step);
     const TermId next = (at.is_fast ? relation_.fast() : relation_.period())[cell.index];
-    if (next.valid()) return {.instance = {.term = next, .step = step}, .value = {}};
-    if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part)};
+    if (next.valid()) return {.instance = {.term = next, .step = step}, .value = {}, .stays = stays};
+    if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part), .stays = stays};
+    AddTakingBack(cell, at, stays);
   }
-  return {.instance = {}, .value = AtStart(cell)};
+  return {.instance = {}, .value = AtStart(cell), .stays = stays};
 }
 
 Unrolled::Found Unrolled::FindVariable(const Instance& variable) {
@@ -156,7 +159,11 @@ Unrolled::Found Unrolled::FindVariable(const Instance& variable) {
   const CellId cell = relation_.CellOf(variable.term);
   PLCXX_CHECK(cell.valid());
   if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part)};
-  return Follow(cell, variable.step - 1);
+  TermId stays;
+  AddTakingBack(cell, at, stays);
+  Found found = Follow(cell, variable.step - 1);
+  if (stays.valid()) found.stays = found.stays.valid() ? terms_.And(stays, found.stays) : stays;
+  return found;
 }
 
 /// Operands first, without recursion: it goes through all periods, and each may be as deep as the program is long.
@@ -177,7 +184,8 @@ TermId Unrolled::Instantiate(const Instance& root) {
     });
     return open.size() == before ? terms_.Rebuild(term, operands) : TermId();
   };
-  while (!open.empty()) {
+  for (uint32_t count = 1; !open.empty(); ++count) {
+    if (count % kCountsPerLook == 0 && late && late()) return terms_.Const(0, terms_.Width(root.term));
     const Instance now = open.back();
     if (value_of(now).valid()) {
       open.pop_back();
@@ -189,6 +197,7 @@ TermId Unrolled::Instantiate(const Instance& root) {
       const Found found = FindVariable(now);
       value = found.value.valid() ? found.value : value_of(found.instance);
       if (!value.valid()) open.push_back(found.instance);
+      if (value.valid() && found.stays.valid()) value = terms_.And(value, found.stays);
     } else if (const TermId deciding = DecidingOperand(term); deciding.valid()) {
       // What this decides need not be made: behind power-on many branches are known.
       const TermId first = value_of({.term = deciding, .step = now.step});
@@ -211,7 +220,8 @@ TermId Unrolled::Instantiate(const Instance& root) {
 
 TermId Unrolled::Value(CellId cell, uint32_t period) {
   const Found found = Follow(cell, period * StepsOfPeriod());
-  return found.value.valid() ? found.value : Instantiate(found.instance);
+  const TermId value = found.value.valid() ? found.value : Instantiate(found.instance);
+  return found.stays.valid() ? terms_.And(value, found.stays) : value;
 }
 
 }  // namespace plcxx::prove

@@ -27,10 +27,6 @@ enum class Start : uint8_t {
   kAnywhere       // any state at all, at any time
 };
 
-/// Whether answers of the host can change what the program does: it has functions with results, beside the exchange of
-/// inputs, or texts of the operator arrive.
-bool AnswersMatter(const ir::Program& program);
-
 class Unrolled {
  public:
   /// `name` distinguishes the variables of several. All arguments by reference outlive it.
@@ -52,6 +48,14 @@ class Unrolled {
   const std::vector<Part>& parts(uint32_t period) const { return inputs_of_[period]; }
   /// Parts of each period between which inputs may change.
   uint32_t part_count() const { return fast_parts_ == 0 ? 1 : fast_parts_; }
+
+  /// By cell, before the first Value: bits that the control may take back before a period; empty: none.
+  std::vector<bool> taken_back;
+  /// By cell: whether it does so before this period, as far as that has been asked for.
+  const Part& takes_back(uint32_t period) const { return takes_back_[period]; }
+
+  /// Asked now and then while terms are made; true: the time is over, and what Value gives from then on is anything.
+  std::function<bool()> late;
 
   /// Instead of new variables, inputs are what this gives.
   std::function<TermId(CellId cell, uint32_t period, uint32_t part)> choose_input;
@@ -82,11 +86,14 @@ class Unrolled {
   struct Found {
     Instance instance;
     TermId value;
+    TermId stays = {};  // valid: 0 where the control has taken the bit back since
   };
   Found Follow(CellId cell, uint32_t step);
   Found FindVariable(const Instance& variable);
   TermId Instantiate(const Instance& root);
   TermId Input(CellId cell, uint32_t period, uint32_t part);
+  /// Adds what may have happened to the cell before a step to what is found before it.
+  void AddTakingBack(CellId cell, const Step& step, TermId& stays);
   TermId AtStart(CellId cell);
   TermId Now(uint32_t period, uint32_t part);
 
@@ -101,6 +108,7 @@ class Unrolled {
   TermId time_;                                              // at the start of kAnywhere
   std::vector<TermId> initial_;                              // by cell; but for kAnywhere
   std::vector<std::vector<Part>> inputs_of_;                 // by period
+  std::vector<Part> takes_back_;                             // by period
   std::vector<std::unordered_map<uint32_t, TermId>> known_;  // by step, then by term of the relation
   std::map<CellId, TermId> start_variables_;
   Refusal refusal_;

@@ -5,6 +5,7 @@
 // first finds values and functions are there. For it each of these variables is defined as what the function gives.
 #include <z3++.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <unordered_set>
@@ -47,10 +48,13 @@ class Z3Solver : public Solver {
       holds.push_back(translation_.Holds(condition));
       applies = applies || translation_.Applies(condition);
     }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
     const auto ask = [&](z3::solver& solver, bool defines) {
       solver.push();
       if (defines) Define(solver, conditions);
-      const Answer answer = Ask(solver, holds, milliseconds);
+      const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+      const Answer answer =
+          rest.count() <= 0 ? Answer::kUnknown : Ask(solver, holds, static_cast<uint32_t>(rest.count()));
       solver.pop();
       return answer;
     };
