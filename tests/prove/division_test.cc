@@ -97,6 +97,63 @@ TEST(Division, DigitsAreOneTermOnBothSides) {
   EXPECT_FALSE(QuotientOfProduct(terms, terms.Mul(y, terms.Const(52429, 36)), 19).valid());
 }
 
+/// A clamped number is divided in as many bits as its bound needs, as compilers do.
+TEST(Division, NumbersThatAreBounded) {
+  Terms terms;
+  const TermId x = terms.Variable("x", 64);
+  const auto clamped = [&terms](TermId number, uint64_t bound) {
+    const TermId constant = terms.Const(bound, terms.Width(number));
+    return terms.Ite(terms.Ult(constant, number), constant, number);
+  };
+  const TermId wide = clamped(x, 19900);
+  EXPECT_EQ(GreatestOf(terms, wide), 19900U);
+  EXPECT_EQ(terms.Udiv(wide, terms.Const(100, 64)),
+            terms.Zext(terms.Udiv(terms.Extract(wide, 0, 16), terms.Const(100, 16)), 64));
+  EXPECT_EQ(terms.Urem(wide, terms.Const(10, 64)),
+            terms.Zext(terms.Urem(terms.Extract(wide, 0, 16), terms.Const(10, 16)), 64));
+  EXPECT_TRUE(terms.IsZero(terms.Udiv(wide, terms.Const(19901, 64))));
+  EXPECT_EQ(terms.Urem(wide, terms.Const(19901, 64)), wide);
+  // A choice that says nothing of what is chosen.
+  const TermId other = terms.Ite(terms.Ult(x, terms.Const(5, 64)), terms.Variable("y", 64), terms.Const(7, 64));
+  EXPECT_EQ(GreatestOf(terms, other), ~uint64_t{0});
+}
+
+/// All numbers of 10 bits, bounded in several ways, against the processor.
+TEST(Division, BoundedNumbersAreDividedAlike) {
+  constexpr uint8_t kBits = 10;
+  Terms terms;
+  const TermId x = terms.Variable("x", kBits);
+  const auto constant = [&terms](uint64_t value) { return terms.Const(value, kBits); };
+  std::vector<TermId> numbers = {x};
+  for (const uint64_t bound : {3, 100, 255, 256, 700}) {
+    numbers.push_back(terms.Ite(terms.Ult(x, constant(bound)), x, constant(bound)));
+    numbers.push_back(terms.Ite(terms.Ult(x, constant(bound)), constant(bound), x));
+    numbers.push_back(terms.Zext(terms.Extract(numbers[1], 0, 7), kBits));
+    numbers.push_back(terms.Udiv(x, constant(bound)));
+    numbers.push_back(terms.Urem(x, constant(bound)));
+    numbers.push_back(terms.Ite(terms.Extract(x, 3, 1), numbers.back(), constant(2)));
+  }
+  struct Divided {
+    TermId number, quotient, rest;
+    uint64_t divisor;
+  };
+  std::vector<Divided> all;
+  for (const TermId number : numbers) {
+    for (const uint64_t divisor : {3, 7, 100, 129, 300})
+      all.push_back({number, terms.Udiv(number, constant(divisor)), terms.Urem(number, constant(divisor)), divisor});
+  }
+  for (uint64_t value = 0; value >> kBits == 0; ++value) {
+    const std::array variables = {value};
+    const std::vector<uint64_t> values = EvaluateAll(terms, variables, TermId(terms.size() - 1));
+    for (const Divided& one : all) {
+      const uint64_t number = values[one.number.index];
+      ASSERT_LE(number, GreatestOf(terms, one.number));
+      ASSERT_EQ(values[one.quotient.index], number / one.divisor);
+      ASSERT_EQ(values[one.rest.index], number % one.divisor);
+    }
+  }
+}
+
 TEST(Division, ComparisonsHaveOneSpelling) {
   Terms terms;
   const TermId x = terms.Variable("x", 16);

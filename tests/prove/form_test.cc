@@ -19,13 +19,15 @@ TermId Of(Terms& terms, const char* function, TermId argument) {
   return terms.Apply(terms.Function(function, 8), std::array{argument});
 }
 
+std::string Form(const Terms& terms, TermId term) { return FormOf(terms, term, 100).value_or("too large"); }
+
 TEST(Form, NamesDoNotMatter) {
   Terms terms;
   const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), u = terms.Variable("u", 8),
                v = terms.Variable("v", 8);
-  EXPECT_EQ(FormOf(terms, terms.Sub(x, y)), FormOf(terms, terms.Sub(u, v)));
-  EXPECT_EQ(FormOf(terms, terms.Sub(x, y)), FormOf(terms, terms.Sub(y, x)));
-  EXPECT_EQ(FormOf(terms, Of(terms, "f", x)), FormOf(terms, Of(terms, "g", y)));
+  EXPECT_EQ(Form(terms, terms.Sub(x, y)), Form(terms, terms.Sub(u, v)));
+  EXPECT_EQ(Form(terms, terms.Sub(x, y)), Form(terms, terms.Sub(y, x)));
+  EXPECT_EQ(Form(terms, Of(terms, "f", x)), Form(terms, Of(terms, "g", y)));
 }
 
 /// Each of these has a form of its own.
@@ -61,7 +63,27 @@ TEST(Form, AllElseMatters) {
       known("odd"),
   };
   std::set<std::string> forms;
-  for (const TermId term : all) EXPECT_TRUE(forms.insert(FormOf(terms, term)).second) << "term " << term.index;
+  for (const TermId term : all) EXPECT_TRUE(forms.insert(Form(terms, term)).second) << "term " << term.index;
+}
+
+/// A function that can be computed is known by its name, whichever number it has.
+TEST(Form, TermsOfTwoTables) {
+  const auto value = +[](std::span<const uint64_t> arguments) { return arguments[0] ^ 1; };
+  Terms one, other;
+  other.Function("another", 8, value);
+  const auto form = [&](Terms& terms, const char* name) {
+    return Form(terms, terms.Apply(terms.Function(name, 8, value), std::array{terms.Variable("x", 8)}));
+  };
+  EXPECT_EQ(form(one, "even"), form(other, "even"));
+  EXPECT_NE(form(one, "even"), form(other, "another"));
+  EXPECT_NE(form(one, "odd"), form(other, "even"));
+}
+
+TEST(Form, LargeTermsHaveNone) {
+  Terms terms;
+  const TermId sum = terms.Sub(terms.Variable("x", 8), terms.Variable("y", 8));
+  EXPECT_TRUE(FormOf(terms, sum, 3).has_value());
+  EXPECT_FALSE(FormOf(terms, sum, 2).has_value());
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <map>
+#include <optional>
+#include <ranges>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -25,15 +28,23 @@ constexpr int kQuestionVectors = 64;
 constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
 constexpr size_t kMostTermsOfAllValues = 200;
 constexpr size_t kMostConstants = 4096;
+constexpr size_t kMostTermsOfForm = 2000;
+
+/// A word whose parts are known by themselves, too: cut, it would be another word than its parts are.
+bool OnlyConnects(TermKind kind) {
+  return kind == TermKind::kNot || kind == TermKind::kConcat || kind == TermKind::kExtract;
+}
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
 class LocalSweep {
  public:
-  LocalSweep(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds)
+  LocalSweep(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds,
+             AnsweredForms& answered)
       : terms_(terms),
         solver_(solver),
         pairs_(pairs),
+        answers_(answered),
         deadline_(std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds)) {}
 
   std::vector<TermPair> Run();
@@ -49,8 +60,8 @@ class LocalSweep {
   void NoteComparison(TermId compared, uint64_t value);
   void SweepTerm(TermId id);
   bool AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds);
-  /// A copy of a term in which what is shared, `depth` shared terms down, is a variable. Invalid: it is too large.
-  TermId Copy(TermId root, int depth);
+  /// A copy of both in which what is shared, `depth` shared terms down, is a variable. None: it is too large.
+  std::optional<TermPair> Copy(const TermPair& pair, int depth);
   TermId CutOf(TermId id);
   /// What values of its variables say of a condition, samples or all that there are: most questions need no solver.
   Answer AskValues(TermId condition);
@@ -71,6 +82,7 @@ class LocalSweep {
   Terms& terms_;
   Solver& solver_;
   std::span<const TermPair> pairs_;
+  AnsweredForms& answers_;
   std::chrono::steady_clock::time_point deadline_;
   std::vector<uint8_t> sides_;
   std::vector<TermId> cone_;
@@ -81,14 +93,9 @@ class LocalSweep {
   std::unordered_map<uint32_t, std::vector<uint64_t>> results_;   // by function without meaning; looked up only
   std::unordered_map<uint64_t, std::vector<TermId>> classes_;     // looked up only
   std::unordered_map<uint32_t, TermId> cuts_;                     // looked up only
-  std::unordered_map<uint64_t, TermId> copies_;                   // of one question, by term and depth
+  std::unordered_map<uint32_t, TermId> copies_;                   // of one question, by TermId; looked up only
   std::vector<TermId> question_;                                  // all terms of the last one
   std::vector<uint64_t> question_values_;                         // by TermId
-  struct Answered {
-    Answer answer = Answer::kUnknown;
-    uint32_t milliseconds = 0;
-  };
-  std::unordered_map<std::string, Answered> answers_;  // by form; looked up only
   bool cut_ = false;
   Random random_{0x9E3779B97F4A7C15};
 };
@@ -205,50 +212,40 @@ TermId LocalSweep::CutOf(TermId id) {
   return cut;
 }
 
-TermId LocalSweep::Copy(TermId root, int depth) {
-  struct Open {
-    TermId id;
-    int depth;
-  };
-  const auto key = [](const Open& open) { return uint64_t{open.id.index} << 8 | static_cast<uint64_t>(open.depth); };
-  const auto depth_below = [this](const Open& open) { return IsShared(open.id) ? open.depth - 1 : open.depth; };
-  std::vector<Open> stack = {{root, depth}};
-  while (!stack.empty()) {
-    const Open open = stack.back();
-    if (copies_.contains(key(open))) {
-      stack.pop_back();
-      continue;
-    }
-    if (copies_.size() > kMostCopied) return {};
-    const Term term = terms_[open.id];
+std::optional<TermPair> LocalSweep::Copy(const TermPair& pair, int depth) {
+  // Operands are older than what is made of them: when a term's turn comes, all that leads to it has been looked at, so
+  // that it is cut everywhere or nowhere.
+  std::map<uint32_t, int, std::greater<>> left = {{pair.a.index, depth}, {pair.b.index, depth}};
+  std::vector<TermId> inside;
+  copies_.clear();
+  while (!left.empty()) {
+    const auto [index, most] = *left.begin();
+    left.erase(left.begin());
+    const TermId id(index);
+    const Term term = terms_[id];
     if (term.kind == TermKind::kConst || term.kind == TermKind::kVariable) {
-      copies_.emplace(key(open), open.id);
+      copies_.emplace(index, id);
       continue;
     }
-    if (IsShared(open.id) && open.depth == 0) {
-      copies_.emplace(key(open), CutOf(open.id));
+    const bool counts = IsShared(id) && !OnlyConnects(term.kind) && id != pair.a && id != pair.b;
+    if (counts && most == 0) {
+      copies_.emplace(index, CutOf(id));
       continue;
     }
-    std::vector<TermId> operands;
-    bool ready = true;
-    const int below = depth_below(open);
-    std::vector<Open> missing;
+    inside.push_back(id);
+    if (inside.size() > kMostCopied) return std::nullopt;
     terms_.ForEachOperand(term, [&](TermId operand) {
-      const auto found = copies_.find(key({operand, below}));
-      if (found != copies_.end()) {
-        operands.push_back(found->second);
-      } else {
-        missing.push_back({operand, below});
-        ready = false;
-      }
+      int& of_operand = left[operand.index];
+      of_operand = std::max(of_operand, counts ? most - 1 : most);
     });
-    if (!ready) {
-      stack.insert(stack.end(), missing.begin(), missing.end());
-      continue;
-    }
-    copies_.emplace(key(open), terms_.Rebuild(term, operands));
   }
-  return copies_.at(key({root, depth}));
+  for (const TermId id : std::views::reverse(inside)) {
+    const Term term = terms_[id];
+    std::vector<TermId> operands;
+    terms_.ForEachOperand(term, [&](TermId operand) { operands.push_back(copies_.at(operand.index)); });
+    copies_.emplace(id.index, terms_.Rebuild(term, operands));
+  }
+  return TermPair{copies_.at(pair.a.index), copies_.at(pair.b.index)};
 }
 
 /// Of the last term of `question_`.
@@ -309,10 +306,12 @@ std::vector<TermId> LocalSweep::ConeFrom(TermId condition) {
 }
 
 Answer LocalSweep::Ask(TermId condition, uint32_t milliseconds) {
-  const auto [at, added] = answers_.try_emplace(FormOf(terms_, condition));
-  Answered& known = at->second;
-  if (!added && (known.answer != Answer::kUnknown || milliseconds <= known.milliseconds)) return known.answer;
-  if (added) known.answer = AskValues(condition);
+  const std::optional<std::string> form = FormOf(terms_, condition, kMostTermsOfForm);
+  Answered own;
+  Answered& known = form ? answers_[*form] : own;
+  if (known.Settles(milliseconds)) return known.answer;
+  if (!known.has_tried_values) known.answer = AskValues(condition);
+  known.has_tried_values = true;
   if (known.answer == Answer::kUnknown) {
     known.answer = solver_.Check({&condition, 1}, milliseconds);
     known.milliseconds = milliseconds;
@@ -323,12 +322,10 @@ Answer LocalSweep::Ask(TermId condition, uint32_t milliseconds) {
 bool LocalSweep::AreEqual(TermId a, TermId b, std::span<const int> depths, uint32_t milliseconds) {
   if (a == b) return true;
   for (const int depth : depths) {
-    copies_.clear();
     cut_ = false;
-    const TermId one = Copy(a, depth);
-    const TermId other = one.valid() ? Copy(b, depth) : one;
-    if (!other.valid()) return false;
-    const TermId differ = terms_.Ne(one, other);
+    const std::optional<TermPair> copy = Copy({a, b}, depth);
+    if (!copy) return false;
+    const TermId differ = terms_.Ne(copy->a, copy->b);
     if (terms_.IsFalse(differ)) return true;
     if (Ask(differ, milliseconds) == Answer::kNever) return true;
     // Where nothing was cut, they do differ.
@@ -384,8 +381,9 @@ std::vector<TermPair> LocalSweep::Run() {
 
 }  // namespace
 
-std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds) {
-  return LocalSweep(terms, solver, pairs, milliseconds).Run();
+std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds,
+                                AnsweredForms& answered) {
+  return LocalSweep(terms, solver, pairs, milliseconds, answered).Run();
 }
 
 }  // namespace plcxx::prove

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "transpiler/prove/solver/answered.h"
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/solver/sweep.h"
 #include "transpiler/prove/terms/terms.h"
@@ -17,7 +18,8 @@
 namespace plcxx::prove {
 
 /// `a` of all pairs is one side, `b` the other. Ends after about so many milliseconds. `solver` assumes nothing: what
-/// it says of one term is taken for every term of the same form (form.h).
-std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds);
+/// it says of one term is taken for every term of the same form.
+std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds,
+                                AnsweredForms& answered);
 
 }  // namespace plcxx::prove

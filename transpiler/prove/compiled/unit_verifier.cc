@@ -211,6 +211,7 @@ std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Quest
   SweepLimits sweep;
   sweep.pair_ms = program_.limits.question_ms;
   sweep.total_ms = program_.limits.routine_ms;
+  sweep.answered = program_.answered.get();
   if (program_.limits.progress) {
     sweep.progress = [this](size_t done, size_t all) {
       program_.limits.progress(unit_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
@@ -230,7 +231,7 @@ std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Quest
   if (open.empty()) return verdicts;
   std::vector<TermPair> rest;
   for (const size_t i : open) rest.push_back(pairs[i]);
-  rest = MakeAlike(terms_, solver, rest, program_.limits.routine_ms / 2);
+  rest = MakeAlike(terms_, solver, rest, program_.limits.routine_ms / 2, *program_.answered);
   const std::vector<Verdict> later = prove::Compare(terms_, solver, rest, sweep);
   for (size_t k = 0; k < open.size(); ++k) verdicts[open[k]] = later[k];
   return verdicts;

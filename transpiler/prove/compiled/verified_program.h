@@ -11,6 +11,7 @@
 #include "transpiler/prove/compiled/state_image.h"
 #include "transpiler/prove/compiled/units.h"
 #include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/solver/answered.h"
 
 namespace plcxx::prove {
 
@@ -35,6 +36,7 @@ struct VerifiedProgram {
   StateImage image;
   Units units;
   std::vector<std::unique_ptr<ReplacedCall>> calls;  // by UnitId: of those that are proved
+  std::unique_ptr<AnsweredForms> answered = std::make_unique<AnsweredForms>();
 };
 
 }  // namespace plcxx::prove

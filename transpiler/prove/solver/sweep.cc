@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <string>
 #include <unordered_map>
 
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/form.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove {
@@ -16,6 +18,7 @@ constexpr int kVectors = 24;
 constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
 constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
 constexpr size_t kMostTermsToSpread = 2'000'000;
+constexpr size_t kMostTermsOfForm = 1000;
 constexpr size_t kMostRefutedFirst = 20;
 constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
 
@@ -125,7 +128,15 @@ void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
 Answer Sweeper::Differ(TermId a, TermId b, uint32_t milliseconds) {
   const TermId differ = terms_.Ne(a, b);
   if (terms_.IsFalse(differ)) return Answer::kNever;
-  return solver_.Check({&differ, 1}, milliseconds);
+  const std::string form =
+      limits_.answered == nullptr ? std::string() : FormOf(terms_, differ, kMostTermsOfForm).value_or("");
+  if (form.empty()) return solver_.Check({&differ, 1}, milliseconds);
+  Answered& known = (*limits_.answered)[form];
+  // Where it is possible, who asks wants the values, too.
+  if (known.answer != Answer::kPossible && known.Settles(milliseconds)) return known.answer;
+  known.answer = solver_.Check({&differ, 1}, milliseconds);
+  known.milliseconds = milliseconds;
+  return known.answer;
 }
 
 void Sweeper::SweepTerm(TermId id) {

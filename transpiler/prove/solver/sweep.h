@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "transpiler/prove/solver/answered.h"
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/terms/terms.h"
 
@@ -32,6 +33,8 @@ struct SweepLimits {
   uint64_t total_ms = 60'000;  // for all; later pairs are undecided
   /// Nothing is assumed, so that two terms that differ for random values differ.
   bool any_values_count = false;
+  /// What is known of forms of questions, and becomes known; none where something is assumed.
+  AnsweredForms* answered = nullptr;
   std::function<void(size_t done, size_t all)> progress;  // of the pairs that are not one term; may be empty
 };
 

@@ -1,5 +1,6 @@
 #include "transpiler/prove/terms/division.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -13,6 +14,70 @@ struct Quotient {
   uint64_t divisor = 0;
 };
 
+constexpr int kMostSteps = 12;
+
+TermId BelowZeros(const Terms& terms, TermId id) {
+  while (terms[id].kind == TermKind::kConcat && terms.IsZero(TermId(terms[id].a))) id = TermId(terms[id].b);
+  return id;
+}
+
+/// A choice is not above its greater part, and x is below c where x < c is why it is chosen.
+uint64_t GreatestIn(const Terms& terms, TermId id, int steps) {
+  const Term term = terms[id];
+  const uint64_t all = Masked(~uint64_t{0}, term.width);
+  if (term.kind == TermKind::kConst) return terms.Value(id);
+  if (steps == 0) return all;
+  switch (term.kind) {
+    case TermKind::kConcat: {
+      const TermId low(term.b);
+      if (terms.IsZero(TermId(term.a))) return GreatestIn(terms, low, steps - 1);
+      return all;
+    }
+    case TermKind::kExtract: {
+      if (term.b != 0) return all;
+      return std::min(all, GreatestIn(terms, TermId(term.a), steps - 1));
+    }
+    case TermKind::kIte: {
+      const uint64_t otherwise = GreatestIn(terms, TermId(term.c), steps - 1);
+      if (otherwise == all) return all;
+      uint64_t then = GreatestIn(terms, TermId(term.b), steps - 1);
+      const Term condition = terms[TermId(term.a)];
+      if (condition.kind == TermKind::kUlt && terms.IsConst(TermId(condition.b)) &&
+          BelowZeros(terms, TermId(condition.a)) == BelowZeros(terms, TermId(term.b)))
+        then = std::min(then, terms.Value(TermId(condition.b)) - 1);
+      return std::max(then, otherwise);
+    }
+    case TermKind::kUdiv:
+    case TermKind::kUrem: {
+      const TermId divisor(term.b);
+      if (!terms.IsConst(divisor) || terms.IsZero(divisor)) return all;
+      const uint64_t number = GreatestIn(terms, TermId(term.a), steps - 1);
+      if (term.kind == TermKind::kUdiv) return number / terms.Value(divisor);
+      return std::min(number, terms.Value(divisor) - 1);
+    }
+    case TermKind::kConst:
+    case TermKind::kVariable:
+    case TermKind::kNot:
+    case TermKind::kAnd:
+    case TermKind::kOr:
+    case TermKind::kXor:
+    case TermKind::kAdd:
+    case TermKind::kSub:
+    case TermKind::kMul:
+    case TermKind::kSdiv:
+    case TermKind::kSrem:
+    case TermKind::kShl:
+    case TermKind::kLshr:
+    case TermKind::kAshr:
+    case TermKind::kEq:
+    case TermKind::kUlt:
+    case TermKind::kSlt:
+    case TermKind::kApply:
+      return all;
+  }
+  PLCXX_UNREACHABLE();
+}
+
 /// The division that the low bits of a quotient come from; divisor 0: it is none.
 Quotient QuotientOf(const Terms& terms, TermId id) {
   Term term = terms[id];
@@ -23,6 +88,14 @@ Quotient QuotientOf(const Terms& terms, TermId id) {
 }
 
 }  // namespace
+
+uint64_t GreatestOf(const Terms& terms, TermId id) { return GreatestIn(terms, id, kMostSteps); }
+
+uint8_t WidthOfDivision(uint64_t greatest) {
+  constexpr int kByte = 8;
+  return static_cast<uint8_t>(
+      std::bit_ceil(static_cast<unsigned>(std::max(kByte, static_cast<int>(std::bit_width(greatest))))));
+}
 
 TermId QuotientOfProduct(Terms& terms, TermId product, uint8_t shift) {
   const Term term = terms[product];

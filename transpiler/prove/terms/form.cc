@@ -8,8 +8,9 @@
 namespace plcxx::prove {
 
 /// All that the root is made of, operands first, as kind, width, what the kind needs, and its operands by their place
-/// in this row. A variable says no more than its place, where it is met first, nor does a function without meaning.
-std::string FormOf(const Terms& terms, TermId root) {
+/// in this row. A function with a meaning is its name. A variable says no more than its place, where it is met first,
+/// nor does a function without meaning.
+std::optional<std::string> FormOf(const Terms& terms, TermId root, size_t most_terms) {
   std::string form;
   const auto write = [&form](uint32_t number) {
     std::array<char, sizeof number> bytes{};
@@ -35,6 +36,7 @@ std::string FormOf(const Terms& terms, TermId root) {
       continue;
     }
     open.pop_back();
+    if (places.size() == most_terms) return std::nullopt;
     places.emplace(id.index, static_cast<uint32_t>(places.size()));
     write(static_cast<uint32_t>(term.kind) << 8 | term.width);
     switch (term.kind) {
@@ -46,9 +48,12 @@ std::string FormOf(const Terms& terms, TermId root) {
         write(term.b);
         break;
       case TermKind::kApply:
-        write(terms.Info(FunctionId(term.a)).evaluate != nullptr
-                  ? term.a
-                  : kUnknown | functions.try_emplace(term.a, static_cast<uint32_t>(functions.size())).first->second);
+        if (const TermFunction& function = terms.Info(FunctionId(term.a)); function.evaluate != nullptr) {
+          write(static_cast<uint32_t>(function.name.size()));
+          form += function.name;
+        } else {
+          write(kUnknown | functions.try_emplace(term.a, static_cast<uint32_t>(functions.size())).first->second);
+        }
         write(term.c);
         break;
       case TermKind::kVariable:

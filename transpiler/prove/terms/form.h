@@ -2,6 +2,8 @@
 // hold, both alike.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "transpiler/prove/terms/terms.h"
@@ -9,7 +11,7 @@
 namespace plcxx::prove {
 
 /// Equal for two terms only when the one becomes the other by renaming variables and functions without `evaluate`, each
-/// to one of its own of the same widths.
-std::string FormOf(const Terms& terms, TermId root);
+/// to one of its own of the same widths. The two may be of different Terms. None: it has more than so many terms.
+std::optional<std::string> FormOf(const Terms& terms, TermId root, size_t most_terms);
 
 }  // namespace plcxx::prove

@@ -246,6 +246,10 @@ TermId Terms::Udiv(TermId a, TermId b) {
     if (Value(b) > Masked(~uint64_t{0}, Width(number))) return Const(0, width);
     return Zext(Udiv(number, Const(Value(b), Width(number))), width);
   }
+  const uint64_t greatest = GreatestOf(*this, a);
+  if (Value(b) > greatest) return Const(0, width);
+  if (const uint8_t narrow = WidthOfDivision(greatest); narrow < width)
+    return Zext(Udiv(Extract(a, 0, narrow), Const(Value(b), narrow)), width);
   const auto bits = static_cast<uint8_t>(std::bit_width(Masked(~uint64_t{0}, width) / Value(b)));
   return Zext(Extract(Binary(TermKind::kUdiv, a, b, width), 0, bits), width);
 }
@@ -261,6 +265,10 @@ TermId Terms::Urem(TermId a, TermId b) {
     if (Value(b) > Masked(~uint64_t{0}, Width(number))) return a;
     return Zext(Urem(number, Const(Value(b), Width(number))), width);
   }
+  const uint64_t greatest = GreatestOf(*this, a);
+  if (Value(b) > greatest) return a;
+  if (const uint8_t narrow = WidthOfDivision(greatest); narrow < width)
+    return Zext(Urem(Extract(a, 0, narrow), Const(Value(b), narrow)), width);
   const auto bits = static_cast<uint8_t>(std::bit_width(Value(b) - 1));
   return Zext(Extract(Binary(TermKind::kUrem, a, b, width), 0, bits), width);
 }
