@@ -102,6 +102,35 @@ ADDW %W2, 1, %W2
 END_SLOW
 )";
 
+/// Modules that are called from two places, by a pass and by a loop of which the compiler makes two branches.
+constexpr const char* kCallsOfProStep = R"(:MOD PM 0
+:L
+: K 7
+:T FB 251
+:END PM 0
+:MOD PM 9
+:A I 0.0
+:ON F 8.6
+:= F 8.6
+:END PM 9
+:MOD PM 10
+:A F 8.6
+:S F 8.7
+:JC PM 20
+:END PM 10
+:MOD PM 11
+:A I 0.1
+:R F 8.7
+:JC PM 20
+:END PM 11
+:MOD PM 20
+:JU FM 0
+: DW 28
+: K 1
+: DW 28
+:END PM 20
+)";
+
 struct Mutation {
   std::string_view name;
   std::string_view file;  // "turret.cpp", "plcxx/timers.h"
@@ -171,6 +200,19 @@ constexpr Mutation kMutationsOfHost50[] = {
     {"host50_start", "turret.cpp", "  m[W1] = 0;\n", ""},
     {"host50_budget", "turret.cpp", "jumps_left = 10000", "jumps_left = 10001"},
     {"host50_return", "turret.cpp", "      return;\n    }\n    break;", "    }\n    break;"},
+};
+
+/// Of the order of calls, and of what they are called with.
+constexpr Mutation kMutationsOfProStep[] = {
+    {"prostep_next", "turret.cpp", "Add8(t1, 1) & 7", "Add8(t1, 2) & 7"},
+    {"prostep_tries", "turret.cpp", "while (tries < 8)", "while (tries < 7)"},
+    {"prostep_goes_on", "turret.cpp", "    if (active) break;\n", ""},
+    {"prostep_slice", "turret.cpp", "    slow(m, t1, host);", "    slow(m, active ? t1 : 0, host);"},
+    {"prostep_not_called", "turret.cpp", "    slow(m, t1, host);", "    if (active) slow(m, t1, host);"},
+    {"prostep_swapped", "turret.cpp", "  slow(m, 0, host);\n  slow(m, 1, host);",
+     "  slow(m, 1, host);\n  slow(m, 0, host);"},
+    {"prostep_twice", "turret.cpp", "  slow(m, 2, host);", "  slow(m, 2, host);\n  slow(m, 2, host);"},
+    {"prostep_other_module", "turret.cpp", "        PM11(m, host);", "        PM10(m, host);"},
 };
 
 enum class Expected : uint8_t { kProved, kCaught };
@@ -329,6 +371,12 @@ TEST_F(MutationTest, ChangesInLoopsOfHost50AreCaught) {
   Subject loop(toolchain_, "turret.il", kLoopOfHost50, "host50");
   EXPECT_EQ(loop.Caught(), "");
   for (const Mutation& mutation : kMutationsOfHost50) ExpectCaught(loop, mutation);
+}
+
+TEST_F(MutationTest, ChangesOfCallsInProStepAreCaught) {
+  Subject calls(toolchain_, "turret.plc", kCallsOfProStep, "prostep");
+  EXPECT_EQ(calls.Caught(), "");
+  for (const Mutation& mutation : kMutationsOfProStep) ExpectCaught(calls, mutation);
 }
 
 TEST_F(MutationTest, FlagsThatChangeTheMeaningAreCaught) {

@@ -25,11 +25,10 @@ constexpr Sample kSamples[] = {
      "lathe.sym fast.plc spindle.plc turret.plc --set iocfil=IOCFIL --set axcfil=AXCFIL --set pgcfil=PGCFIL "
      "--set messages=RUMES5 --set menu=LGCMNU --set help=HELP --routine init --routine fast"},
     {"host50/ck6150",
-     "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il --routine init --routine fast"},
+     "ck6150.il texts.il fast.il main.il spindle.il turret.il units.il mcodes.il --routine init --routine period"},
     {"prostep/mill_fnd32",
-     "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep --routine init --routine refresh_inputs "
-     "--routine refresh_outputs --routine PM1 --routine PM2 --routine PM9 --routine PM10 --routine PM11 --routine PM12 "
-     "--routine PM13 --routine fast"},
+     "mill.plc texts.plc fast.plc loop.plc magazine.plc --dialect prostep --routine init --routine tick "
+     "--routine slow_pass --routine slow_step --routine m_begin --routine m_end"},
     {"technol/mcv_750",
      "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol --routine init --routine fast "
      "--routine requests"},

@@ -1,6 +1,7 @@
 #include "transpiler/prove/compiled/replaced_call.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "transpiler/prove/meaning/meaning.h"
 
@@ -45,23 +46,50 @@ TermId CallLog::ByArguments(const ReplacedCall& call, std::span<const TermId> ar
   return terms_.Apply(terms_.Function("call of " + call.unit().name, 64), arguments);
 }
 
-TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments) {
+CallLog::Entry* CallLog::EntryOf(const ReplacedCall& call, TermId when) {
+  std::vector<Entry*> of_function;
+  for (Entry& entry : entries_) {
+    if (entry.call == &call) of_function.push_back(&entry);
+  }
+  const auto is_free = [](const Entry* entry) { return entry->taken.empty(); };
+  if (of_function.size() == 1 && is_free(of_function.front())) return of_function.front();
+  // The latest first that has been taken, where another branch may have made it; then those behind it.
+  const auto taken = std::find_if_not(of_function.rbegin(), of_function.rend(), is_free);
+  std::vector<Entry*> open(taken == of_function.rend() ? of_function.begin() : std::prev(taken.base()),
+                           of_function.end());
+  open.insert(open.end(), of_function.begin(), of_function.end() - static_cast<std::ptrdiff_t>(open.size()));
+  for (Entry* entry : open) {
+    const bool fits =
+        std::ranges::all_of(entry->taken, [&](TermId other) { return never_(terms_.And(when, other)); }) &&
+        never_(terms_.And(when, terms_.Not(entry->when)));
+    if (fits) return entry;
+  }
+  const auto next = std::ranges::find_if(open, is_free);
+  return next == open.end() ? nullptr : *next;
+}
+
+TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
   if (matching_ == Matching::kByArguments) return ByArguments(call, arguments);
   const std::string name = "call " + std::to_string(entries_.size() + 1) + ", of " + call.unit().name;
-  entries_.push_back({.call = &call, .arguments = std::move(arguments), .known = terms_.Variable(name, 64)});
+  entries_.push_back({.call = &call,
+                      .arguments = std::move(arguments),
+                      .known = terms_.Variable(name, 64),
+                      .when = when,
+                      .taken = {}});
   return entries_.back().known;
 }
 
 TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
   if (matching_ == Matching::kByArguments) return ByArguments(call, arguments);
-  if (next_ == entries_.size() || entries_[next_].call != &call) return {};
-  const Entry& entry = entries_[next_++];
+  Entry* entry = EntryOf(call, when);
+  if (entry == nullptr) return {};
+  entry->taken.push_back(when);
   for (size_t i = 0; i < arguments.size(); ++i) {
     // Where the code does not come here, its call is none.
-    const TermId program = terms_.Ite(when, entry.arguments[i], arguments[i]);
+    const TermId program = terms_.Ite(when, entry->arguments[i], arguments[i]);
     if (program != arguments[i]) claims_.push_back({.call = &call, .program = program, .code = arguments[i]});
   }
-  return entry.known;
+  return entry->known;
 }
 
 ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const Cells& cells, const StateImage& image,
@@ -148,7 +176,7 @@ TermId ReplacedCall::After(Terms& terms, TermId known, const std::string& name, 
   return terms.Apply(terms.Function(name + " after " + unit_.name, width), {&known, 1});
 }
 
-std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, CallLog& log) const {
+std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, TermId when, CallLog& log) const {
   Terms& terms = memory.terms();
   std::vector<TermId> arguments;
   for (const Item& item : items_) {
@@ -170,7 +198,7 @@ std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, CallL
         break;
     }
   }
-  const TermId known = log.CalledByProgram(*this, std::move(arguments));
+  const TermId known = log.CalledByProgram(*this, std::move(arguments), when);
   std::vector<CellChange> changes;
   const auto spread = [&](const std::vector<CellId>& cells, TermId value) {
     uint8_t bit = 0;  // of 32

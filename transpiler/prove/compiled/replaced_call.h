@@ -1,14 +1,16 @@
 // A call of a function that has been proved, as one unknown function of what it may read: the same on the IR's cells
 // and on the code's bytes, so that callers are compared without looking into it again.
 //
-// Where both sides make the same calls in the same order, the n-th one gives the same unknown on both, and it remains
-// to be shown that it is called alike; else what a call gives is a function of all its arguments. In: a unit. Out: what
+// Where a call of the code is one of the program's, it gives the same unknown, and it remains to be shown that it is
+// called alike; else what a call gives is a function of all its arguments. In: a unit. Out: what
 // it changes, on either side. Bits that have a byte of their own must be 0 or 1 in the code's State when it is called,
 // for that was assumed when it was proved. Not its job: whether the unit is proved.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/compiled/compiled_code.h"
@@ -23,15 +25,21 @@ std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Un
 class ReplacedCall;
 
 /// The replaced calls of one routine, first those of the IR, then those of the code.
+///
+/// By order, the code's calls of a function are the program's in their order, but for what compilers make of branches:
+/// two calls for one where one branch became two, and branches in another order. Whichever is taken, it is shown that
+/// the arguments are the same.
 class CallLog {
  public:
   enum class Matching : uint8_t { kByOrder, kByArguments };
 
-  CallLog(Terms& terms, Matching matching) : terms_(terms), matching_(matching) {}
+  /// `never`: whether a condition is soon found to hold never; asked where a function is called more than once.
+  CallLog(Terms& terms, Matching matching, std::function<bool(TermId condition)> never)
+      : terms_(terms), matching_(matching), never_(std::move(never)) {}
 
   /// What stands for a call: 64 bits.
-  TermId CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments);
-  /// None: the program makes another call there.
+  TermId CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments, TermId when);
+  /// None: the program makes no such call.
   TermId CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when);
 
   /// What has to be equal so that calls give the same.
@@ -42,17 +50,21 @@ class CallLog {
   const std::vector<Claim>& claims() const { return claims_; }
 
  private:
-  TermId ByArguments(const ReplacedCall& call, std::span<const TermId> arguments);
-
   struct Entry {
     const ReplacedCall* call = nullptr;
     std::vector<TermId> arguments;
-    TermId known;
+    TermId known, when;
+    std::vector<TermId> taken;  // when the code makes calls that are this one
   };
+
+  TermId ByArguments(const ReplacedCall& call, std::span<const TermId> arguments);
+  /// The program's call that one of the code's is; none: there are no more.
+  Entry* EntryOf(const ReplacedCall& call, TermId when);
+
   Terms& terms_;
   Matching matching_;
+  std::function<bool(TermId condition)> never_;
   std::vector<Entry> entries_;
-  size_t next_ = 0;  // of the code's
   std::vector<Claim> claims_;
 };
 
@@ -66,7 +78,7 @@ class ReplacedCall {
   /// Whether there is anything in it that has no place in State: then calls of it have to be followed.
   bool is_opaque() const { return opaque_; }
 
-  std::vector<CellChange> OnCells(Memory& memory, TermId hash, CallLog& log) const;
+  std::vector<CellChange> OnCells(Memory& memory, TermId hash, TermId when, CallLog& log) const;
   /// The result, if it has one. A reason in `refusal` when the call does not fit the function's declaration.
   TermId OnCode(Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log, std::string& refusal) const;
 

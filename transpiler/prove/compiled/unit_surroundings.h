@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/compiled/host_surroundings.h"
@@ -17,19 +18,19 @@ namespace plcxx::prove {
 /// The calls that are replaced while one function is executed, on either side.
 class Replaced : public ReplacedParts {
  public:
-  Replaced(const VerifiedProgram& program, Terms& terms, TermId hash, CallLog::Matching matching)
-      : program_(program), hash_(hash), log_(terms, matching) {}
+  Replaced(const VerifiedProgram& program, TermId hash, CallLog log)
+      : program_(program), hash_(hash), log_(std::move(log)) {}
 
-  std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine) override {
+  std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, TermId when) override {
     const ReplacedCall* call = Of(program_.units.of_routines[routine.index]);
-    return call == nullptr ? std::nullopt : std::optional(call->OnCells(memory, hash_, log_));
+    return call == nullptr ? std::nullopt : std::optional(call->OnCells(memory, hash_, when, log_));
   }
-  std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at) override {
+  std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at, TermId when) override {
     const UnitId unit = program_.units.At(program_.emittable, region, at);
     const ReplacedCall* call = Of(unit);
     if (call == nullptr) return std::nullopt;
     at = call->unit().part.end;
-    return call->OnCells(memory, hash_, log_);
+    return call->OnCells(memory, hash_, when, log_);
   }
   CallLog& log() { return log_; }
   const ReplacedCall* OfFunction(std::string_view name) const {

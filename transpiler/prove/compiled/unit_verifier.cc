@@ -12,8 +12,10 @@ namespace {
 constexpr size_t kMostDifferences = 8;
 constexpr size_t kMostValues = 60;      // of a state that is shown
 constexpr uint32_t kMostRounds = 512;   // of one loop; of init, where nothing is unknown, more
+constexpr uint32_t kFewRounds = 8;      // where calls are replaced in order, and loops are not by heads
 constexpr uint32_t kMostUnrolled = 32;  // where that is tried after all else
 constexpr uint32_t kMostRoundsOfInit = 4096;
+constexpr uint32_t kBranchMs = 200;         // for a question about the ways to calls
 constexpr uint32_t kQuickShare = 10;        // of the time
 constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
@@ -290,13 +292,23 @@ RoutineProof UnitVerifier::Run() {
   proof_.routine = is_inner() ? unit_.name : routine_.name;
   proof_.exported = !is_inner();
   if (program_.limits.progress) program_.limits.progress(proof_.routine);
+  LoadedSolver loaded = LoadSolver(terms_);
+  if (loaded.solver == nullptr) {
+    proof_.reason = loaded.reason;
+    gave_up_ = true;
+    return std::move(proof_);
+  }
   image_.MakeVariables(terms_);
   now_ = terms_.Variable("now", 32);
   hash_ = is_init() ? terms_.Const(image_.layout_hash(), 32) : image_.HashBefore(terms_);
   const bool in_order = treatment_.callees == Callees::kReplacedInOrder;
   if (treatment_.callees != Callees::kFollowed) {
-    replaced_ = std::make_unique<Replaced>(program_, terms_, hash_,
-                                           in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments);
+    const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
+    const auto never = [this, &loaded](TermId condition) {
+      return terms_.IsFalse(condition) ||
+             (!terms_.IsTrue(condition) && loaded.solver->Check({&condition, 1}, kBranchMs) == Answer::kNever);
+    };
+    replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never));
   }
   MakeArguments();
   const Environment environment = MakeEnvironment();
@@ -304,6 +316,7 @@ RoutineProof UnitVerifier::Run() {
     relation_ = std::make_unique<LoopRelation>(terms_, program_.emittable, program_.cells, image_, environment.initial,
                                                treatment_.dropped);
   }
+  if (in_order) policy_.rounds = kFewRounds;
   policy_.heads = relation_.get();
   policy_.left_out = terms_.Bit(false);
   Memory memory(terms_, program_.ir, program_.cells, environment);
@@ -317,12 +330,6 @@ RoutineProof UnitVerifier::Run() {
   proof_.instructions = outcome.instructions;
   proof_.reason = outcome.refusal;
   if (!proof_.reason.empty()) return std::move(proof_);
-  LoadedSolver loaded = LoadSolver(terms_);
-  if (loaded.solver == nullptr) {
-    proof_.reason = loaded.reason;
-    gave_up_ = true;
-    return std::move(proof_);
-  }
   if (relation_ != nullptr && !DecideLoops(*loaded.solver)) {
     gave_up_ = true;
     return std::move(proof_);

@@ -80,7 +80,7 @@ void Executor::ExecuteRegion(ir::RegionId region) {
 bool Executor::IsReplaced(ir::RegionId region, uint32_t& at) {
   ReplacedParts* replaced = memory_.environment().replaced;
   if (replaced == nullptr) return false;
-  const auto changes = replaced->Part(memory_, region, at);
+  const auto changes = replaced->Part(memory_, region, at, Absolute());
   if (!changes) return false;
   for (const CellChange& change : *changes) WriteCell(change.cell, change.value);
   return true;
@@ -189,7 +189,7 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
     WritePlace(program_.places[routine.parameter_places[i]], ValueOf(call.arguments[i].index));
   }
   ReplacedParts* replaced = memory_.environment().replaced;
-  const auto changes = replaced == nullptr ? std::nullopt : replaced->Call(memory_, call.routine);
+  const auto changes = replaced == nullptr ? std::nullopt : replaced->Call(memory_, call.routine, Absolute());
   if (changes) {
     for (const CellChange& change : *changes) WriteCell(change.cell, change.value);
   } else {

@@ -45,11 +45,13 @@ class ReplacedParts {
   ReplacedParts(const ReplacedParts&) = delete;
   ReplacedParts& operator=(const ReplacedParts&) = delete;
   virtual ~ReplacedParts() = default;
-  /// What a call of a routine does, whose parameters stand in their places; none: it is executed.
-  virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine) = 0;
+  /// What a call of a routine does, whose parameters stand in their places; none: it is executed. `when`: execution
+  /// comes there.
+  virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, TermId when) = 0;
   /// What the part of a region does that begins at its instruction `at`, which becomes the one behind it; none: that
   /// instruction is executed.
-  virtual std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at) = 0;
+  virtual std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at,
+                                                      TermId when) = 0;
 };
 
 /// What surrounds an execution.
