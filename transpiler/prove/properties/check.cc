@@ -121,7 +121,7 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
     return true;
   };
   // A long wait is found sooner by waiting.
-  if (window > kMostQuickWindow && try_runs()) return result;
+  if (window > kMostQuickWindow && (try_runs() || TryCounting(property, result))) return result;
   // Behind `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
     if (search_runs(period)) return result;

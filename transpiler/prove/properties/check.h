@@ -111,6 +111,11 @@ class PropertyChecker {
   /// `more`. Counts the facts.
   bool IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId variable)>& more,
                       PropertyResult& result);
+  bool IsNeverReached(const ReachQuestion& question, PropertyResult& result);
+  ReachQuestion QuestionOf(TermId bad, const std::function<std::optional<StateWord>(TermId variable)>& more);
+  // By counting periods (check_counting.cc).
+  bool TryCounting(const Property& property, PropertyResult& result);
+  std::vector<std::vector<TermId>> RegistersAmong(const std::vector<CellId>& cells);
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<CellId>& cells);
   PropertyRun RunOf(Unrolled& unrolled, TermId violated, uint32_t periods);

@@ -10,7 +10,7 @@ namespace plcxx::prove {
 namespace {
 
 constexpr uint32_t kShare = 3;  // of the time that is left
-constexpr size_t kMostHistory = 2000;
+constexpr size_t kMostHistory = 200;
 constexpr size_t kMostBadTerms = 250'000;
 
 /// The values that the cells of a property had behind the last periods, and how many periods there have been.
@@ -63,7 +63,8 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   const uint32_t window = WindowOf(property);
   size_t cells = 0;
   for (const PropertyOperand& operand : property.operands) cells += operand.cells.size();
-  if (Late() || window * cells > kMostHistory) return false;
+  if (Late()) return false;
+  if (window * cells > kMostHistory) return TryCounting(property, result);
   Relation& relation = Widest();
   const size_t parts = PartsOf(relation).size();
   const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
@@ -85,7 +86,7 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
     if (Extend(whole, 1, result)) return true;
     never = IsNeverReached(terms_.Not(HoldsAfter(terms_, property, 1, ValuesOf(whole))), {}, result);
   }
-  if (!never) return false;
+  if (!never) return window > 1 && TryCounting(property, result);
   result.verdict = PropertyVerdict::kProved;
   result.periods = 1;
   result.reason.clear();
@@ -94,8 +95,19 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
 
 bool PropertyChecker::IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId)>& more,
                                      PropertyResult& result) {
-  if (Late() || ConeAboveFunctions(terms_, {&bad, 1}).size() > kMostBadTerms) return false;
+  return IsNeverReached(QuestionOf(bad, more), result);
+}
+
+bool PropertyChecker::IsNeverReached(const ReachQuestion& question, PropertyResult& result) {
+  if (Late() || ConeAboveFunctions(terms_, {&question.bad, 1}).size() > kMostBadTerms) return false;
   Report("reachable states");
+  const std::optional<FoundFacts> facts = ShowUnreachable(question);
+  if (facts) result.invariants = static_cast<uint32_t>(question.known.size() + facts->forbidden.size());
+  return facts.has_value();
+}
+
+/// `more` outlives it.
+ReachQuestion PropertyChecker::QuestionOf(TermId bad, const std::function<std::optional<StateWord>(TermId)>& more) {
   Relation& relation = Widest();
   const std::vector<const std::vector<TermId>*> parts = PartsOf(relation);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(RestMs() / kShare);
@@ -111,7 +123,7 @@ bool PropertyChecker::IsNeverReached(TermId bad, const std::function<std::option
                                return static_cast<uint32_t>(std::max<int64_t>(0, ms));
                              },
                          .progress = options_.progress};
-  question.state_of = [&](TermId variable) -> std::optional<StateWord> {
+  question.state_of = [this, &relation, &more, parts](TermId variable) -> std::optional<StateWord> {
     const CellId cell = relation.CellOf(variable);
     if (!cell.valid()) return more ? more(variable) : std::nullopt;
     if (new_each_time_[cell.index] || !IsState(version_, cell) || cell.index >= version_.cells.calls) return {};
@@ -125,9 +137,7 @@ bool PropertyChecker::IsNeverReached(TermId bad, const std::function<std::option
     const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
     for (const Invariant& invariant : invariants_) question.known.push_back(ConditionOf(terms_, invariant, before));
   }
-  const std::optional<FoundFacts> facts = ShowUnreachable(question);
-  if (facts) result.invariants = static_cast<uint32_t>(question.known.size() + facts->forbidden.size());
-  return facts.has_value();
+  return question;
 }
 
 }  // namespace plcxx::prove

@@ -1,6 +1,8 @@
 #include "transpiler/prove/properties/condition.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace plcxx::prove {
 namespace {
@@ -9,8 +11,8 @@ constexpr uint8_t kWide = 64;  // of numbers that are compared
 
 class Meaning {
  public:
-  Meaning(Terms& terms, const Property& property, const ValueAfter& value)
-      : terms_(terms), property_(property), value_(value) {}
+  Meaning(Terms& terms, const Property& property, const ValueAfter& value, CountPeriods count = {})
+      : terms_(terms), property_(property), value_(value), count_(std::move(count)) {}
 
   TermId Holds(uint32_t index, uint32_t period) {
     const Condition& condition = property_.conditions[index];
@@ -46,6 +48,7 @@ class Meaning {
         return terms_.And(count.one, terms_.Not(count.two));
       }
       case ConditionKind::kHeld: {
+        if (count_) return HeldByCounting(index);
         if (period < condition.periods) return terms_.Bit(false);
         TermId all = terms_.Bit(true);
         for (uint32_t back = 0; back < condition.periods; ++back)
@@ -60,6 +63,21 @@ class Meaning {
   struct Counted {
     TermId one, two;  // at least so many hold
   };
+
+  TermId HeldByCounting(uint32_t index) {
+    const Condition& condition = property_.conditions[index];
+    const auto known = held_.find(index);
+    if (known != held_.end()) return known->second;
+    const TermId holds = Holds(condition.children[0], 1);
+    TermId most;
+    const TermId length = count_(condition.periods, [&](TermId before) {
+      const uint8_t width = terms_.Width(before);
+      most = terms_.Const(condition.periods, width);
+      const TermId more = terms_.Ite(terms_.Eq(before, most), before, terms_.Add(before, terms_.Const(1, width)));
+      return terms_.Ite(holds, more, terms_.Const(0, width));
+    });
+    return held_[index] = terms_.Eq(length, most);
+  }
 
   TermId Constant(int64_t value) { return terms_.Const(static_cast<uint64_t>(value), kWide); }
 
@@ -84,6 +102,8 @@ class Meaning {
   Terms& terms_;
   const Property& property_;
   const ValueAfter& value_;
+  CountPeriods count_;               // none: periods are looked at one by one
+  std::map<uint32_t, TermId> held_;  // by condition
 };
 
 uint32_t WindowOf(const Property& property, uint32_t index) {
@@ -117,6 +137,27 @@ TermId HoldsAfter(Terms& terms, const Property& property, uint32_t period, const
   for (uint32_t answer = asked; answer <= period; ++answer)
     fine = terms.Or(fine, meaning.Holds(property.consequence, answer));
   return fine;
+}
+
+TermId HoldsByCounting(Terms& terms, const Property& property, const std::function<TermId(CellId cell)>& value,
+                       const CountPeriods& count) {
+  const ValueAfter after = [&value](CellId cell, uint32_t) { return value(cell); };
+  Meaning meaning(terms, property, after, count);
+  const TermId condition = meaning.Holds(property.condition, 1);
+  if (property.kind == PropertyKind::kAlways) return condition;
+  const TermId answered = meaning.Holds(property.consequence, 1);
+  if (property.periods == 1) return terms.Or(terms.Not(condition), answered);
+  // The age of the oldest question that is open, the period in which it was asked included.
+  TermId most;
+  const TermId age = count(property.periods, [&](TermId before) {
+    const uint8_t width = terms.Width(before);
+    const TermId none = terms.Const(0, width), one = terms.Const(1, width);
+    most = terms.Const(property.periods, width);
+    const TermId older = terms.Ite(terms.Eq(before, most), before, terms.Add(before, one));
+    const TermId open = terms.Ite(terms.Ne(before, none), older, terms.Ite(condition, one, none));
+    return terms.Ite(answered, none, open);
+  });
+  return terms.Ne(age, most);
 }
 
 uint32_t WindowOf(const Property& property) {

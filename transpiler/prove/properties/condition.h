@@ -16,6 +16,14 @@ using ValueAfter = std::function<TermId(CellId cell, uint32_t period)>;
 /// has not held. Not for kNeverStuck.
 TermId HoldsAfter(Terms& terms, const Property& property, uint32_t period, const ValueAfter& value);
 
+/// A count that lives from period to period, 0 at power-on: `next` gets what it was, and gives what it is.
+using CountPeriods = std::function<TermId(uint32_t most, const std::function<TermId(TermId before)>& next)>;
+
+/// The same of the period that `value` tells, with counts instead of the periods before it: what is held for long, and
+/// what is waited for, is one number.
+TermId HoldsByCounting(Terms& terms, const Property& property, const std::function<TermId(CellId cell)>& value,
+                       const CountPeriods& count);
+
 /// How many periods HoldsAfter looks at, the present one included.
 uint32_t WindowOf(const Property& property);
 

@@ -66,6 +66,8 @@ class Unrolled {
   }
   /// The time of period 0 at kAnywhere; of others, that of period `period`.
   TermId TimeAfter(uint32_t period);
+  /// The time that the first period sees.
+  TermId FirstTime() { return Now(1, 0); }
 
  private:
   /// What runs one after the other: step 0 is the start; the fast parts of a period come before its slow one.

@@ -1,0 +1,468 @@
+#include "transpiler/prove/properties/time_facts.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "transpiler/prove/terms/cone.h"
+#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/terms/random.h"
+
+namespace plcxx::prove {
+namespace {
+
+constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostGuesses = 6000;
+constexpr size_t kMostSimulatedTerms = 60'000;
+constexpr int kShortRuns = 8, kRuns = 24, kPeriods = 700;
+constexpr uint64_t kMostPeriodsAway = 100;  // of a clock from the time
+constexpr uint64_t kMostLimit = uint64_t{1} << 24;
+constexpr uint32_t kMostSlack = 2;  // periods that a count may be ahead
+constexpr size_t kAtStart = ~size_t{0};
+constexpr uint8_t kLeastWidth = 25;  // of sums; one that wraps is a guess that fails
+
+enum class Reading : uint8_t {
+  kValue,
+  kAhead,  // of the clock
+  kBehind  // it
+};
+
+struct Register {
+  std::vector<TermId> variables;
+  Reading reading = Reading::kValue;
+  uint8_t width = 0;
+  uint64_t greatest = 0;  // in the runs that were tried
+};
+
+enum class Form : uint8_t {
+  kGrows,    // register + slack >= scale * count
+  kFalls,    // register + scale * count <= limit + slack, or the count is 0
+  kAtMost,   // register <= limit
+  kExactly,  // register = limit
+  kWhile,    // while it is counted, a bit has a value
+  kLong,     // scale * count <= limit + slack
+  kBits      // one of three bits has a value
+};
+
+struct Guess {
+  Form form{};
+  uint32_t of_register = 0, counter = 0;
+  uint64_t scale = 1, slack = 0;
+  std::optional<uint64_t> limit;  // of kGrows: or the register has come that far
+  std::optional<std::pair<TermId, bool>> unless, also_unless, or_unless;
+};
+
+/// The numbers of one state, by index of registers, counters and bits.
+struct Sample {
+  std::vector<uint64_t> registers, counters;
+  std::map<TermId, uint64_t> bits;
+};
+
+bool HoldsIn(const Guess& guess, const Sample& sample) {
+  for (const auto& bit : {guess.unless, guess.also_unless, guess.or_unless}) {
+    if (bit && (sample.bits.at(bit->first) != 0) == bit->second) return true;
+  }
+  if (guess.form == Form::kBits) return false;
+  const uint64_t number = sample.registers[guess.of_register];
+  if (guess.form == Form::kAtMost) return number <= *guess.limit;
+  if (guess.form == Form::kExactly) return number == *guess.limit;
+  const uint64_t passed = sample.counters[guess.counter] * guess.scale;
+  if (guess.form == Form::kWhile) return passed == 0;
+  if (guess.form == Form::kLong) return passed <= *guess.limit + guess.slack;
+  if (guess.form == Form::kGrows) return passed <= number + guess.slack || (guess.limit && *guess.limit <= number);
+  return passed == 0 || number + passed <= *guess.limit + guess.slack;
+}
+
+class Finder {
+ public:
+  explicit Finder(const TimeQuestion& question)
+      : question_(question), terms_(question.reach.terms), end_ms_(question.reach.rest_ms() / 2) {}
+
+  std::vector<TermId> Find();
+
+ private:
+  /// Its value before (part 0) or behind part `part` - 1, or behind power-on.
+  TermId ValueOf(TermId variable, size_t part);
+  TermId NumberOf(const Register& one, size_t part);
+  TermId ConditionOf(const Guess& guess, size_t part);
+  bool Late() const { return question_.reach.rest_ms() <= end_ms_; }
+  void CloseOver();
+  void AddRegisters();
+  void AddGuesses();
+  void AddGuessesOfBits(std::span<const std::optional<std::pair<TermId, bool>>> bits, const std::set<uint64_t>& scales);
+  void DropWrongAtStart();
+  bool LookForGreatest();
+  void DropClocks();
+  void KeepStrongest();
+  void DropContradicted();
+  bool ForEachSample(int runs, const std::function<void(const Sample&)>& visit);
+  Sample SampleOf(const std::map<TermId, uint64_t>& state) const;
+  bool Prove();
+
+  const TimeQuestion& question_;
+  Terms& terms_;
+  uint32_t end_ms_;
+  std::map<TermId, StateWord> words_;
+  std::vector<Register> registers_;
+  std::vector<uint64_t> limits_;
+  std::vector<Guess> guesses_;
+};
+
+TermId Finder::ValueOf(TermId variable, size_t part) {
+  if (part == 0) return variable;
+  const auto word = words_.find(variable);
+  if (word == words_.end()) return variable;
+  return part == kAtStart ? word->second.start : word->second.next[part - 1];
+}
+
+TermId Finder::NumberOf(const Register& one, size_t part) {
+  TermId number;
+  for (const TermId variable : one.variables) {
+    const TermId value = ValueOf(variable, part);
+    number = number.valid() ? terms_.Concat(value, number) : value;
+  }
+  switch (one.reading) {
+    case Reading::kValue:
+      return number;
+    case Reading::kAhead:
+      return terms_.Sub(number, ValueOf(question_.now, part));
+    case Reading::kBehind:
+      return terms_.Sub(ValueOf(question_.now, part), number);
+  }
+  PLCXX_UNREACHABLE();
+}
+
+TermId Finder::ConditionOf(const Guess& guess, size_t part) {
+  const Register& one = registers_[guess.of_register];
+  const uint8_t width = std::min<uint8_t>(64, std::max<uint8_t>(kLeastWidth, static_cast<uint8_t>(one.width + 1)));
+  const TermId number = terms_.Zext(NumberOf(one, part), width);
+  const auto constant = [&](uint64_t value) { return terms_.Const(value, width); };
+  TermId holds = terms_.Bit(false);
+  for (const auto& bit : {guess.unless, guess.also_unless, guess.or_unless}) {
+    if (!bit) continue;
+    const TermId value = ValueOf(bit->first, part);
+    holds = terms_.Or(holds, bit->second ? value : terms_.Not(value));
+  }
+  if (guess.form == Form::kBits) return holds;
+  if (guess.form == Form::kAtMost) return terms_.Or(holds, terms_.Ule(number, constant(*guess.limit)));
+  if (guess.form == Form::kExactly) return terms_.Or(holds, terms_.Eq(number, constant(*guess.limit)));
+  const TermId count = terms_.Zext(ValueOf(question_.counters[guess.counter], part), width);
+  const TermId passed = terms_.Mul(count, constant(guess.scale));
+  if (guess.form == Form::kWhile) return terms_.Or(holds, terms_.Eq(count, constant(0)));
+  if (guess.form == Form::kLong) return terms_.Or(holds, terms_.Ule(passed, constant(*guess.limit + guess.slack)));
+  if (guess.form == Form::kGrows) {
+    holds = terms_.Or(holds, terms_.Ule(passed, terms_.Add(number, constant(guess.slack))));
+    return guess.limit ? terms_.Or(holds, terms_.Ule(constant(*guess.limit), number)) : holds;
+  }
+  holds = terms_.Or(holds, terms_.Eq(count, constant(0)));
+  return terms_.Or(holds, terms_.Ule(terms_.Add(number, passed), constant(*guess.limit + guess.slack)));
+}
+
+/// All state on which what must not happen depends, in any number of periods.
+void Finder::CloseOver() {
+  std::set<TermId> seen;
+  std::vector<TermId> roots{question_.reach.bad};
+  roots.insert(roots.end(), question_.counters.begin(), question_.counters.end());
+  if (question_.now.valid()) roots.push_back(question_.now);
+  while (!roots.empty() && !Late()) {
+    std::vector<TermId> next;
+    for (const TermId id : ConeOf(terms_, roots)) {
+      if (terms_[id].kind != TermKind::kVariable || !seen.insert(id).second) continue;
+      const std::optional<StateWord> word = question_.reach.state_of(id);
+      if (!word) continue;
+      next.insert(next.end(), word->next.begin(), word->next.end());
+      words_[id] = *word;
+    }
+    roots = std::move(next);
+  }
+}
+
+void Finder::AddRegisters() {
+  std::set<uint64_t> limits;
+  for (const std::vector<TermId>& variables : question_.registers) {
+    const bool known = std::ranges::all_of(variables, [&](TermId variable) { return words_.contains(variable); });
+    if (!known || registers_.size() >= kMostRegisters) continue;
+    std::vector<TermId> next;
+    uint8_t width = 0;
+    for (const TermId variable : variables) {
+      next.push_back(words_[variable].next.back());
+      width = static_cast<uint8_t>(width + terms_.Width(variable));
+    }
+    bool tells_time = false;
+    for (const TermId id : ConeOf(terms_, next)) {
+      tells_time = tells_time || id == question_.now;
+      const uint64_t value = terms_[id].kind == TermKind::kConst ? terms_.Value(id) : 0;
+      if (value > 1 && value < kMostLimit) limits.insert(value);
+    }
+    registers_.push_back({.variables = variables, .reading = Reading::kValue, .width = width});
+    if (!question_.now.valid() || !tells_time || width != terms_.Width(question_.now)) continue;
+    for (const Reading reading : {Reading::kAhead, Reading::kBehind})
+      registers_.push_back({.variables = variables, .reading = reading, .width = width});
+  }
+  // The greatest ones: presets and periods, not bits of status words.
+  limits_.assign(limits.rbegin(), limits.rend());
+  std::erase_if(limits_, [](uint64_t limit) { return (limit & (limit - 1)) == 0 && limit > 64; });
+  if (limits_.size() > kMostLimits) limits_.resize(kMostLimits);
+}
+
+/// What a count says about bits alone: it is what the others need where a timer
+/// has come to its end.
+void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<TermId, bool>>> bits,
+                              const std::set<uint64_t>& scales) {
+  std::set<uint64_t> limits(limits_.begin(), limits_.end());
+  for (const Register& one : registers_) {
+    if (one.greatest < kMostLimit) limits.insert(one.greatest);
+  }
+  const auto is_same = [&bits](size_t i, size_t j) { return bits[i]->first == bits[j]->first; };
+  for (size_t i = 1; i < bits.size(); ++i) {
+    for (size_t j = i + 1; j < bits.size(); ++j) {
+      for (size_t k = j + 1; k < bits.size(); ++k) {
+        if (is_same(i, j) || is_same(j, k)) continue;
+        guesses_.push_back(
+            {.form = Form::kBits, .limit = {}, .unless = bits[i], .also_unless = bits[j], .or_unless = bits[k]});
+      }
+    }
+  }
+  for (uint32_t counter = 0; counter < question_.counters.size(); ++counter) {
+    for (size_t i = 1; i < bits.size(); ++i) {
+      guesses_.push_back({.form = Form::kWhile, .counter = counter, .limit = {}, .unless = bits[i], .also_unless = {}});
+      for (size_t j = i + 1; j < bits.size(); ++j) {
+        if (is_same(i, j)) continue;
+        guesses_.push_back(
+            {.form = Form::kWhile, .counter = counter, .limit = {}, .unless = bits[i], .also_unless = bits[j]});
+      }
+      for (const uint64_t scale : scales) {
+        for (const uint64_t limit : limits) {
+          for (uint64_t slack = 0; slack <= kMostSlack * scale; slack += scale) {
+            guesses_.push_back({.form = Form::kLong,
+                                .counter = counter,
+                                .scale = scale,
+                                .slack = slack,
+                                .limit = limit,
+                                .unless = bits[i],
+                                .also_unless = {}});
+          }
+        }
+      }
+    }
+  }
+}
+
+void Finder::AddGuesses() {
+  std::vector<std::optional<std::pair<TermId, bool>>> unless{std::nullopt};
+  for (const TermId bit : question_.bits) {
+    if (unless.size() > 2 * kMostBits || !words_.contains(bit)) continue;
+    for (const bool value : {true, false}) unless.emplace_back(std::pair(bit, value));
+  }
+  std::set<uint64_t> scales{1, question_.period_ms};
+  if (question_.period_ms % 10 == 0) scales.insert(question_.period_ms / 10);
+  for (uint32_t i = 0; i < registers_.size(); ++i) {
+    const uint64_t greatest = registers_[i].greatest;
+    std::vector<std::optional<uint64_t>> limits(limits_.begin(), limits_.end());
+    if (greatest < kMostLimit && std::ranges::find(limits_, greatest) == limits_.end()) limits.emplace_back(greatest);
+    std::vector<std::optional<uint64_t>> or_none{std::nullopt};
+    or_none.insert(or_none.end(), limits.begin(), limits.end());
+    if (greatest < kMostLimit) {
+      for (const Form form : {Form::kAtMost, Form::kExactly})
+        guesses_.push_back({.form = form, .of_register = i, .limit = greatest, .unless = {}});
+    }
+    for (uint32_t counter = 0; counter < question_.counters.size(); ++counter) {
+      for (const auto& bit : unless) {
+        for (const uint64_t scale : scales) {
+          for (uint64_t slack = 0; slack <= kMostSlack * scale; slack += scale) {
+            Guess guess{.form = Form::kGrows, .of_register = i, .counter = counter, .scale = scale, .slack = slack};
+            guess.unless = bit;
+            for (const std::optional<uint64_t>& limit : bit ? std::span(or_none).first(1) : std::span(or_none)) {
+              guess.limit = limit;
+              guesses_.push_back(guess);
+            }
+            guess.form = Form::kFalls;
+            for (const std::optional<uint64_t>& limit : limits) {
+              guess.limit = limit;
+              guesses_.push_back(guess);
+            }
+          }
+        }
+      }
+    }
+  }
+  AddGuessesOfBits(unless, scales);
+  if (guesses_.size() > kMostGuesses) guesses_.resize(kMostGuesses);
+}
+
+Sample Finder::SampleOf(const std::map<TermId, uint64_t>& state) const {
+  Sample sample;
+  for (const Register& one : registers_) {
+    uint64_t number = 0, shift = 0;
+    for (const TermId variable : one.variables) {
+      number |= state.at(variable) << shift;
+      shift += terms_.Width(variable);
+    }
+    if (one.reading == Reading::kAhead) number = Masked(number - state.at(question_.now), one.width);
+    if (one.reading == Reading::kBehind) number = Masked(state.at(question_.now) - number, one.width);
+    sample.registers.push_back(number);
+  }
+  for (const TermId counter : question_.counters) sample.counters.push_back(state.at(counter));
+  for (const TermId bit : question_.bits) {
+    const auto value = state.find(bit);
+    sample.bits[bit] = value == state.end() ? 0 : value->second;
+  }
+  return sample;
+}
+
+/// Runs in which inputs stand for long. false: there is too much to run.
+bool Finder::ForEachSample(int runs, const std::function<void(const Sample&)>& visit) {
+  std::vector<TermId> roots;
+  for (const auto& [variable, word] : words_) {
+    roots.push_back(variable);
+    roots.insert(roots.end(), word.next.begin(), word.next.end());
+  }
+  const std::vector<TermId> cone = ConeOf(terms_, roots);
+  if (cone.size() > kMostSimulatedTerms) return false;
+  std::map<uint32_t, TermId> variables;  // by number
+  for (const TermId id : cone) {
+    if (terms_[id].kind == TermKind::kVariable) variables[terms_[id].a] = id;
+  }
+  std::vector<uint64_t> values(terms_.size()), by_number(terms_.variable_count());
+  const auto value_of = [&values](TermId operand) { return values[operand.index]; };
+  Random random(0x9E3779B97F4A7C15);
+  for (int run = 0; run < runs && !Late(); ++run) {
+    std::map<TermId, uint64_t> state;
+    for (const auto& [variable, word] : words_)
+      state[variable] = terms_.IsConst(word.start) ? terms_.Value(word.start) : 0;
+    const uint64_t one_in = uint64_t{4} << (run % 8);
+    for (int period = 0; period < kPeriods && !Late(); ++period) {
+      for (const auto& [number, variable] : variables) {
+        if (words_.contains(variable)) continue;
+        if (period == 0 || random.OneIn(one_in)) by_number[number] = run == 0 ? ~uint64_t{0} : random.Next() >> 7;
+      }
+      for (size_t part = 0; part < question_.reach.parts; ++part) {
+        for (const auto& [variable, value] : state) by_number[terms_[variable].a] = value;
+        for (const TermId id : cone) {
+          values[id.index] =
+              EvaluateTerm(terms_, terms_[id], value_of, [&](uint32_t number) { return by_number[number]; });
+        }
+        for (auto& [variable, value] : state) value = values[words_.at(variable).next[part].index];
+      }
+      visit(SampleOf(state));
+    }
+  }
+  return true;
+}
+
+bool Finder::LookForGreatest() {
+  return ForEachSample(kShortRuns, [this](const Sample& sample) {
+    for (size_t i = 0; i < registers_.size(); ++i)
+      registers_[i].greatest = std::max(registers_[i].greatest, sample.registers[i]);
+  });
+}
+
+/// A distance from the clock that is sometimes very long says nothing; where it
+/// is short the register is a clock itself.
+void Finder::DropClocks() {
+  std::set<TermId> clocks;
+  for (const Register& one : registers_) {
+    if (one.reading != Reading::kValue && one.greatest <= kMostPeriodsAway * question_.period_ms)
+      clocks.insert(one.variables.front());
+  }
+  std::erase_if(registers_, [&clocks](const Register& one) {
+    const bool is_clock = clocks.contains(one.variables.front());
+    return one.reading == Reading::kValue ? is_clock : one.greatest >= kMostLimit;
+  });
+}
+
+void Finder::DropContradicted() {
+  ForEachSample(kRuns, [this](const Sample& sample) {
+    std::erase_if(guesses_, [&sample](const Guess& guess) { return !HoldsIn(guess, sample); });
+  });
+}
+
+/// Of guesses that say the same of the same, the strongest.
+void Finder::KeepStrongest() {
+  const auto bound = [](const Guess& guess) {
+    const bool is_sum = guess.form == Form::kFalls || guess.form == Form::kLong;
+    return guess.slack + (is_sum ? *guess.limit : 0);
+  };
+  const auto is_weaker = [&](const Guess& guess, const Guess& other) {
+    const bool same = guess.form == other.form && guess.of_register == other.of_register &&
+                      guess.counter == other.counter && guess.scale == other.scale;
+    if (!same || guess.form == Form::kBits) return false;
+    // Of two bits one may be enough.
+    if (guess.form == Form::kWhile) {
+      return guess.also_unless && !other.also_unless &&
+             (other.unless == guess.unless || other.unless == guess.also_unless);
+    }
+    if (other.unless && other.unless != guess.unless) return false;
+    const bool more_cases = guess.form == Form::kGrows && other.limit && other.limit != guess.limit;
+    if (more_cases || bound(other) > bound(guess)) return false;
+    return bound(other) < bound(guess) || (guess.unless && !other.unless) ||
+           (guess.form == Form::kGrows && guess.limit && !other.limit);
+  };
+  std::vector<Guess> kept;
+  for (const Guess& guess : guesses_) {
+    const bool weaker = std::ranges::any_of(guesses_, [&](const Guess& other) { return is_weaker(guess, other); });
+    if (!weaker) kept.push_back(guess);
+  }
+  guesses_ = std::move(kept);
+}
+
+bool Finder::Prove() {
+  while (!guesses_.empty()) {
+    std::vector<TermId> conditions = question_.reach.known, fails;
+    TermId any = terms_.Bit(false);
+    for (const Guess& guess : guesses_) {
+      conditions.push_back(ConditionOf(guess, 0));
+      TermId fails_somewhere = terms_.Bit(false);
+      for (size_t part = 1; part <= question_.reach.parts; ++part)
+        fails_somewhere = terms_.Or(fails_somewhere, terms_.Not(ConditionOf(guess, part)));
+      fails.push_back(fails_somewhere);
+      any = terms_.Or(any, fails_somewhere);
+    }
+    if (terms_.IsFalse(any)) return true;
+    conditions.push_back(any);
+    const uint32_t rest_ms = question_.reach.rest_ms();
+    if (rest_ms <= end_ms_) return false;
+    const Answer answer = question_.solver.Check(conditions, rest_ms - end_ms_);
+    if (answer == Answer::kNever) return true;
+    if (answer == Answer::kUnknown) return false;
+    std::vector<Guess> kept;
+    for (size_t i = 0; i < guesses_.size(); ++i) {
+      if (question_.solver.ValueOf(fails[i]) == 0) kept.push_back(guesses_[i]);
+    }
+    guesses_ = std::move(kept);
+  }
+  return true;
+}
+
+/// Behind power-on a fact has to hold, too.
+void Finder::DropWrongAtStart() {
+  std::erase_if(guesses_, [this](const Guess& guess) {
+    const TermId holds = ConditionOf(guess, kAtStart);
+    return !terms_.IsConst(holds) || terms_.IsFalse(holds);
+  });
+}
+
+std::vector<TermId> Finder::Find() {
+  CloseOver();
+  if (Late()) return {};
+  AddRegisters();
+  if (!LookForGreatest()) return {};
+  DropClocks();
+  AddGuesses();
+  DropWrongAtStart();
+  DropContradicted();
+  KeepStrongest();
+  if (Late() || !Prove()) return {};
+  std::vector<TermId> facts;
+  for (const Guess& guess : guesses_) facts.push_back(ConditionOf(guess, 0));
+  return facts;
+}
+
+}  // namespace
+
+std::vector<TermId> FindTimeFacts(const TimeQuestion& question) { return Finder(question).Find(); }
+
+}  // namespace plcxx::prove

@@ -1,0 +1,32 @@
+// What holds between times: how far a count of periods, a timer's register and the clock can be from each other.
+//
+// "A for 6000 ms implies B" is true because a timer counts while A stands: what the timer has counted is at least what
+// has passed. Such relations are guessed from a few forms, with scales and limits of the program; what random runs do
+// not contradict is proved by induction, together, and what fails is dropped until nothing does. In: the state words
+// and what must not happen. Out: facts over the variables, each of which holds in every reachable state, between parts
+// of periods, too. Not its job: other facts (compare/invariants.h, reachable.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transpiler/prove/properties/reachable.h"
+#include "transpiler/prove/solver/solver.h"
+#include "transpiler/prove/terms/terms.h"
+
+namespace plcxx::prove {
+
+struct TimeQuestion {
+  const ReachQuestion& reach;
+  Solver& solver;
+  std::vector<TermId> counters;  // variables of state words: counts of periods
+  /// Variables of state words that make a number, from the least significant one; the nearest ones first.
+  std::vector<std::vector<TermId>> registers;
+  TermId now;                // the variable of the time, a state word; none: nothing is known of it
+  std::vector<TermId> bits;  // variables, of width 1, with which a relation may begin or end
+  uint32_t period_ms = 10;
+};
+
+std::vector<TermId> FindTimeFacts(const TimeQuestion& question);
+
+}  // namespace plcxx::prove
