@@ -11,6 +11,14 @@ if(PLCXX_SANITIZE)
   target_link_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE})
 endif()
 
+# Most of what a file costs the compiler is its headers, which eight files of a folder share this way.
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
+# plcxx_alone(<file>...): files whose names in namespaces without name are others' names as well.
+macro(plcxx_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endmacro()
+
 # plcxx_library(<folder> [DEPENDS <folder>...] [LIBRARIES <external>...])
 function(plcxx_library NAME)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
@@ -35,9 +43,9 @@ function(plcxx_test NAME)
   list(TRANSFORM ARG_DEPENDS PREPEND plcxx_)
   add_executable(${NAME}_test ${SOURCES})
   target_link_libraries(${NAME}_test PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} plcxx_options GTest::gmock_main)
-  # What the tests cost is compiling them, and most of that is the headers, which several files share this way.
+  # What the tests cost is compiling them.
   target_compile_options(${NAME}_test PRIVATE $<$<CONFIG:Release>:-O0>)
-  set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ${PLCXX_UNITY})
   target_compile_definitions(${NAME}_test PRIVATE PLCXX_ROOT="${PROJECT_SOURCE_DIR}" PLCXX_BINARY="${CMAKE_BINARY_DIR}/bin/plcxx")
   set_target_properties(${NAME}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${NAME} COMMAND ${NAME}_test)

@@ -30,9 +30,9 @@ void MergeInto(PartUses& uses, const PartUses& other, Merge merge) {
   uses.state_calls.insert(other.state_calls.begin(), other.state_calls.end());
 }
 
-class Walk {
+class UseWalk {
  public:
-  explicit Walk(const ir::Program& program) : program_(program), routines_(program.routines.size()) {}
+  explicit UseWalk(const ir::Program& program) : program_(program), routines_(program.routines.size()) {}
 
   const PartUses& Routine(ir::RoutineId id) {
     std::optional<PartUses>& known = routines_[id.index];
@@ -148,7 +148,7 @@ class Walk {
 }  // namespace
 
 PartUses CollectUses(const ir::Program& program, const std::vector<ir::RoutineKind>& kinds) {
-  Walk walk(program);
+  UseWalk walk(program);
   PartUses uses;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     if (std::ranges::find(kinds, program.routines[ir::RoutineId(i)].kind) == kinds.end()) continue;

@@ -31,7 +31,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kBuildFooter = R"(Examples:
   plcxx build turret.sym turret.plc --target cortex-m4f -o out
       writes out/libturret.a, out/turret.hpp, out/plcxx/*.h, the C++, maps and the report
   plcxx build mill.cld --target rv32imac --compiler clang++-19 -O s
@@ -301,8 +301,8 @@ void AddBuild(CLI::App& app, Run& run) {
   command->add_flag("--no-audit", settings->no_audit, "Neither audit nor measure the objects")->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");
-  command->footer("");                                                                    // not the one of the program
-  command->footer([] { return TargetsText() + DialectOptionsText() + "\n" + kFooter; });  // only where it is shown
+  command->footer("");  // not the one of the program
+  command->footer([] { return TargetsText() + DialectOptionsText() + "\n" + kBuildFooter; });  // only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunBuild(*settings); }; });
 }
 

@@ -59,6 +59,7 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
 
 /// Rounded up.
 uint64_t Nanoseconds(uint64_t cycles, uint64_t clock_hz);
+inline constexpr uint64_t kNsPerUs = 1000;
 
 /// The object "build" of the report.
 nlohmann::ordered_json BuildJson(const BuildFigures& figures, const BuildWay& way);

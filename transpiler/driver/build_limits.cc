@@ -7,6 +7,7 @@
 #include <string>
 
 #include "transpiler/cost/cost_model.h"
+#include "transpiler/driver/build_figures.h"
 #include "transpiler/driver/build_slices.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/slices.h"
@@ -15,7 +16,6 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr uint64_t kNsPerUs = 1000;
 constexpr size_t kStatementsNamed = 3;
 
 using Price = uint64_t cost::Cost::*;

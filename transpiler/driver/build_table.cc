@@ -4,27 +4,15 @@
 
 #include "transpiler/compile/audit_rules.h"
 #include "transpiler/driver/build_figures.h"
+#include "transpiler/driver/columns.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr uint64_t kNsPerSecond = 1'000'000'000;
 constexpr uint64_t kHzPerMhz = 1'000'000;
-constexpr uint64_t kNsPerUs = 1000;
 
-std::string Right(std::string text, size_t width) {
-  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
-  return text;
-}
-
-std::string Left(std::string text, size_t width) {
-  text.append(width > text.size() ? width - text.size() : 0, ' ');
-  return text;
-}
-
-std::string Right(uint64_t number, size_t width) { return Right(std::to_string(number), width); }
-
-std::string Microseconds(uint64_t ns) {
+std::string MicrosecondsText(uint64_t ns) {
   const std::string tenths = std::to_string((ns + kNsPerUs / 10 - 1) / (kNsPerUs / 10));
   return (tenths.size() == 1 ? "0" : tenths.substr(0, tenths.size() - 1)) + "." + tenths.back();
 }
@@ -64,11 +52,12 @@ std::string SharedRounds(const BuildFigures& figures) {
 /// "us" rounded up to tenths, where the clock is known.
 std::string TableRow(const std::string& name, size_t width, const compile::Figures& own, const StateBytes& state,
                      uint64_t clock_hz) {
-  std::string text = "  " + Left(name, width) + Right(own.longest.instructions, 16) + Right(own.longest.cycles, 10);
-  if (clock_hz != 0) text += Right(Microseconds(Nanoseconds(own.longest.cycles, clock_hz)), 10);
+  std::string text = "  " + LeftAligned(name, width) + RightAligned(std::to_string(own.longest.instructions), 16) +
+                     RightAligned(std::to_string(own.longest.cycles), 10);
+  if (clock_hz != 0) text += RightAligned(MicrosecondsText(Nanoseconds(own.longest.cycles, clock_hz)), 10);
   for (const uint64_t bytes :
        {own.stack_bytes, own.code_bytes, own.constant_bytes, state.retentive, state.volatile_bytes})
-    text += Right(bytes, 10);
+    text += RightAligned(std::to_string(bytes), 10);
   return text + "\n";
 }
 
@@ -129,7 +118,7 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
     for (const SliceFigures& slice : partition.slices) width = std::max(width, SliceName(slice).size() + 1);
   }
   std::string text = program + " for " + std::string(way.target->name) + ", " + way.toolchain->version + ", -O" +
-                     way.level + "\n  " + Left("longest path", width + 4) + "instructions    cycles" +
+                     way.level + "\n  " + LeftAligned("longest path", width + 4) + "instructions    cycles" +
                      (timed ? "        us" : "") + "     stack      code constants retentive  volatile\n";
   for (const PartitionFigures& partition : figures.partitions) {
     text += TableRow(partition.name, width, partition.figures, partition.state, way.clock_hz);

@@ -10,7 +10,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kCheckFooter = R"(Examples:
   plcxx check turret.sym turret.plc
   plcxx check main.plc -Werror -Wno-W303
   plcxx check main.plc --diagnostics=sarif > main.sarif
@@ -49,7 +49,7 @@ void AddCheck(CLI::App& app, Run& run) {
   AddCommonOptions(*command, settings->common);
   command->add_flag("--preemptive", settings->preemptive,
                     "Also refuse what is not safe when the fast part runs from an interrupt above the slow part");
-  command->footer(kFooter);
+  command->footer(kCheckFooter);
   command->callback([settings, &run] { run = [settings] { return RunCheck(*settings); }; });
 }
 

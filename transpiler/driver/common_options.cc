@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/warning_options.h"
@@ -17,15 +18,6 @@ constexpr const char* kMessagesGroup = "Messages";
 void AddRepeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                  const std::string& placeholder, const std::string& meaning, const char* group) {
   command.add_option(name, values, meaning)->type_name(placeholder)->allow_extra_args(false)->take_all()->group(group);
-}
-
-std::string Joined(const std::vector<std::string_view>& words) {
-  std::string joined;
-  for (const std::string_view word : words) {
-    if (!joined.empty()) joined += ", ";
-    joined += word;
-  }
-  return joined;
 }
 
 bool TakeSettings(const std::vector<std::string>& settings, std::vector<std::pair<std::string, std::string>>& options) {
@@ -63,7 +55,7 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
       ->group(kSourcesGroup);
   command
       .add_option("--encoding", options.encoding,
-                  "Encoding of the sources: " + Joined(source::EncodingNames()) + "; else (auto) detected")
+                  "Encoding of the sources: " + CommaSeparated(source::EncodingNames()) + "; else (auto) detected")
       ->type_name("NAME")
       ->group(kSourcesGroup);
   AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",
@@ -106,7 +98,7 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
       PrintUsageError("unknown encoding '" + options.encoding + "': choose one of auto, " +
-                      Joined(source::EncodingNames()));
+                      CommaSeparated(source::EncodingNames()));
       return std::nullopt;
     }
   }

@@ -3,21 +3,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "transpiler/driver/build_figures.h"
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
 
-constexpr uint64_t kNsPerUs = 1000;
-
 /// Budgets and reports are in whole microseconds, as the control shows them; nothing that runs takes none.
 uint64_t Microseconds(uint64_t ns) { return (ns + kNsPerUs - 1) / kNsPerUs; }
-
-std::string Padded(std::string text, size_t width) {
-  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
-  return text;
-}
 
 /// Without directory: the report must not depend on where the sources stand.
 std::string FileName(const Compilation& compilation, source::FileId id) {
@@ -78,8 +73,8 @@ std::string ReportText(const Compilation& compilation) {
                      CountText(compilation.diagnostics) + "\n";
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
     text += "  " + partition.name + std::string(partition.name.size() < 6 ? 6 - partition.name.size() : 0, ' ') +
-            Padded(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
-            Padded(std::to_string(partition.code_bytes), 10) + " bytes\n";
+            RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
+            RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
   }
   if (compilation.estimates.slow_period_ms > 0) {
     text += "  slow part in " + support::Counted(compilation.estimates.slices, "slice") + ", period " +

@@ -18,7 +18,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDiffFooter =
     R"(Each output, call, retentive and internal location is proved to behave alike for every input and all scans, or shown
 to differ by a run, or listed as not decided. Renamed and moved statements, and logic written in another way, come out
 as equal. The slow part is compared as a whole pass, however it is sliced.
@@ -186,7 +186,7 @@ void AddDiff(CLI::App& app, Run& run) {
   command->add_option("--time", settings->time, "What is not decided by then stays so")
       ->type_name("TIME")
       ->default_str("60s");
-  command->footer(kFooter);
+  command->footer(kDiffFooter);
   command->callback([settings, &run] { run = [settings] { return RunDiff(*settings); }; });
 }
 

@@ -103,7 +103,7 @@ std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& ol
   return items;
 }
 
-constexpr uint32_t kNone = 0xFFFFFFFF;
+constexpr uint32_t kNoItem = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
 constexpr uint64_t kExampleShare = 50;  // of the time: for shorter runs
 constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
@@ -115,7 +115,7 @@ struct Touched {
 };
 
 Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::vector<CellId> Gathered::* cells) {
-  std::vector<uint32_t> item_of(side.version.cells.count, kNone);
+  std::vector<uint32_t> item_of(side.version.cells.count, kNoItem);
   for (uint32_t i = 0; i < items.size(); ++i) {
     if (items[i].item.verdict == ItemVerdict::kEqual) continue;
     for (const CellId cell : items[i].*cells) item_of[cell.index] = i;
@@ -124,7 +124,7 @@ Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::ve
   for (const StatementAccess& access : side.accesses) {
     if (!access.statement.valid()) continue;
     for (uint32_t cell = access.begin; cell < access.end; ++cell) {
-      if (item_of[cell] == kNone) continue;
+      if (item_of[cell] == kNoItem) continue;
       if (access.writes) {
         touched.writers[item_of[cell]].insert(access.statement);
       } else {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transpiler/driver/place_names.h"
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
@@ -15,8 +16,6 @@ using prove::CellId;
 using prove::CellKind;
 using prove::IsInside;
 using prove::Version;
-
-std::string NameOf(const ir::Place& place) { return place.address.empty() ? place.name : place.address; }
 
 /// Cells of a place; of an indexed one all that it may touch.
 std::pair<uint32_t, uint32_t> CellRange(const Version& version, const ir::Place& place) {
@@ -118,7 +117,7 @@ bool CellWords::IsNamed(const ir::Place& place) const {
 
 CellWord CellWords::OfPlace(const ir::Place& place) const {
   const ir::Program& program = *version_.program;
-  CellWord word{.name = NameOf(place), .address = {}, .place = place, .cells = {}};
+  CellWord word{.name = SourceName(place), .address = {}, .place = place, .cells = {}};
   if (IsNamed(place)) {
     word.name = place.name;
     word.address = place.address;
@@ -185,7 +184,8 @@ CellWord CellWords::WordOf(CellId id) const {
                              .field = cell.field};
       // The program's own name for the field, where it has one.
       for (const ir::Place& place : program.places) {
-        if (place.state == cell.state && place.field == cell.field && !NameOf(place).empty()) word.name = NameOf(place);
+        if (place.state == cell.state && place.field == cell.field && !SourceName(place).empty())
+          word.name = SourceName(place);
       }
     }
     return word;

@@ -6,12 +6,12 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFF;
+constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
 /// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
 std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
   const ir::Program& program = *version.program;
-  std::vector<uint32_t> bytes(version.cells.count, kNone);
+  std::vector<uint32_t> bytes(version.cells.count, kNowhere);
   uint32_t at = 0;
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {
     const ir::Space& space = program.spaces[ir::SpaceId(i)];
@@ -115,7 +115,7 @@ void DiffMachine::Look() {
 uint64_t DiffMachine::Seen(prove::CellId id) const {
   if (id.index >= version_.cells.calls) return calls_[id.index - version_.cells.calls];
   const uint32_t at = byte_of_[id.index];
-  if (at == kNone || at >= picture_.size()) return 0;
+  if (at == kNowhere || at >= picture_.size()) return 0;
   const bool is_bit = version_.cells.states.empty() || id.index < version_.cells.states.front();
   if (is_bit) return picture_[at] >> ((id.index - version_.cells.spaces.front()) % 8) & 1;
   const prove::Cell cell = CellAt(*version_.program, version_.cells, id);

@@ -45,7 +45,7 @@ class DiffMachine {
   sim::Simulator simulator_;
   ScenarioControl control_;
   sim::Clock clock_;
-  std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNone: nowhere
+  std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNowhere: nowhere
   std::vector<uint8_t> picture_;
   std::vector<sim::HostEvent> events_;
   std::vector<uint64_t> calls_;  // by host function: a hash of its calls so far

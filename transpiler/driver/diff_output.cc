@@ -78,11 +78,11 @@ std::string RestOfWake(size_t count) {
 
 void AddStatements(std::string& text, std::string_view side, const std::vector<ItemStatement>& statements,
                    diag::Colour colour) {
-  constexpr size_t kMost = 6;
+  constexpr size_t kMostStatements = 6;
   size_t shown = 0;
   for (const ItemStatement& statement : statements) {
-    if (shown++ == kMost) {
-      text += "      " + std::string(side) + "  and " + std::to_string(statements.size() - kMost) + " more\n";
+    if (shown++ == kMostStatements) {
+      text += "      " + std::string(side) + "  and " + std::to_string(statements.size() - kMostStatements) + " more\n";
       return;
     }
     const std::string line = statement.file + ":" + std::to_string(statement.line) + "  " + statement.text;

@@ -61,7 +61,7 @@ std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, con
 bool HasNoName(const CellWord& word) { return !word.place && word.cells.size() == 1; }
 
 /// A value as a scenario writes it.
-std::string ValueText(const CellWord& word, uint64_t value) {
+std::string WordText(const CellWord& word, uint64_t value) {
   const bool is_float = word.place && sim::IsFloat(word.place->type);
   return is_float ? sim::ValueDigits(word.place->type, value) : std::to_string(value);
 }
@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const DiffSide& old_side
       const auto cell = now.find(word.cells[i]);
       if (cell != now.end()) value |= cell->second << i;
     }
-    sets.emplace_back(ScenarioName(old_side, new_side, request, word), ValueText(word, value));
+    sets.emplace_back(ScenarioName(old_side, new_side, request, word), WordText(word, value));
   }
   return sets;
 }
@@ -184,12 +184,12 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const Counterexample
   return candidates;
 }
 
+}  // namespace
+
 /// Both versions behind the last stimulus.
 struct Ends {
   DiffMachine old_machine, new_machine;
 };
-
-}  // namespace
 
 struct ShownRun {
   Stimuli stimuli;
@@ -270,8 +270,8 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
     return "expect_calls: " + *calls;
   }
   const SeenDifference seen = FindSeen(request, ends);
-  example.old_value = ValueText(seen.word, seen.old_value);
-  example.new_value = ValueText(seen.word, seen.new_value);
+  example.old_value = WordText(seen.word, seen.old_value);
+  example.new_value = WordText(seen.word, seen.new_value);
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
   const std::string name = ScenarioName(old_side, new_side, request, seen.word);

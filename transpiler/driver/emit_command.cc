@@ -21,7 +21,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kEmitFooter = R"(Examples:
   plcxx emit turret.sym turret.plc -o generated
       writes generated/turret.hpp, turret.cpp, turret.map.json and turret.report.json
   plcxx emit main.plc --name mill -o out --depfile out/mill.d
@@ -125,8 +125,8 @@ void AddEmit(CLI::App& app, Run& run) {
       ->excludes(debug)
       ->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
-  command->footer("");                                                    // not the one of the program
-  command->footer([] { return DialectOptionsText() + "\n" + kFooter; });  // made only where it is shown
+  command->footer("");                                                        // not the one of the program
+  command->footer([] { return DialectOptionsText() + "\n" + kEmitFooter; });  // made only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunEmit(*settings); }; });
 }
 

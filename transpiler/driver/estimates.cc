@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "transpiler/cost/cost_model.h"
+#include "transpiler/driver/build_figures.h"
 #include "transpiler/passes/cut_slices.h"
 
 namespace plcxx::driver {
 namespace {
 
-constexpr uint64_t kNsPerUs = 1000;
 constexpr uint64_t kNsPerMs = 1'000'000;
 constexpr uint64_t kBytesPerKb = 1024;
 

@@ -11,6 +11,7 @@
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/explain.h"
 #include "transpiler/diagnostics/places.h"
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
@@ -18,7 +19,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kExplainFooter = R"(Examples:
   plcxx explain nc110-41
   plcxx explain W356          without the dialect where it is clear
   plcxx explain --list
@@ -82,15 +83,6 @@ std::vector<std::string_view> NearCodes(std::string_view asked) {
   return codes;
 }
 
-std::string Joined(const std::vector<std::string_view>& codes) {
-  std::string joined;
-  for (const std::string_view code : codes) {
-    if (!joined.empty()) joined += ", ";
-    joined += code;
-  }
-  return joined;
-}
-
 /// "nc110-41   error    wrong block name ...": the heading of each page, in the catalogue's order.
 void PrintList() {
   std::string_view last;
@@ -119,7 +111,7 @@ int RunExplain(const ExplainSettings& settings) {
   if (!page) {
     const std::vector<std::string_view> named = CodesNamed(settings.code);
     if (named.size() > 1) {
-      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + Joined(named));
+      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + CommaSeparated(named));
       return kWrongUse;
     }
     if (named.size() == 1) page = diag::Explain(named.front());
@@ -127,7 +119,7 @@ int RunExplain(const ExplainSettings& settings) {
   if (!page) {
     const std::vector<std::string_view> near = NearCodes(settings.code);
     PrintUsageError("unknown code '" + settings.code + "'" +
-                    (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + Joined(near)));
+                    (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + CommaSeparated(near)));
     return kWrongUse;
   }
   std::cout << *page;
@@ -142,7 +134,7 @@ void AddExplain(CLI::App& app, Run& run) {
   const auto settings = std::make_shared<ExplainSettings>();
   command->add_option("CODE", settings->code, "A code such as nc110-41")->type_name("");
   command->add_flag("--list", settings->list, "All codes");
-  command->footer(kFooter);
+  command->footer(kExplainFooter);
   command->callback([settings, &run] { run = [settings] { return RunExplain(*settings); }; });
 }
 

@@ -11,7 +11,7 @@
 namespace plcxx::driver {
 namespace {
 
-std::string Named(const sim::Engine& engine, const std::string& text) {
+std::string ByEngine(const sim::Engine& engine, const std::string& text) {
   return std::string(engine.name()) + ": " + text;
 }
 
@@ -97,7 +97,7 @@ sim::HostAnswer Lockstep::AnswerAgain(sim::Engine& engine, ir::HostFunctionId fu
 
 void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second) {
   if (difference_) return;
-  difference_ = {"the host calls", std::nullopt, Named(*engines_.front(), first), Named(other, second), now_ms_};
+  difference_ = {"the host calls", std::nullopt, ByEngine(*engines_.front(), first), ByEngine(other, second), now_ms_};
 }
 
 void Lockstep::PowerOn() {
@@ -158,8 +158,8 @@ void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& exp
   if (difference_ || found == expected) return;
   const sim::Engine& first = *engines_.front();
   if (found.size() != expected.size()) {
-    difference_ = {"the size of the state", std::nullopt, Named(first, std::to_string(expected.size()) + " bytes"),
-                   Named(other, std::to_string(found.size()) + " bytes"), now_ms};
+    difference_ = {"the size of the state", std::nullopt, ByEngine(first, std::to_string(expected.size()) + " bytes"),
+                   ByEngine(other, std::to_string(found.size()) + " bytes"), now_ms};
     return;
   }
   for (size_t from = 0;;) {
@@ -171,8 +171,8 @@ void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& exp
     const uint64_t left = CellValue(cell, expected), right = CellValue(cell, found);
     from = at + 1;
     if (IsNaN(cell.type, left) && IsNaN(cell.type, right)) continue;
-    difference_ = {cell.name, cell.place, Named(first, ValueText(cell.type, left)),
-                   Named(other, ValueText(cell.type, right)), now_ms};
+    difference_ = {cell.name, cell.place, ByEngine(first, ValueText(cell.type, left)),
+                   ByEngine(other, ValueText(cell.type, right)), now_ms};
     return;
   }
 }

@@ -1,11 +1,10 @@
 #include "transpiler/driver/lockstep_snapshot.h"
 
+#include "transpiler/driver/place_names.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::driver {
 namespace {
-
-std::string NameOf(const ir::Place& place) { return place.address.empty() ? place.name : place.address; }
 
 /// Does the place hold one of `bits` of the byte `offset` of the space?
 bool Holds(const ir::Place& place, ir::SpaceId space, uint32_t offset, uint8_t bits) {
@@ -27,7 +26,7 @@ SnapshotCell MemoryCell(const ir::Program& program, ir::SpaceId space, size_t ba
   const bool big_endian = program.spaces[space].order == ir::ByteOrder::kBig;
   if (found != nullptr) {
     const uint8_t bit = found->type == ir::Type::kBit ? found->bit : uint8_t{0};
-    return {NameOf(*found), *found, found->type, base + found->offset, bit, big_endian};
+    return {SourceName(*found), *found, found->type, base + found->offset, bit, big_endian};
   }
   ir::Place byte;
   byte.name = program.spaces[space].name + " byte " + std::to_string(offset);
@@ -48,7 +47,7 @@ SnapshotCell FieldCell(const ir::Program& program, ir::StateId state, uint8_t fi
   }
   for (const ir::Place& place : program.places) {
     if (place.is_field() && place.state == state && place.field == field)
-      return {NameOf(place), place, info.type, base, 0, false};
+      return {SourceName(place), place, info.type, base, 0, false};
   }
   return {instance.name + "." + std::string(info.name), std::nullopt, info.type, base, 0, false};
 }

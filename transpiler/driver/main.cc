@@ -13,7 +13,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kMainFooter = R"(Examples:
   plcxx emit turret.sym turret.plc -o generated     C++ for any toolchain
   plcxx build turret.plc --target cortex-m4f        a library for a controller, audited and measured
   plcxx check turret.sym turret.plc                 what is wrong or doubtful
@@ -38,7 +38,7 @@ int Main(int argc, char** argv) {
   app.set_version_flag("--version", "plcxx " PLCXX_VERSION, "Show the version");
   app.set_help_flag("-h,--help", "Show this help");
   app.require_subcommand(1);
-  app.footer(kFooter);
+  app.footer(kMainFooter);
   AddEmit(app, run);
   AddBuild(app, run);
   AddCheck(app, run);

@@ -13,7 +13,7 @@ namespace plcxx::driver {
 namespace {
 
 constexpr int kVersionSeconds = 10;
-constexpr int kCompileSeconds = 60;
+constexpr int kPlatformSeconds = 60;
 
 struct EmulatedMachine {
   std::string_view name, target, emulator, emulator_package, compiler_package, processor, script;
@@ -110,7 +110,7 @@ PlatformOrFailure MakeEmulatedPlatform(std::string_view name) {
   arguments.insert(arguments.end(),
                    {"-fno-tree-loop-distribute-patterns", "-r", "-o", object, shared.path() + "/emulated.cc",
                     shared.path() + "/" + std::string(machine->processor)});
-  const compile::ProcessResult result = compile::RunProcess(arguments, kCompileSeconds);
+  const compile::ProcessResult result = compile::RunProcess(arguments, kPlatformSeconds);
   if (result.exit_code != 0)
     return CompileFailure{"'" + compiler + "' cannot compile the console:\n" + FirstLines(result.output)};
   platform->link = {object, "-T", shared.path() + "/" + std::string(machine->script), "-Wl,--no-warn-rwx-segments",

@@ -15,7 +15,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Phases:
+constexpr const char* kPrintFooter = R"(Phases:
   source         the text as UTF-8         ir             typed IR as lowered       ir-emittable  ready to be printed
   tokens         what the lexer sees       ir-structured  nested regions            cpp           the generated files
   syntax         the syntax tree           ir-optimized   sliced and optimized
@@ -128,7 +128,7 @@ void AddPrint(CLI::App& app, Run& run) {
   const auto settings = std::make_shared<PrintSettings>();
   command->add_option("PHASE", settings->phase, PhaseNames())->required()->type_name("");
   AddCommonOptions(*command, settings->common);
-  command->footer(kFooter);
+  command->footer(kPrintFooter);
   command->callback([settings, &run] { run = [settings] { return RunPrint(*settings); }; });
 }
 

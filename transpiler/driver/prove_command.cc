@@ -24,7 +24,8 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Properties, one a line ('#' begins a comment); locations are written as in scenarios:
+constexpr const char* kProveFooter =
+    R"(Properties, one a line ('#' begins a comment); locations are written as in scenarios:
   never U4A8 and U4A9                      not both, after any period
   at most one of U4A8, U4A9, U4A10         (or: exactly one of)
   W10K3 in 0..12                           (also = != < <= > >=, and 'is', 'is not')
@@ -262,7 +263,7 @@ void AddProve(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"text", "json"}));
   command->add_option("--junit", settings->junit, "Write the results as JUnit XML, each property a test")
       ->type_name("FILE");
-  command->footer(kFooter);
+  command->footer(kProveFooter);
   command->callback([settings, &run] { run = [settings] { return Prove(*settings).Run(); }; });
 }
 

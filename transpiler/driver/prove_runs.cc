@@ -19,9 +19,9 @@ namespace {
 using prove::CellId;
 using prove::Random;
 
-constexpr uint32_t kMostPeriods = 20'000;  // of one run
+constexpr uint32_t kRunPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
-constexpr int kShortHoldRuns = 96, kHoldRuns = 24, kRandomRuns = 24, kDisturbances = 6;
+constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kWaits = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
 /// The answer is there; a short one is read more easily.
@@ -29,7 +29,7 @@ constexpr std::chrono::seconds kShorteningTime{2};
 
 uint32_t PeriodsOfMs(const ProveMachine& machine, uint64_t ms) {
   const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
-  return static_cast<uint32_t>(std::clamp<uint64_t>((ms + period_ms - 1) / period_ms, 1, kMostPeriods));
+  return static_cast<uint32_t>(std::clamp<uint64_t>((ms + period_ms - 1) / period_ms, 1, kRunPeriods));
 }
 
 /// The program in the simulator, with the dialect's simulated control around it, watched period by period.
@@ -121,7 +121,7 @@ void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
         (uint64_t{step.fast} * timing.fast_periods + timing.fast_per_period - 1) / std::max(1U, timing.fast_per_period);
     const uint64_t periods =
         uint64_t{step.slow} * timing.slow_periods + fast + (step.ms == 0 ? 0 : PeriodsOfMs(machine_, step.ms));
-    plan.periods = static_cast<uint32_t>(std::min<uint64_t>(kMostPeriods, plan.periods + periods));
+    plan.periods = static_cast<uint32_t>(std::min<uint64_t>(kRunPeriods, plan.periods + periods));
   }
   if (plan.periods > 0) known_.push_back(std::move(plan));
 }
@@ -173,8 +173,8 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
     std::ranges::stable_sort(plan.events, {}, &RunEvent::period);
   };
   Random random(0x9E3779B97F4A7C15);
-  const uint32_t hold = std::min(kMostPeriods, PeriodsOfMs(machine_, kHoldMs));
-  for (int run = 0; run < kShortHoldRuns + kHoldRuns && !Late(); ++run) {
+  const uint32_t hold = std::min(kRunPeriods, PeriodsOfMs(machine_, kHoldMs));
+  for (int run = 0; run < kShortHoldRuns + kLongHoldRuns && !Late(); ++run) {
     const bool is_short = run < kShortHoldRuns;
     Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
     // Settings that the host might change say little about most machines.
@@ -195,7 +195,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
       plan = known_[random.Next() % known_.size()];
       plan.periods = static_cast<uint32_t>(1 + random.Next() % plan.periods);
       std::erase_if(plan.events, [&plan](const RunEvent& event) { return event.period > plan.periods; });
-      for (int i = 0; i < kDisturbances && !inputs.empty(); ++i) {
+      for (int i = 0; i < kWaits && !inputs.empty(); ++i) {
         ++plan.periods;
         for (uint64_t changes = 1 + random.Next() % 3; changes > 0; --changes)
           plan.events.push_back({plan.periods, inputs[random.Next() % inputs.size()], (random.Next() >> 7 & 1) != 0});
@@ -209,7 +209,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
         if (random.OneIn(8)) {
           const auto wait = static_cast<uint32_t>(random.Next() % kRandomPeriods);
           period += wait;
-          plan.periods = std::min(kMostPeriods, plan.periods + wait);
+          plan.periods = std::min(kRunPeriods, plan.periods + wait);
         }
       }
     }

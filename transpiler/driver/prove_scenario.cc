@@ -15,7 +15,7 @@ namespace {
 
 using prove::CellId;
 
-std::string Quoted(const std::string& text) {
+std::string Scalar(const std::string& text) {
   const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
            c == '/';
@@ -42,7 +42,7 @@ std::string Heading(const ProveMachine& machine, const CompilationRequest& reque
   text += "dialect: " + std::string(machine.compilation.dialect->name) + "\nsources: [";
   std::string separator;
   for (const std::string& source : request.sources) {
-    text += separator + Quoted(PathFrom(directory, request, source));
+    text += separator + Scalar(PathFrom(directory, request, source));
     separator = ", ";
   }
   text += "]\n";
@@ -54,12 +54,12 @@ std::string Heading(const ProveMachine& machine, const CompilationRequest& reque
     const std::filesystem::path file = std::filesystem::path(request.base_directory) / value;
     std::error_code none;
     if (!value.empty() && std::filesystem::is_regular_file(file, none)) written = PathFrom(directory, request, value);
-    options += separator + Quoted(key) + ": " + Quoted(written);
+    options += separator + Scalar(key) + ": " + Scalar(written);
     separator = ", ";
   }
   if (request.encoding) options += separator + "encoding: " + std::string(source::Name(*request.encoding));
   if (!options.empty()) text += "options: {" + options + "}\n";
-  return text + "properties:\n- " + Quoted(property.text) + "\n";
+  return text + "properties:\n- " + Scalar(property.text) + "\n";
 }
 
 /// The steps of the run; false: an input has no name.
@@ -109,7 +109,7 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
       if (!changes) continue;
       uint64_t value = 0;
       for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
-      sets += (sets.empty() ? "" : ", ") + Quoted(word.name) + ": " + std::to_string(value);
+      sets += (sets.empty() ? "" : ", ") + Scalar(word.name) + ": " + std::to_string(value);
       add_line(word.name + "=" + std::to_string(value));
     }
     if (!sets.empty()) steps += "- set: {" + sets + "}\n";
@@ -122,7 +122,7 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
       const std::vector<InputWord> request =
           WordsOf(machine, CellsOf(program, machine.version.cells, program.places[asked]));
       if (!request.front().name.empty()) {
-        steps += "- set: {" + Quoted(request.front().name) + ": 1}\n";
+        steps += "- set: {" + Scalar(request.front().name) + ": 1}\n";
         add_line(request.front().name + "=1");
       }
     }
@@ -157,7 +157,7 @@ PropertyScenario MakePropertyScenario(const ProveMachine& machine, const Compila
     const uint64_t ms = uint64_t{property.periods} * machine.compilation.program.schedule.period_ms;
     scenario.yaml +=
         "- run: {" + (machine.slices > 1 ? "slow: " + std::to_string(property.periods) : "ms: " + std::to_string(ms)) +
-        "}\n- expect: {" + Quoted(property.operands.front().text) + ": " + (result.stuck_at ? "1" : "0") + "}\n";
+        "}\n- expect: {" + Scalar(property.operands.front().text) + ": " + (result.stuck_at ? "1" : "0") + "}\n";
   }
   const std::string path = (std::filesystem::path(place.directory) / place.name).generic_string();
   ScenarioOrErrors read = ParseScenario(path, scenario.yaml);

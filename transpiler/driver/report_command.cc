@@ -6,6 +6,7 @@
 
 #include "transpiler/checks/accesses.h"
 #include "transpiler/cost/cost_model.h"
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
@@ -20,7 +21,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kReportFooter = R"(Examples:
   plcxx report turret.sym turret.plc -o review            writes review/turret.html: source, C++ and ladder side by side,
                                                           cross reference, memory map, budget
   plcxx report turret.sym turret.plc --ladder -o pictures writes pictures/turret.slow.svg ..., one for each routine
@@ -93,11 +94,6 @@ const Uses* UsesOf(const Compilation& compilation, const UsesByBits& uses, const
   return found == uses.end() ? nullptr : &found->second;
 }
 
-std::string Padded(std::string text, size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
-  return text;
-}
-
 std::string PlacesText(const Compilation& compilation, const std::vector<source::Range>& ranges) {
   std::string out;
   for (const source::Range& range : ranges) {
@@ -125,8 +121,8 @@ void PrintSymbols(const Compilation& compilation) {
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {
-    std::cout << Padded(name, 17) << ' ' << Padded(row.address, 9) << ' '
-              << Padded(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
+    std::cout << LeftAligned(name, 17) << ' ' << LeftAligned(row.address, 9) << ' '
+              << LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
               << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
   }
 }
@@ -155,9 +151,9 @@ void PrintCosts(const Compilation& compilation) {
     for (const cost::StatementCost& statement : estimate.statements) {
       const source::Range range = program.statements[statement.statement].range;
       const std::string_view text = compilation.sources->Text(range);
-      std::cout << "  " << Padded(std::to_string(statement.own.time_ns) + " ns", 9)
-                << Padded(std::to_string(statement.own.code_bytes) + " bytes", 11) << PlacesText(compilation, {range})
-                << "  " << text.substr(0, text.find_first_of("\r\n")) << '\n';
+      std::cout << "  " << LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
+                << LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
+                << PlacesText(compilation, {range}) << "  " << text.substr(0, text.find_first_of("\r\n")) << '\n';
     }
   }
 }
@@ -170,8 +166,8 @@ void PrintResources(const Compilation& compilation) {
   }
   std::cout << "resource          used    available\n";
   for (const dialects::ResourceUse& resource : compilation.summary.resources) {
-    std::cout << Padded(std::string(resource.name), 17) << ' ' << Padded(std::to_string(resource.used), 7) << ' '
-              << resource.available << '\n';
+    std::cout << LeftAligned(std::string(resource.name), 17) << ' ' << LeftAligned(std::to_string(resource.used), 7)
+              << ' ' << resource.available << '\n';
   }
 }
 
@@ -186,7 +182,7 @@ void PrintLists(const Compilation& compilation) {
     }
     const auto line = [&widths](const std::vector<std::string>& row) {
       std::string text = " ";
-      for (size_t i = 0; i < row.size(); ++i) text += ' ' + Padded(row[i], widths[i] + 1);
+      for (size_t i = 0; i < row.size(); ++i) text += ' ' + LeftAligned(row[i], widths[i] + 1);
       std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
     };
     std::cout << table.title << (table.rows.empty() ? ": none\n" : "\n");
@@ -282,7 +278,7 @@ void AddReport(CLI::App& app, Run& run) {
   command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");
   command->add_flag("--resources", options->resources, "What the program uses of what the control has");
   command->add_flag("--lists", options->lists, "Further lists of the dialect: handlers, alarms, codes, cells, limits");
-  command->footer(kFooter);
+  command->footer(kReportFooter);
   command->callback([options, &run] { run = [options] { return RunReport(*options); }; });
 }
 

@@ -86,9 +86,9 @@ std::string RangeText(ir::Type type) {
   return sim::IsFloat(type) ? "a number" : "0 to " + std::to_string(Largest(type));
 }
 
-class Planner {
+class ScenarioPlanner {
  public:
-  Planner(const Scenario& scenario, const dialects::Dialect& dialect, const ir::Program& program)
+  ScenarioPlanner(const Scenario& scenario, const dialects::Dialect& dialect, const ir::Program& program)
       : scenario_(scenario), dialect_(dialect), program_(program) {}
 
   ScenarioPlan Plan() {
@@ -259,7 +259,7 @@ std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type,
 std::variant<ScenarioPlan, std::vector<ScenarioError>> PlanScenario(const Scenario& scenario,
                                                                     const dialects::Dialect& dialect,
                                                                     const ir::Program& program) {
-  Planner planner(scenario, dialect, program);
+  ScenarioPlanner planner(scenario, dialect, program);
   ScenarioPlan plan = planner.Plan();
   if (!planner.errors().empty()) return std::move(planner.errors());
   return plan;

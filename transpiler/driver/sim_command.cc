@@ -14,7 +14,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kSimFooter = R"(Examples:
   plcxx sim turret.sym turret.plc --watch U4A8,W2K2
       one second of the machine, a row for each scan
   plcxx sim turret.plc --for 3s --at 100ms:I0A3=1 --at 2s:I0A3=0 --watch I0A3,U4A8 --changes
@@ -133,7 +133,7 @@ void AddSim(CLI::App& app, Run& run) {
   add("--samples", words.samples, "N", "The graph is complete after N samples");
   add("--vcd", settings->waveform, "FILE", "Write the watched locations as a waveform");
   add("--time-limit", settings->time_limit, "SECONDS", "Of real time, at most (60)")->check(CLI::Range(1u, 86'400u));
-  command->footer(kFooter);
+  command->footer(kSimFooter);
   command->callback([settings, &run] { run = [settings] { return RunSim(*settings); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/lockstep.h"
 #include "transpiler/driver/scenario_control.h"
 #include "transpiler/sim/clock.h"
@@ -17,17 +18,12 @@ namespace {
 constexpr size_t kTimeWidth = 9;
 constexpr size_t kByteBits = 8;
 
-std::string Right(std::string text, size_t width) {
-  text.insert(0, width > text.size() ? width - text.size() : 0, ' ');
-  return text;
-}
-
 /// A word as the control's monitor shows it: binary digits and decimal value.
 std::string MonitorText(const sim::Watched& watched, uint64_t value) {
   if (watched.place.type != ir::Type::kI8) return sim::ValueDigits(watched.place.type, value, watched.sign);
   std::string digits;
   for (size_t bit = kByteBits; bit-- > 0;) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
-  return digits + Right(std::to_string(value), 4);
+  return digits + RightAligned(std::to_string(value), 4);
 }
 
 size_t ColumnWidth(const sim::Watched& watched) {
@@ -43,8 +39,8 @@ class Table {
   Table(std::vector<sim::Watched> watched, Rows rows, std::ostream& out)
       : watched_(std::move(watched)), rows_(rows), out_(out) {
     if (watched_.empty()) return;
-    out_ << Right("time ms", kTimeWidth);
-    for (const sim::Watched& column : watched_) out_ << "  " << Right(column.name, ColumnWidth(column));
+    out_ << RightAligned("time ms", kTimeWidth);
+    for (const sim::Watched& column : watched_) out_ << "  " << RightAligned(column.name, ColumnWidth(column));
     out_ << '\n';
   }
 
@@ -53,16 +49,16 @@ class Table {
     std::vector<uint64_t> values;
     for (const sim::Watched& column : watched_) values.push_back(read(column));
     if (rows_ == Rows::kChangesOnly && values == last_) return;
-    out_ << Right(std::to_string(time_ms), kTimeWidth);
+    out_ << RightAligned(std::to_string(time_ms), kTimeWidth);
     for (size_t i = 0; i < values.size(); ++i) {
-      out_ << "  " << Right(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
+      out_ << "  " << RightAligned(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
     }
     out_ << '\n';
     last_ = std::move(values);
   }
 
   void Event(uint64_t time_ms, const std::string& text) {
-    out_ << Right(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
+    out_ << RightAligned(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
   }
 
  private:

@@ -18,7 +18,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kTestFooter = R"(Examples:
   plcxx test turret.yaml                      the simulator and the generated code, in lockstep
   plcxx test scenarios --junit result.xml     every *.yaml below a directory
   plcxx test turret.yaml --vcd turret.vcd     and look at it with a waveform viewer
@@ -159,7 +159,7 @@ void AddTest(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 64));
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
-  command->footer(kFooter);
+  command->footer(kTestFooter);
   command->callback([settings, &run] { run = [settings] { return RunTest(*settings); }; });
 }
 

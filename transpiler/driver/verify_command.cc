@@ -24,7 +24,7 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kVerifyFooter = R"(Examples:
   plcxx verify turret.sym turret.plc
   plcxx verify mill.cld --certificate mill.verified.json
   plcxx verify turret.plc -O s --time 5min
@@ -252,7 +252,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->default_str("60s")
       ->group("Limits");
   command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
-  command->footer(kFooter);
+  command->footer(kVerifyFooter);
   command->callback([settings, &run] { run = [settings] { return RunVerify(*settings); }; });
 }
 

@@ -16,8 +16,6 @@ using ir::Type;
 
 constexpr uint32_t kRetentiveHeader = 4;  // the layout hash in front of the bytes
 
-uint32_t RoundUp(uint32_t value, uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
-
 /// How the program touches one byte, alone.
 struct Use {
   uint8_t bits = 0;    // mask of single bits

@@ -102,6 +102,11 @@ struct Elements {
 };
 Elements ElementsOf(const ir::Place& place);
 
+/// `value`, or the next multiple of `alignment` behind it.
+constexpr uint32_t RoundUp(uint32_t value, uint32_t alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
+
 /// Bytes and alignment of an instance's struct, and the offset of a field in it.
 uint32_t StructBytes(ir::StateKind kind);
 uint32_t StructAlignment(ir::StateKind kind);

@@ -6,12 +6,6 @@
 #include "transpiler/support/check.h"
 
 namespace plcxx::emit {
-namespace {
-
-uint32_t RoundUp(uint32_t value, uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
-
-}  // namespace
-
 bool IsWord(Storage storage) { return storage >= Storage::kWord16 && storage <= Storage::kFloat64; }
 
 const WordMember& WordMemberOf(Storage storage) {

@@ -5,7 +5,7 @@
 namespace plcxx::ir {
 namespace {
 
-constexpr uint32_t kNone = support::Id<void>::kNone;
+constexpr uint32_t kNoValue = support::Id<void>::kNone;
 constexpr std::string_view kOperandNames[] = {"operand 1", "operand 2", "operand 3"};
 
 /// How many low bits of a constant count.
@@ -29,7 +29,7 @@ struct OperandCheck {
     for (uint32_t i = 0; i < 3; ++i) {
       if (i < info.operand_count) {
         Use(words[i], info.operands[i], kOperandNames[i]);
-      } else if (words[i] != kNone) {
+      } else if (words[i] != kNoValue) {
         Report("too many operands");
       }
     }
@@ -49,7 +49,7 @@ struct OperandCheck {
       return Type::kNone;
     }
     const Place& place = program.places[PlaceId(inst.payload)];
-    if (place.indexed != (index != kNone)) {
+    if (place.indexed != (index != kNoValue)) {
       Report(place.name + (place.indexed ? " needs an index" : " has no index"));
     } else if (place.indexed) {
       Use(index, Type::kI32, "index");

@@ -17,7 +17,7 @@ using ir::OpKind;
 using ir::RegionId;
 
 /// A jump of the list or nested in one of its instructions, to a label of the list.
-struct JumpIn {
+struct LoopJump {
   InstId id;
   size_t at;     // index of the list's instruction that it is, or is nested in
   size_t label;  // index of its label
@@ -35,7 +35,7 @@ struct Interval {
 struct LoopMaker {
   ir::Program& program;
   std::vector<InstId> insts;
-  std::vector<JumpIn> jumps;
+  std::vector<LoopJump> jumps;
   std::vector<Interval> loops;  // two of them are disjoint, or one is in the other
   ir::Builder builder;
 
@@ -47,10 +47,10 @@ struct LoopMaker {
   bool ReachEntries();
   void Rebuild(RegionId region);
   void Make(const Interval& interval, RegionId outer);
-  void MakeRepeat(const JumpIn& jump, InstId loop, ir::PlaceId resume, uint64_t number);
+  void MakeRepeat(const LoopJump& jump, InstId loop, ir::PlaceId resume, uint64_t number);
   size_t HeadOf(size_t label) const;
   size_t EndOfStatement(size_t at) const;
-  const Interval* LoopOf(const JumpIn& jump) const;
+  const Interval* LoopOf(const LoopJump& jump) const;
 };
 
 /// Where a loop from this label begins: before the markers and labels that stand directly before it.
@@ -115,7 +115,7 @@ bool LoopMaker::MergeCrossing() {
 bool LoopMaker::ReachEntries() {
   bool moved = false;
   for (Interval& loop : loops) {
-    for (const JumpIn& jump : jumps) {
+    for (const LoopJump& jump : jumps) {
       if (jump.at >= loop.begin || jump.head <= loop.begin || jump.head >= loop.end) continue;
       loop.begin = jump.at;
       moved = true;
@@ -125,7 +125,7 @@ bool LoopMaker::ReachEntries() {
 }
 
 void LoopMaker::FindLoops() {
-  for (const JumpIn& jump : jumps) {
+  for (const LoopJump& jump : jumps) {
     if (jump.back()) loops.push_back({jump.head, EndOfStatement(jump.at)});
   }
   for (bool changed = !loops.empty(); changed;) {
@@ -135,7 +135,7 @@ void LoopMaker::FindLoops() {
 }
 
 /// The innermost loop that holds the jump and its label.
-const Interval* LoopMaker::LoopOf(const JumpIn& jump) const {
+const Interval* LoopMaker::LoopOf(const LoopJump& jump) const {
   const Interval* innermost = nullptr;
   for (const Interval& loop : loops) {
     if (!loop.Holds(jump.at) || !loop.Holds(jump.head)) continue;
@@ -145,7 +145,7 @@ const Interval* LoopMaker::LoopOf(const JumpIn& jump) const {
 }
 
 /// `number` tells the choice at the loop's head where to go on, when it has one.
-void LoopMaker::MakeRepeat(const JumpIn& jump, InstId loop, ir::PlaceId resume, uint64_t number) {
+void LoopMaker::MakeRepeat(const LoopJump& jump, InstId loop, ir::PlaceId resume, uint64_t number) {
   const Inst was = program[jump.id];
   if (!resume.valid()) {
     program[jump.id] = {.op = OpKind::kRepeat, .range = was.range, .payload = loop.index, .a = was.a, .b = was.b};
@@ -170,9 +170,9 @@ void LoopMaker::MakeRepeat(const JumpIn& jump, InstId loop, ir::PlaceId resume, 
 
 /// Appends the loop to `outer`.
 void LoopMaker::Make(const Interval& interval, RegionId outer) {
-  std::vector<const JumpIn*> own;  // jumps back that are this loop's, not an inner one's
-  std::vector<size_t> middles;     // labels that they reach by way of the head
-  for (const JumpIn& jump : jumps) {
+  std::vector<const LoopJump*> own;  // jumps back that are this loop's, not an inner one's
+  std::vector<size_t> middles;       // labels that they reach by way of the head
+  for (const LoopJump& jump : jumps) {
     if (!jump.back() || LoopOf(jump) != &interval) continue;
     own.push_back(&jump);
     if (jump.head > interval.begin) middles.push_back(jump.label);
@@ -220,7 +220,7 @@ void LoopMaker::Make(const Interval& interval, RegionId outer) {
   list.insert(list.end(), markers.begin(), markers.end());
   list.insert(list.end(), insts.begin() + static_cast<ptrdiff_t>(first),
               insts.begin() + static_cast<ptrdiff_t>(interval.end));
-  for (const JumpIn* jump : own) {
+  for (const LoopJump* jump : own) {
     const auto middle = std::lower_bound(middles.begin(), middles.end(), jump->label);
     const bool to_middle = middle != middles.end() && *middle == jump->label;
     MakeRepeat(*jump, loop, resume, to_middle ? static_cast<uint64_t>(middle - middles.begin()) + 1 : 0);

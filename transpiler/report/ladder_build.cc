@@ -5,11 +5,7 @@
 #include "transpiler/ir/builder.h"
 
 namespace plcxx::report {
-namespace {
-
-constexpr uint32_t kNone = support::Id<void>::kNone;
-
-}  // namespace
+namespace {}  // namespace
 
 Element Target(std::string title) {
   Element element;
@@ -112,7 +108,7 @@ void LadderBuilder::Local(ir::InstId id) {
     return;
   }
   const ir::Inst& inst = program_[id];
-  if (ir::Info(inst.op).shape == ir::Shape::kStep && inst.a != kNone &&
+  if (ir::Info(inst.op).shape == ir::Shape::kStep && inst.a != kNoWord &&
       program_[ir::ValueId(inst.a)].type == ir::Type::kBit) {
     Element box = networks_.Box(id);
     box.lines.push_back("→ " + text_.LocalName(id));
@@ -176,7 +172,8 @@ void LadderBuilder::Inst(ir::InstId id) {
         Local(id);
       } else if (inst.type != ir::Type::kNone && text_.IsUsed(id)) {
         return;  // drawn where it is used
-      } else if (shape == ir::Shape::kStep && inst.a != kNone && program_[ir::ValueId(inst.a)].type == ir::Type::kBit) {
+      } else if (shape == ir::Shape::kStep && inst.a != kNoWord &&
+                 program_[ir::ValueId(inst.a)].type == ir::Type::kBit) {
         Output(ir::ValueId(inst.a), networks_.Box(id));
       } else {
         Always(networks_.Box(id));

@@ -7,8 +7,6 @@
 namespace plcxx::report {
 namespace {
 
-constexpr uint32_t kNone = support::Id<void>::kNone;
-
 Sense Opposite(Sense sense) { return sense == Sense::kPlain ? Sense::kInverted : Sense::kPlain; }
 Shape ContactOf(Sense sense) { return sense == Sense::kPlain ? Shape::kContact : Shape::kNotContact; }
 
@@ -207,9 +205,9 @@ Element NetworkBuilder::Box(ir::InstId id) const {
       box.name = program_.states[ir::StateId(inst.payload)].name;
       box.signal = uses_.of_state[inst.payload];
       box.title = ir::Info(inst.op).function;
-      const bool fed = inst.a != kNone && program_[ir::ValueId(inst.a)].type == ir::Type::kBit;
-      for (const uint32_t word : {fed ? kNone : inst.a, inst.b, inst.c}) {
-        if (word != kNone) box.lines.push_back(text_.Of(ir::ValueId(word)));
+      const bool fed = inst.a != kNoWord && program_[ir::ValueId(inst.a)].type == ir::Type::kBit;
+      for (const uint32_t word : {fed ? kNoWord : inst.a, inst.b, inst.c}) {
+        if (word != kNoWord) box.lines.push_back(text_.Of(ir::ValueId(word)));
       }
       break;
     }
@@ -240,7 +238,7 @@ Element NetworkBuilder::Box(ir::InstId id) const {
 
 Element NetworkBuilder::Feed(ir::InstId id) {
   const ir::Inst& inst = program_[id];
-  const bool fed = ir::Info(inst.op).shape == ir::Shape::kStep && inst.a != kNone &&
+  const bool fed = ir::Info(inst.op).shape == ir::Shape::kStep && inst.a != kNoWord &&
                    program_[ir::ValueId(inst.a)].type == ir::Type::kBit;
   return fed ? Network(ir::ValueId(inst.a)) : Plain(Shape::kWire);
 }

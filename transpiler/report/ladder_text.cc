@@ -9,8 +9,6 @@
 namespace plcxx::report {
 namespace {
 
-constexpr uint32_t kNone = support::Id<void>::kNone;
-
 /// Operations by the word before the point of their text: "add.i16", "add.f32". A "±" reads words as two's complement.
 struct Operator {
   std::string_view word;
@@ -177,7 +175,7 @@ ValueText::Spelled ValueText::SpellDefinition(ir::ValueId value) const {
     case ir::Shape::kStep: {
       std::string text = program_.states[ir::StateId(inst.payload)].name;
       for (const uint32_t word : {inst.a, inst.b, inst.c}) {
-        if (word != kNone) text += ", " + Of(ir::ValueId(word));
+        if (word != kNoWord) text += ", " + Of(ir::ValueId(word));
       }
       return {std::string(ir::Info(inst.op).function) + "(" + text + ")", 0};
     }
@@ -232,7 +230,7 @@ ValueText::Spelled ValueText::SpellPure(const ir::Inst& inst) const {
   std::string text(info.function.empty() ? info.text : info.function);
   text += "(";
   for (const uint32_t word : {inst.a, inst.b, inst.c}) {
-    if (word != kNone) text += (text.back() == '(' ? "" : ", ") + Of(ir::ValueId(word));
+    if (word != kNoWord) text += (text.back() == '(' ? "" : ", ") + Of(ir::ValueId(word));
   }
   return {text + ")", 0};
 }

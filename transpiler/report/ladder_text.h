@@ -8,6 +8,9 @@
 
 namespace plcxx::report {
 
+/// A word of an instruction that it has not.
+inline constexpr uint32_t kNoWord = support::Id<void>::kNone;
+
 class ValueText {
  public:
   explicit ValueText(const ProgramInput& input);

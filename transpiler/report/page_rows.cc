@@ -9,10 +9,10 @@
 namespace plcxx::report {
 namespace {
 
-constexpr size_t kGroup = 32;       // rows
+constexpr size_t kGroupRows = 32;   // rows
 constexpr size_t kLinesAround = 2;  // of a row: heading and margins, in lines
 
-constexpr const char* ClassOf(Verdict verdict) {
+constexpr const char* ClassSuffix(Verdict verdict) {
   switch (verdict) {
     case Verdict::kDifferent:
       return " different";
@@ -97,7 +97,7 @@ void AppendRow(const View& view, const Row& row, const Marks& marks, std::string
   Verdict verdict = Verdict::kEqual;
   for (const ir::StatementId id : row.statements) verdict = std::min(verdict, marks.verdict[id.index]);
   const bool text = row.code.empty() && row.ladder.empty();
-  out += std::string("<article class=\"row") + (text ? " text" : "") + ClassOf(verdict) + "\"";
+  out += std::string("<article class=\"row") + (text ? " text" : "") + ClassSuffix(verdict) + "\"";
   if (!row.statements.empty()) out += " id=\"" + view.AnchorOf(row.statements.front()) + "\" tabindex=\"-1\"";
   out += " style=\"--n:" + std::to_string(LinesOf(row)) + "\">";
   if (!row.statements.empty()) AppendMeta(view, row, marks, out);
@@ -125,7 +125,7 @@ void AppendRows(const View& view, const Marks& marks, std::string& out) {
   for (size_t begin = 0; begin < rows.size();) {
     AppendHeading(view, begin == 0 ? nullptr : &rows[begin - 1], rows[begin], out);
     size_t end = begin, lines = 0;
-    for (; end < rows.size() && end - begin < kGroup && rows[end].file == rows[begin].file; ++end) {
+    for (; end < rows.size() && end - begin < kGroupRows && rows[end].file == rows[begin].file; ++end) {
       lines += LinesOf(rows[end]) + kLinesAround;
     }
     out += "<div class=\"group\" style=\"--n:" + std::to_string(lines) + "\">\n";

@@ -9,8 +9,8 @@
 namespace plcxx::report {
 namespace {
 
-constexpr uint32_t kGroup = 64;    // signals that a browser lays out at once
-constexpr size_t kMostShown = 24;  // links of one kind; the rest is folded
+constexpr uint32_t kGroupSignals = 64;  // signals that a browser lays out at once
+constexpr size_t kMostShown = 24;       // links of one kind; the rest is folded
 
 std::string SignalLink(const View& view, uint32_t signal) {
   return "<a href=\"#" + view.signal_anchors[signal] + "\">" + Escape(view.uses.signals[signal].name) + "</a>";
@@ -133,8 +133,8 @@ void AppendSignals(const View& view, std::string& out) {
       "head\"><div role=\"columnheader\">Signal</div><div role=\"columnheader\">Meaning</div><div "
       "role=\"columnheader\">Written by</div><div role=\"columnheader\">Read by</div></div>\n";
   for (uint32_t i = 0; i < view.uses.signals.size(); ++i) {
-    if (i % kGroup == 0) {
-      const size_t count = std::min<size_t>(kGroup, view.uses.signals.size() - i);
+    if (i % kGroupSignals == 0) {
+      const size_t count = std::min<size_t>(kGroupSignals, view.uses.signals.size() - i);
       if (i > 0) out += "</div>\n";
       out += "<div class=\"group\" role=\"rowgroup\" style=\"--n:" + std::to_string(count * 3) + "\">\n";
     }

@@ -9,8 +9,7 @@ namespace plcxx::source {
 namespace {
 
 constexpr char16_t kReplacement = 0xFFFD;
-constexpr std::string_view kReplacementUtf8 = "\xEF\xBF\xBD";
-constexpr uint64_t kHighBits = 0x8080808080808080u;
+constexpr uint64_t kNotAscii = 0x8080808080808080u;  // in each of eight bytes
 
 std::string ToUtf8(char16_t unit) {
   const auto byte = [](unsigned value) { return static_cast<char>(value); };
@@ -76,7 +75,7 @@ size_t SkipAscii(std::string_view bytes, size_t at) {
   for (; at + 8 <= bytes.size(); at += 8) {
     uint64_t word = 0;
     std::memcpy(&word, bytes.data() + at, 8);
-    if ((word & kHighBits) != 0) break;
+    if ((word & kNotAscii) != 0) break;
   }
   while (at < bytes.size() && static_cast<unsigned char>(bytes[at]) < 0x80) ++at;
   return at;

@@ -14,6 +14,9 @@
 
 namespace plcxx::source {
 
+/// What stands for bytes that mean nothing: U+FFFD in UTF-8.
+inline constexpr std::string_view kReplacementUtf8 = "\xEF\xBF\xBD";
+
 bool IsAscii(std::string_view bytes);
 
 /// The length of the character that begins at bytes[at]; 0 where the bytes are not well-formed UTF-8 (overlong forms,

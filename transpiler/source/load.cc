@@ -43,12 +43,12 @@ std::optional<LoadError> FindLongLine(std::string_view bytes, const std::vector<
   return std::nullopt;
 }
 
-struct Reading {
+struct ChosenEncoding {
   Encoding encoding;
   EncodingOrigin origin;
 };
 
-Reading ReadingOf(std::string_view bytes, const LoadOptions& options, bool had_bom) {
+ChosenEncoding ChooseEncoding(std::string_view bytes, const LoadOptions& options, bool had_bom) {
   // A BOM is the author's word, even if a byte of another encoding has crept in later.
   if (had_bom) return {Encoding::kUtf8, EncodingOrigin::kBom};
   if (options.encoding && options.choice == Choice::kAlways) return {*options.encoding, EncodingOrigin::kChosen};
@@ -88,9 +88,9 @@ std::variant<FileId, LoadError> SourceManager::AddOwnedBytes(std::string path, s
   std::vector<uint32_t> starts = FindLineStarts(bytes, options.line_ends);
   if (auto error = FindLongLine(bytes, starts, options.max_line_bytes)) return std::move(*error);
 
-  const Reading reading = ReadingOf(bytes, options, file.had_bom);
-  file.encoding = reading.encoding;
-  file.origin = reading.origin;
+  const ChosenEncoding chosen = ChooseEncoding(bytes, options, file.had_bom);
+  file.encoding = chosen.encoding;
+  file.origin = chosen.origin;
   file.line_ends = options.line_ends;
   if (file.encoding == Encoding::kUtf8 && IsValidUtf8(bytes)) {
     file.text = std::move(bytes);

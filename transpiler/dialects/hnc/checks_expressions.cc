@@ -5,18 +5,16 @@
 
 #include "transpiler/dialects/hnc/checks.h"
 #include "transpiler/dialects/hnc/ranges.h"
+#include "transpiler/dialects/hnc/stores.h"
 #include "transpiler/dialects/hnc/walk.h"
 
 namespace plcxx::hnc {
 namespace {
 
-constexpr int kMostDepth = 64;  // of an expression whose bounds are looked at
+constexpr int kBoundsDepth = 64;  // of an expression whose bounds are looked at
 
 bool IsComparison(const Expr& expr) {
   return expr.kind == ExprKind::kBinary && expr.binary >= BinaryOp::kLess && expr.binary <= BinaryOp::kNotEqual;
-}
-bool IsStore(const Expr& expr) {
-  return expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign || expr.kind == ExprKind::kIncrement;
 }
 
 std::string_view SignOf(BinaryOp op) {
@@ -172,7 +170,7 @@ class ExpressionChecks {
     const Type& type = unit_.types[expr.type];
     const Bounds all = BoundsOf(type);
     if (expr.constant) return {expr.constant->integer, expr.constant->integer};
-    if (depth > kMostDepth) return all;
+    if (depth > kBoundsDepth) return all;
     if (expr.kind == ExprKind::kConvert && IsInteger(unit_.TypeOf(expr.a))) {
       const Bounds from = PossibleBounds(expr.a, depth + 1);
       return from.Within(all) ? from : all;

@@ -230,11 +230,11 @@ ObjectSet Facts::TargetsOf(ExprId pointer) const {
 
 /// All assignments until nothing grows: sets are small and flows short, so that a few rounds are enough.
 void Facts::FindTargets() {
-  struct Flow {
+  struct Assignment {
     ObjectSet* to;
     ExprId from;
   };
-  std::vector<Flow> flows;
+  std::vector<Assignment> flows;
   const auto is_pointer = [this](TypeId type) { return type.valid() && unit_.types[type].kind == TypeKind::kPointer; };
   const auto flow = [&](ObjectSet& to, TypeId type, ExprId from) {
     if (from.valid() && is_pointer(type)) flows.push_back({&to, from});
@@ -264,7 +264,7 @@ void Facts::FindTargets() {
   }
   for (bool grown = true; grown;) {
     grown = false;
-    for (const Flow& each : flows) grown = each.to->Add(TargetsOf(each.from)) || grown;
+    for (const Assignment& each : flows) grown = each.to->Add(TargetsOf(each.from)) || grown;
   }
 }
 

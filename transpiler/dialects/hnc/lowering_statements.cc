@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/dialects/hnc/characters.h"
 #include "transpiler/dialects/hnc/lowering_internal.h"
 
 namespace plcxx::hnc {
@@ -14,8 +15,6 @@ using ir::ValueId;
 namespace {
 
 constexpr uint32_t kMostPlainStores = 16;  // that clear an array one by one
-
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
 
 /// The lines of a comment without its marks and the decoration of its left edge.
 void AddLines(std::string_view text, source::Offset begin, std::vector<source::Range>& to) {

@@ -1,13 +1,12 @@
 #include "transpiler/dialects/hnc/recognize.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
+
+#include "transpiler/dialects/hnc/characters.h"
 
 namespace plcxx::hnc {
 namespace {
-
-bool IsWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// A name with a '(' behind it.
 bool HasCall(std::string_view text, std::string_view name) {

@@ -7,14 +7,13 @@
 #include <cstdio>
 #include <optional>
 
+#include "transpiler/dialects/hnc/characters.h"
 #include "transpiler/source/characters.h"
 #include "transpiler/source/decode.h"
 
 namespace plcxx::hnc {
 namespace {
 
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool IsWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool IsAsciiByte(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
 /// The ASCII character whose full-width form `c` is; 0 for others. Quotes and angle brackets of Chinese typography
@@ -55,9 +54,10 @@ std::string CommentText(std::string_view comment) {
   while (true) {
     const size_t end = std::min(comment.find('\n'), comment.size());
     std::string_view line = comment.substr(0, end);
-    while (!line.empty() && (IsBlank(line.back()) || line.back() == '\r' || line.back() == '*')) line.remove_suffix(1);
+    while (!line.empty() && (IsLineBlank(line.back()) || line.back() == '\r' || line.back() == '*'))
+      line.remove_suffix(1);
     size_t start = 0;
-    while (start < line.size() && (IsBlank(line[start]) || line[start] == '*')) ++start;
+    while (start < line.size() && (IsLineBlank(line[start]) || line[start] == '*')) ++start;
     line.remove_prefix(start);
     if (!line.empty()) {
       if (!text.empty()) text += '\n';
@@ -128,9 +128,9 @@ class Rewriter {
   }
   /// A backslash that only blanks separate from the line end: no splice here, but the C parser would take it for one.
   bool AtBlankedBackslash() const {
-    if (Peek() != '\\' || !IsBlank(Peek(1))) return false;
+    if (Peek() != '\\' || !IsLineBlank(Peek(1))) return false;
     size_t ahead = 1;
-    while (IsBlank(Peek(ahead))) ++ahead;
+    while (IsLineBlank(Peek(ahead))) ++ahead;
     return LineEnd(ahead) != 0;
   }
 
@@ -172,7 +172,7 @@ void Rewriter::Step() {
     LineComment();
   } else if (Peek() == '/' && Peek(1) == '*') {
     BlockComment();
-  } else if (IsBlank(Peek())) {
+  } else if (IsLineBlank(Peek())) {
     Copy(1);
   } else if (Peek() == '#' && line_start_) {
     line_start_ = false;
@@ -222,7 +222,7 @@ void Rewriter::ForeignCharacter() {
 
 void Rewriter::Directive() {
   Copy(1);
-  while (IsBlank(Peek()) || AtSplice()) AtSplice() ? CopySplice() : Copy(1);
+  while (IsLineBlank(Peek()) || AtSplice()) AtSplice() ? CopySplice() : Copy(1);
   const size_t begin = at_;
   Word();
   const std::string_view name = text_.substr(begin, at_ - begin);
@@ -242,7 +242,7 @@ void Rewriter::RestOfLine() {
 
 /// The name in quotes or angle brackets as it is: a backslash in it separates folders.
 void Rewriter::IncludeLine() {
-  while (IsBlank(Peek())) Copy(1);
+  while (IsLineBlank(Peek())) Copy(1);
   const char close = Peek() == '<' ? '>' : Peek() == '"' ? '"' : '\0';
   if (close == '\0') return;
   const size_t end = text_.find_first_of(std::string{close, '\r', '\n'}, at_ + 1);

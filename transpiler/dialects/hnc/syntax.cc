@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "transpiler/dialects/hnc/characters.h"
+
 namespace plcxx::hnc {
 namespace {
-
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r' || c == '\n'; }
 
 /// The first comment that begins at or behind `place`.
 std::vector<Comment>::const_iterator FirstFrom(const Unit& unit, source::Offset place) {

@@ -13,7 +13,7 @@ using ir::ValueId;
 /// In the order of the enumerators of axis_command.
 constexpr Op kKinds[] = {Op::kHome, Op::kPosa, Op::kPosm, Op::kVelp, Op::kVeln};
 
-Address Signal(Area area, uint32_t number) { return {.area = area, .number = static_cast<uint16_t>(number)}; }
+Address SignalAt(Area area, uint32_t number) { return {.area = area, .number = static_cast<uint16_t>(number)}; }
 
 }  // namespace
 
@@ -57,13 +57,13 @@ void Lowering::ReadNumbers(AxisRequest& request) {
 
 void Lowering::WriteAxisSignals(const AxisRequest& request, uint32_t axis) {
   const AxisBlock& block = *request.block;
-  Store(Signal(Area::kQ, kAxisMove + axis), builder_.Bit(1));
-  Store(Signal(Area::kQ, kAxisPositionMode + axis), builder_.Bit(block.position_mode ? 1 : 0));
-  Store(Signal(Area::kQ, kAxisAbsolute + axis), builder_.Bit(block.absolute ? 1 : 0));
-  Store(Signal(Area::kQ, kAxisHoming + axis), builder_.Bit(block.homing ? 1 : 0));
-  if (block.method != AxisValue::kNotWritten) Store(Signal(Area::kQw, kAxisMethod + axis), request.method);
-  if (block.speed != AxisValue::kNotWritten) Store(Signal(Area::kQf, kAxisSpeed + axis), request.speed);
-  if (block.position != AxisValue::kNotWritten) Store(Signal(Area::kQf, kAxisPosition + axis), request.position);
+  Store(SignalAt(Area::kQ, kAxisMove + axis), builder_.Bit(1));
+  Store(SignalAt(Area::kQ, kAxisPositionMode + axis), builder_.Bit(block.position_mode ? 1 : 0));
+  Store(SignalAt(Area::kQ, kAxisAbsolute + axis), builder_.Bit(block.absolute ? 1 : 0));
+  Store(SignalAt(Area::kQ, kAxisHoming + axis), builder_.Bit(block.homing ? 1 : 0));
+  if (block.method != AxisValue::kNotWritten) Store(SignalAt(Area::kQw, kAxisMethod + axis), request.method);
+  if (block.speed != AxisValue::kNotWritten) Store(SignalAt(Area::kQf, kAxisSpeed + axis), request.speed);
+  if (block.position != AxisValue::kNotWritten) Store(SignalAt(Area::kQf, kAxisPosition + axis), request.position);
 }
 
 void Lowering::SendRequest(const AxisRequest& request, ValueId axis) {
@@ -113,7 +113,7 @@ void Lowering::CommandKnownAxis(AxisRequest request, uint32_t axis, ValueId inpu
   const ir::RegionId idle = RegionOf([&] {
     const ValueId active = builder_.Load(AxisField(request, "active"));
     builder_.If(active, RegionOf([&] {
-                  Store(Signal(Area::kQ, kAxisMove + axis), builder_.Bit(0));
+                  Store(SignalAt(Area::kQ, kAxisMove + axis), builder_.Bit(0));
                   StopAxis(request, number());
                 }));
   });
@@ -128,7 +128,7 @@ void Lowering::CommandComputedAxis(AxisRequest request, ValueId axis, ValueId in
   const ValueId withdrawn = And(active, Or(Not(valid), other));
   builder_.If(withdrawn, RegionOf([&] {
                 const ValueId before = builder_.Load(AxisField(request, "axis"));
-                SwitchOverAxes(before, [&](uint32_t i) { Store(Signal(Area::kQ, kAxisMove + i), builder_.Bit(0)); });
+                SwitchOverAxes(before, [&](uint32_t i) { Store(SignalAt(Area::kQ, kAxisMove + i), builder_.Bit(0)); });
                 StopAxis(request, before);
               }));
   const ValueId wrong = And(input, Not(exists));

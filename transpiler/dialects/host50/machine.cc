@@ -62,11 +62,11 @@ constexpr UnitRow kUnits[] = {
 #include "transpiler/dialects/host50/machine.def"
 };
 
-struct DrawnRow {
+struct DrawnSpelling {
   char bracket, prefix;
   Op op;
 };
-constexpr DrawnRow kDrawn[] = {
+constexpr DrawnSpelling kDrawn[] = {
 #define HOST50_DRAWN(Bracket, Prefix, Id) {Bracket, Prefix, Op::k##Id},
 #include "transpiler/dialects/host50/machine.def"
 };
@@ -334,7 +334,7 @@ std::string_view TimerName(Op op, TimerUnit unit) {
 }
 
 std::optional<Op> DrawnOp(char bracket, char prefix) {
-  for (const DrawnRow& row : kDrawn) {
+  for (const DrawnSpelling& row : kDrawn) {
     if (row.bracket == bracket && row.prefix == Upper(prefix)) return row.op;
   }
   return std::nullopt;

@@ -13,7 +13,7 @@ namespace {
 
 /// An address without its attribute.
 using Key = std::pair<Area, uint32_t>;
-Key KeyOf(const Address& address) { return {address.area, address.number}; }
+Key PlaceOf(const Address& address) { return {address.area, address.number}; }
 
 /// As written, with the address where that is another text: "PUMP (%Q0)".
 std::string Shown(const source::SourceManager& sources, source::Range range, const Address& address) {
@@ -38,7 +38,7 @@ class AccessChecks {
       : program_(program), sources_(sources), diagnostics_(diagnostics), accesses_(AccessesOf(program)) {
     for (const Access& access : accesses_) {
       if (access.kind != Access::Kind::kWrite) continue;
-      for (uint32_t bit = 0; bit < access.bits; ++bit) written_.insert(KeyOf(BitOf(access, bit)));
+      for (uint32_t bit = 0; bit < access.bits; ++bit) written_.insert(PlaceOf(BitOf(access, bit)));
     }
   }
 
@@ -61,7 +61,7 @@ class AccessChecks {
     if (program_.sections.empty()) return;  // tables only
     for (const Alarm& alarm : program_.alarms) {
       const Address address = {.area = Area::kQ, .number = static_cast<uint16_t>(kFirstAlarm + alarm.index)};
-      if (alarm.text.empty() || written_.contains(KeyOf(address))) continue;
+      if (alarm.text.empty() || written_.contains(PlaceOf(address))) continue;
       diagnostics_.Report(alarm.range, diag::Host50AlarmNotDriven, ToText(address));
     }
   }
@@ -94,7 +94,7 @@ class AccessChecks {
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
       const Address address = BitOf(access, bit);
       if (address.number < kFirstNcBit || !SignalsAt(address).empty()) continue;
-      if (!undocumented_.insert(KeyOf(address)).second || std::exchange(reported, true)) continue;
+      if (!undocumented_.insert(PlaceOf(address)).second || std::exchange(reported, true)) continue;
       Report(access, diag::Host50Undocumented, TextOf(access, address));
     }
   }
@@ -105,7 +105,7 @@ class AccessChecks {
     const bool out = op == Op::kOut || op == Op::kOuti;
     if (access.kind != Access::Kind::kWrite || (!out && op != Op::kSet && op != Op::kRst)) return;
     const std::string text = TextOf(access, access.address);
-    Coils& coils = coils_[KeyOf(access.address)];
+    Coils& coils = coils_[PlaceOf(access.address)];
     if (out && coils.out != nullptr) {
       diagnostics_.Report(access.range, diag::Host50DoubleCoil, text)
           .notes.push_back({coils.out->range, "the first one is here"});
@@ -126,14 +126,14 @@ class AccessChecks {
       in_fast_.emplace();
       for (const Access& other : accesses_) {
         if (other.kind != Access::Kind::kWrite || SectionOf(other) != SectionKind::kFast) continue;
-        for (uint32_t bit = 0; bit < other.bits; ++bit) in_fast_->insert(KeyOf(BitOf(other, bit)));
+        for (uint32_t bit = 0; bit < other.bits; ++bit) in_fast_->insert(PlaceOf(BitOf(other, bit)));
       }
     }
     if (SectionOf(access) == SectionKind::kFast) return;
     bool reported = false;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
       const Address address = BitOf(access, bit);
-      if (in_fast_->erase(KeyOf(address)) == 0 || std::exchange(reported, true)) continue;
+      if (in_fast_->erase(PlaceOf(address)) == 0 || std::exchange(reported, true)) continue;
       Report(access, diag::Host50FastAndSlow, TextOf(access, address));
     }
   }
@@ -145,8 +145,8 @@ class AccessChecks {
     bool reported = false;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
       const Address address = BitOf(access, bit);
-      if (IsRetentive(address) || written_.contains(KeyOf(address))) continue;
-      if (!unwritten_.insert(KeyOf(address)).second || std::exchange(reported, true)) continue;
+      if (IsRetentive(address) || written_.contains(PlaceOf(address))) continue;
+      if (!unwritten_.insert(PlaceOf(address)).second || std::exchange(reported, true)) continue;
       Report(access, diag::Host50NeverWritten, TextOf(access, address));
     }
   }
@@ -209,7 +209,7 @@ void CheckAxisSignals(const Program& program, const source::SourceManager& sourc
     if (access.kind != Access::Kind::kWrite) continue;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
       const Address address = BitOf(access, bit);
-      const auto owner = owners.find(KeyOf(address));
+      const auto owner = owners.find(PlaceOf(address));
       if (owner == owners.end()) continue;
       const std::string text = access.bits == 1 ? Shown(sources, access.range, address) : ToText(address);
       diagnostics.Report(access.range, diag::Host50AxisSignal, text, Info(owner->second->op).name)

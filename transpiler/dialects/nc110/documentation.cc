@@ -12,7 +12,7 @@ namespace plcxx::nc110 {
 namespace {
 
 /// As an entry's place in the list; I and U of one bit stand together.
-uint64_t Order(const Operand& operand) {
+uint64_t SymbolOrder(const Operand& operand) {
   const auto kind = static_cast<uint64_t>(operand.kind);
   if (!IsMemory(operand)) {
     const bool timer = operand.kind < OperandKind::kCounterInput, shot = operand.kind == OperandKind::kOneShot;
@@ -21,11 +21,6 @@ uint64_t Order(const Operand& operand) {
   }
   const uint64_t index = operand.kind == OperandKind::kWord ? 0 : 1 + uint64_t{operand.index};
   return static_cast<uint64_t>(operand.package) << 32 | uint64_t{ByteOf(operand)} << 16 | index << 8 | kind;
-}
-
-Operand AsBit(Operand operand) {
-  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
-  return operand;
 }
 
 std::string_view CommentText(std::string_view comment) {
@@ -46,21 +41,21 @@ std::vector<ir::Documentation> Document(const Program& tree, const Settings& set
                          static_cast<uint32_t>(operand.number & 0xFF) << 5 | (operand.index & 0x1Fu);
     if (known[key]) return;
     known[key] = true;
-    used.emplace_back(Order(operand), operand);
+    used.emplace_back(SymbolOrder(operand), operand);
   };
   for (const Symbol& symbol : tree.symbols) add(symbol.operand);
   ForEachAccess(tree, [&](const Access& access) { add(access.operand); });
   std::sort(used.begin(), used.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
   std::multimap<uint64_t, const Symbol*> symbols;  // equal keys keep the order of definition
-  for (const Symbol& symbol : tree.symbols) symbols.emplace(Order(AsBit(symbol.operand)), &symbol);
+  for (const Symbol& symbol : tree.symbols) symbols.emplace(SymbolOrder(AsBit(symbol.operand)), &symbol);
 
   std::vector<ir::Documentation> entries;
   entries.reserve(used.size());
   for (const auto& [order, operand] : used) {
     ir::Documentation entry{.address = ToText(operand), .symbols = {}, .predefined = {}, .meaning = {}, .help = {}};
     std::string_view comment;
-    const auto [first, last] = symbols.equal_range(Order(AsBit(operand)));
+    const auto [first, last] = symbols.equal_range(SymbolOrder(AsBit(operand)));
     for (auto at = first; at != last; ++at) {
       if (!entry.symbols.empty()) entry.symbols += ", ";
       entry.symbols += at->second->name;

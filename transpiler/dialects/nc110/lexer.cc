@@ -3,7 +3,6 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 constexpr bool IsLineEnd(char c) { return c == '\n' || c == '\r'; }
 constexpr bool IsAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 constexpr bool IsRunCharacter(char c) { return IsLetter(c) || IsDigit(c); }

@@ -10,7 +10,6 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr size_t kSignificant = 10;  // characters of a symbol
 constexpr size_t kSample = 64 * 1024;
 
 /// The operand that a symbol stands for, by the documentation that lowering wrote.

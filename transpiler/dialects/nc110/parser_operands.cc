@@ -112,7 +112,6 @@ void Parser::CountOperand() {
 }
 
 SymbolId Parser::FindSymbol(std::string_view name) const {
-  constexpr size_t kSignificant = 10;
   const auto found = symbols_.find(name.substr(0, kSignificant));
   return found == symbols_.end() ? SymbolId() : found->second;
 }

@@ -4,10 +4,8 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr size_t kMaxName = 127;
-constexpr size_t kSignificant = 10;
+constexpr size_t kMaxSymbol = 127;
 
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 bool IsForeign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// Reads one line from left to right.
@@ -95,7 +93,7 @@ void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, Homogl
     Fault(reader.Here(), diag::Nc110SymbolLine, "a line begins with a name of letters, digits and @ # . ' ?");
     return;
   }
-  if (name.size() > kMaxName) {
+  if (name.size() > kMaxSymbol) {
     Fault(symbol.range, diag::Nc110SymbolTooLong, static_cast<diag::Number>(name.size()));
     return;
   }

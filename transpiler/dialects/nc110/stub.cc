@@ -10,9 +10,8 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr Bit kEmergency = BitK(0, 0), kReset = BitK(0, 1), kReady = BitK(0, 2), kBlock = BitK(0, 3),
-              kStandBy = BitK(0, 4), kHold = BitK(0, 28), kSpindleDone = BitK(0, 29), kSelfTest = BitK(6, 21);
-constexpr Bit kMachineOff = BitK(10, 0), kResetRequest = BitK(10, 1), kFaultOff = BitK(10, 7), kModeLock = BitK(15, 2);
+constexpr Bit kSelfTest = BitK(6, 21);
+constexpr Bit kSwitchOff = BitK(10, 0), kResetRequest = BitK(10, 1), kFaultOff = BitK(10, 7), kModeLock = BitK(15, 2);
 constexpr Byte kAxes = ByteK(0, 1), kAxesRequest = ByteK(10, 1), kEmergencyCode = ByteK(6, 3), kMode = ByteK(8, 3),
                kModeRequest = ByteK(15, 1), kPanelMode = ByteN(1, 3);
 constexpr uint8_t kModeMdi = 0x01, kFullOverride = 100;
@@ -21,8 +20,6 @@ constexpr uint32_t kPulseCycles = 2;
 // What the control raises for two slow cycles: FUAS, FUAT, FUAM, TASC1..TASC3, FUTKO, CUMAN, RESE, BUSY, NSPRES.
 constexpr Bit kPulses[] = {BitK(4, 16), BitK(4, 17), BitK(4, 18), BitK(4, 20), BitK(4, 21), BitK(4, 22),
                            BitK(4, 23), BitK(4, 26), kReset,      BitK(9, 16), BitN(0, 6)};
-constexpr Bit kMStrobe = BitK(4, 18);
-constexpr Byte kMCode = ByteK(3, 0);
 // Cleared by a reset.
 constexpr Bit kStrobes[] = {BitK(4, 16), BitK(4, 17), BitK(4, 18), BitK(4, 20), BitK(4, 21),
                             BitK(4, 22), BitK(4, 23), BitK(4, 24), BitK(4, 26)};
@@ -117,7 +114,7 @@ void NcStub::StopMotions() {
 }
 
 void NcStub::Machine() {
-  machine_off_.Look(Get(kMachineOff));
+  machine_off_.Look(Get(kSwitchOff));
   fault_off_.Look(Get(kFaultOff));
   emergency_.Look(Get(kEmergency));
   reset_request_.Look(Get(kResetRequest));

@@ -25,6 +25,13 @@ constexpr Bit BitN(uint16_t connector, uint8_t bit) { return {Package::kN, conne
 constexpr Byte ByteK(uint16_t connector, uint8_t index) { return {Package::kK, connector, index}; }
 constexpr Byte ByteN(uint16_t connector, uint8_t index) { return {Package::kN, connector, index}; }
 
+// What several topics look at.
+inline constexpr Bit kEmergency = BitK(0, 0), kReset = BitK(0, 1), kReady = BitK(0, 2), kBlock = BitK(0, 3),
+                     kStandBy = BitK(0, 4), kHold = BitK(0, 28), kSpindleDone = BitK(0, 29);
+inline constexpr Bit kMStrobe = BitK(4, 18);
+inline constexpr Byte kMCode = ByteK(3, 0);
+inline constexpr Bit kFunctionsAllowed = BitK(10, 25), kReleased = BitK(10, 26);
+
 /// A request bit: did it rise or fall since the last look?
 class Edge {
  public:

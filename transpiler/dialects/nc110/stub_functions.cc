@@ -5,15 +5,13 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr Bit kSStrobe = BitK(4, 16), kTStrobe = BitK(4, 17), kMStrobe = BitK(4, 18), kIndexStrobe = BitK(4, 20);
-constexpr Byte kMCode = ByteK(3, 0);
-constexpr Bit kReset = BitK(0, 1);
-constexpr Bit kFunctionsAllowed = BitK(10, 25), kReleased = BitK(10, 26), kIndexHomed = BitK(10, 27);
+constexpr Bit kSStrobe = BitK(4, 16), kTStrobe = BitK(4, 17), kIndexStrobe = BitK(4, 20);
+constexpr Bit kIndexHomed = BitK(10, 27);
 constexpr Bit kFirstRange = BitK(6, 16), kSpindleUsed = BitK(6, 23);
 constexpr Byte kRangeNumber = ByteN(6, 1);
 constexpr Bit kToolRequest = BitK(10, 21), kToolDone = BitK(0, 27), kToolRefused = BitK(0, 26);
 constexpr Byte kSpindleRequest = ByteK(11, 3);
-constexpr Bit kSpindleDone = BitK(0, 29), kSpindleRefused = BitK(0, 30);
+constexpr Bit kSpindleRefused = BitK(0, 30);
 constexpr uint32_t kSpindleCycles = 2;
 
 template <size_t kCount>

@@ -8,10 +8,8 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr Bit kEmergency = BitK(0, 0), kReset = BitK(0, 1), kBlock = BitK(0, 3), kStandBy = BitK(0, 4),
-              kHold = BitK(0, 28);
 constexpr Bit kHoldByOperator = BitK(10, 2), kHoldByProgram = BitK(10, 3);
-constexpr Bit kFunctionsAllowed = BitK(10, 25), kReleased = BitK(10, 26), kModeMdi = BitK(8, 24);
+constexpr Bit kMdiMode = BitK(8, 24);
 constexpr Byte kFilmasRequest = ByteK(12, 1);
 constexpr Bit kFilmasDone = BitK(0, 24);
 constexpr Bit kStartRequest = BitK(10, 4), kStartDone = BitK(4, 30), kStartRefused = BitK(4, 31);
@@ -34,7 +32,7 @@ void NcStub::Filmas() {
   }
   if (request != 0 && !filmas_.running && !filmas_done_) {
     const bool in_m_function = Get(kFunctionsAllowed) && !Get(kReleased);
-    const bool idle = Get(kStandBy) && Get(kModeMdi);
+    const bool idle = Get(kStandBy) && Get(kMdiMode);
     if ((in_m_function || idle) && !start_.running) {
       Begin(filmas_);
       Put(kStandBy, false);

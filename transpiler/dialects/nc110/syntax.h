@@ -61,6 +61,12 @@ Type TypeOf(OperandKind kind);
 std::string ToText(const Operand& operand);
 char PackageLetter(Package package);
 
+/// The bit that an operand names, read (I) or written (U): both are one location.
+inline Operand AsBit(Operand operand) {
+  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
+  return operand;
+}
+
 /// One mention of an operand in the source; `symbol` is valid where it was spelled by a symbolic name.
 struct OperandUse {
   Operand operand;

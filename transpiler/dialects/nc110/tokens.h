@@ -97,6 +97,9 @@ Decoded Decode(std::string_view run);
 
 uint32_t ConnectorLimit(Package package);
 
+/// Characters that tell symbols apart.
+inline constexpr size_t kSignificant = 10;
+
 struct Number {
   bool well_formed = false;
   uint32_t value = 0;  // stops at 1,000,000: the ranges are far below
@@ -109,6 +112,7 @@ Number Evaluate(std::string_view run);
 std::string LookAlike(std::string_view run);
 
 constexpr char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 

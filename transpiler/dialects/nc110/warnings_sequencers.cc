@@ -30,11 +30,6 @@ void CollectTerms(const Program& tree, ExprId id, std::vector<ExprId>& terms) {
   }
 }
 
-Operand AsBit(Operand operand) {
-  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
-  return operand;
-}
-
 void CollectFactors(const Program& tree, ExprId id, const Operand& count, Step& step) {
   const Expr& expr = tree.exprs[id];
   if (expr.kind == ExprKind::kAnd) {

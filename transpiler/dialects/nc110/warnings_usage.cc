@@ -13,11 +13,6 @@ bool Overlap(const Operand& a, const Operand& b) {
   return IsMemory(a) && IsMemory(b) && a.package == b.package && ByteOf(a) == ByteOf(b) && (BitsOf(a) & BitsOf(b)) != 0;
 }
 
-Operand AsBit(Operand operand) {
-  if (operand.kind == OperandKind::kInput) operand.kind = OperandKind::kOutput;
-  return operand;
-}
-
 /// Memory that only the program gives a meaning.
 bool IsFree(const Operand& operand, const Settings& settings) {
   if (operand.package == Package::kT) return !settings.t_initial[ByteOf(operand)].has_value();

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string>
 
+#include "transpiler/dialects/prostep/lexer.h"
 #include "transpiler/dialects/prostep/machine.h"
 #include "transpiler/dialects/prostep/memory.h"
 
@@ -10,8 +11,6 @@ namespace plcxx::prostep {
 namespace {
 
 using dialects::Location;
-
-constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The number at the beginning of the text, which is taken away.
 std::optional<uint32_t> TakeNumber(std::string_view& text) {

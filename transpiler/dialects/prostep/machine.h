@@ -35,6 +35,8 @@ constexpr uint32_t kMostInputBytes = 24;
 constexpr uint32_t kMostOutputBytes = 12;
 constexpr uint32_t kFirstMessageByte = 213;  // F 213.0 is message 1
 constexpr uint32_t kMessages = 64;
+constexpr uint32_t kFirstNumberByte = 222;  // F 222 to 237: where the numbers of messages stand in D
+constexpr uint32_t kMessagesWithNumber = 16;
 
 /// What an operand class names.
 enum class Shape : uint8_t { kBit, kByte, kWord, kDouble, kCounter, kTimer, kConstant, kModule, kFunction };

@@ -7,7 +7,7 @@
 namespace plcxx::prostep {
 namespace {
 
-struct SpaceRow {
+struct MemoryRow {
   SpaceKey key;
   std::string_view name;
   std::string_view title;
@@ -15,7 +15,7 @@ struct SpaceRow {
   bool host_visible;
   ir::Direction direction;
 };
-constexpr SpaceRow kRows[] = {
+constexpr MemoryRow kMemoryRows[] = {
     {SpaceKey::kI, "I", "inputs of the machine and signals of the NC", ir::Lifetime::kVolatile, true,
      ir::Direction::kInput},
     {SpaceKey::kO, "O", "outputs of the machine and signals to the NC", ir::Lifetime::kVolatile, true,
@@ -36,8 +36,8 @@ constexpr uint32_t kSystemBytes = 32, kRegisterBytes = 64;
 constexpr uint32_t kSystemSignals = 20;  // I 20
 constexpr uint8_t kSystemSignalsOn = 2;  // I 20.1 is 1, already in PM 0
 
-std::string Text(Space space, uint32_t address, ir::Type type, uint8_t bit, std::string_view blank,
-                 std::string_view dot) {
+std::string Spelled(Space space, uint32_t address, ir::Type type, uint8_t bit, std::string_view blank,
+                    std::string_view dot) {
   std::string text(Name(space));
   switch (type) {
     case ir::Type::kBit:
@@ -62,11 +62,11 @@ std::string Text(Space space, uint32_t address, ir::Type type, uint8_t bit, std:
 }  // namespace
 
 std::string AddressText(Space space, uint32_t address, ir::Type type, uint8_t bit) {
-  return Text(space, address, type, bit, " ", ".");
+  return Spelled(space, address, type, bit, " ", ".");
 }
 
 std::string NameText(Space space, uint32_t address, ir::Type type, uint8_t bit) {
-  return Text(space, address, type, bit, "", "_");
+  return Spelled(space, address, type, bit, "", "_");
 }
 
 Memory::Memory(ir::Program& program, uint32_t first_retentive, uint32_t last_retentive) {
@@ -74,7 +74,7 @@ Memory::Memory(ir::Program& program, uint32_t first_retentive, uint32_t last_ret
   parts_[0] = {{}, 0, first_retentive};
   parts_[1] = {{}, first_retentive, last_retentive + 1 - first_retentive};
   parts_[2] = {{}, last_retentive + 1, data - last_retentive - 1};
-  for (const SpaceRow& row : kRows) {
+  for (const MemoryRow& row : kMemoryRows) {
     ir::Space space{.name = std::string(row.name),
                     .title = std::string(row.title),
                     .bytes = 0,
@@ -118,7 +118,7 @@ Memory::Memory(ir::Program& program, uint32_t first_retentive, uint32_t last_ret
 }
 
 Memory::Memory(const ir::Program& program) {
-  for (const SpaceRow& row : kRows) {
+  for (const MemoryRow& row : kMemoryRows) {
     for (uint32_t i = 0; i < program.spaces.size(); ++i) {
       if (program.spaces[ir::SpaceId(i)].name == row.name) spaces_[static_cast<size_t>(row.key)] = ir::SpaceId(i);
     }

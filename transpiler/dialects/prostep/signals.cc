@@ -34,7 +34,7 @@ std::string TakeField(std::string_view& line) {
   return field;
 }
 
-uint32_t TakeNumber(std::string_view& text) {
+uint32_t TakeColumnNumber(std::string_view& text) {
   uint32_t number = 0;
   for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1)) {
     number = number * 10 + static_cast<uint32_t>(text.front() - '0');
@@ -50,14 +50,14 @@ void TakeAddress(std::string_view text, Signal& signal) {
   PLCXX_CHECK(operand_class != OperandClass::kNone);
   signal.space = SpaceOf(operand_class);
   text.remove_prefix(letters);
-  signal.byte = TakeNumber(text);
+  signal.byte = TakeColumnNumber(text);
   if (!text.starts_with('.')) return;
   text.remove_prefix(1);
-  const uint32_t first = TakeNumber(text);
+  const uint32_t first = TakeColumnNumber(text);
   uint32_t last = first;
   if (text.starts_with('-')) {
     text.remove_prefix(1);
-    last = TakeNumber(text);
+    last = TakeColumnNumber(text);
   }
   signal.bit = static_cast<uint8_t>(std::min(first, last));
 }
@@ -86,7 +86,7 @@ std::vector<Signal> ReadTable() {
     signal.name = TakeField(line);
     const std::string width = TakeField(line);
     std::string_view digits = width;
-    signal.width = static_cast<uint8_t>(TakeNumber(digits));
+    signal.width = static_cast<uint8_t>(TakeColumnNumber(digits));
     signal.direction = DirectionByName(TakeField(line));
     signal.meaning = TakeField(line);
     signals.push_back(std::move(signal));

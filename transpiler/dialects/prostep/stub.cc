@@ -10,7 +10,7 @@
 namespace plcxx::prostep {
 namespace {
 
-constexpr uint32_t kPorts = 133;  // a word of ports may begin at the last one
+constexpr uint32_t kPortCount = 133;  // a word of ports may begin at the last one
 
 class Stub final : public dialects::ControlStub {
  public:
@@ -26,7 +26,7 @@ class Stub final : public dialects::ControlStub {
 
  private:
   Memory memory_;
-  std::array<uint8_t, kPorts> inputs_{}, outputs_{};
+  std::array<uint8_t, kPortCount> inputs_{}, outputs_{};
   std::map<std::pair<uint16_t, uint16_t>, uint32_t> variables_;  // by index and offset
   PlcAxes axes_;
   uint32_t last_tick_ms_ = 0, now_ms_ = 0;
@@ -52,9 +52,9 @@ uint64_t Stub::Call(const ir::HostFunction& function, std::span<const uint64_t> 
   const auto variable = [&]() -> uint32_t& {
     return variables_[{static_cast<uint16_t>(arguments[1]), static_cast<uint16_t>(arguments[2])}];
   };
-  if (function.name == "read_port") return arguments[0] < kPorts ? inputs_[arguments[0]] : 0;
+  if (function.name == "read_port") return arguments[0] < kPortCount ? inputs_[arguments[0]] : 0;
   if (function.name == "write_port") {
-    if (arguments[0] < kPorts) outputs_[arguments[0]] = static_cast<uint8_t>(arguments[1]);
+    if (arguments[0] < kPortCount) outputs_[arguments[0]] = static_cast<uint8_t>(arguments[1]);
   } else if (function.name == "nc_read") {
     out = OfWidth(variable(), arguments[0]);
     return 1;

@@ -8,7 +8,7 @@
 namespace plcxx::prostep {
 namespace {
 
-constexpr uint32_t kFirstNumberByte = 222, kMessagesWithNumber = 16, kFieldBytes = 7;
+constexpr uint32_t kFieldBytes = 7;
 constexpr uint8_t kIsBcd = 0x80, kBcdMinus = 0x40, kIsDouble = 0x20, kShown = 0x01;
 constexpr uint32_t kColumnMask = 0x3F;
 

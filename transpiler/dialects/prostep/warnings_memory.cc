@@ -13,14 +13,13 @@
 namespace plcxx::prostep {
 namespace {
 
-constexpr uint32_t kBytes = 1000;                                  // of the largest space
-constexpr uint32_t kSpaces = 4;                                    // I, O, F, D
-constexpr uint32_t kFirstNumberByte = 222, kLastNumberByte = 237;  // F: where the numbers of messages stand in D
+constexpr uint32_t kBytes = 1000;   // of the largest space
+constexpr uint32_t kMapSpaces = 4;  // I, O, F, D
 constexpr uint32_t kLastNumberField = 255 + 6;
 
 /// A mask of bits for each byte of I, O, F and D.
 struct Bits {
-  std::array<std::array<uint8_t, kBytes>, kSpaces> masks{};
+  std::array<std::array<uint8_t, kBytes>, kMapSpaces> masks{};
 
   static uint8_t Of(const MemoryAccess& access) { return access.bytes == 1 ? access.bits : uint8_t{0xFF}; }
   void Add(const MemoryAccess& access) {
@@ -75,7 +74,7 @@ struct MemoryChecker {
   diag::Engine& diagnostics;
   std::vector<std::vector<MemoryAccess>> accesses = {};  // by InstructionId
   Bits read = {}, written = {}, interface = {}, fast = {};
-  std::array<bool, kSpaces> read_somewhere{}, written_somewhere{};  // FM 15 to 18
+  std::array<bool, kMapSpaces> read_somewhere{}, written_somewhere{};  // FM 15 to 18
   std::set<std::tuple<const void*, Space, uint32_t, uint32_t, uint8_t>> reported = {};
 
   template <class Message, class... Arguments>
@@ -121,8 +120,7 @@ void MemoryChecker::Collect() {
     interface.Add(all);
   }
   // The NC reads the fields to which the program points.
-  const MemoryAccess numbers{
-      .space = Space::kF, .first = kFirstNumberByte, .bytes = kLastNumberByte - kFirstNumberByte + 1};
+  const MemoryAccess numbers{.space = Space::kF, .first = kFirstNumberByte, .bytes = kMessagesWithNumber};
   if (written.Meets(numbers) || written_somewhere[static_cast<size_t>(Space::kF)]) {
     read.AddBytes(Space::kD, 0, kLastNumberField);
   }

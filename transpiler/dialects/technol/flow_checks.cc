@@ -9,7 +9,7 @@ bool IsMark(Op op) {
   return op == Op::kMechanismBegin || op == Op::kMechanismEnd || op == Op::kModuleEnd || op == Op::kAreaEnd;
 }
 
-std::string NameOf(const Program& program, const Subprogram& subprogram) {
+std::string SubprogramName(const Program& program, const Subprogram& subprogram) {
   return program.labels[subprogram.label].name;
 }
 
@@ -30,8 +30,8 @@ void CheckCalls(const Flow& flow, diag::Engine& diagnostics) {
     }
     for (const InstructionId id : subprogram.calls) {
       if (!deepest[id.index]) continue;
-      Report(diagnostics, program, program.instructions[id], diag::TechnolCallDepth, NameOf(program, subprogram),
-             static_cast<int64_t>(kCallDepth + 1));
+      Report(diagnostics, program, program.instructions[id], diag::TechnolCallDepth,
+             SubprogramName(program, subprogram), static_cast<int64_t>(kCallDepth + 1));
       break;
     }
   }
@@ -44,7 +44,7 @@ void CheckReturns(const Flow& flow, diag::Engine& diagnostics) {
   for (const Subprogram& subprogram : flow.subprograms()) {
     if (program.instructions[program.labels[subprogram.label].at].op != Op::kAreaEnd) continue;
     const Instruction& call = program.instructions[subprogram.calls.front()];
-    Report(diagnostics, program, call, diag::TechnolMissingRet, NameOf(program, subprogram));
+    Report(diagnostics, program, call, diag::TechnolMissingRet, SubprogramName(program, subprogram));
   }
   for (const Label& label : program.labels) {
     const Instruction& entry = program.instructions[label.at];

@@ -9,8 +9,6 @@
 namespace plcxx::technol {
 namespace {
 
-constexpr char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 constexpr bool IsDecimal(char c) { return c >= '0' && c <= '9'; }
 constexpr bool StartsName(char c) { return (Upper(c) >= 'A' && Upper(c) <= 'Z') || c == '_' || c == '?' || c == '@'; }
 

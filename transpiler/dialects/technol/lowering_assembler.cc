@@ -11,10 +11,6 @@ using ir::ValueId;
 
 namespace {
 
-struct ByWidth {
-  OpKind narrow, word, wide;
-  OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
-};
 constexpr ByWidth kAdd = {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32};
 constexpr ByWidth kSub = {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32};
 constexpr ByWidth kAnd = {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32};

@@ -13,11 +13,6 @@ constexpr uint32_t kDrNumber = 2;  // of ECX
 constexpr uint64_t kMostBcd16 = 9'999, kMostBcd32 = 79'999'999;
 
 /// The rows of ops.def by width.
-struct ByWidth {
-  OpKind narrow, word, wide;
-  OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
-};
-
 ByWidth OperationOf(Op op) {
   switch (op) {
     case Op::kAd:

@@ -23,7 +23,7 @@ struct HostRow {
   std::string_view comment;
 };
 
-constexpr uint64_t kDone = 1;  // of the results of request()
+constexpr uint64_t kRequestDone = 1;  // of the results of request()
 
 const std::vector<std::string>& RequestNames() {
   static const std::vector<std::string> names = {"SEND_PLCMEM", "SEND_TABTECH", "SEND_NCTAB",
@@ -288,7 +288,7 @@ void Lowering::Requests() {
     const ir::PlaceId bit = SystemPlace(row.bit);
     const auto ask = [&] {
       const ValueId result = CallHost(HostCall::kRequest, {Byte(i)});
-      When(Pure(OpKind::kEqual8, {result, Byte(kDone)}), [&] { builder_.Store(bit, builder_.Bit(0)); });
+      When(Pure(OpKind::kEqual8, {result, Byte(kRequestDone)}), [&] { builder_.Store(bit, builder_.Bit(0)); });
     };
     When(builder_.Load(bit), [&] {
       if (row.data != HostCall::kSetNcTable) {

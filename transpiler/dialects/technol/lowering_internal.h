@@ -23,6 +23,12 @@
 
 namespace plcxx::technol {
 
+/// One operation in its three widths.
+struct ByWidth {
+  ir::OpKind narrow, word, wide;
+  ir::OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
+};
+
 enum class HostCall : uint8_t {
   kReadInputs,
   kWriteOutputs,

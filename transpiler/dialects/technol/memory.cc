@@ -16,37 +16,36 @@ struct SpaceRow {
   bool host_visible;
   ir::Direction direction;
 };
-using ir::Direction;
 using ir::Lifetime;
-constexpr SpaceRow kRows[] = {
-    {SpaceKey::kIn, "IN", "inputs of the machine", Lifetime::kVolatile, true, Direction::kInput},
-    {SpaceKey::kOut, "OUT", "outputs to the machine", Lifetime::kVolatile, true, Direction::kOutput},
+constexpr SpaceRow kSpaceRows[] = {
+    {SpaceKey::kIn, "IN", "inputs of the machine", Lifetime::kVolatile, true, ir::Direction::kInput},
+    {SpaceKey::kOut, "OUT", "outputs to the machine", Lifetime::kVolatile, true, ir::Direction::kOutput},
     {SpaceKey::kSys, "SYS", "system cells and request bits", Lifetime::kVolatile, true,
-     Direction::kInternal},  // kSystemZones
-    {SpaceKey::kBukon, "BUKON", "machine constants", Lifetime::kVolatile, true, Direction::kInput},
-    {SpaceKey::kLabelMem, "LABEL_MEM", "backed-up area", Lifetime::kRetentive, true, Direction::kInternal},
-    {SpaceKey::kTabTechnol, "TAB_TECHNOL", "technology table", Lifetime::kRetentive, true, Direction::kInternal},
-    {SpaceKey::kSetNctab, "SET_NCTAB", "item for a table of the NC", Lifetime::kVolatile, true, Direction::kOutput},
-    {SpaceKey::kUser, "DATA", "cells of the program", Lifetime::kVolatile, true, Direction::kInternal},
+     ir::Direction::kInternal},  // kSystemZones
+    {SpaceKey::kBukon, "BUKON", "machine constants", Lifetime::kVolatile, true, ir::Direction::kInput},
+    {SpaceKey::kLabelMem, "LABEL_MEM", "backed-up area", Lifetime::kRetentive, true, ir::Direction::kInternal},
+    {SpaceKey::kTabTechnol, "TAB_TECHNOL", "technology table", Lifetime::kRetentive, true, ir::Direction::kInternal},
+    {SpaceKey::kSetNctab, "SET_NCTAB", "item for a table of the NC", Lifetime::kVolatile, true, ir::Direction::kOutput},
+    {SpaceKey::kUser, "DATA", "cells of the program", Lifetime::kVolatile, true, ir::Direction::kInternal},
     {SpaceKey::kMechanisms, "mechanisms", "activation bits of mechanisms", Lifetime::kVolatile, true,
-     Direction::kInternal},
+     ir::Direction::kInternal},
     {SpaceKey::kSteps, "steps", "where mechanisms wait, and how long", Lifetime::kVolatile, false,
-     Direction::kInternal},
+     ir::Direction::kInternal},
     {SpaceKey::kRegisters, "registers", "RLO, registers, flags, arguments", Lifetime::kRoutine, false,
-     Direction::kInternal},
+     ir::Direction::kInternal},
     {SpaceKey::kOwn, "own", "the same of modules and mechanisms that call nothing", Lifetime::kRoutine, false,
-     Direction::kInternal},
+     ir::Direction::kInternal},
 };
 /// Who writes the system cells (5.2). The requests are the program's, the NC takes them back; the starts of functions
 /// are the NC's, the scheduler takes them back.
 constexpr ir::Zone kSystemZones[] = {
-    {.begin = 0, .end = 1, .direction = Direction::kInput},     // MATTL
-    {.begin = 1, .end = 4, .direction = Direction::kOutput},    // BZH11, BZH21, BZH22
-    {.begin = 4, .end = 5, .direction = Direction::kInput},     // UPS_STAT
-    {.begin = 5, .end = 6, .direction = Direction::kOutput},    // UPS_CMD
-    {.begin = 6, .end = 7, .direction = Direction::kInput},     // UPS_FAULT
-    {.begin = 7, .end = 8, .direction = Direction::kInternal},  // SYSREQ
-    {.begin = 8, .end = 9, .direction = Direction::kInput},     // SYSNC
+    {.begin = 0, .end = 1, .direction = ir::Direction::kInput},     // MATTL
+    {.begin = 1, .end = 4, .direction = ir::Direction::kOutput},    // BZH11, BZH21, BZH22
+    {.begin = 4, .end = 5, .direction = ir::Direction::kInput},     // UPS_STAT
+    {.begin = 5, .end = 6, .direction = ir::Direction::kOutput},    // UPS_CMD
+    {.begin = 6, .end = 7, .direction = ir::Direction::kInput},     // UPS_FAULT
+    {.begin = 7, .end = 8, .direction = ir::Direction::kInternal},  // SYSREQ
+    {.begin = 8, .end = 9, .direction = ir::Direction::kInput},     // SYSNC
 };
 constexpr uint32_t kRegisterBytes = 4096;
 constexpr uint32_t kOwnBytes = 1U << 20;
@@ -71,7 +70,7 @@ uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
 }  // namespace
 
 Memory::Memory(ir::Program& program, const Sizes& sizes) {
-  for (const SpaceRow& row : kRows) {
+  for (const SpaceRow& row : kSpaceRows) {
     ir::Space space{.name = std::string(row.name),
                     .title = std::string(row.title),
                     .bytes = BytesOf(row.key, sizes),
@@ -86,7 +85,7 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
 }
 
 Memory::Memory(const ir::Program& program) {
-  for (const SpaceRow& row : kRows) {
+  for (const SpaceRow& row : kSpaceRows) {
     for (uint32_t i = 0; i < program.spaces.size(); ++i) {
       if (program.spaces[ir::SpaceId(i)].name == row.name) spaces_[static_cast<size_t>(row.key)] = ir::SpaceId(i);
     }

@@ -11,6 +11,8 @@
 
 namespace plcxx::technol {
 
+constexpr char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
 /// What a documented address says of its symbol: "IN+3.5", "DATA+12:16", "=5" of a constant, "=4:16" of a field, else
 /// the name of a mechanism.
 struct NamedThing {

@@ -5,7 +5,7 @@
 namespace plcxx::technol {
 namespace {
 
-constexpr uint32_t kMostLevels = 200;  // brackets in brackets: each is a call of this parser
+constexpr uint32_t kMostBrackets = 200;  // brackets in brackets: each is a call of this parser
 constexpr Register kIndexRegisters[] = {Register::kBx,  Register::kSi,  Register::kDi,
                                         Register::kEbx, Register::kEsi, Register::kEdi};
 
@@ -78,7 +78,7 @@ bool OperandParser::ReadAddress(Address& address, uint8_t& width, uint32_t level
 bool OperandParser::ReadBase(Address& address, uint8_t& width, uint32_t level) {
   const Token* token = reader_.Peek();
   if (reader_.TakePunctuation('(')) {
-    if (level >= kMostLevels) {
+    if (level >= kMostBrackets) {
       context_.Report(token->range, diag::TechnolSyntax, "'('", "an address with fewer brackets");
       return false;
     }

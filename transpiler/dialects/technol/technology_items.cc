@@ -21,7 +21,7 @@ std::string_view WithoutSign(std::string_view text) {
 struct Parts {
   std::string_view integer, decimals;
 };
-Parts Split(std::string_view digits) {
+Parts SplitDecimals(std::string_view digits) {
   const size_t point = digits.find('.');
   if (point == std::string_view::npos) return {digits, {}};
   return {digits.substr(0, point), digits.substr(point + 1)};
@@ -30,7 +30,7 @@ Parts Split(std::string_view digits) {
 }  // namespace
 
 bool IsItem(std::string_view text) {
-  const auto [integer, decimals] = Split(WithoutSign(text));
+  const auto [integer, decimals] = SplitDecimals(WithoutSign(text));
   return !(integer.empty() && decimals.empty()) && std::ranges::all_of(integer, IsDigit) &&
          std::ranges::all_of(decimals, IsDigit);
 }
@@ -41,7 +41,7 @@ Item ReadItem(std::string_view text) {
     const bool glued = sign != text.end() && IsItem({text.begin(), sign});
     return {.fault = glued ? ItemFault::kNotSeparated : ItemFault::kMalformed};
   }
-  const auto [integer, decimals] = Split(WithoutSign(text));
+  const auto [integer, decimals] = SplitDecimals(WithoutSign(text));
   if (integer.size() > kIntegerDigits || decimals.size() > kDecimals) return {.fault = ItemFault::kRange};
   uint32_t value = 0;
   for (const char digit : integer) value = value << 4 | static_cast<uint32_t>(digit - '0');

@@ -11,8 +11,8 @@ namespace {
 
 // Offsets of 5.4.
 constexpr uint32_t kVersion = 0;
-constexpr uint32_t kColumns = 2;
-constexpr uint32_t kRows = 4;
+constexpr uint32_t kColumnsAt = 2;
+constexpr uint32_t kRowsAt = 4;
 constexpr uint32_t kChoice = 6;
 constexpr uint32_t kActive = 8;
 constexpr uint32_t kName = 16;
@@ -25,11 +25,11 @@ void PutWord(TableImage& image, uint32_t offset, uint32_t value) {
   image[offset] = static_cast<uint8_t>(value);
   image[offset + 1] = static_cast<uint8_t>(value >> 8);
 }
-uint32_t Word(const TableImage& image, uint32_t offset) { return image[offset] | uint32_t{image[offset + 1]} << 8; }
+uint32_t WordAt(const TableImage& image, uint32_t offset) { return image[offset] | uint32_t{image[offset + 1]} << 8; }
 
 uint32_t ItemAt(const TableImage& image, uint32_t index) {
   const uint32_t offset = kTableFirstItem + index * kItemBytes;
-  return Word(image, offset) | Word(image, offset + 2) << 16;
+  return WordAt(image, offset) | WordAt(image, offset + 2) << 16;
 }
 
 std::string LineEndOf(std::string_view preamble) {
@@ -56,8 +56,8 @@ TableImage EmptyImage() {
 TableImage ImageOf(const TechnologyTable& table) {
   TableImage image = EmptyImage();
   PutWord(image, kVersion, table.version);
-  PutWord(image, kColumns, table.columns);
-  PutWord(image, kRows, table.rows);
+  PutWord(image, kColumnsAt, table.columns);
+  PutWord(image, kRowsAt, table.rows);
   image[kActive] = 1;
   std::copy_n(table.name.begin(), std::min<size_t>(table.name.size(), kTableNameBytes - 1), image.begin() + kName);
   for (uint32_t i = 0; i < std::min<size_t>(table.items.size(), kTableItems); ++i) {
@@ -80,11 +80,12 @@ std::string ItemText(uint32_t item) {
 }
 
 std::string WriteTable(const TableImage& image, std::string_view preamble) {
-  const uint32_t columns = std::min(Word(image, kColumns), kTableColumns);
-  const uint32_t rows = columns == 0 ? 0 : std::min(Word(image, kRows), kTableItems / columns);
+  const uint32_t columns = std::min(WordAt(image, kColumnsAt), kTableColumns);
+  const uint32_t rows = columns == 0 ? 0 : std::min(WordAt(image, kRowsAt), kTableItems / columns);
   const std::string end = LineEndOf(preamble);
   std::string text(preamble);
-  text += "$TCH " + std::to_string(Word(image, kVersion)) + " " + std::to_string(columns) + " " + std::to_string(rows);
+  text +=
+      "$TCH " + std::to_string(WordAt(image, kVersion)) + " " + std::to_string(columns) + " " + std::to_string(rows);
   text += end;
   for (uint32_t row = 0; row < rows; ++row) {
     const std::string number = RowText(row, rows);

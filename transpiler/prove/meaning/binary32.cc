@@ -1,4 +1,5 @@
 // Floating point, binary32: HOST50 6.3 to 6.5.
+#include "transpiler/prove/meaning/comparisons.h"
 #include "transpiler/prove/meaning/rows.h"
 #include "transpiler/prove/terms/floats.h"
 
@@ -6,9 +7,6 @@ namespace plcxx::prove::meaning {
 namespace {
 
 Value Number(Value like, double value) { return like.With(FloatConst(*like.terms, value, 32)); }
-Bit IsLess(Value a, Value b) { return a.With(FloatLess(*a.terms, a.id, b.id)); }
-Bit IsAtMost(Value a, Value b) { return a.With(FloatLessEqual(*a.terms, a.id, b.id)); }
-Bit IsEqual(Value a, Value b) { return a.With(FloatEqual(*a.terms, a.id, b.id)); }
 
 }  // namespace
 

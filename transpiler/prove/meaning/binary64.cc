@@ -1,15 +1,10 @@
 // Floating point, binary64: HNC 6.1, 6.2 and 6.11.
+#include "transpiler/prove/meaning/comparisons.h"
 #include "transpiler/prove/meaning/rows.h"
 #include "transpiler/prove/terms/floats.h"
 
 namespace plcxx::prove::meaning {
-namespace {
-
-Bit IsLess(Value a, Value b) { return a.With(FloatLess(*a.terms, a.id, b.id)); }
-Bit IsAtMost(Value a, Value b) { return a.With(FloatLessEqual(*a.terms, a.id, b.id)); }
-Bit IsEqual(Value a, Value b) { return a.With(FloatEqual(*a.terms, a.id, b.id)); }
-
-}  // namespace
+namespace {}  // namespace
 
 F64 AddF64(F64 a, F64 b) { return a.With(FloatAdd(*a.terms, a.id, b.id)); }
 F64 SubF64(F64 a, F64 b) { return a.With(FloatSub(*a.terms, a.id, b.id)); }

@@ -1,0 +1,13 @@
+// Comparisons of floating point, binary32 or binary64 by the width of the values.
+#pragma once
+
+#include "transpiler/prove/meaning/value.h"
+#include "transpiler/prove/terms/floats.h"
+
+namespace plcxx::prove::meaning {
+
+inline Value IsLess(Value a, Value b) { return a.With(FloatLess(*a.terms, a.id, b.id)); }
+inline Value IsAtMost(Value a, Value b) { return a.With(FloatLessEqual(*a.terms, a.id, b.id)); }
+inline Value IsEqual(Value a, Value b) { return a.With(FloatEqual(*a.terms, a.id, b.id)); }
+
+}  // namespace plcxx::prove::meaning
