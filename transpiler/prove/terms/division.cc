@@ -14,7 +14,7 @@ struct Quotient {
   uint64_t divisor = 0;
 };
 
-constexpr int kMostSteps = 12;
+constexpr int kMostDepth = 12;
 
 TermId BelowZeros(const Terms& terms, TermId id) {
   while (terms[id].kind == TermKind::kConcat && terms.IsZero(TermId(terms[id].a))) id = TermId(terms[id].b);
@@ -89,7 +89,7 @@ Quotient QuotientOf(const Terms& terms, TermId id) {
 
 }  // namespace
 
-uint64_t GreatestOf(const Terms& terms, TermId id) { return GreatestIn(terms, id, kMostSteps); }
+uint64_t GreatestOf(const Terms& terms, TermId id) { return GreatestIn(terms, id, kMostDepth); }
 
 uint8_t WidthOfDivision(uint64_t greatest) {
   constexpr int kByte = 8;
