@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 
 #include "transpiler/prove/meaning/meaning.h"
 
@@ -46,13 +47,13 @@ TermId CallLog::ByArguments(const ReplacedCall& call, std::span<const TermId> ar
   return terms_.Apply(terms_.Function("call of " + call.unit().name, 64), arguments);
 }
 
-CallLog::Entry* CallLog::EntryOf(const ReplacedCall& call, TermId when) {
+std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, TermId when) {
   std::vector<Entry*> of_function;
   for (Entry& entry : entries_) {
     if (entry.call == &call) of_function.push_back(&entry);
   }
   const auto is_free = [](const Entry* entry) { return entry->taken.empty(); };
-  if (of_function.size() == 1 && is_free(of_function.front())) return of_function.front();
+  if (of_function.size() == 1 && is_free(of_function.front())) return of_function;
   // The latest first that has been taken, where another branch may have made it; then those behind it.
   const auto taken = std::find_if_not(of_function.rbegin(), of_function.rend(), is_free);
   std::vector<Entry*> open(taken == of_function.rend() ? of_function.begin() : std::prev(taken.base()),
@@ -62,10 +63,11 @@ CallLog::Entry* CallLog::EntryOf(const ReplacedCall& call, TermId when) {
     const bool fits =
         std::ranges::all_of(entry->taken, [&](TermId other) { return never_(terms_.And(when, other)); }) &&
         never_(terms_.And(when, terms_.Not(entry->when)));
-    if (fits) return entry;
+    if (fits) return {entry};
   }
-  const auto next = std::ranges::find_if(open, is_free);
-  return next == open.end() ? nullptr : *next;
+  // Behind branches that end alike, one call of the code is now this, now that one of the program's.
+  std::erase_if(open, [&](const Entry* entry) { return !is_free(entry) || never_(terms_.And(when, entry->when)); });
+  return open;
 }
 
 TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
@@ -81,15 +83,22 @@ TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> ar
 
 TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
   if (matching_ == Matching::kByArguments) return ByArguments(call, arguments);
-  Entry* entry = EntryOf(call, when);
-  if (entry == nullptr) return {};
-  entry->taken.push_back(when);
+  const std::vector<Entry*> entries = EntriesOf(call, when);
+  if (entries.empty()) return {};
+  TermId known = entries.back()->known;
+  std::vector<TermId> expected = entries.back()->arguments;
+  for (const Entry* entry : entries | std::views::take(entries.size() - 1) | std::views::reverse) {
+    known = terms_.Ite(entry->when, entry->known, known);
+    for (size_t i = 0; i < expected.size(); ++i)
+      expected[i] = terms_.Ite(entry->when, entry->arguments[i], expected[i]);
+  }
+  for (Entry* entry : entries) entry->taken.push_back(when);
   for (size_t i = 0; i < arguments.size(); ++i) {
     // Where the code does not come here, its call is none.
-    const TermId program = terms_.Ite(when, entry->arguments[i], arguments[i]);
+    const TermId program = terms_.Ite(when, expected[i], arguments[i]);
     if (program != arguments[i]) claims_.push_back({.call = &call, .program = program, .code = arguments[i]});
   }
-  return entry->known;
+  return known;
 }
 
 ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const Cells& cells, const StateImage& image,

@@ -27,8 +27,8 @@ class ReplacedCall;
 /// The replaced calls of one routine, first those of the IR, then those of the code.
 ///
 /// By order, the code's calls of a function are the program's in their order, but for what compilers make of branches:
-/// two calls for one where one branch became two, and branches in another order. Whichever is taken, it is shown that
-/// the arguments are the same.
+/// two calls for one where one branch became two, one for two where they end alike, and branches in another order.
+/// Whichever is taken, it is shown that the arguments are the same.
 class CallLog {
  public:
   enum class Matching : uint8_t { kByOrder, kByArguments };
@@ -58,8 +58,9 @@ class CallLog {
   };
 
   TermId ByArguments(const ReplacedCall& call, std::span<const TermId> arguments);
-  /// The program's call that one of the code's is; none: there are no more.
-  Entry* EntryOf(const ReplacedCall& call, TermId when);
+  /// The program's call that one of the code's is, or several, of which it is the first that the program comes to;
+  /// none: there are no more.
+  std::vector<Entry*> EntriesOf(const ReplacedCall& call, TermId when);
 
   Terms& terms_;
   Matching matching_;
