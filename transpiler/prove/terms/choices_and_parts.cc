@@ -232,8 +232,8 @@ Terms::Part Terms::Innermost(Part part) const {
 
 TermId Terms::FindPart(const Part& part) const {
   if (part.width == Width(part.of)) return part.of;
-  const uint32_t* const found = extracts_.Find({TermKind::kExtract, part.width, part.of.index, part.low});
-  return found == nullptr ? TermId() : TermId(*found);
+  const uint32_t found = extract_index_.Find(extract_questions_, QuestionOf(part));
+  return found == Index::kNowhere ? TermId() : extracts_[found];
 }
 
 TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
@@ -257,7 +257,9 @@ TermId Terms::Extract(TermId a, uint8_t low, uint8_t width) {
     if (open.size() > before) continue;
     open.pop_back();
     const TermId result = ExtractNew(part.of, part.low, part.width);
-    extracts_.FindOrAdd({TermKind::kExtract, part.width, part.of.index, part.low}, result.index);
+    if (extract_index_.FindOrAdd(extract_questions_, QuestionOf(part)) != Index::kNowhere) continue;
+    extract_questions_.push_back(QuestionOf(part));
+    extracts_.push_back(result);
   }
   return FindPart(asked);
 }

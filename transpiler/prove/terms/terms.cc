@@ -8,38 +8,47 @@
 
 namespace plcxx::prove {
 
-size_t Terms::Index::SlotOf(const Term& term) const {
+namespace {
+
+uint32_t HashOf(const Term& term) {
   uint64_t hash = (uint64_t{term.a} << 32 | term.b) * 0x9E3779B97F4A7C15;
   hash ^= (uint64_t{term.c} << 16 | static_cast<uint64_t>(term.kind) << 8 | term.width) * 0xC2B2AE3D27D4EB4F;
-  hash ^= hash >> 31;
+  return static_cast<uint32_t>(hash ^ hash >> 31);
+}
+
+}  // namespace
+
+size_t Terms::Index::SlotOf(std::span<const Term> keys, const Term& term, uint32_t hash) const {
   const size_t mask = slots_.size() - 1;
-  size_t at = static_cast<size_t>(hash) & mask;
-  while (slots_[at].number != kFree && slots_[at].term != term) at = (at + 1) & mask;
+  size_t at = hash & mask;
+  while (slots_[at].at != kNowhere && (slots_[at].hash != hash || keys[slots_[at].at] != term)) at = (at + 1) & mask;
   return at;
 }
 
 void Terms::Index::Grow() {
-  std::vector<Slot> before = std::exchange(slots_, {});
+  const std::vector<Slot> before = std::exchange(slots_, {});
   slots_.resize(std::max<size_t>(1024, 2 * before.size()));
+  const size_t mask = slots_.size() - 1;
   for (const Slot& slot : before) {
-    if (slot.number != kFree) slots_[SlotOf(slot.term)] = slot;
+    if (slot.at == kNowhere) continue;
+    size_t at = slot.hash & mask;
+    while (slots_[at].at != kNowhere) at = (at + 1) & mask;
+    slots_[at] = slot;
   }
 }
 
-uint32_t Terms::Index::FindOrAdd(const Term& term, uint32_t number) {
-  if (2 * (used_ + 1) > slots_.size()) Grow();
-  Slot& slot = slots_[SlotOf(term)];
-  if (slot.number == kFree) {
-    slot = {.term = term, .number = number};
-    ++used_;
-  }
-  return slot.number;
+uint32_t Terms::Index::FindOrAdd(std::span<const Term> keys, const Term& term) {
+  if (4 * (used_ + 1) > 3 * slots_.size()) Grow();
+  const uint32_t hash = HashOf(term);
+  Slot& slot = slots_[SlotOf(keys, term, hash)];
+  if (slot.at != kNowhere) return slot.at;
+  slot = {.hash = hash, .at = static_cast<uint32_t>(keys.size())};
+  ++used_;
+  return kNowhere;
 }
 
-const uint32_t* Terms::Index::Find(const Term& term) const {
-  if (slots_.empty()) return nullptr;
-  const Slot& slot = slots_[SlotOf(term)];
-  return slot.number == kFree ? nullptr : &slot.number;
+uint32_t Terms::Index::Find(std::span<const Term> keys, const Term& term) const {
+  return slots_.empty() ? kNowhere : slots_[SlotOf(keys, term, HashOf(term))].at;
 }
 
 Terms::Terms() {
@@ -48,9 +57,10 @@ Terms::Terms() {
 }
 
 TermId Terms::Add(Term term) {
-  const uint32_t number = index_.FindOrAdd(term, size());
-  if (number == size()) terms_.push_back(term);
-  return TermId(number);
+  const uint32_t known = index_.FindOrAdd(terms_, term);
+  if (known != Index::kNowhere) return TermId(known);
+  terms_.push_back(term);
+  return TermId(size() - 1);
 }
 
 TermId Terms::Const(uint64_t value, uint8_t width) {

@@ -194,32 +194,36 @@ class Terms {
   template <class Visit>
   void ForEachPartBelow(const Part& part, Visit&& visit) const;
   TermId ExtractNew(TermId a, uint8_t low, uint8_t width);
+  static Term QuestionOf(const Part& part) { return {TermKind::kExtract, part.width, part.of.index, part.low}; }
 
-  /// From a term to a number, with open addressing: most of the time of an execution goes into this. Looked up only,
-  /// never walked.
+  /// Finds a term in a list, by open addressing; never walked. Most of the time of an execution goes into this, so it
+  /// holds the hashes only, and what is not in the list costs one look.
   class Index {
    public:
-    /// The number that the term has; `number`, which it has from now on, when it had none.
-    uint32_t FindOrAdd(const Term& term, uint32_t number);
-    /// None: it has no number.
-    const uint32_t* Find(const Term& term) const;
+    /// Where `keys` has the term; kNowhere.
+    uint32_t Find(std::span<const Term> keys, const Term& term) const;
+    /// The same; without, the term counts as the next of `keys`, where the caller puts it.
+    uint32_t FindOrAdd(std::span<const Term> keys, const Term& term);
+
+    static constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
    private:
     struct Slot {
-      Term term;
-      uint32_t number = kFree;
+      uint32_t hash = 0;
+      uint32_t at = kNowhere;
     };
-    static constexpr uint32_t kFree = 0xFFFFFFFF;
-    size_t SlotOf(const Term& term) const;  // where it is, or would be
+    size_t SlotOf(std::span<const Term> keys, const Term& term, uint32_t hash) const;  // where it is, or would be
     void Grow();
 
-    std::vector<Slot> slots_;  // a power of two; at most half of them are used
+    std::vector<Slot> slots_;  // a power of two; at most three quarters of them are used
     size_t used_ = 0;
   };
 
   std::vector<Term> terms_;
   Index index_;
-  Index extracts_;  // what Extract gave for each question
+  std::vector<Term> extract_questions_;
+  std::vector<TermId> extracts_;  // what Extract gave for each of them
+  Index extract_index_;
   std::vector<std::string> variables_;
   std::vector<TermFunction> functions_;
   std::unordered_map<std::string, uint32_t> function_index_;
