@@ -118,5 +118,17 @@ TEST(Compile, SlicesByCost) {
   EXPECT_EQ(compilation.estimates.slow_period_ms, 10 * compilation.estimates.slices);
 }
 
+// The period of this dialect is the FAST one: SLOW comes in every n-th.
+TEST(Compile, SlowPartInEveryNthPeriodHasNoPeriodInSlices) {
+  const testing_support::TemporaryDirectory directory;
+  directory.Write("main.il", "SLOWDIV 8\nSLOW\nNETWORK\nLD %I0\nOUT %Q0\nEND_SLOW\n");
+  CompilationRequest request;
+  request.base_directory = directory.path().string();
+  request.sources = {"main.il"};
+  const Compilation compilation = Compile(request);
+  ASSERT_TRUE(compilation.ok());
+  EXPECT_EQ(compilation.estimates.slow_period_ms, 0u);
+}
+
 }  // namespace
 }  // namespace plcxx::driver

@@ -59,7 +59,7 @@ struct PartitionEstimate {
 struct Estimates {
   std::vector<PartitionEstimate> partitions;  // fast before slow; only those that the program has
   uint32_t slices = 1;
-  uint32_t slow_period_ms = 0;  // 0: the program has no sliced part
+  uint32_t slow_period_ms = 0;  // of a whole slow part; 0: none that is the same for each
 };
 
 struct Compilation {

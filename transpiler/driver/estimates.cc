@@ -53,7 +53,9 @@ void EstimateCosts(Compilation& compilation) {
       routine.slices = cost::SlicesFor(estimate.time_us(), program.schedule.slot_ms);
     }
     estimates.slices = routine.slices;
-    estimates.slow_period_ms = routine.slices * program.schedule.period_ms;
+    // Elsewhere the program decides when its slow part comes (hnc, prostep), or counts periods for it (host50).
+    const bool is_period = routine.sliced || program.schedule.fast_ms != 0;
+    estimates.slow_period_ms = is_period ? routine.slices * program.schedule.period_ms : 0;
   }
 }
 

@@ -51,7 +51,7 @@ struct ProgramInput {
   std::vector<std::optional<ir::Place>> documented;  // by index into Program::documentation: what the address names
   std::vector<Partition> partitions;
   uint32_t slices = 1;
-  uint32_t slow_period_ms = 0;  // 0: there is no sliced part
+  uint32_t slow_period_ms = 0;  // of a whole slow part; 0: none that is the same for each
   std::vector<Table> tables;
 };
 
