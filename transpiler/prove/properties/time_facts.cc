@@ -61,17 +61,25 @@ struct Sample {
   std::map<TermId, uint64_t> bits;
 };
 
+bool IsOfRegister(Form form) {
+  return form == Form::kGrows || form == Form::kFalls || form == Form::kAtMost || form == Form::kExactly;
+}
+bool IsOfCounter(Form form) {
+  return form == Form::kGrows || form == Form::kFalls || form == Form::kWhile || form == Form::kLong;
+}
+
 bool HoldsIn(const Guess& guess, const Sample& sample) {
   for (const auto& bit : {guess.unless, guess.also_unless, guess.or_unless}) {
     if (bit && (sample.bits.at(bit->first) != 0) == bit->second) return true;
   }
   if (guess.form == Form::kBits) return false;
+  // There may be no register at all.
+  const uint64_t passed = IsOfCounter(guess.form) ? sample.counters[guess.counter] * guess.scale : 0;
+  if (guess.form == Form::kWhile) return passed == 0;
+  if (guess.form == Form::kLong) return passed <= *guess.limit + guess.slack;
   const uint64_t number = sample.registers[guess.of_register];
   if (guess.form == Form::kAtMost) return number <= *guess.limit;
   if (guess.form == Form::kExactly) return number == *guess.limit;
-  const uint64_t passed = sample.counters[guess.counter] * guess.scale;
-  if (guess.form == Form::kWhile) return passed == 0;
-  if (guess.form == Form::kLong) return passed <= *guess.limit + guess.slack;
   if (guess.form == Form::kGrows) return passed <= number + guess.slack || (guess.limit && *guess.limit <= number);
   return passed == 0 || number + passed <= *guess.limit + guess.slack;
 }
@@ -136,10 +144,6 @@ TermId Finder::NumberOf(const Register& one, size_t part) {
 }
 
 TermId Finder::ConditionOf(const Guess& guess, size_t part) {
-  const Register& one = registers_[guess.of_register];
-  const uint8_t width = std::min<uint8_t>(64, std::max<uint8_t>(kLeastWidth, static_cast<uint8_t>(one.width + 1)));
-  const TermId number = terms_.Zext(NumberOf(one, part), width);
-  const auto constant = [&](uint64_t value) { return terms_.Const(value, width); };
   TermId holds = terms_.Bit(false);
   for (const auto& bit : {guess.unless, guess.also_unless, guess.or_unless}) {
     if (!bit) continue;
@@ -147,18 +151,37 @@ TermId Finder::ConditionOf(const Guess& guess, size_t part) {
     holds = terms_.Or(holds, bit->second ? value : terms_.Not(value));
   }
   if (guess.form == Form::kBits) return holds;
-  if (guess.form == Form::kAtMost) return terms_.Or(holds, terms_.Ule(number, constant(*guess.limit)));
-  if (guess.form == Form::kExactly) return terms_.Or(holds, terms_.Eq(number, constant(*guess.limit)));
-  const TermId count = terms_.Zext(ValueOf(question_.counters[guess.counter], part), width);
-  const TermId passed = terms_.Mul(count, constant(guess.scale));
-  if (guess.form == Form::kWhile) return terms_.Or(holds, terms_.Eq(count, constant(0)));
-  if (guess.form == Form::kLong) return terms_.Or(holds, terms_.Ule(passed, constant(*guess.limit + guess.slack)));
-  if (guess.form == Form::kGrows) {
-    holds = terms_.Or(holds, terms_.Ule(passed, terms_.Add(number, constant(guess.slack))));
-    return guess.limit ? terms_.Or(holds, terms_.Ule(constant(*guess.limit), number)) : holds;
+  uint8_t width = kLeastWidth;
+  if (IsOfRegister(guess.form)) {
+    const int bits = registers_[guess.of_register].width + 1;
+    width = static_cast<uint8_t>(std::clamp<int>(bits, kLeastWidth, 64));
   }
-  holds = terms_.Or(holds, terms_.Eq(count, constant(0)));
-  return terms_.Or(holds, terms_.Ule(terms_.Add(number, passed), constant(*guess.limit + guess.slack)));
+  const auto constant = [&](uint64_t value) { return terms_.Const(value, width); };
+  TermId number, count, passed;
+  if (IsOfRegister(guess.form)) number = terms_.Zext(NumberOf(registers_[guess.of_register], part), width);
+  if (IsOfCounter(guess.form)) {
+    count = terms_.Zext(ValueOf(question_.counters[guess.counter], part), width);
+    passed = terms_.Mul(count, constant(guess.scale));
+  }
+  switch (guess.form) {
+    case Form::kBits:
+      break;
+    case Form::kAtMost:
+      return terms_.Or(holds, terms_.Ule(number, constant(*guess.limit)));
+    case Form::kExactly:
+      return terms_.Or(holds, terms_.Eq(number, constant(*guess.limit)));
+    case Form::kWhile:
+      return terms_.Or(holds, terms_.Eq(count, constant(0)));
+    case Form::kLong:
+      return terms_.Or(holds, terms_.Ule(passed, constant(*guess.limit + guess.slack)));
+    case Form::kGrows:
+      holds = terms_.Or(holds, terms_.Ule(passed, terms_.Add(number, constant(guess.slack))));
+      return guess.limit ? terms_.Or(holds, terms_.Ule(constant(*guess.limit), number)) : holds;
+    case Form::kFalls:
+      holds = terms_.Or(holds, terms_.Eq(count, constant(0)));
+      return terms_.Or(holds, terms_.Ule(terms_.Add(number, passed), constant(*guess.limit + guess.slack)));
+  }
+  PLCXX_UNREACHABLE();
 }
 
 /// All state on which what must not happen depends, in any number of periods.
