@@ -71,6 +71,8 @@ bool PropertyChecker::Extend(Unrolled& unrolled, uint32_t periods, PropertyResul
 PropertyResult PropertyChecker::Check(const Property& property) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(options_.time_ms);
   PropertyResult result = CheckInTime(property);
+  // The time may end between two steps.
+  if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
   return result;
 }
