@@ -8,6 +8,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -345,6 +346,12 @@ class MutationTest : public ::testing::Test {
     text = whole;
   }
 
+  /// As it is it is proved; with any of the changes it is not.
+  static void ExpectAllCaught(Subject& subject, std::span<const Mutation> mutations) {
+    EXPECT_EQ(subject.Caught(), "");
+    for (const Mutation& mutation : mutations) ExpectCaught(subject, mutation);
+  }
+
   compile::Toolchain toolchain_;
   std::unique_ptr<Subject> turret_;
 };
@@ -357,26 +364,22 @@ TEST_F(MutationTest, ChangesAreCaught) {
 
 TEST_F(MutationTest, ChangesInLoopsAreCaught) {
   Subject loops(toolchain_, "turret.plc", kLoops, "nc110", {{"enable-dow", "on"}});
-  EXPECT_EQ(loops.Caught(), "");
-  for (const Mutation& mutation : kMutationsOfLoops) ExpectCaught(loops, mutation);
+  ExpectAllCaught(loops, kMutationsOfLoops);
 }
 
 TEST_F(MutationTest, ChangesInLoopsOfTechnolAreCaught) {
   Subject loop(toolchain_, "turret.plc", kLoopOfTechnol, "technol");
-  EXPECT_EQ(loop.Caught(), "");
-  for (const Mutation& mutation : kMutationsOfTechnol) ExpectCaught(loop, mutation);
+  ExpectAllCaught(loop, kMutationsOfTechnol);
 }
 
 TEST_F(MutationTest, ChangesInLoopsOfHost50AreCaught) {
   Subject loop(toolchain_, "turret.il", kLoopOfHost50, "host50");
-  EXPECT_EQ(loop.Caught(), "");
-  for (const Mutation& mutation : kMutationsOfHost50) ExpectCaught(loop, mutation);
+  ExpectAllCaught(loop, kMutationsOfHost50);
 }
 
 TEST_F(MutationTest, ChangesOfCallsInProStepAreCaught) {
   Subject calls(toolchain_, "turret.plc", kCallsOfProStep, "prostep");
-  EXPECT_EQ(calls.Caught(), "");
-  for (const Mutation& mutation : kMutationsOfProStep) ExpectCaught(calls, mutation);
+  ExpectAllCaught(calls, kMutationsOfProStep);
 }
 
 TEST_F(MutationTest, FlagsThatChangeTheMeaningAreCaught) {

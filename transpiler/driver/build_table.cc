@@ -17,12 +17,6 @@ std::string MicrosecondsText(uint64_t ns) {
   return (tenths.size() == 1 ? "0" : tenths.substr(0, tenths.size() - 1)) + "." + tenths.back();
 }
 
-std::string Joined(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// All that is called and has no figures, and all that is missing.
 struct Exclusions {
   std::set<std::string> host, support, not_whole;
@@ -136,8 +130,8 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
       text += "  " + partition.name + ": jumps lead from slice to slice, each may take as long as its row says\n";
   }
   const Exclusions excluded = ExclusionsOf(figures);
-  if (!excluded.host.empty()) text += "  not counted, host functions: " + Joined(excluded.host) + "\n";
-  if (!excluded.support.empty()) text += "  not counted, support routines: " + Joined(excluded.support) + "\n";
+  if (!excluded.host.empty()) text += "  not counted, host functions: " + CommaSeparated(excluded.host) + "\n";
+  if (!excluded.support.empty()) text += "  not counted, support routines: " + CommaSeparated(excluded.support) + "\n";
   const std::string shared = SharedRounds(figures);
   if (!shared.empty()) text += "  rounds that loops share, all of them counted: " + shared + "\n";
   for (const std::string& missing : excluded.not_whole) text += "  not whole: " + missing + "\n";

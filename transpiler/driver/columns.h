@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace plcxx::driver {
 
@@ -17,10 +15,11 @@ inline std::string LeftAligned(std::string text, size_t width) {
   return text;
 }
 
-/// "a, b, c"
-inline std::string CommaSeparated(const std::vector<std::string_view>& words) {
+/// "a, b, c": of a range of texts.
+template <class Texts>
+std::string CommaSeparated(const Texts& words) {
   std::string joined;
-  for (const std::string_view word : words) {
+  for (const auto& word : words) {
     if (!joined.empty()) joined += ", ";
     joined += word;
   }

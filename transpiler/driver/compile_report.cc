@@ -72,9 +72,8 @@ std::string ReportText(const Compilation& compilation) {
                      support::Counted(compilation.summary.statements, "statement") + ", " +
                      CountText(compilation.diagnostics) + "\n";
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
-    text += "  " + partition.name + std::string(partition.name.size() < 6 ? 6 - partition.name.size() : 0, ' ') +
-            RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
-            RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
+    text += "  " + LeftAligned(partition.name, 6) + RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) +
+            " us" + RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
   }
   if (compilation.estimates.slow_period_ms > 0) {
     text += "  slow part in " + support::Counted(compilation.estimates.slices, "slice") + ", period " +

@@ -14,7 +14,7 @@ namespace {
 constexpr int kCompileSeconds = 300;
 
 /// Where one bit or byte of a place is: a byte of State, or of the shadow of what the program does not use.
-struct SteppedCell {
+struct PlacePart {
   bool in_state = false;
   uint32_t offset = 0;
   uint8_t bit = 0;       // of that byte
@@ -106,7 +106,7 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Write(const ir::Place& place, uint64_t value) override {
-    Apply(place, value, [this](const SteppedCell& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
+    Apply(place, value, [this](const PlacePart& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
       if (cell.in_state) {
         state_[cell.offset] = static_cast<uint8_t>((state_[cell.offset] & ~mask) | (bits & mask));
         state_[cell.offset] = static_cast<uint8_t>((state_[cell.offset] & ~force_mask_[cell.offset]) |
@@ -121,7 +121,7 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Force(const ir::Place& place, uint64_t value) override {
-    Apply(place, value, [this](const SteppedCell& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
+    Apply(place, value, [this](const PlacePart& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
       std::vector<uint8_t>& masks = cell.in_state ? force_mask_ : shadow_mask_[space.index];
       std::vector<uint8_t>& values = cell.in_state ? force_value_ : shadow_value_[space.index];
       masks[cell.offset] = static_cast<uint8_t>(masks[cell.offset] | mask);
@@ -136,7 +136,7 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Release(const ir::Place& place) override {
-    Apply(place, 0, [this](const SteppedCell& cell, ir::SpaceId space, uint8_t mask, uint8_t) {
+    Apply(place, 0, [this](const PlacePart& cell, ir::SpaceId space, uint8_t mask, uint8_t) {
       std::vector<uint8_t>& masks = cell.in_state ? force_mask_ : shadow_mask_[space.index];
       masks[cell.offset] = static_cast<uint8_t>(masks[cell.offset] & ~mask);
       if (cell.in_state) Command("R", {cell.offset, mask});
@@ -194,7 +194,7 @@ class CompiledEngine : public sim::Engine {
       if (!program_.spaces[ir::SpaceId(s)].host_visible) continue;
       for (uint32_t i = 0; i < program_.spaces[ir::SpaceId(s)].bytes; ++i, ++at) {
         for (uint8_t bit = 0; bit < 8; ++bit) {
-          const SteppedCell cell = BitCell(ir::SpaceId(s), i, bit);
+          const PlacePart cell = BitCell(ir::SpaceId(s), i, bit);
           if (cell.in_state) stored_.push_back({at, cell.offset, cell.is_bool ? bit : ir::kNoBit});
           if (cell.in_state && !cell.is_bool) break;  // the whole byte
         }
@@ -255,7 +255,7 @@ class CompiledEngine : public sim::Engine {
   }
 
   /// The cell of one bit of a byte of a space.
-  SteppedCell BitCell(ir::SpaceId space, uint32_t at, uint8_t bit) const {
+  PlacePart BitCell(ir::SpaceId space, uint32_t at, uint8_t bit) const {
     if (at >= layout_.bytes[space.index].size()) return {false, at, bit, false};  // a local of routines
     const emit::ByteStorage& stored = layout_.bytes[space.index][at];
     if (stored.bits[bit].storage != emit::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
@@ -267,7 +267,7 @@ class CompiledEngine : public sim::Engine {
   uint8_t ReadByte(ir::SpaceId space, uint32_t at) const {
     uint8_t value = 0;
     for (uint8_t bit = 0; bit < 8; ++bit) {
-      const SteppedCell cell = BitCell(space, at, bit);
+      const PlacePart cell = BitCell(space, at, bit);
       const uint8_t byte = cell.in_state ? state_[cell.offset] : shadow_[space.index][cell.offset];
       value = static_cast<uint8_t>(value | ((byte >> cell.bit & 1) << bit));
     }
@@ -279,7 +279,7 @@ class CompiledEngine : public sim::Engine {
   void Apply(const ir::Place& place, uint64_t value, Change&& change) {
     if (place.is_field()) {
       for (uint32_t i = 0; i < ir::Bytes(place.type); ++i) {
-        change(SteppedCell{true, FieldAt(place) + i, 0, false}, ir::SpaceId(), 0xFF,
+        change(PlacePart{true, FieldAt(place) + i, 0, false}, ir::SpaceId(), 0xFF,
                static_cast<uint8_t>(value >> (8 * i)));
       }
       return;
@@ -291,7 +291,7 @@ class CompiledEngine : public sim::Engine {
         const bool single = place.type == ir::Type::kBit;
         if (single && bit != place.bit) continue;
         const bool one = ((single ? value : static_cast<uint64_t>(byte >> bit)) & 1) != 0;
-        const SteppedCell cell = BitCell(place.space, place.offset + i, bit);
+        const PlacePart cell = BitCell(place.space, place.offset + i, bit);
         const auto mask = cell.is_bool ? uint8_t{0xFF} : static_cast<uint8_t>(1u << cell.bit);
         const auto bits = cell.is_bool ? static_cast<uint8_t>(one ? 1 : 0) : static_cast<uint8_t>(one ? mask : 0);
         change(cell, place.space, mask, bits);

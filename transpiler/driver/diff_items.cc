@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "transpiler/driver/place_names.h"
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
+#include "transpiler/ir/place_names.h"
 #include "transpiler/prove/meaning/meaning.h"
 
 namespace plcxx::driver {
@@ -117,7 +117,7 @@ bool CellWords::IsNamed(const ir::Place& place) const {
 
 CellWord CellWords::OfPlace(const ir::Place& place) const {
   const ir::Program& program = *version_.program;
-  CellWord word{.name = SourceName(place), .address = {}, .place = place, .cells = {}};
+  CellWord word{.name = ir::SourceName(place), .address = {}, .place = place, .cells = {}};
   if (IsNamed(place)) {
     word.name = place.name;
     word.address = place.address;
@@ -184,8 +184,8 @@ CellWord CellWords::WordOf(CellId id) const {
                              .field = cell.field};
       // The program's own name for the field, where it has one.
       for (const ir::Place& place : program.places) {
-        if (place.state == cell.state && place.field == cell.field && !SourceName(place).empty())
-          word.name = SourceName(place);
+        if (place.state == cell.state && place.field == cell.field && !ir::SourceName(place).empty())
+          word.name = ir::SourceName(place);
       }
     }
     return word;

@@ -10,6 +10,7 @@
 #include "transpiler/driver/diff_shorten.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_suite.h"
+#include "transpiler/driver/yaml_words.h"
 #include "transpiler/sim/value_text.h"
 
 namespace plcxx::driver {
@@ -91,16 +92,7 @@ std::vector<std::pair<std::string, std::string>> SetsOf(const DiffSide& old_side
   return sets;
 }
 
-std::string Quoted(const std::string& text) {
-  const bool plain = std::ranges::all_of(text, [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
-           c == '-';
-  });
-  if (plain && !text.empty()) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
+std::string Quoted(const std::string& text) { return YamlWord(text, "_.-"); }
 
 std::string RelativePath(const std::string& path, const std::string& directory) {
   std::error_code error;

@@ -1,6 +1,6 @@
 #include "transpiler/driver/lockstep_snapshot.h"
 
-#include "transpiler/driver/place_names.h"
+#include "transpiler/ir/place_names.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::driver {
@@ -26,7 +26,7 @@ SnapshotCell MemoryCell(const ir::Program& program, ir::SpaceId space, size_t ba
   const bool big_endian = program.spaces[space].order == ir::ByteOrder::kBig;
   if (found != nullptr) {
     const uint8_t bit = found->type == ir::Type::kBit ? found->bit : uint8_t{0};
-    return {SourceName(*found), *found, found->type, base + found->offset, bit, big_endian};
+    return {ir::SourceName(*found), *found, found->type, base + found->offset, bit, big_endian};
   }
   ir::Place byte;
   byte.name = program.spaces[space].name + " byte " + std::to_string(offset);
@@ -47,7 +47,7 @@ SnapshotCell FieldCell(const ir::Program& program, ir::StateId state, uint8_t fi
   }
   for (const ir::Place& place : program.places) {
     if (place.is_field() && place.state == state && place.field == field)
-      return {SourceName(place), place, info.type, base, 0, false};
+      return {ir::SourceName(place), place, info.type, base, 0, false};
   }
   return {instance.name + "." + std::string(info.name), std::nullopt, info.type, base, 0, false};
 }

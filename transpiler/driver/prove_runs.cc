@@ -21,7 +21,7 @@ using prove::Random;
 
 constexpr uint32_t kRunPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
-constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kWaits = 6;
+constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
 /// The answer is there; a short one is read more easily.
@@ -79,15 +79,14 @@ class Watched {
 
 PropertyRuns::PropertyRuns(const ProveMachine& machine, const std::vector<std::vector<KnownStep>>& known)
     : machine_(machine), inputs_(prove::InputsOf(machine.version)), can_be_set_(machine.version.cells.count) {
-  const std::vector<bool>& inputs = inputs_;
   const std::vector<bool> requests = prove::RequestCells(machine.version);
   std::vector<CellId> cells;
-  for (uint32_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i] || requests[i]) cells.emplace_back(i);
+  for (uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i] || requests[i]) cells.emplace_back(i);
   }
   for (const InputWord& word : WordsOf(machine, cells)) {
     if (word.name.empty()) continue;
-    for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs[cell.index] || requests[cell.index];
+    for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs_[cell.index] || requests[cell.index];
   }
   for (const std::vector<KnownStep>& steps : known) AddPlanOf(steps);
 }
@@ -195,7 +194,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
       plan = known_[random.Next() % known_.size()];
       plan.periods = static_cast<uint32_t>(1 + random.Next() % plan.periods);
       std::erase_if(plan.events, [&plan](const RunEvent& event) { return event.period > plan.periods; });
-      for (int i = 0; i < kWaits && !inputs.empty(); ++i) {
+      for (int i = 0; i < kDisturbedPeriods && !inputs.empty(); ++i) {
         ++plan.periods;
         for (uint64_t changes = 1 + random.Next() % 3; changes > 0; --changes)
           plan.events.push_back({plan.periods, inputs[random.Next() % inputs.size()], (random.Next() >> 7 & 1) != 0});

@@ -8,6 +8,7 @@
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_program.h"
 #include "transpiler/driver/scenario_suite.h"
+#include "transpiler/driver/yaml_words.h"
 #include "transpiler/prove/compare/transition.h"
 
 namespace plcxx::driver {
@@ -15,16 +16,7 @@ namespace {
 
 using prove::CellId;
 
-std::string Scalar(const std::string& text) {
-  const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' ||
-           c == '/';
-  });
-  if (plain) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
+std::string Scalar(const std::string& text) { return YamlWord(text, "_./"); }
 
 /// `path`, which the request names, from `directory`.
 std::string PathFrom(const std::string& directory, const CompilationRequest& request, const std::string& path) {

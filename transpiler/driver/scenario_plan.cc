@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "transpiler/driver/columns.h"
 #include "transpiler/driver/scenario_control.h"
 #include "transpiler/sim/value_text.h"
 
@@ -209,23 +210,17 @@ class ScenarioPlanner {
       argument.value = static_cast<uint64_t>(name - names.begin());
     } else if (!names.empty() && !Plain(written.value.text)) {
       Fail(written.value.mark,
-           "'" + written.value.text + "' is no value of '" + found->name + "'; there are: " + Joined(names));
+           "'" + written.value.text + "' is no value of '" + found->name + "'; there are: " + CommaSeparated(names));
     } else {
       argument.value = Value(written.value, found->type, found->name);
     }
     call.arguments.push_back(argument);
   }
 
-  static std::string Joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-  }
-
   static std::string Names(const std::vector<ir::Parameter>& parameters) {
     std::vector<std::string> names;
     for (const ir::Parameter& parameter : parameters) names.push_back(parameter.name);
-    return names.empty() ? ", which has none" : "; there are: " + Joined(names);
+    return names.empty() ? ", which has none" : "; there are: " + CommaSeparated(names);
   }
 
   const Scenario& scenario_;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "transpiler/emit/cpp_printer.h"
+#include "transpiler/ir/place_names.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::emit {
@@ -61,7 +62,7 @@ std::vector<uint32_t> TagPrinter::PlacesIn(Storage storage) const {
 
 std::string TagPrinter::DocumentationOf(const ir::Place& place) const {
   std::string out;
-  const std::string& address = place.address.empty() ? place.name : place.address;
+  const std::string& address = ir::SourceName(place);
   if (!place.address.empty() && place.address != place.name) out = place.address;
   const auto row = documentation_.find(address);
   if (row == documentation_.end()) return out;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "transpiler/emit/cpp_printer.h"
+#include "transpiler/ir/place_names.h"
 
 namespace plcxx::emit {
 namespace {
@@ -44,7 +45,7 @@ void Symbols(const Emittable& emittable, std::string& out) {
     const PlaceStorage& stored = emittable.layout.places[i];
     if (emittable.place_names[i].empty() || stored.storage == Storage::kLocal) continue;
     const ir::Place& place = program.places[ir::PlaceId(i)];
-    const std::string& address = place.address.empty() ? place.name : place.address;
+    const std::string& address = ir::SourceName(place);
     out += first ? "\n" : ",\n";
     first = false;
     out += "    {\"name\": " + Json(emittable.place_names[i]) + ", \"source\": " + Json(place.name) +

@@ -9,6 +9,11 @@ namespace {
 
 constexpr uint8_t kWide = 64;  // of numbers that are compared
 
+/// One more, up to `most`.
+TermId CountedOn(Terms& terms, TermId count, TermId most) {
+  return terms.Ite(terms.Eq(count, most), count, terms.Add(count, terms.Const(1, terms.Width(count))));
+}
+
 class Meaning {
  public:
   Meaning(Terms& terms, const Property& property, const ValueAfter& value, CountPeriods count = {})
@@ -73,8 +78,7 @@ class Meaning {
     const TermId length = count_(condition.periods, [&](TermId before) {
       const uint8_t width = terms_.Width(before);
       most = terms_.Const(condition.periods, width);
-      const TermId more = terms_.Ite(terms_.Eq(before, most), before, terms_.Add(before, terms_.Const(1, width)));
-      return terms_.Ite(holds, more, terms_.Const(0, width));
+      return terms_.Ite(holds, CountedOn(terms_, before, most), terms_.Const(0, width));
     });
     return held_[index] = terms_.Eq(length, most);
   }
@@ -153,8 +157,8 @@ TermId HoldsByCounting(Terms& terms, const Property& property, const std::functi
     const uint8_t width = terms.Width(before);
     const TermId none = terms.Const(0, width), one = terms.Const(1, width);
     most = terms.Const(property.periods, width);
-    const TermId older = terms.Ite(terms.Eq(before, most), before, terms.Add(before, one));
-    const TermId open = terms.Ite(terms.Ne(before, none), older, terms.Ite(condition, one, none));
+    const TermId open =
+        terms.Ite(terms.Ne(before, none), CountedOn(terms, before, most), terms.Ite(condition, one, none));
     return terms.Ite(answered, none, open);
   });
   return terms.Ne(age, most);

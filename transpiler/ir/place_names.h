@@ -5,11 +5,9 @@
 
 #include "transpiler/ir/memory.h"
 
-namespace plcxx::driver {
+namespace plcxx::ir {
 
 /// The address that the source writes; the name of what has none.
-inline const std::string& SourceName(const ir::Place& place) {
-  return place.address.empty() ? place.name : place.address;
-}
+inline const std::string& SourceName(const Place& place) { return place.address.empty() ? place.name : place.address; }
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::ir
