@@ -5,6 +5,8 @@
 add_library(plcxx_options INTERFACE)
 target_compile_options(plcxx_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers
                        -Wno-restrict)  # GCC 12 sees overlaps in std::string operator+ that are not there
+# Internal errors name a file of the project, not of the machine that built it; caches are shared between checkouts.
+target_compile_options(plcxx_options INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 target_include_directories(plcxx_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(PLCXX_SANITIZE)
   target_compile_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
