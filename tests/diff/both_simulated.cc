@@ -15,11 +15,11 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::Cell;
-using prove::CellId;
-using prove::CellKind;
-using prove::Random;
-using prove::Version;
+using prove::compare::Version;
+using prove::execute::Cell;
+using prove::execute::CellId;
+using prove::execute::CellKind;
+using prove::terms::Random;
 
 /// A number that depends on all that came before.
 uint64_t Mixed(uint64_t hash, uint64_t value) {
@@ -104,7 +104,7 @@ class Machine {
 
 /// A cell as a place that an engine reads.
 std::optional<ir::Place> PlaceOf(const Version& version, CellId id) {
-  const Cell cell = CellAt(*version.program, version.cells, id);
+  const Cell cell = prove::execute::CellAt(*version.program, version.cells, id);
   ir::Place place;
   switch (cell.kind) {
     case CellKind::kCalls:
@@ -141,29 +141,32 @@ struct Locations {
 
 Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
                       const DiffOptions& options) {
-  const Version old_version = prove::MakeVersion(old_side.compilation.program),
-                new_version = prove::MakeVersion(new_side.compilation.program);
+  const Version old_version = prove::compare::MakeVersion(old_side.compilation.program),
+                new_version = prove::compare::MakeVersion(new_side.compilation.program);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   for (const auto& [old_name, new_name] : options.same) {
     const auto one = old_side.compilation.dialect->locate(old_side.compilation.program, old_name);
     const auto other = new_side.compilation.dialect->locate(new_side.compilation.program, new_name);
     if (one && other) same.emplace_back(one->place, other->place);
   }
-  const prove::Match match = MatchCells(old_version, new_version, same);
-  const prove::Uses old_uses = UsesOf(old_version), new_uses = UsesOf(new_version);
+  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, same);
+  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
+                             new_uses = prove::compare::UsesOf(new_version);
   const CellWords old_words(old_version, old_side.compilation), new_words(new_version, new_side.compilation);
   std::set<std::string> listed;
   for (const DiffItem& item : diff.items) listed.insert(item.name);
   Locations locations;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
-    if (!new_cell.valid() || !IsState(old_version, old_cell) || !IsState(new_version, new_cell)) continue;
+    if (!new_cell.valid() || !prove::compare::IsState(old_version, old_cell) ||
+        !prove::compare::IsState(new_version, new_cell))
+      continue;
     const bool old_used = old_uses.reads[i] || old_uses.writes[i];
     const bool new_used = new_uses.reads[new_cell.index] || new_uses.writes[new_cell.index];
     if (!old_used && !new_used) continue;
     const std::string name = old_words.WordOf(old_cell).name;
     const bool is_listed = listed.contains(name) || listed.contains(new_words.WordOf(new_cell).name);
-    const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
+    const Cell cell = prove::execute::CellAt(*old_version.program, old_version.cells, old_cell);
     if (cell.kind == CellKind::kCalls) {
       if (!is_listed) locations.equal_calls.insert(old_version.program->host_functions[cell.host].name);
       continue;
@@ -171,11 +174,11 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
                                    new_place = PlaceOf(new_version, new_cell);
     if (!old_place || !new_place) continue;
-    if (IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
-      const bool is_private =
-          DirectionOf(old_version, old_cell) == ir::Direction::kInternal && !IsRetentive(old_version, old_cell);
+      const bool is_private = prove::compare::DirectionOf(old_version, old_cell) == ir::Direction::kInternal &&
+                              !prove::compare::IsRetentive(old_version, old_cell);
       // A flag that one version alone has is not compared.
       if (old_used == new_used || !is_private) locations.equal.push_back({name, *old_place, *new_place});
     }

@@ -8,7 +8,7 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::Random;
+using prove::terms::Random;
 
 /// One line, cut into words, numbers, blanks and single signs.
 std::vector<std::string> Tokens(const std::string& line) {

@@ -14,77 +14,77 @@ namespace {
 constexpr uint32_t kTime = 60'000;
 
 TEST(BitSolver, TellsNeverFromPossibleAndGivesValues) {
-  Terms terms;
-  const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);
+  terms::Terms terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
   ASSERT_NE(solver, nullptr);
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
-  const TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
-  const TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
+  const terms::TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
+  const terms::TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
   const std::array both{sum, small};
-  EXPECT_EQ(solver->Check(both, kTime), Answer::kNever);
-  ASSERT_EQ(solver->Check({&sum, 1}, kTime), Answer::kPossible);
+  EXPECT_EQ(solver->Check(both, kTime), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check({&sum, 1}, kTime), solver::Answer::kPossible);
   EXPECT_EQ((solver->ValueOf(x) + solver->ValueOf(y)) & 0xFF, 200U);
 }
 
 TEST(BitSolver, SaysWhichConditionsTheAnswerNeeds) {
-  Terms terms;
-  const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);
+  terms::Terms terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
   ASSERT_NE(solver, nullptr);
-  const TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1), c = terms.Variable("c", 1);
+  const terms::TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1), c = terms.Variable("c", 1);
   solver->Assume(terms.Or(terms.Not(a), terms.Not(b)));
   const std::array all{c, a, b};
-  ASSERT_EQ(solver->Check(all, kTime), Answer::kNever);
+  ASSERT_EQ(solver->Check(all, kTime), solver::Answer::kNever);
   EXPECT_EQ(solver->needed(), (std::vector<bool>{false, true, true}));
   // The same condition twice is needed twice, so that either may stay.
   const std::array twice{a, c, a, b};
-  ASSERT_EQ(solver->Check(twice, kTime), Answer::kNever);
+  ASSERT_EQ(solver->Check(twice, kTime), solver::Answer::kNever);
   EXPECT_EQ(solver->needed(), (std::vector<bool>{true, false, true, true}));
   const std::array without{c, a};
-  EXPECT_EQ(solver->Check(without, kTime), Answer::kPossible);
+  EXPECT_EQ(solver->Check(without, kTime), solver::Answer::kPossible);
   EXPECT_EQ(solver->ValueOf(b), 0U);
 }
 
 TEST(BitSolver, ConditionsEndWithTheirQuestionAndAssumptionsStay) {
-  Terms terms;
-  const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);
+  terms::Terms terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
   ASSERT_NE(solver, nullptr);
-  const TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1);
-  const TermId not_a = terms.Not(a);
-  ASSERT_EQ(solver->Check({&a, 1}, kTime), Answer::kPossible);
-  ASSERT_EQ(solver->Check({&not_a, 1}, kTime), Answer::kPossible);
+  const terms::TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1);
+  const terms::TermId not_a = terms.Not(a);
+  ASSERT_EQ(solver->Check({&a, 1}, kTime), solver::Answer::kPossible);
+  ASSERT_EQ(solver->Check({&not_a, 1}, kTime), solver::Answer::kPossible);
   solver->Assume(not_a);
-  EXPECT_EQ(solver->Check({&a, 1}, kTime), Answer::kNever);
-  EXPECT_EQ(solver->Check({&b, 1}, kTime), Answer::kPossible);
+  EXPECT_EQ(solver->Check({&a, 1}, kTime), solver::Answer::kNever);
+  EXPECT_EQ(solver->Check({&b, 1}, kTime), solver::Answer::kPossible);
 }
 
 TEST(BitSolver, KnowsNothingOfFunctionsWithoutMeaning) {
-  Terms terms;
-  const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);
+  terms::Terms terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
   ASSERT_NE(solver, nullptr);
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
-  const FunctionId f = terms.Function("f", 4);
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
+  const terms::FunctionId f = terms.Function("f", 4);
   const std::array conditions{terms.Eq(x, y), terms.Ne(terms.Apply(f, {&x, 1}), terms.Apply(f, {&y, 1}))};
   // Equal arguments give equal results, but not here: what is possible for this solver need not be.
-  EXPECT_EQ(solver->Check(conditions, kTime), Answer::kPossible);
-  const TermId differs = terms.Ne(terms.Apply(f, {&x, 1}), terms.Const(3, 4));
-  EXPECT_EQ(solver->Check({&differs, 1}, kTime), Answer::kPossible);
+  EXPECT_EQ(solver->Check(conditions, kTime), solver::Answer::kPossible);
+  const terms::TermId differs = terms.Ne(terms.Apply(f, {&x, 1}), terms.Const(3, 4));
+  EXPECT_EQ(solver->Check({&differs, 1}, kTime), solver::Answer::kPossible);
 }
 
 TEST(BitSolver, AgreesWithTryingAllValues) {
   std::mt19937_64 random(7);
   for (int round = 0; round < 100; ++round) {
-    Terms terms;
-    const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);
+    terms::Terms terms;
+    const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
     ASSERT_NE(solver, nullptr);
-    const TermId x = terms.Variable("x", 4), y = terms.Variable("y", 4);
+    const terms::TermId x = terms.Variable("x", 4), y = terms.Variable("y", 4);
     const uint64_t factor = random() % 16, offset = random() % 16, limit = random() % 4;
-    const TermId sum = terms.Add(terms.Mul(x, terms.Const(factor, 4)), terms.Add(y, terms.Const(offset, 4)));
+    const terms::TermId sum = terms.Add(terms.Mul(x, terms.Const(factor, 4)), terms.Add(y, terms.Const(offset, 4)));
     const std::array conditions{terms.Ult(sum, terms.Const(limit, 4)), terms.Ult(x, y)};
     bool possible = false;
     for (uint64_t i = 0; i < 16; ++i) {
       for (uint64_t j = i + 1; j < 16; ++j) possible = possible || ((i * factor + j + offset) & 15) < limit;
     }
-    EXPECT_EQ(solver->Check(conditions, kTime), possible ? Answer::kPossible : Answer::kNever);
+    EXPECT_EQ(solver->Check(conditions, kTime), possible ? solver::Answer::kPossible : solver::Answer::kNever);
     if (!possible) continue;
     const uint64_t i = solver->ValueOf(x), j = solver->ValueOf(y);
     EXPECT_LT(i, j);

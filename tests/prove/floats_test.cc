@@ -77,14 +77,14 @@ class Floats : public testing::Test {
 
   template <class Make, class Function>
   void ExpectUnary(Make&& make, Function&& function) {
-    const TermId x = terms_.Variable("x", kWidth<T>);
-    const TermId result = make(terms_, x);
+    const terms::TermId x = terms_.Variable("x", kWidth<T>);
+    const terms::TermId result = make(terms_, x);
     for (const T a : Numbers()) {
       std::vector<uint64_t> variables(terms_.variable_count());
       variables.back() = BitsOf(a);
       SCOPED_TRACE(a);
-      ExpectSame(Evaluate(terms_, result, variables), function(a));
-      const TermId folded = make(terms_, terms_.Const(BitsOf(a), kWidth<T>));
+      ExpectSame(terms::Evaluate(terms_, result, variables), function(a));
+      const terms::TermId folded = make(terms_, terms_.Const(BitsOf(a), kWidth<T>));
       ASSERT_TRUE(terms_.IsConst(folded));
       ExpectSame(terms_.Value(folded), function(a));
     }
@@ -93,20 +93,22 @@ class Floats : public testing::Test {
   /// With each operand as a variable and as a constant.
   template <class Make, class Check>
   void ExpectBinary(Make&& make, Check&& check) {
-    Terms terms;
-    const TermId x = terms.Variable("x", kWidth<T>), y = terms.Variable("y", kWidth<T>);
-    const TermId of_variables = make(terms, x, y);
+    terms::Terms terms;
+    const terms::TermId x = terms.Variable("x", kWidth<T>), y = terms.Variable("y", kWidth<T>);
+    const terms::TermId of_variables = make(terms, x, y);
     const std::vector<T> numbers = Numbers();
     for (size_t i = 0; i < numbers.size(); ++i) {
       for (size_t k = i % 11; k < numbers.size(); k += 11) {
         const T a = numbers[i], b = numbers[k];
         const std::vector<uint64_t> variables = {BitsOf(a), BitsOf(b)};
         SCOPED_TRACE(testing::Message() << a << " and " << b);
-        check(Evaluate(terms, of_variables, variables), a, b);
-        Terms others;
-        const TermId z = others.Variable("z", kWidth<T>);
-        check(Evaluate(others, make(others, z, others.Const(BitsOf(b), kWidth<T>)), {variables.data(), 1}), a, b);
-        check(Evaluate(others, make(others, others.Const(BitsOf(a), kWidth<T>), z), {variables.data() + 1, 1}), a, b);
+        check(terms::Evaluate(terms, of_variables, variables), a, b);
+        terms::Terms others;
+        const terms::TermId z = others.Variable("z", kWidth<T>);
+        check(terms::Evaluate(others, make(others, z, others.Const(BitsOf(b), kWidth<T>)), {variables.data(), 1}), a,
+              b);
+        check(terms::Evaluate(others, make(others, others.Const(BitsOf(a), kWidth<T>), z), {variables.data() + 1, 1}),
+              a, b);
       }
     }
   }
@@ -120,91 +122,94 @@ class Floats : public testing::Test {
     ExpectBinary(make, [&](uint64_t bit, T a, T b) { EXPECT_EQ(bit, function(a, b) ? 1U : 0U); });
   }
 
-  Terms terms_;
+  terms::Terms terms_;
 };
 
 using Formats = testing::Types<float, double>;
 TYPED_TEST_SUITE(Floats, Formats);
 
 TYPED_TEST(Floats, Arithmetic) {
-  this->ExpectArithmetic(FloatAdd, [](auto a, auto b) { return a + b; });
-  this->ExpectArithmetic(FloatSub, [](auto a, auto b) { return a - b; });
-  this->ExpectArithmetic(FloatMul, [](auto a, auto b) { return a * b; });
-  this->ExpectArithmetic(FloatDiv, [](auto a, auto b) { return a / b; });
-  this->ExpectArithmetic(FloatCopySign, [](auto a, auto b) { return std::copysign(a, b); });
+  this->ExpectArithmetic(terms::FloatAdd, [](auto a, auto b) { return a + b; });
+  this->ExpectArithmetic(terms::FloatSub, [](auto a, auto b) { return a - b; });
+  this->ExpectArithmetic(terms::FloatMul, [](auto a, auto b) { return a * b; });
+  this->ExpectArithmetic(terms::FloatDiv, [](auto a, auto b) { return a / b; });
+  this->ExpectArithmetic(terms::FloatCopySign, [](auto a, auto b) { return std::copysign(a, b); });
 }
 
 TYPED_TEST(Floats, Comparisons) {
-  this->ExpectComparison(FloatEqual, [](auto a, auto b) { return a == b; });
-  this->ExpectComparison(FloatLess, [](auto a, auto b) { return a < b; });
-  this->ExpectComparison(FloatLessEqual, [](auto a, auto b) { return a <= b; });
-  this->ExpectComparison([](Terms& terms, TermId a, TermId) { return FloatIsNan(terms, a); },
-                         [](auto a, auto) { return std::isnan(a); });
+  this->ExpectComparison(terms::FloatEqual, [](auto a, auto b) { return a == b; });
+  this->ExpectComparison(terms::FloatLess, [](auto a, auto b) { return a < b; });
+  this->ExpectComparison(terms::FloatLessEqual, [](auto a, auto b) { return a <= b; });
+  this->ExpectComparison(
+      [](terms::Terms& terms, terms::TermId a, terms::TermId) { return terms::FloatIsNan(terms, a); },
+      [](auto a, auto) { return std::isnan(a); });
 }
 
 TYPED_TEST(Floats, FunctionsOfOneNumber) {
-  this->ExpectUnary(FloatNegate, [](auto a) { return -a; });
-  this->ExpectUnary(FloatAbs, [](auto a) { return std::fabs(a); });
-  this->ExpectUnary(FloatFloor, [](auto a) { return std::floor(a); });
-  this->ExpectUnary(FloatCeil, [](auto a) { return std::ceil(a); });
-  this->ExpectUnary(FloatTrunc, [](auto a) { return std::trunc(a); });
-  this->ExpectUnary(FloatRint, [](auto a) { return std::nearbyint(a); });
-  this->ExpectUnary(FloatSqrt, [](auto a) { return std::sqrt(a); });
+  this->ExpectUnary(terms::FloatNegate, [](auto a) { return -a; });
+  this->ExpectUnary(terms::FloatAbs, [](auto a) { return std::fabs(a); });
+  this->ExpectUnary(terms::FloatFloor, [](auto a) { return std::floor(a); });
+  this->ExpectUnary(terms::FloatCeil, [](auto a) { return std::ceil(a); });
+  this->ExpectUnary(terms::FloatTrunc, [](auto a) { return std::trunc(a); });
+  this->ExpectUnary(terms::FloatRint, [](auto a) { return std::nearbyint(a); });
+  this->ExpectUnary(terms::FloatSqrt, [](auto a) { return std::sqrt(a); });
 }
 
 TYPED_TEST(Floats, Integers) {
   std::mt19937_64 random(6);
   for (const uint8_t width : std::initializer_list<uint8_t>{8, 16, 32, 64}) {
-    Terms terms;
-    const TermId x = terms.Variable("x", width), y = terms.Variable("y", kWidth<TypeParam>);
-    const TermId from_signed = FloatFromSigned(terms, x, kWidth<TypeParam>);
-    const TermId from_unsigned = FloatFromUnsigned(terms, x, kWidth<TypeParam>);
-    const TermId to_signed = FloatToSigned(terms, y, width), to_unsigned = FloatToUnsigned(terms, y, width);
+    terms::Terms terms;
+    const terms::TermId x = terms.Variable("x", width), y = terms.Variable("y", kWidth<TypeParam>);
+    const terms::TermId from_signed = terms::FloatFromSigned(terms, x, kWidth<TypeParam>);
+    const terms::TermId from_unsigned = terms::FloatFromUnsigned(terms, x, kWidth<TypeParam>);
+    const terms::TermId to_signed = terms::FloatToSigned(terms, y, width),
+                        to_unsigned = terms::FloatToUnsigned(terms, y, width);
     for (int i = 0; i < 500; ++i) {
-      const uint64_t bits = Masked(i % 3 == 0 ? uint64_t{0} - random() % 3 : random() >> random() % 64, width);
-      const int64_t number = AsSigned(bits, width);
+      const uint64_t bits = terms::Masked(i % 3 == 0 ? uint64_t{0} - random() % 3 : random() >> random() % 64, width);
+      const int64_t number = terms::AsSigned(bits, width);
       const std::vector<uint64_t> variables = {bits};
-      this->ExpectSame(Evaluate(terms, from_signed, variables), static_cast<TypeParam>(number));
-      this->ExpectSame(Evaluate(terms, from_unsigned, variables), static_cast<TypeParam>(bits));
+      this->ExpectSame(terms::Evaluate(terms, from_signed, variables), static_cast<TypeParam>(number));
+      this->ExpectSame(terms::Evaluate(terms, from_unsigned, variables), static_cast<TypeParam>(bits));
       // Back, of numbers that are in the range.
       const auto inside = static_cast<TypeParam>(number / 4) + TypeParam(0.25);
       const std::vector<uint64_t> back = {0, BitsOf(inside)};
-      EXPECT_EQ(Evaluate(terms, to_signed, back), Masked(static_cast<uint64_t>(static_cast<int64_t>(inside)), width));
+      EXPECT_EQ(terms::Evaluate(terms, to_signed, back),
+                terms::Masked(static_cast<uint64_t>(static_cast<int64_t>(inside)), width));
       const auto positive = static_cast<TypeParam>(bits / 4 * 3) + TypeParam(0.75);
       const std::vector<uint64_t> back_unsigned = {0, BitsOf(positive)};
-      EXPECT_EQ(Evaluate(terms, to_unsigned, back_unsigned), static_cast<uint64_t>(positive));
+      EXPECT_EQ(terms::Evaluate(terms, to_unsigned, back_unsigned), static_cast<uint64_t>(positive));
     }
   }
 }
 
 TEST(FloatFormats, AreConverted) {
-  Terms terms;
-  const TermId single = terms.Variable("single", 32), twice = terms.Variable("double", 64);
-  const TermId wide = FloatWiden(terms, single), narrow = FloatNarrow(terms, twice);
+  terms::Terms terms;
+  const terms::TermId single = terms.Variable("single", 32), twice = terms.Variable("double", 64);
+  const terms::TermId wide = terms::FloatWiden(terms, single), narrow = terms::FloatNarrow(terms, twice);
   for (const double number : {0.0, -0.0, 1.0 / 3.0, 1e39, -1e-46, 3.4e38, 16777217.0}) {
     const std::vector<uint64_t> variables = {BitsOf(static_cast<float>(number)), BitsOf(number)};
-    EXPECT_EQ(Evaluate(terms, wide, variables), BitsOf(static_cast<double>(static_cast<float>(number))));
-    EXPECT_EQ(Evaluate(terms, narrow, variables), BitsOf(static_cast<float>(number)));
+    EXPECT_EQ(terms::Evaluate(terms, wide, variables), BitsOf(static_cast<double>(static_cast<float>(number))));
+    EXPECT_EQ(terms::Evaluate(terms, narrow, variables), BitsOf(static_cast<float>(number)));
   }
 }
 
 // What compilers make of each other's spellings.
 TEST(FloatForms, OfOneMeaningAreOneTerm) {
-  Terms terms;
-  const TermId x = terms.Variable("x", 64), y = terms.Variable("y", 64), n = terms.Variable("n", 32);
-  const auto number = [&](double value) { return FloatConst(terms, value, 64); };
-  EXPECT_EQ(FloatAdd(terms, x, y), FloatAdd(terms, y, x));
-  EXPECT_EQ(FloatMul(terms, x, y), FloatMul(terms, y, x));
-  EXPECT_EQ(FloatSub(terms, x, number(1.0)), FloatAdd(terms, x, number(-1.0)));
-  EXPECT_EQ(FloatDiv(terms, x, number(4.0)), FloatMul(terms, x, number(0.25)));
-  EXPECT_NE(FloatDiv(terms, x, number(3.0)), FloatMul(terms, x, number(1.0 / 3.0)));
-  EXPECT_EQ(FloatNegate(terms, FloatNegate(terms, x)), x);
-  EXPECT_EQ(FloatFromSigned(terms, terms.Sext(n, 64), 64), FloatFromSigned(terms, n, 64));
-  EXPECT_EQ(FloatFromUnsigned(terms, n, 64), FloatFromSigned(terms, terms.Zext(n, 64), 64));
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 64), y = terms.Variable("y", 64), n = terms.Variable("n", 32);
+  const auto number = [&](double value) { return terms::FloatConst(terms, value, 64); };
+  EXPECT_EQ(terms::FloatAdd(terms, x, y), terms::FloatAdd(terms, y, x));
+  EXPECT_EQ(terms::FloatMul(terms, x, y), terms::FloatMul(terms, y, x));
+  EXPECT_EQ(terms::FloatSub(terms, x, number(1.0)), terms::FloatAdd(terms, x, number(-1.0)));
+  EXPECT_EQ(terms::FloatDiv(terms, x, number(4.0)), terms::FloatMul(terms, x, number(0.25)));
+  EXPECT_NE(terms::FloatDiv(terms, x, number(3.0)), terms::FloatMul(terms, x, number(1.0 / 3.0)));
+  EXPECT_EQ(terms::FloatNegate(terms, terms::FloatNegate(terms, x)), x);
+  EXPECT_EQ(terms::FloatFromSigned(terms, terms.Sext(n, 64), 64), terms::FloatFromSigned(terms, n, 64));
+  EXPECT_EQ(terms::FloatFromUnsigned(terms, n, 64), terms::FloatFromSigned(terms, terms.Zext(n, 64), 64));
   // A choice of a number and a constant.
-  const TermId c = terms.Variable("c", 1);
-  EXPECT_EQ(FloatFromSigned(terms, terms.Ite(c, n, terms.Const(7, 32)), 64),
-            terms.Ite(c, FloatFromSigned(terms, n, 64), number(7.0)));
+  const terms::TermId c = terms.Variable("c", 1);
+  EXPECT_EQ(terms::FloatFromSigned(terms, terms.Ite(c, n, terms.Const(7, 32)), 64),
+            terms.Ite(c, terms::FloatFromSigned(terms, n, 64), number(7.0)));
 }
 
 }  // namespace

@@ -15,16 +15,18 @@
 namespace plcxx::prove {
 namespace {
 
-TermId Of(Terms& terms, const char* function, TermId argument) {
+terms::TermId Of(terms::Terms& terms, const char* function, terms::TermId argument) {
   return terms.Apply(terms.Function(function, 8), std::array{argument});
 }
 
-std::string Form(const Terms& terms, TermId term) { return FormOf(terms, term, 100).value_or("too large"); }
+std::string Form(const terms::Terms& terms, terms::TermId term) {
+  return terms::FormOf(terms, term, 100).value_or("too large");
+}
 
 TEST(Form, NamesDoNotMatter) {
-  Terms terms;
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), u = terms.Variable("u", 8),
-               v = terms.Variable("v", 8);
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), u = terms.Variable("u", 8),
+                      v = terms.Variable("v", 8);
   EXPECT_EQ(Form(terms, terms.Sub(x, y)), Form(terms, terms.Sub(u, v)));
   EXPECT_EQ(Form(terms, terms.Sub(x, y)), Form(terms, terms.Sub(y, x)));
   EXPECT_EQ(Form(terms, Of(terms, "f", x)), Form(terms, Of(terms, "g", y)));
@@ -32,11 +34,11 @@ TEST(Form, NamesDoNotMatter) {
 
 /// Each of these has a form of its own.
 TEST(Form, AllElseMatters) {
-  Terms terms;
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), narrow = terms.Variable("narrow", 4);
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), narrow = terms.Variable("narrow", 4);
   const auto value = +[](std::span<const uint64_t> arguments) { return arguments[0] ^ 1; };
   const auto known = [&](const char* name) { return terms.Apply(terms.Function(name, 8, value), std::array{x}); };
-  const std::vector<TermId> all = {
+  const std::vector<terms::TermId> all = {
       x,
       narrow,
       terms.Const(1, 8),
@@ -63,15 +65,15 @@ TEST(Form, AllElseMatters) {
       known("odd"),
   };
   std::set<std::string> forms;
-  for (const TermId term : all) EXPECT_TRUE(forms.insert(Form(terms, term)).second) << "term " << term.index;
+  for (const terms::TermId term : all) EXPECT_TRUE(forms.insert(Form(terms, term)).second) << "term " << term.index;
 }
 
 /// A function that can be computed is known by its name, whichever number it has.
 TEST(Form, TermsOfTwoTables) {
   const auto value = +[](std::span<const uint64_t> arguments) { return arguments[0] ^ 1; };
-  Terms one, other;
+  terms::Terms one, other;
   other.Function("another", 8, value);
-  const auto form = [&](Terms& terms, const char* name) {
+  const auto form = [&](terms::Terms& terms, const char* name) {
     return Form(terms, terms.Apply(terms.Function(name, 8, value), std::array{terms.Variable("x", 8)}));
   };
   EXPECT_EQ(form(one, "even"), form(other, "even"));
@@ -80,10 +82,10 @@ TEST(Form, TermsOfTwoTables) {
 }
 
 TEST(Form, LargeTermsHaveNone) {
-  Terms terms;
-  const TermId sum = terms.Sub(terms.Variable("x", 8), terms.Variable("y", 8));
-  EXPECT_TRUE(FormOf(terms, sum, 3).has_value());
-  EXPECT_FALSE(FormOf(terms, sum, 2).has_value());
+  terms::Terms terms;
+  const terms::TermId sum = terms.Sub(terms.Variable("x", 8), terms.Variable("y", 8));
+  EXPECT_TRUE(terms::FormOf(terms, sum, 3).has_value());
+  EXPECT_FALSE(terms::FormOf(terms, sum, 2).has_value());
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ class RandomNumbers {
       case ir::Type::kI64:
         break;
     }
-    return Masked(Integer(WidthOf(type)), WidthOf(type));
+    return terms::Masked(Integer(meaning::WidthOf(type)), meaning::WidthOf(type));
   }
 
   uint64_t Below(uint64_t limit) { return random_() % limit; }
@@ -228,15 +228,15 @@ std::string Text(const Vector& values) {
   return text;
 }
 
-std::vector<TermId> Variables(Terms& terms, const std::vector<ir::Type>& types) {
-  std::vector<TermId> variables;
-  for (const ir::Type type : types) variables.push_back(terms.Variable("operand", WidthOf(type)));
+std::vector<terms::TermId> Variables(terms::Terms& terms, const std::vector<ir::Type>& types) {
+  std::vector<terms::TermId> variables;
+  for (const ir::Type type : types) variables.push_back(terms.Variable("operand", meaning::WidthOf(type)));
   return variables;
 }
 
-std::vector<TermId> Constants(Terms& terms, const std::vector<ir::Type>& types, const Vector& values) {
-  std::vector<TermId> constants;
-  for (size_t i = 0; i < types.size(); ++i) constants.push_back(terms.Const(values[i], WidthOf(types[i])));
+std::vector<terms::TermId> Constants(terms::Terms& terms, const std::vector<ir::Type>& types, const Vector& values) {
+  std::vector<terms::TermId> constants;
+  for (size_t i = 0; i < types.size(); ++i) constants.push_back(terms.Const(values[i], meaning::WidthOf(types[i])));
   return constants;
 }
 
@@ -246,20 +246,20 @@ class PureMeaning {
  public:
   explicit PureMeaning(const RuntimeRow& row)
       : row_(row), types_(OperandTypes(row.op)), result_(ir::Info(row.op).result) {
-    term_ = MeaningOf(terms_, row.op, Variables(terms_, types_));
+    term_ = meaning::MeaningOf(terms_, row.op, Variables(terms_, types_));
   }
 
   const std::vector<ir::Type>& types() const { return types_; }
-  void ExpectWidth() const { EXPECT_EQ(terms_.Width(term_), WidthOf(result_)); }
+  void ExpectWidth() const { EXPECT_EQ(terms_.Width(term_), meaning::WidthOf(result_)); }
   void Expect(const Vector& operands) {
     Vector none;
     const uint64_t expected = Comparable(row_.call(none, operands), result_);
-    ASSERT_EQ(Comparable(Evaluate(terms_, term_, operands), result_), expected)
+    ASSERT_EQ(Comparable(terms::Evaluate(terms_, term_, operands), result_), expected)
         << ir::Info(row_.op).text << " of" << Text(operands);
   }
   void ExpectOfConstants(const Vector& operands) {
     Vector none;
-    const TermId result = MeaningOf(terms_, row_.op, Constants(terms_, types_, operands));
+    const terms::TermId result = meaning::MeaningOf(terms_, row_.op, Constants(terms_, types_, operands));
     ASSERT_TRUE(terms_.IsConst(result)) << ir::Info(row_.op).text << " of" << Text(operands);
     ASSERT_EQ(Comparable(terms_.Value(result), result_), Comparable(row_.call(none, operands), result_))
         << ir::Info(row_.op).text << " of the constants" << Text(operands);
@@ -269,8 +269,8 @@ class PureMeaning {
   const RuntimeRow& row_;
   std::vector<ir::Type> types_;
   ir::Type result_;
-  Terms terms_;
-  TermId term_;
+  terms::Terms terms_;
+  terms::TermId term_;
 };
 
 TEST(Meaning, OfPureOperationsIsThatOfTheRuntime) {
@@ -292,14 +292,14 @@ TEST(Meaning, OfPureOperationsForAllOperandsOfOneOrTwoBytes) {
   for (const RuntimeRow& row : PureRows()) {
     PureMeaning meaning(row);
     uint32_t bits = 0;
-    for (const ir::Type type : meaning.types()) bits += WidthOf(type);
+    for (const ir::Type type : meaning.types()) bits += meaning::WidthOf(type);
     if (bits > 16) continue;
     for (uint64_t all = 0; all < uint64_t{1} << bits; ++all) {
       Vector operands;
       uint64_t rest = all;
       for (const ir::Type type : meaning.types()) {
-        operands.push_back(Masked(rest, WidthOf(type)));
-        rest >>= WidthOf(type);
+        operands.push_back(terms::Masked(rest, meaning::WidthOf(type)));
+        rest >>= meaning::WidthOf(type);
       }
       meaning.Expect(operands);
       if (testing::Test::HasFatalFailure()) break;
@@ -320,19 +320,19 @@ class StepMeanings {
   explicit StepMeanings(const RuntimeRow& row)
       : row_(row), kind_(*ir::Info(row.op).state), operand_types_(OperandTypes(row.op)), types_(FieldTypes(kind_)) {
     fields_ = Variables(terms_, types_);
-    result_ = StepMeaning(terms_, row.op, fields_, Variables(terms_, operand_types_));
+    result_ = meaning::StepMeaning(terms_, row.op, fields_, Variables(terms_, operand_types_));
   }
 
   ir::StateKind kind() const { return kind_; }
   const std::vector<ir::Type>& types() const { return types_; }
   const std::vector<ir::Type>& operand_types() const { return operand_types_; }
   void ExpectShape() const {
-    EXPECT_EQ(FieldTerms(kind_), types_.size());
-    for (size_t i = 0; i < types_.size(); ++i) EXPECT_EQ(terms_.Width(fields_[i]), WidthOf(types_[i]));
+    EXPECT_EQ(meaning::FieldTerms(kind_), types_.size());
+    for (size_t i = 0; i < types_.size(); ++i) EXPECT_EQ(terms_.Width(fields_[i]), meaning::WidthOf(types_[i]));
     const ir::Type result = ir::Info(row_.op).result;
     EXPECT_EQ(result_.valid(), result != ir::Type::kNone) << ir::Info(row_.op).text;
     if (!result_.valid()) return;
-    EXPECT_EQ(terms_.Width(result_), WidthOf(result)) << ir::Info(row_.op).text;
+    EXPECT_EQ(terms_.Width(result_), meaning::WidthOf(result)) << ir::Info(row_.op).text;
   }
 
   /// Steps both, the runtime's instance being `fields`.
@@ -341,7 +341,7 @@ class StepMeanings {
     variables.insert(variables.end(), operands.begin(), operands.end());
     const Vector before = fields;
     const uint64_t expected = row_.call(fields, operands);
-    const std::vector<uint64_t> values = EvaluateAll(terms_, variables, TermId(terms_.size() - 1));
+    const std::vector<uint64_t> values = terms::EvaluateAll(terms_, variables, terms::TermId(terms_.size() - 1));
     for (size_t i = 0; i < types_.size(); ++i) {
       ASSERT_EQ(values[fields_[i].index], fields[i])
           << ir::Info(row_.op).text << " of" << Text(operands) << ": field " << i << " behind" << Text(before);
@@ -356,9 +356,9 @@ class StepMeanings {
   const RuntimeRow& row_;
   ir::StateKind kind_;
   std::vector<ir::Type> operand_types_, types_;
-  Terms terms_;
-  std::vector<TermId> fields_;
-  TermId result_;
+  terms::Terms terms_;
+  std::vector<terms::TermId> fields_;
+  terms::TermId result_;
 };
 
 // From any fields: no restriction to those that a program can reach.
@@ -391,7 +391,7 @@ TEST(Meaning, OfStepsInTheirOrdinaryCourse) {
     }
     if (meanings.empty()) continue;
     for (int run = 0; run < 30; ++run) {
-      Vector fields(FieldTerms(static_cast<ir::StateKind>(kind)));
+      Vector fields(meaning::FieldTerms(static_cast<ir::StateKind>(kind)));
       Vector operands(3);
       StepMeanings* meaning = &meanings[numbers.Below(meanings.size())];
       for (int step = 0; step < 200; ++step) {
@@ -400,10 +400,10 @@ TEST(Meaning, OfStepsInTheirOrdinaryCourse) {
         for (size_t i = 0; i < meaning->operand_types().size(); ++i) {
           const ir::Type type = meaning->operand_types()[i];
           const uint64_t near = i < operands.size() ? operands[i] + numbers.Below(40) : 0;
-          next.push_back(Masked(type == ir::Type::kBit  ? numbers.Below(4)
-                                : numbers.Below(3) == 0 ? near
-                                                        : 5 * i,
-                                WidthOf(type)));
+          next.push_back(terms::Masked(type == ir::Type::kBit  ? numbers.Below(4)
+                                       : numbers.Below(3) == 0 ? near
+                                                               : 5 * i,
+                                       meaning::WidthOf(type)));
         }
         operands = next;
         meaning->Step(fields, operands);
@@ -419,10 +419,10 @@ TEST(Meaning, FieldsStandWhereTheTableHasThem) {
     const auto& fields = ir::Info(kind).fields;
     uint32_t index = 0;
     for (uint8_t field = 0; field < fields.size(); ++field) {
-      EXPECT_EQ(FieldTermIndex(kind, field), index);
+      EXPECT_EQ(meaning::FieldTermIndex(kind, field), index);
       index += fields[field].count;
     }
-    EXPECT_EQ(FieldTerms(kind), index);
+    EXPECT_EQ(meaning::FieldTerms(kind), index);
   }
 }
 
@@ -430,12 +430,12 @@ TEST(Meaning, OfTextsIsThatOfTheRuntime) {
   RandomNumbers numbers;
   const std::string longest(32, 'x'), too_long(33, 'x');
   for (const std::string& text : {std::string(), std::string("A"), std::string("TEXT\xFF"), longest, too_long}) {
-    Terms terms;
+    terms::Terms terms;
     const std::vector<ir::Type> flag_types = FieldTypes(ir::StateKind::kTextFlag);
     const std::vector<ir::Type> inbox_types = FieldTypes(ir::StateKind::kTextInbox);
-    std::vector<TermId> flag = Variables(terms, flag_types), inbox = Variables(terms, inbox_types);
-    const std::vector<TermId> inbox_before = inbox;
-    UpdateTextMeaning(terms, flag, inbox, text);
+    std::vector<terms::TermId> flag = Variables(terms, flag_types), inbox = Variables(terms, inbox_types);
+    const std::vector<terms::TermId> inbox_before = inbox;
+    meaning::UpdateTextMeaning(terms, flag, inbox, text);
     EXPECT_EQ(inbox, inbox_before);
     for (int i = 0; i < 3000; ++i) {
       Vector flag_fields, inbox_fields;
@@ -452,7 +452,7 @@ TEST(Meaning, OfTextsIsThatOfTheRuntime) {
       plcxx::UpdateText(expected, FromFields<plcxx::TextInbox>(inbox_fields), text.c_str());
       const Vector expected_fields = ToFields(expected);
       for (size_t field = 0; field < flag.size(); ++field) {
-        ASSERT_EQ(Evaluate(terms, flag[field], variables), expected_fields[field]) << text << " " << field;
+        ASSERT_EQ(terms::Evaluate(terms, flag[field], variables), expected_fields[field]) << text << " " << field;
       }
     }
   }

@@ -58,23 +58,23 @@ bool IsSpecial(const std::string& name, const std::string& terminal) {
   return name == "EOL" ? terminal == "\n" : terminal == "W is ( never";
 }
 
-PropertySurroundings AnyNumberFits() {
-  PropertySurroundings surroundings;
-  surroundings.locate = [](std::string_view word) -> std::optional<LocatedOperand> {
+properties::PropertyContext AnyNumberFits() {
+  properties::PropertyContext context;
+  context.locate = [](std::string_view word) -> std::optional<properties::LocatedOperand> {
     const bool is_bit = IsOneOf(Bits(), word);
     if (!is_bit && !IsOneOf(Words(), word)) return std::nullopt;
-    PropertyOperand operand{.text = std::string(word), .cells = {}};
+    properties::PropertyOperand operand{.text = std::string(word), .cells = {}};
     operand.is_bit = is_bit;
     operand.width = 16;  // every number fits: that is not the grammar's
     return operand;
   };
-  surroundings.number = [](std::string_view word) -> std::optional<int64_t> {
+  context.number = [](std::string_view word) -> std::optional<int64_t> {
     if (!IsNumber(word)) return std::nullopt;
     int64_t number = 0;
     std::from_chars(word.data(), word.data() + word.size(), number);
     return number;
   };
-  return surroundings;
+  return context;
 }
 
 std::string Joined(const std::vector<std::string>& terminals) {
@@ -84,17 +84,17 @@ std::string Joined(const std::vector<std::string>& terminals) {
 }
 
 /// What a grammar cannot say: how large numbers are. Lines without a property are no file, but they are sentences.
-bool IsBeyondGrammar(const PropertyError& error) {
+bool IsBeyondGrammar(const properties::PropertyError& error) {
   switch (error.fault) {
-    case PropertyFault::kNoFit:
-    case PropertyFault::kRange:
-    case PropertyFault::kTooLong:
-    case PropertyFault::kNothing:
+    case properties::PropertyFault::kNoFit:
+    case properties::PropertyFault::kRange:
+    case properties::PropertyFault::kTooLong:
+    case properties::PropertyFault::kNothing:
       return true;
-    case PropertyFault::kSyntax:
-    case PropertyFault::kLocation:
-    case PropertyFault::kNotMemory:
-    case PropertyFault::kBitNeeded:
+    case properties::PropertyFault::kSyntax:
+    case properties::PropertyFault::kLocation:
+    case properties::PropertyFault::kNotMemory:
+    case properties::PropertyFault::kBitNeeded:
       return false;
   }
   return false;
@@ -118,8 +118,8 @@ TEST(PropertyGrammar, SentencesAreRead) {
     Numbers numbers(seed);
     const std::vector<std::string> terminals = TheGrammar().Sentence(numbers, Special, kShape);
     ASSERT_TRUE(TheGrammar().Accepts(terminals, IsSpecial));
-    const Properties parsed = ParseProperties(Joined(terminals), AnyNumberFits());
-    for (const PropertyError& error : parsed.errors) {
+    const properties::Properties parsed = properties::ParseProperties(Joined(terminals), AnyNumberFits());
+    for (const properties::PropertyError& error : parsed.errors) {
       EXPECT_TRUE(IsBeyondGrammar(error))
           << error.line << ":" << error.column << ": " << testing::PrintToString(error.words) << "\n"
           << Joined(terminals);
@@ -159,7 +159,7 @@ TEST(PropertyGrammar, WhatIsNoSentenceIsRefused) {
     // Behind a comment's sign everything is comment, also what was put there.
     const bool has_comment = std::ranges::find(terminals, "#") != terminals.end();
     if (has_comment) continue;
-    const Properties parsed = ParseProperties(Joined(terminals), AnyNumberFits());
+    const properties::Properties parsed = properties::ParseProperties(Joined(terminals), AnyNumberFits());
     const bool is_sentence = TheGrammar().Accepts(terminals, IsSpecial);
     // A number that is wrong ends the reading of its line.
     if (std::ranges::any_of(parsed.errors, IsBeyondGrammar)) continue;

@@ -13,12 +13,12 @@ namespace plcxx::prove {
 namespace {
 
 /// A, B, C: bits 0, 1, 2. W: a byte of bits 8 to 15. S: the same with a sign. T: a text input.
-PropertySurroundings Surroundings() {
-  PropertySurroundings surroundings;
-  surroundings.timing = {.period_ms = 10, .slow_periods = 2, .fast_periods = 1, .fast_per_period = 1};
-  surroundings.locate = [](std::string_view word) -> std::optional<LocatedOperand> {
+properties::PropertyContext PropertyContext() {
+  properties::PropertyContext context;
+  context.timing = {.period_ms = 10, .slow_periods = 2, .fast_periods = 1, .fast_per_period = 1};
+  context.locate = [](std::string_view word) -> std::optional<properties::LocatedOperand> {
     if (word == "T") return std::string("a text input");
-    PropertyOperand operand{.text = std::string(word)};
+    properties::PropertyOperand operand{.text = std::string(word)};
     if (word == "W" || word == "S") {
       operand.width = 8;
       operand.has_sign = word == "S";
@@ -31,25 +31,26 @@ PropertySurroundings Surroundings() {
     operand.cells.emplace_back(word == "or" ? 0 : static_cast<uint32_t>(index));
     return operand;
   };
-  surroundings.number = [](std::string_view word) -> std::optional<int64_t> {
+  context.number = [](std::string_view word) -> std::optional<int64_t> {
     int64_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
     return number;
   };
-  return surroundings;
+  return context;
 }
 
 /// Whether the property holds after the last of these periods; each is the value of cells 0 to 15.
 bool Holds(const std::string& text, const std::vector<uint32_t>& periods) {
-  const Properties parsed = ParseProperties(text, Surroundings());
+  const properties::Properties parsed = properties::ParseProperties(text, PropertyContext());
   EXPECT_TRUE(parsed.errors.empty()) << text;
   if (parsed.properties.size() != 1) return false;
-  Terms terms;
-  const auto value = [&](CellId cell, uint32_t period) {
+  terms::Terms terms;
+  const auto value = [&](execute::CellId cell, uint32_t period) {
     return terms.Bit((periods[period - 1] >> cell.index & 1) != 0);
   };
-  return terms.IsTrue(HoldsAfter(terms, parsed.properties.front(), static_cast<uint32_t>(periods.size()), value));
+  return terms.IsTrue(
+      properties::HoldsAfter(terms, parsed.properties.front(), static_cast<uint32_t>(periods.size()), value));
 }
 
 TEST(Properties, ConditionsMeanWhatTheySay) {
@@ -97,55 +98,61 @@ TEST(Properties, ForLooksBack) {
 }
 
 TEST(Properties, NeverStuckIsAKindOfItsOwn) {
-  const Properties parsed = ParseProperties("A is never stuck\nB is never stuck within 3 slow", Surroundings());
+  const properties::Properties parsed =
+      properties::ParseProperties("A is never stuck\nB is never stuck within 3 slow", PropertyContext());
   ASSERT_EQ(parsed.properties.size(), 2U);
-  EXPECT_EQ(parsed.properties[0].kind, PropertyKind::kNeverStuck);
-  EXPECT_EQ(parsed.properties[0].periods, kStuckPeriods);
+  EXPECT_EQ(parsed.properties[0].kind, properties::PropertyKind::kNeverStuck);
+  EXPECT_EQ(parsed.properties[0].periods, properties::kStuckPeriods);
   EXPECT_EQ(parsed.properties[1].periods, 6U);
   EXPECT_EQ(parsed.properties[1].line, 2U);
 }
 
 struct WrongLine {
   const char* text;
-  PropertyFault fault;
+  properties::PropertyFault fault;
   uint32_t column;
   std::vector<std::string> words;
 };
 
 TEST(Properties, EveryWrongLineHasItsPlace) {
   const WrongLine kLines[] = {
-      {"never A and", PropertyFault::kSyntax, 12, {"the end of the line", "a location, a number or '('"}},
-      {"never A B", PropertyFault::kSyntax, 9, {"'B'", "the end of the line"}},
-      {"A B", PropertyFault::kSyntax, 3, {"'B'", "'and', 'or', 'implies', a comparison or the end of the line"}},
-      {"(A or B", PropertyFault::kSyntax, 8, {"the end of the line", "')'"}},
-      {"A = 'B", PropertyFault::kSyntax, 5, {"a quote without its partner", "a name in quotes"}},
-      {"at most one of A", PropertyFault::kSyntax, 17, {"the end of the line", "','"}},
-      {"1 = 1", PropertyFault::kSyntax, 1, {"'1'", "a location"}},
-      {"A implies B within 3 days", PropertyFault::kSyntax, 22, {"'days'", "slow, fast or ms"}},
-      {"A implies B within soon", PropertyFault::kSyntax, 20, {"'soon'", "a number of slow, fast or ms"}},
-      {"A and B is never stuck", PropertyFault::kSyntax, 1, {"a condition", "one output"}},
-      {"W in 3", PropertyFault::kSyntax, 7, {"the end of the line", "'..'"}},
-      {"never A and X", PropertyFault::kLocation, 13, {"X"}},
-      {"never T = 1", PropertyFault::kNotMemory, 7, {"T", "a text input"}},
-      {"never A and W", PropertyFault::kBitNeeded, 13, {"W", "'and'"}},
-      {"W is never stuck", PropertyFault::kBitNeeded, 1, {"W", "a property"}},
-      {"W = 256", PropertyFault::kNoFit, 5, {"256", "W", "0 to 255"}},
-      {"S = 200", PropertyFault::kNoFit, 5, {"200", "S", "-128 to 127"}},
-      {"bit 8 of W", PropertyFault::kNoFit, 5, {"8", "a bit of W", "0 to 7"}},
-      {"W in 4..3", PropertyFault::kRange, 6, {"4", "3"}},
-      {"A implies B within 0 slow", PropertyFault::kTooLong, 20, {"0 slow", "0", "5000"}},
-      {"A for 50010 ms", PropertyFault::kTooLong, 7, {"50010 ms", "5001", "5000"}},
+      {"never A and", properties::PropertyFault::kSyntax, 12, {"the end of the line", "a location, a number or '('"}},
+      {"never A B", properties::PropertyFault::kSyntax, 9, {"'B'", "the end of the line"}},
+      {"A B",
+       properties::PropertyFault::kSyntax,
+       3,
+       {"'B'", "'and', 'or', 'implies', a comparison or the end of the line"}},
+      {"(A or B", properties::PropertyFault::kSyntax, 8, {"the end of the line", "')'"}},
+      {"A = 'B", properties::PropertyFault::kSyntax, 5, {"a quote without its partner", "a name in quotes"}},
+      {"at most one of A", properties::PropertyFault::kSyntax, 17, {"the end of the line", "','"}},
+      {"1 = 1", properties::PropertyFault::kSyntax, 1, {"'1'", "a location"}},
+      {"A implies B within 3 days", properties::PropertyFault::kSyntax, 22, {"'days'", "slow, fast or ms"}},
+      {"A implies B within soon", properties::PropertyFault::kSyntax, 20, {"'soon'", "a number of slow, fast or ms"}},
+      {"A and B is never stuck", properties::PropertyFault::kSyntax, 1, {"a condition", "one output"}},
+      {"W in 3", properties::PropertyFault::kSyntax, 7, {"the end of the line", "'..'"}},
+      {"never A and X", properties::PropertyFault::kLocation, 13, {"X"}},
+      {"never T = 1", properties::PropertyFault::kNotMemory, 7, {"T", "a text input"}},
+      {"never A and W", properties::PropertyFault::kBitNeeded, 13, {"W", "'and'"}},
+      {"W is never stuck", properties::PropertyFault::kBitNeeded, 1, {"W", "a property"}},
+      {"W = 256", properties::PropertyFault::kNoFit, 5, {"256", "W", "0 to 255"}},
+      {"S = 200", properties::PropertyFault::kNoFit, 5, {"200", "S", "-128 to 127"}},
+      {"bit 8 of W", properties::PropertyFault::kNoFit, 5, {"8", "a bit of W", "0 to 7"}},
+      {"W in 4..3", properties::PropertyFault::kRange, 6, {"4", "3"}},
+      {"A implies B within 0 slow", properties::PropertyFault::kTooLong, 20, {"0 slow", "0", "5000"}},
+      {"A for 50010 ms", properties::PropertyFault::kTooLong, 7, {"50010 ms", "5001", "5000"}},
   };
   for (const WrongLine& line : kLines) {
-    const Properties parsed = ParseProperties(std::string("# first\n") + line.text, Surroundings());
+    const properties::Properties parsed =
+        properties::ParseProperties(std::string("# first\n") + line.text, PropertyContext());
     ASSERT_EQ(parsed.errors.size(), 1U) << line.text;
-    const PropertyError& error = parsed.errors.front();
+    const properties::PropertyError& error = parsed.errors.front();
     EXPECT_EQ(error.fault, line.fault) << line.text;
     EXPECT_EQ(error.line, 2U) << line.text;
     EXPECT_EQ(error.column, line.column) << line.text;
     EXPECT_EQ(error.words, line.words) << line.text;
   }
-  EXPECT_EQ(ParseProperties("\n# nothing\n", Surroundings()).errors.front().fault, PropertyFault::kNothing);
+  EXPECT_EQ(properties::ParseProperties("\n# nothing\n", PropertyContext()).errors.front().fault,
+            properties::PropertyFault::kNothing);
 }
 
 TEST(Properties, NoWordsCrashTheParser) {
@@ -158,10 +165,10 @@ TEST(Properties, NoWordsCrashTheParser) {
       seed = seed * 1664525 + 1013904223;
       text += words[(seed >> 16) % words.size()] + " ";
     }
-    const Properties parsed = ParseProperties(text, Surroundings());
+    const properties::Properties parsed = properties::ParseProperties(text, PropertyContext());
     EXPECT_EQ(parsed.properties.size() + parsed.errors.size(), 1U) << text;
   }
-  EXPECT_EQ(ParseProperties(std::string(100'000, '('), Surroundings()).errors.size(), 1U);
+  EXPECT_EQ(properties::ParseProperties(std::string(100'000, '('), PropertyContext()).errors.size(), 1U);
 }
 
 }  // namespace

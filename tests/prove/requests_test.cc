@@ -28,8 +28,8 @@ bool IsRequest(const std::string& period) {
       "host ask () -> i8 polled\n"
       "routine period schedule {\n" +
       period + "}\nschedule period period\n");
-  const Version version = MakeVersion(program);
-  return RequestCells(version)[version.cells.OfBit(ir::SpaceId(0), 0, 0).index];
+  const compare::Version version = compare::MakeVersion(program);
+  return compare::RequestCells(version)[version.cells.OfBit(ir::SpaceId(0), 0, 0).index];
 }
 
 TEST(Requests, InALine) { EXPECT_TRUE(IsRequest(Asking())); }

@@ -15,49 +15,51 @@
 namespace plcxx::prove {
 namespace {
 
-std::unique_ptr<Solver> Load(const Terms& terms) {
-  LoadedSolver loaded = LoadSolver(terms);
+std::unique_ptr<solver::Solver> Load(const terms::Terms& terms) {
+  solver::LoadedSolver loaded = solver::LoadSolver(terms);
   EXPECT_NE(loaded.solver, nullptr) << loaded.reason;
   return std::move(loaded.solver);
 }
 
 TEST(Solver, TellsNeverFromPossibleAndGivesValues) {
-  Terms terms;
-  const std::unique_ptr<Solver> solver = Load(terms);
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
-  const TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
-  const TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
+  const terms::TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
+  const terms::TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
   const std::array both{sum, small};
-  EXPECT_EQ(solver->Check(both, 10'000), Answer::kNever);
-  ASSERT_EQ(solver->Check({&sum, 1}, 10'000), Answer::kPossible);
+  EXPECT_EQ(solver->Check(both, 10'000), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check({&sum, 1}, 10'000), solver::Answer::kPossible);
   EXPECT_EQ((solver->ValueOf(x) + solver->ValueOf(y)) & 0xFF, 200U);
 }
 
 TEST(Solver, AssumptionsEndWithTheirPop) {
-  Terms terms;
-  const std::unique_ptr<Solver> solver = Load(terms);
-  const TermId a = terms.Variable("a", 1);
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  const terms::TermId a = terms.Variable("a", 1);
   solver->Push();
   solver->Assume(terms.Not(a));
-  EXPECT_EQ(solver->Check({&a, 1}, 10'000), Answer::kNever);
+  EXPECT_EQ(solver->Check({&a, 1}, 10'000), solver::Answer::kNever);
   solver->Pop();
-  EXPECT_EQ(solver->Check({&a, 1}, 10'000), Answer::kPossible);
+  EXPECT_EQ(solver->Check({&a, 1}, 10'000), solver::Answer::kPossible);
 }
 
 TEST(Solver, UnknownFunctionsGiveEqualResultsForEqualArguments) {
-  Terms terms;
-  const std::unique_ptr<Solver> solver = Load(terms);
-  const TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
-  const FunctionId f = terms.Function("f", 4);
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
+  const terms::FunctionId f = terms.Function("f", 4);
   const std::array conditions{terms.Eq(x, y), terms.Ne(terms.Apply(f, {&x, 1}), terms.Apply(f, {&y, 1}))};
-  EXPECT_EQ(solver->Check(conditions, 10'000), Answer::kNever);
-  EXPECT_EQ(solver->Check({&conditions[1], 1}, 10'000), Answer::kPossible);
+  EXPECT_EQ(solver->Check(conditions, 10'000), solver::Answer::kNever);
+  EXPECT_EQ(solver->Check({&conditions[1], 1}, 10'000), solver::Answer::kPossible);
 }
 
 /// A term over the variables, of random shape.
-TermId RandomTerm(Terms& terms, std::mt19937_64& random, const std::vector<TermId>& variables, int depth) {
+terms::TermId RandomTerm(terms::Terms& terms, std::mt19937_64& random, const std::vector<terms::TermId>& variables,
+                         int depth) {
   if (depth == 0) return variables[random() % variables.size()];
-  const TermId a = RandomTerm(terms, random, variables, depth - 1), b = RandomTerm(terms, random, variables, depth - 1);
+  const terms::TermId a = RandomTerm(terms, random, variables, depth - 1),
+                      b = RandomTerm(terms, random, variables, depth - 1);
   const uint8_t width = terms.Width(a);
   switch (random() % 14) {
     case 0:
@@ -110,54 +112,55 @@ TEST(SmtText, AnotherSolverAgrees) {
   std::mt19937_64 random(20);
   int never = 0;
   for (int i = 0; i < 25; ++i) {
-    Terms terms;
-    const std::unique_ptr<Solver> solver = Load(terms);
-    std::vector<TermId> variables;
+    terms::Terms terms;
+    const std::unique_ptr<solver::Solver> solver = Load(terms);
+    std::vector<terms::TermId> variables;
     for (const char* name : {"x", "a |b\\", "z"}) variables.push_back(terms.Variable(name, 6));
-    const FunctionId f = terms.Function("answer of |f", 6);
+    const terms::FunctionId f = terms.Function("answer of |f", 6);
     variables.push_back(terms.Apply(f, {variables.data(), 2}));
     // Half of the questions have the same term on both sides in two ways of writing, so that the answer is "never".
-    const TermId a = RandomTerm(terms, random, variables, 3), b = RandomTerm(terms, random, variables, 3);
-    const TermId question = i % 2 == 0
-                                ? terms.Ne(terms.Add(a, b), terms.Sub(a, terms.Not(terms.Sub(b, terms.Const(1, 6)))))
-                                : terms.And(terms.Slt(a, b), terms.Ult(terms.Xor(a, b), terms.Const(5, 6)));
+    const terms::TermId a = RandomTerm(terms, random, variables, 3), b = RandomTerm(terms, random, variables, 3);
+    const terms::TermId question =
+        i % 2 == 0 ? terms.Ne(terms.Add(a, b), terms.Sub(a, terms.Not(terms.Sub(b, terms.Const(1, 6)))))
+                   : terms.And(terms.Slt(a, b), terms.Ult(terms.Xor(a, b), terms.Const(5, 6)));
     if (terms.IsConst(question)) continue;
-    const Answer answer = solver->Check({&question, 1}, 20'000);
-    never += answer == Answer::kNever ? 1 : 0;
-    EXPECT_EQ(AskCvc5(SmtText(terms, {&question, 1})), answer == Answer::kNever ? "unsat\n" : "sat\n")
-        << SmtText(terms, {&question, 1});
+    const solver::Answer answer = solver->Check({&question, 1}, 20'000);
+    never += answer == solver::Answer::kNever ? 1 : 0;
+    EXPECT_EQ(AskCvc5(solver::SmtText(terms, {&question, 1})), answer == solver::Answer::kNever ? "unsat\n" : "sat\n")
+        << solver::SmtText(terms, {&question, 1});
   }
   EXPECT_GE(never, 3);
 }
 
 TEST(Sweep, FindsEqualityThroughManyRewrittenParts) {
-  Terms terms;
-  const std::unique_ptr<Solver> solver = Load(terms);
-  std::vector<TermPair> pairs;
-  TermId a = terms.Variable("start", 1), b = a;
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  std::vector<solver::TermPair> pairs;
+  terms::TermId a = terms.Variable("start", 1), b = a;
   for (int i = 0; i < 200; ++i) {
-    const TermId x = terms.Variable("x" + std::to_string(i), 1), y = terms.Variable("y" + std::to_string(i), 1);
+    const terms::TermId x = terms.Variable("x" + std::to_string(i), 1), y = terms.Variable("y" + std::to_string(i), 1);
     // The same step by two laws: or distributes over and.
     a = terms.Or(x, terms.And(y, a));
     b = terms.And(terms.Or(x, y), terms.Or(x, b));
     pairs.push_back({a, b});
   }
-  const std::vector<Verdict> verdicts = Compare(terms, *solver, pairs, {});
-  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::kEqual), 200);
+  const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *solver, pairs, {});
+  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), solver::Verdict::kEqual), 200);
 }
 
 TEST(Sweep, TellsADifferenceFromWhatHidesIt) {
-  Terms terms;
-  const std::unique_ptr<Solver> solver = Load(terms);
-  const TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32);
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  const terms::TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32);
   // Differs for one pair of values in 2^64: no random value finds it.
-  const TermId rare = terms.And(terms.Eq(x, terms.Const(0x12345678, 32)), terms.Eq(y, terms.Const(0x9ABCDEF0, 32)));
-  const TermId sum = terms.Add(x, y);
-  const std::array pairs{TermPair{sum, terms.Ite(rare, terms.Const(0, 32), sum)},
-                         TermPair{terms.Mul(x, terms.Const(3, 32)), terms.Add(x, terms.Add(x, x))}};
-  const std::vector<Verdict> verdicts = Compare(terms, *solver, pairs, {});
-  EXPECT_EQ(verdicts[0], Verdict::kDifferent);
-  EXPECT_EQ(verdicts[1], Verdict::kEqual);
+  const terms::TermId rare =
+      terms.And(terms.Eq(x, terms.Const(0x12345678, 32)), terms.Eq(y, terms.Const(0x9ABCDEF0, 32)));
+  const terms::TermId sum = terms.Add(x, y);
+  const std::array pairs{solver::TermPair{sum, terms.Ite(rare, terms.Const(0, 32), sum)},
+                         solver::TermPair{terms.Mul(x, terms.Const(3, 32)), terms.Add(x, terms.Add(x, x))}};
+  const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *solver, pairs, {});
+  EXPECT_EQ(verdicts[0], solver::Verdict::kDifferent);
+  EXPECT_EQ(verdicts[1], solver::Verdict::kEqual);
 }
 
 }  // namespace

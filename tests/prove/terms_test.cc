@@ -20,7 +20,7 @@ using Values = std::array<uint64_t, kAssignments>;
 
 /// A term and what it must be.
 struct Expected {
-  TermId term;
+  terms::TermId term;
   uint8_t width = 1;
   Values values{};
 };
@@ -28,7 +28,7 @@ struct Expected {
 uint64_t Ones(int width) { return width == 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1; }
 
 /// The operations once more, as SMT-LIB defines them, by sign and magnitude and bit by bit.
-uint64_t Reference(TermKind kind, uint64_t a, uint64_t b, int width) {
+uint64_t Reference(terms::TermKind kind, uint64_t a, uint64_t b, int width) {
   const uint64_t ones = Ones(width), top = uint64_t{1} << (width - 1);
   const bool negative_a = (a & top) != 0, negative_b = (b & top) != 0;
   const uint64_t size_a = negative_a ? (0 - a) & ones : a, size_b = negative_b ? (0 - b) & ones : b;
@@ -41,37 +41,37 @@ uint64_t Reference(TermKind kind, uint64_t a, uint64_t b, int width) {
   const auto bit = [a](uint64_t i) { return ((a >> i) & 1) != 0; };
   const auto end = static_cast<uint64_t>(width);
   switch (kind) {
-    case TermKind::kAnd:
+    case terms::TermKind::kAnd:
       return a & b;
-    case TermKind::kOr:
+    case terms::TermKind::kOr:
       return a | b;
-    case TermKind::kXor:
+    case terms::TermKind::kXor:
       return a ^ b;
-    case TermKind::kAdd:
+    case terms::TermKind::kAdd:
       return (a + b) & ones;
-    case TermKind::kSub:
+    case terms::TermKind::kSub:
       return (a - b) & ones;
-    case TermKind::kMul:
+    case terms::TermKind::kMul:
       return (a * b) & ones;
-    case TermKind::kUdiv:
+    case terms::TermKind::kUdiv:
       return b == 0 ? ones : a / b;
-    case TermKind::kUrem:
+    case terms::TermKind::kUrem:
       return b == 0 ? a : a % b;
-    case TermKind::kSdiv:
+    case terms::TermKind::kSdiv:
       return negated_if(negative_a != negative_b, size_b == 0 ? ones : size_a / size_b);
-    case TermKind::kSrem:
+    case terms::TermKind::kSrem:
       return negated_if(negative_a, size_b == 0 ? size_a : size_a % size_b);
-    case TermKind::kShl:
+    case terms::TermKind::kShl:
       return shifted([&](int i) { return static_cast<uint64_t>(i) >= b && bit(static_cast<uint64_t>(i) - b); });
-    case TermKind::kLshr:
+    case terms::TermKind::kLshr:
       return shifted([&](int i) { return b < end && static_cast<uint64_t>(i) + b < end && bit(i + b); });
-    case TermKind::kAshr:
+    case terms::TermKind::kAshr:
       return shifted([&](int i) { return b < end && static_cast<uint64_t>(i) + b < end ? bit(i + b) : negative_a; });
-    case TermKind::kEq:
+    case terms::TermKind::kEq:
       return a == b ? 1 : 0;
-    case TermKind::kUlt:
+    case terms::TermKind::kUlt:
       return a < b ? 1 : 0;
-    case TermKind::kSlt:
+    case terms::TermKind::kSlt:
       return (a ^ top) < (b ^ top) ? 1 : 0;
     default:
       ADD_FAILURE() << "not an operation of two operands";
@@ -79,26 +79,29 @@ uint64_t Reference(TermKind kind, uint64_t a, uint64_t b, int width) {
   }
 }
 
-using Make = TermId (Terms::*)(TermId, TermId);
+using Make = terms::TermId (terms::Terms::*)(terms::TermId, terms::TermId);
 struct Operation {
-  TermKind kind;
+  terms::TermKind kind;
   Make make;
 };
 constexpr Operation kOfWidth[] = {
-    {TermKind::kAnd, &Terms::And},   {TermKind::kOr, &Terms::Or},     {TermKind::kXor, &Terms::Xor},
-    {TermKind::kAdd, &Terms::Add},   {TermKind::kSub, &Terms::Sub},   {TermKind::kMul, &Terms::Mul},
-    {TermKind::kUdiv, &Terms::Udiv}, {TermKind::kUrem, &Terms::Urem}, {TermKind::kSdiv, &Terms::Sdiv},
-    {TermKind::kSrem, &Terms::Srem}, {TermKind::kShl, &Terms::Shl},   {TermKind::kLshr, &Terms::Lshr},
-    {TermKind::kAshr, &Terms::Ashr},
+    {terms::TermKind::kAnd, &terms::Terms::And},   {terms::TermKind::kOr, &terms::Terms::Or},
+    {terms::TermKind::kXor, &terms::Terms::Xor},   {terms::TermKind::kAdd, &terms::Terms::Add},
+    {terms::TermKind::kSub, &terms::Terms::Sub},   {terms::TermKind::kMul, &terms::Terms::Mul},
+    {terms::TermKind::kUdiv, &terms::Terms::Udiv}, {terms::TermKind::kUrem, &terms::Terms::Urem},
+    {terms::TermKind::kSdiv, &terms::Terms::Sdiv}, {terms::TermKind::kSrem, &terms::Terms::Srem},
+    {terms::TermKind::kShl, &terms::Terms::Shl},   {terms::TermKind::kLshr, &terms::Terms::Lshr},
+    {terms::TermKind::kAshr, &terms::Terms::Ashr},
 };
-constexpr Operation kComparisons[] = {
-    {TermKind::kEq, &Terms::Eq}, {TermKind::kUlt, &Terms::Ult}, {TermKind::kSlt, &Terms::Slt}};
+constexpr Operation kComparisons[] = {{terms::TermKind::kEq, &terms::Terms::Eq},
+                                      {terms::TermKind::kUlt, &terms::Terms::Ult},
+                                      {terms::TermKind::kSlt, &terms::Terms::Slt}};
 
 class RandomTerms {
  public:
   explicit RandomTerms(uint64_t seed) : random_(seed) {}
 
-  Terms& terms() { return terms_; }
+  terms::Terms& terms() { return terms_; }
   const std::vector<Expected>& made() const { return made_; }
   /// By number of the variable, for one assignment.
   std::vector<uint64_t> Variables(size_t assignment) const {
@@ -163,7 +166,7 @@ class RandomTerms {
   }
 
   template <class Value>
-  Expected Made(TermId term, Value&& value) {
+  Expected Made(terms::TermId term, Value&& value) {
     Expected result{.term = term};
     for (size_t i = 0; i < kAssignments; ++i) result.values[i] = value(i);
     return result;
@@ -222,16 +225,17 @@ class RandomTerms {
   }
 
   std::mt19937_64 random_;
-  Terms terms_;
+  terms::Terms terms_;
   std::vector<Values> variables_;
   std::vector<Expected> made_;
 };
 
 /// Checks every term that was made, the parts that its making left behind included.
 void ExpectAll(RandomTerms& random, uint64_t seed) {
-  const Terms& terms = random.terms();
+  const terms::Terms& terms = random.terms();
   for (size_t i = 0; i < kAssignments; ++i) {
-    const std::vector<uint64_t> values = EvaluateAll(terms, random.Variables(i), TermId(terms.size() - 1));
+    const std::vector<uint64_t> values =
+        terms::EvaluateAll(terms, random.Variables(i), terms::TermId(terms.size() - 1));
     for (const Expected& expected : random.made()) {
       ASSERT_EQ(terms.Width(expected.term), expected.width) << "seed " << seed;
       ASSERT_EQ(values[expected.term.index], expected.values[i])
@@ -254,59 +258,59 @@ TEST(Terms, MeanWhatTheirOperationsMean) {
 /// All pairs of the forms that the simplifications look for, at a width where every value can be tried.
 TEST(Terms, PairsOfAllFormsWithAllValues) {
   constexpr uint8_t kWidth = 4;
-  Terms terms;
-  const TermId x = terms.Variable("x", kWidth), y = terms.Variable("y", 2), bit = terms.Variable("bit", 1);
-  std::vector<TermId> forms = {x,
-                               terms.Not(x),
-                               terms.Zext(y, kWidth),
-                               terms.Sext(y, kWidth),
-                               terms.Zext(bit, kWidth),
-                               terms.Sext(bit, kWidth),
-                               terms.Concat(y, terms.Const(0, 2)),
-                               terms.Concat(y, terms.Const(2, 2)),
-                               terms.Concat(terms.Const(1, 2), y),
-                               terms.Concat(y, y),
-                               terms.Concat(bit, terms.Extract(x, 0, 3)),
-                               terms.Ite(bit, x, terms.Zext(y, kWidth)),
-                               terms.Ite(bit, terms.Const(3, kWidth), terms.Const(9, kWidth)),
-                               terms.Add(x, terms.Const(3, kWidth)),
-                               terms.Xor(x, terms.Const(5, kWidth)),
-                               terms.Sub(x, terms.Sext(y, kWidth)),
-                               terms.And(x, terms.Sext(y, kWidth)),
-                               terms.Or(x, terms.Sext(y, kWidth))};
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", kWidth), y = terms.Variable("y", 2), bit = terms.Variable("bit", 1);
+  std::vector<terms::TermId> forms = {x,
+                                      terms.Not(x),
+                                      terms.Zext(y, kWidth),
+                                      terms.Sext(y, kWidth),
+                                      terms.Zext(bit, kWidth),
+                                      terms.Sext(bit, kWidth),
+                                      terms.Concat(y, terms.Const(0, 2)),
+                                      terms.Concat(y, terms.Const(2, 2)),
+                                      terms.Concat(terms.Const(1, 2), y),
+                                      terms.Concat(y, y),
+                                      terms.Concat(bit, terms.Extract(x, 0, 3)),
+                                      terms.Ite(bit, x, terms.Zext(y, kWidth)),
+                                      terms.Ite(bit, terms.Const(3, kWidth), terms.Const(9, kWidth)),
+                                      terms.Add(x, terms.Const(3, kWidth)),
+                                      terms.Xor(x, terms.Const(5, kWidth)),
+                                      terms.Sub(x, terms.Sext(y, kWidth)),
+                                      terms.And(x, terms.Sext(y, kWidth)),
+                                      terms.Or(x, terms.Sext(y, kWidth))};
   for (uint64_t value = 0; value < 16; ++value) forms.push_back(terms.Const(value, kWidth));
   for (uint8_t high = 0; high < 3; ++high) {
     for (uint8_t low = 0; low < 3; ++low)
       forms.push_back(terms.Concat(terms.Extract(x, high, 2), terms.Extract(x, low, 2)));
   }
   struct Pair {
-    TermId result;
-    TermKind kind;
-    TermId a, b;
+    terms::TermId result;
+    terms::TermKind kind;
+    terms::TermId a, b;
   };
   std::vector<Pair> pairs;
   struct Choice {
-    TermId result, condition, then, otherwise;
+    terms::TermId result, condition, then, otherwise;
   };
   std::vector<Choice> choices;
   const std::array conditions = {bit, terms.Not(bit), terms.Eq(x, terms.Zext(y, kWidth)), terms.Extract(y, 0, 1)};
-  for (const TermId a : forms) {
-    for (const TermId b : forms) {
+  for (const terms::TermId a : forms) {
+    for (const terms::TermId b : forms) {
       for (const Operation& operation : kOfWidth)
         pairs.push_back({(terms.*operation.make)(a, b), operation.kind, a, b});
       for (const Operation& operation : kComparisons) {
         pairs.push_back({(terms.*operation.make)(a, b), operation.kind, a, b});
       }
-      pairs.push_back({terms.Concat(a, b), TermKind::kConcat, a, b});
-      for (const TermId condition : conditions) {
+      pairs.push_back({terms.Concat(a, b), terms::TermKind::kConcat, a, b});
+      for (const terms::TermId condition : conditions) {
         choices.push_back({terms.Ite(condition, a, b), condition, a, b});
-        const TermId bit_a = terms.Extract(a, 1, 1), bit_b = terms.Extract(b, 1, 1);
+        const terms::TermId bit_a = terms.Extract(a, 1, 1), bit_b = terms.Extract(b, 1, 1);
         choices.push_back({terms.Ite(condition, bit_a, bit_b), condition, bit_a, bit_b});
       }
     }
   }
   struct Slice {
-    TermId result, of;
+    terms::TermId result, of;
     uint8_t low, width;
   };
   std::vector<Slice> slices;
@@ -318,11 +322,12 @@ TEST(Terms, PairsOfAllFormsWithAllValues) {
   }
   for (uint64_t assignment = 0; assignment < 128; ++assignment) {
     const std::array variables = {assignment & 15, (assignment >> 4) & 3, assignment >> 6};
-    const std::vector<uint64_t> values = EvaluateAll(terms, variables, TermId(terms.size() - 1));
-    const auto value = [&](TermId id) { return values[id.index]; };
+    const std::vector<uint64_t> values = terms::EvaluateAll(terms, variables, terms::TermId(terms.size() - 1));
+    const auto value = [&](terms::TermId id) { return values[id.index]; };
     for (const Pair& pair : pairs) {
       const uint64_t a = value(pair.a), b = value(pair.b);
-      const uint64_t expected = pair.kind == TermKind::kConcat ? a << kWidth | b : Reference(pair.kind, a, b, kWidth);
+      const uint64_t expected =
+          pair.kind == terms::TermKind::kConcat ? a << kWidth | b : Reference(pair.kind, a, b, kWidth);
       ASSERT_EQ(value(pair.result), expected)
           << static_cast<int>(pair.kind) << " of terms " << pair.a.index << " and " << pair.b.index;
     }
@@ -336,8 +341,8 @@ TEST(Terms, PairsOfAllFormsWithAllValues) {
 }
 
 TEST(Terms, RowsOfAnyTwoParts) {
-  Terms terms;
-  const TermId x = terms.Variable("x", 6);
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 6);
   const auto of_each_part = [](auto visit) {
     for (uint8_t low = 0; low < 6; ++low) {
       for (uint8_t width = 1; low + width <= 6; ++width) visit(low, width);
@@ -345,9 +350,9 @@ TEST(Terms, RowsOfAnyTwoParts) {
   };
   of_each_part([&](uint8_t high, uint8_t high_width) {
     of_each_part([&](uint8_t low, uint8_t low_width) {
-      const TermId row = terms.Concat(terms.Extract(x, high, high_width), terms.Extract(x, low, low_width));
+      const terms::TermId row = terms.Concat(terms.Extract(x, high, high_width), terms.Extract(x, low, low_width));
       for (uint64_t value = 0; value < 64; ++value) {
-        ASSERT_EQ(Evaluate(terms, row, {&value, 1}),
+        ASSERT_EQ(terms::Evaluate(terms, row, {&value, 1}),
                   ((value >> high) & Ones(high_width)) << low_width | ((value >> low) & Ones(low_width)));
       }
     });
@@ -358,13 +363,13 @@ TEST(Terms, RebuiltTermsAreTheSameOnes) {
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
     RandomTerms random(seed);
     for (int i = 0; i < 4; ++i) random.Term(1 + static_cast<int>((seed * 7 + static_cast<uint64_t>(i)) % 64), 4);
-    Terms& terms = random.terms();
+    terms::Terms& terms = random.terms();
     const uint32_t count = terms.size();
     for (uint32_t i = 0; i < count; ++i) {
-      const Term term = terms[TermId(i)];
-      std::vector<TermId> operands;
-      terms.ForEachOperand(term, [&](TermId operand) { operands.push_back(operand); });
-      ASSERT_EQ(terms.Rebuild(term, operands), TermId(i))
+      const terms::Term term = terms[terms::TermId(i)];
+      std::vector<terms::TermId> operands;
+      terms.ForEachOperand(term, [&](terms::TermId operand) { operands.push_back(operand); });
+      ASSERT_EQ(terms.Rebuild(term, operands), terms::TermId(i))
           << "seed " << seed << ", kind " << static_cast<int>(term.kind);
     }
   }
@@ -374,24 +379,24 @@ TEST(Terms, RebuildWithOtherOperandsIsSubstitution) {
   for (uint64_t seed = 1; seed <= 1000; ++seed) {
     RandomTerms random(seed);
     for (int i = 0; i < 3; ++i) random.Term(1 + static_cast<int>(seed % 64), 5);
-    Terms& terms = random.terms();
+    terms::Terms& terms = random.terms();
     // Constants in place of the variables: everything must become a constant, the right one.
     for (size_t assignment = 0; assignment < 2; ++assignment) {
       const std::vector<uint64_t> variables = random.Variables(assignment);
-      std::vector<TermId> replaced;
+      std::vector<terms::TermId> replaced;
       const uint32_t count = terms.size();
       for (uint32_t i = 0; i < count; ++i) {
-        const Term term = terms[TermId(i)];
-        if (term.kind == TermKind::kVariable) {
+        const terms::Term term = terms[terms::TermId(i)];
+        if (term.kind == terms::TermKind::kVariable) {
           replaced.push_back(terms.Const(variables[term.a], term.width));
           continue;
         }
-        std::vector<TermId> operands;
-        terms.ForEachOperand(term, [&](TermId operand) { operands.push_back(replaced[operand.index]); });
+        std::vector<terms::TermId> operands;
+        terms.ForEachOperand(term, [&](terms::TermId operand) { operands.push_back(replaced[operand.index]); });
         replaced.push_back(terms.Rebuild(term, operands));
       }
       for (const Expected& expected : random.made()) {
-        const TermId result = replaced[expected.term.index];
+        const terms::TermId result = replaced[expected.term.index];
         ASSERT_TRUE(terms.IsConst(result)) << "seed " << seed;
         ASSERT_EQ(terms.Value(result), expected.values[assignment]) << "seed " << seed;
       }
@@ -400,15 +405,15 @@ TEST(Terms, RebuildWithOtherOperandsIsSubstitution) {
 }
 
 TEST(Terms, EqualConstructionsAreOneTerm) {
-  const auto build = [](Terms& terms, TermId x, TermId y) {
-    const TermId sum = terms.Add(terms.And(x, y), terms.Mul(x, terms.Const(8, 32)));
-    const FunctionId unknown = terms.Function("unknown", 32);
+  const auto build = [](terms::Terms& terms, terms::TermId x, terms::TermId y) {
+    const terms::TermId sum = terms.Add(terms.And(x, y), terms.Mul(x, terms.Const(8, 32)));
+    const terms::FunctionId unknown = terms.Function("unknown", 32);
     const std::array arguments{sum, terms.Not(y)};
     return terms.Ite(terms.Ult(x, y), terms.Apply(unknown, arguments), terms.Shl(sum, y));
   };
-  Terms terms;
-  const TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32);
-  const TermId first = build(terms, x, y);
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32);
+  const terms::TermId first = build(terms, x, y);
   const uint32_t count = terms.size();
   EXPECT_EQ(build(terms, x, y), first);
   EXPECT_EQ(terms.size(), count);
@@ -417,12 +422,12 @@ TEST(Terms, EqualConstructionsAreOneTerm) {
 }
 
 TEST(Terms, PartsOfMaskedWordsAreParts) {
-  Terms terms;
-  const TermId x = terms.Variable("x", 32), bit = terms.Variable("bit", 1), other = terms.Variable("other", 1);
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 32), bit = terms.Variable("bit", 1), other = terms.Variable("other", 1);
   EXPECT_EQ(terms.And(x, terms.Const(0xFF, 32)), terms.Zext(terms.Extract(x, 0, 8), 32));
   EXPECT_EQ(terms.Ne(terms.And(x, terms.Const(0x10, 32)), terms.Const(0, 32)), terms.Extract(x, 4, 1));
   // Signals that are kept as bytes.
-  const TermId byte = terms.Zext(bit, 8), another = terms.Zext(other, 8);
+  const terms::TermId byte = terms.Zext(bit, 8), another = terms.Zext(other, 8);
   EXPECT_EQ(terms.And(byte, another), terms.Zext(terms.And(bit, other), 8));
   EXPECT_EQ(terms.Or(byte, another), terms.Zext(terms.Or(bit, other), 8));
   EXPECT_EQ(terms.Xor(byte, terms.Const(1, 8)), terms.Zext(terms.Not(bit), 8));
@@ -430,30 +435,30 @@ TEST(Terms, PartsOfMaskedWordsAreParts) {
 }
 
 TEST(Terms, UnknownFunctionsAreFunctions) {
-  Terms terms;
-  const FunctionId f = terms.Function("f", 16), g = terms.Function("g", 16);
-  const TermId x = terms.Variable("x", 8);
-  const TermId applied = terms.Apply(f, {&x, 1});
+  terms::Terms terms;
+  const terms::FunctionId f = terms.Function("f", 16), g = terms.Function("g", 16);
+  const terms::TermId x = terms.Variable("x", 8);
+  const terms::TermId applied = terms.Apply(f, {&x, 1});
   EXPECT_EQ(terms.Apply(f, {&x, 1}), applied);
   EXPECT_NE(terms.Apply(g, {&x, 1}), applied);
   EXPECT_EQ(terms.Function("f", 16), f);
   const uint64_t one = 1, two = 2;
-  EXPECT_EQ(Evaluate(terms, applied, {&one, 1}), Evaluate(terms, applied, {&one, 1}));
-  EXPECT_NE(Evaluate(terms, applied, {&one, 1}), Evaluate(terms, applied, {&two, 1}));
-  EXPECT_LE(Evaluate(terms, applied, {&one, 1}), 0xFFFFU);
+  EXPECT_EQ(terms::Evaluate(terms, applied, {&one, 1}), terms::Evaluate(terms, applied, {&one, 1}));
+  EXPECT_NE(terms::Evaluate(terms, applied, {&one, 1}), terms::Evaluate(terms, applied, {&two, 1}));
+  EXPECT_LE(terms::Evaluate(terms, applied, {&one, 1}), 0xFFFFU);
 }
 
 // Arguments may be those of another application, which stand where the new ones are put.
 TEST(Terms, ArgumentsMayBeThoseOfAnotherTerm) {
-  Terms terms;
-  const FunctionId f = terms.Function("f", 8), g = terms.Function("g", 8);
-  std::vector<TermId> arguments;
+  terms::Terms terms;
+  const terms::FunctionId f = terms.Function("f", 8), g = terms.Function("g", 8);
+  std::vector<terms::TermId> arguments;
   for (int i = 0; i < 100; ++i) arguments.push_back(terms.Variable("v" + std::to_string(i), 8));
-  TermId last = terms.Apply(f, arguments);
+  terms::TermId last = terms.Apply(f, arguments);
   for (int i = 0; i < 50; ++i) {
     last = terms.Apply(terms.Function("h" + std::to_string(i), 8), terms.Arguments(terms[last]));
   }
-  const TermId again = terms.Apply(g, terms.Arguments(terms[last]));
+  const terms::TermId again = terms.Apply(g, terms.Arguments(terms[last]));
   ASSERT_EQ(terms.Arguments(terms[again]).size(), arguments.size());
   for (size_t i = 0; i < arguments.size(); ++i) EXPECT_EQ(terms.Arguments(terms[again])[i], arguments[i]);
 }

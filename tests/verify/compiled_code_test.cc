@@ -34,13 +34,14 @@ void both(Host& host, uint32_t& second) noexcept;
 )";
 
 /// Remembers calls; answers what it was asked, plus 1.
-class EchoHost : public CodeSurroundings {
+class EchoHost : public compiled::CodeEnvironment {
  public:
-  explicit EchoHost(Terms& terms) : terms_(terms) {}
-  TermId Initial(uint32_t slot) override {
+  explicit EchoHost(terms::Terms& terms) : terms_(terms) {}
+  terms::TermId Initial(uint32_t slot) override {
     return slot < kBytes ? terms_.Variable("b" + std::to_string(slot), 8) : terms_.Const(0, 64);
   }
-  TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
+  terms::TermId CallHost(compiled::CodeMemory& memory, const compiled::HostRequest& request,
+                         std::string& refusal) override {
     memory.Write(kBytes, terms_.Add(memory.Read(kBytes), terms_.Const(1, 64)));
     if (request.function == "t::ask" && request.arguments.size() == 2)
       return terms_.Add(request.arguments[1].value, terms_.Const(1, 32));
@@ -53,36 +54,37 @@ class EchoHost : public CodeSurroundings {
   }
 
  private:
-  Terms& terms_;
+  terms::Terms& terms_;
 };
 
 class CompiledCodeTest : public ::testing::Test {
  protected:
-  CodeOutcome Execute(const std::string& body, const std::string& level = "2",
-                      const std::vector<std::string>& flags = {}) {
-    auto found = compile::FindToolchain(compile::Targets().front(), kVerifyCompiler);
+  compiled::CodeOutcome Execute(const std::string& body, const std::string& level = "2",
+                                const std::vector<std::string>& flags = {}) {
+    auto found = compile::FindToolchain(compile::Targets().front(), compiled::kVerifyCompiler);
     if (std::holds_alternative<compile::MissingTool>(found)) return {.refusal = "no compiler"};
     const auto& toolchain = std::get<compile::Toolchain>(found);
     const std::vector<emit::OutputFile> files = {{.name = "t.cpp", .text = kHead + body + "\n}\n"}};
     std::vector<std::string> further = {"-Wno-everything"};
     further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled =
-        CompileToBitcode({.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
-    if (const auto* failure = std::get_if<BitcodeFailure>(&compiled)) return {.refusal = failure->output};
-    LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
+    auto compiled = compiled::CompileToBitcode(
+        {.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
+    if (const auto* failure = std::get_if<compiled::BitcodeFailure>(&compiled)) return {.refusal = failure->output};
+    compiled::LoadedCode loaded = compiled::LoadCode(std::get<compiled::Bitcode>(compiled).files);
     if (loaded.code == nullptr) return {.refusal = loaded.reason};
     EchoHost host(terms_);
-    CodeRun run{.function = "t::f", .state_bytes = kBytes, .further_slots = 1, .arguments = {}, .most_rounds = 64};
-    run.arguments.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
-    run.arguments.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
+    compiled::CodeRun run{
+        .function = "t::f", .state_bytes = kBytes, .further_slots = 1, .arguments = {}, .most_rounds = 64};
+    run.arguments.push_back({.kind = compiled::CodeArgument::Kind::kState, .name = "m", .value = {}});
+    run.arguments.push_back({.kind = compiled::CodeArgument::Kind::kHost, .name = "host", .value = {}});
     return loaded.code->Execute(terms_, host, run);
   }
 
   /// Executes f at several levels of optimization and compares with `expected` for random states.
   void Check(const std::string& body, const std::function<uint64_t(Bytes&)>& expected) {
     for (const char* level : {"1", "2", "s"}) {
-      terms_ = Terms();
-      const CodeOutcome outcome = Execute(body, level);
+      terms_ = terms::Terms();
+      const compiled::CodeOutcome outcome = Execute(body, level);
       ASSERT_EQ(outcome.refusal, "") << "-O" << level;
       ASSERT_EQ(outcome.slots.size(), kBytes + 1);
       std::mt19937 random(1);
@@ -95,18 +97,18 @@ class CompiledCodeTest : public ::testing::Test {
           const std::string& name = terms_.VariableName(v);
           if (name[0] == 'b') variables[v] = bytes[std::stoul(name.substr(1))];
         }
-        const std::vector<uint64_t> values = EvaluateAll(terms_, variables, TermId(terms_.size() - 1));
+        const std::vector<uint64_t> values = terms::EvaluateAll(terms_, variables, terms::TermId(terms_.size() - 1));
         const uint64_t calls = expected(bytes);
         for (uint32_t i = 0; i < kBytes; ++i)
           ASSERT_EQ(values[outcome.slots[i].index], bytes[i]) << "-O" << level << ", byte " << i;
         ASSERT_EQ(values[outcome.slots[kBytes].index], calls) << "-O" << level;
-        for (const Obligation& obligation : outcome.obligations)
+        for (const compiled::Obligation& obligation : outcome.obligations)
           ASSERT_EQ(values[obligation.never.index], 0U) << "-O" << level << ": " << obligation.text;
       }
     }
   }
 
-  Terms terms_;
+  terms::Terms terms_;
 };
 
 uint32_t Word(const Bytes& bytes, int number) {
@@ -269,18 +271,18 @@ TEST_F(CompiledCodeTest, Intrinsics) {
 }
 
 TEST_F(CompiledCodeTest, WhatMustNotHappenIsAnObligation) {
-  const CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] / m.w[2]; }");
+  const compiled::CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] / m.w[2]; }");
   ASSERT_EQ(outcome.refusal, "");
   ASSERT_EQ(outcome.obligations.size(), 1U);
   EXPECT_EQ(outcome.obligations.front().text, "a division by zero");
-  const CodeOutcome store = Execute("void f(State& m, Host&) noexcept { m.b[m.b[0]] = 1; }");
+  const compiled::CodeOutcome store = Execute("void f(State& m, Host&) noexcept { m.b[m.b[0]] = 1; }");
   ASSERT_EQ(store.obligations.size(), 1U);
   EXPECT_EQ(store.obligations.front().text, "a write outside of its object");
 }
 
 TEST_F(CompiledCodeTest, WhatIsUndefinedIsAnything) {
   // A shift by 32 or more: the result depends on a variable of its own, not on one choice of ours.
-  const CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] << m.w[2]; }");
+  const compiled::CodeOutcome outcome = Execute("void f(State& m, Host&) noexcept { m.w[0] = m.w[1] << m.w[2]; }");
   ASSERT_EQ(outcome.refusal, "");
   bool undefined = false;
   for (uint32_t v = 0; v < terms_.variable_count(); ++v)

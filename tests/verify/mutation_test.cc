@@ -261,9 +261,9 @@ std::vector<std::string> Words(std::string_view text) {
 
 enum class Asked : uint8_t { kRoutines, kFunctions };
 
-std::string FirstNotProved(const std::vector<RoutineProof>& proofs, Asked asked) {
-  for (const RoutineProof& proof : proofs) {
-    if (proof.exported != (asked == Asked::kRoutines) || proof.result == ProofResult::kProved) continue;
+std::string FirstNotProved(const std::vector<compiled::RoutineProof>& proofs, Asked asked) {
+  for (const compiled::RoutineProof& proof : proofs) {
+    if (proof.exported != (asked == Asked::kRoutines) || proof.result == compiled::ProofResult::kProved) continue;
     return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
   }
   return "";
@@ -291,13 +291,13 @@ class Subject {
   std::string Caught(const std::vector<std::string>& flags = {}) {
     std::vector<std::string> further = {"-Wno-everything"};
     further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled =
-        CompileToBitcode({.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
-    if (std::holds_alternative<BitcodeFailure>(compiled)) return "not compiled";
-    const LoadedCode loaded = LoadCode(std::get<Bitcode>(compiled).files);
+    auto compiled = compiled::CompileToBitcode(
+        {.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
+    if (std::holds_alternative<compiled::BitcodeFailure>(compiled)) return "not compiled";
+    const compiled::LoadedCode loaded = compiled::LoadCode(std::get<compiled::Bitcode>(compiled).files);
     if (loaded.code == nullptr) return loaded.reason;
-    const std::vector<RoutineProof> proofs =
-        Verify(emittable_, *loaded.code, RoutinesToVerify(compilation_.program), {});
+    const std::vector<compiled::RoutineProof> proofs =
+        compiled::Verify(emittable_, *loaded.code, compiled::RoutinesToVerify(compilation_.program), {});
     std::string caught = FirstNotProved(proofs, Asked::kRoutines);
     if (caught.find("all is proved but") != std::string::npos) caught = FirstNotProved(proofs, Asked::kFunctions);
     return caught;
@@ -325,7 +325,7 @@ class Subject {
 class MutationTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    auto found = compile::FindToolchain(compile::Targets().front(), kVerifyCompiler);
+    auto found = compile::FindToolchain(compile::Targets().front(), compiled::kVerifyCompiler);
     ASSERT_TRUE(std::holds_alternative<compile::Toolchain>(found));
     toolchain_ = std::get<compile::Toolchain>(found);
     turret_ = std::make_unique<Subject>(toolchain_, "turret.plc", kProgram, "nc110");

@@ -14,13 +14,13 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
-using prove::PairResult;
-using prove::PairVerdict;
+using prove::compare::PairResult;
+using prove::compare::PairVerdict;
+using prove::execute::CellId;
 
 /// One version with all that names and causes need.
 struct Named {
-  Named(const DiffSide& diff_side, const prove::Version& side_version)
+  Named(const DiffSide& diff_side, const prove::compare::Version& side_version)
       : side(diff_side),
         compilation(diff_side.compilation),
         version(side_version),
@@ -30,16 +30,17 @@ struct Named {
 
   const DiffSide& side;
   const Compilation& compilation;
-  const prove::Version& version;
+  const prove::compare::Version& version;
   CellWords words;
   std::vector<StatementAccess> accesses;
   std::map<ir::StatementId, std::set<ir::StatementId>> heads;
 };
 
-ItemKind KindOf(const prove::Version& version, CellId cell) {
-  if (CellAt(*version.program, version.cells, cell).kind == prove::CellKind::kCalls) return ItemKind::kCalls;
-  if (DirectionOf(version, cell) == ir::Direction::kOutput) return ItemKind::kOutput;
-  return IsRetentive(version, cell) ? ItemKind::kRetentive : ItemKind::kInternal;
+ItemKind KindOf(const prove::compare::Version& version, CellId cell) {
+  if (prove::execute::CellAt(*version.program, version.cells, cell).kind == prove::execute::CellKind::kCalls)
+    return ItemKind::kCalls;
+  if (prove::compare::DirectionOf(version, cell) == ir::Direction::kOutput) return ItemKind::kOutput;
+  return prove::compare::IsRetentive(version, cell) ? ItemKind::kRetentive : ItemKind::kInternal;
 }
 
 /// All cells of one name, with the worst verdict of them.
@@ -70,7 +71,8 @@ bool IsWorse(ItemVerdict one, ItemVerdict other) {
   return rank(one) > rank(other);
 }
 
-std::vector<Gathered> Gather(const prove::CompareResult& result, const Named& old_side, const Named& new_side) {
+std::vector<Gathered> Gather(const prove::compare::CompareResult& result, const Named& old_side,
+                             const Named& new_side) {
   std::vector<Gathered> items;
   std::map<std::pair<ItemKind, std::string>, size_t> index;
   for (const PairResult& pair : result.pairs) {
@@ -256,18 +258,18 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const Clock::time_point last_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
-  const prove::Version old_version = prove::MakeVersion(old_side.whole),
-                       new_version = prove::MakeVersion(new_side.whole);
-  const prove::Match match = MatchCells(old_version, new_version, same);
+  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.whole),
+                                new_version = prove::compare::MakeVersion(new_side.whole);
+  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
   const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare;
-  prove::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
+  prove::compare::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
   const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
-  const auto find_different = [&](const std::vector<CellId>& cells, prove::Effort effort) {
+  const auto find_different = [&](const std::vector<CellId>& cells, prove::compare::Effort effort) {
     std::vector<CellId> sought = cells;
     // Of a word that differs the other bits are not looked for any longer.
-    if (effort == prove::Effort::kThorough) {
+    if (effort == prove::compare::Effort::kThorough) {
       std::erase_if(sought, [&](CellId cell) {
         return std::ranges::any_of(old_named.words.WordOf(cell).cells,
                                    [&](CellId bit) { return runs.difference_of.contains(bit); });
@@ -287,7 +289,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
     return different;
   };
-  const prove::CompareResult result = CompareVersions(old_version, new_version, match, find_different, limits);
+  const prove::compare::CompareResult result =
+      prove::compare::CompareVersions(old_version, new_version, match, find_different, limits);
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   std::vector<Gathered> items = Gather(result, old_named, new_named);

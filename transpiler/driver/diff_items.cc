@@ -11,17 +11,17 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::Cell;
-using prove::CellId;
-using prove::CellKind;
-using prove::IsInside;
-using prove::Version;
+using prove::compare::Version;
+using prove::execute::Cell;
+using prove::execute::CellId;
+using prove::execute::CellKind;
+using prove::execute::IsInside;
 
 /// Cells of a place; of an indexed one all that it may touch.
 std::pair<uint32_t, uint32_t> CellRange(const Version& version, const ir::Place& place) {
   if (place.is_field()) {
     const ir::StateKind kind = version.program->states[place.state].kind;
-    const uint32_t cell = version.cells.states[place.state.index] + prove::FieldTermIndex(kind, place.field);
+    const uint32_t cell = version.cells.states[place.state.index] + prove::meaning::FieldTermIndex(kind, place.field);
     return {cell, cell + 1};
   }
   const uint32_t size = version.program->spaces[place.space].bytes;
@@ -68,12 +68,12 @@ class AccessWalk {
           {.statement = statement, .begin = cells.front().index, .end = cells.back().index + 1, .writes = writes});
     };
     const auto on_place = [&](ir::PlaceId place, ir::Access access) {
-      const std::vector<CellId> cells = TouchedCells(program_, version_.cells, program_.places[place]);
+      const std::vector<CellId> cells = prove::execute::TouchedCells(program_, version_.cells, program_.places[place]);
       if (access != ir::Access::kWrite) add(cells, false);
       if (access != ir::Access::kRead) add(cells, true);
     };
     const auto on_instance = [&](ir::StateId state) {
-      const std::vector<CellId> cells = CellsOfInstance(program_, version_.cells, state);
+      const std::vector<CellId> cells = prove::execute::CellsOfInstance(program_, version_.cells, state);
       add(cells, false);
       add(cells, true);
     };
@@ -122,7 +122,7 @@ CellWord CellWords::OfPlace(const ir::Place& place) const {
     word.name = place.name;
     word.address = place.address;
   }
-  if (IsInside(program, place)) word.cells = CellsOf(program, version_.cells, place);
+  if (IsInside(program, place)) word.cells = prove::execute::CellsOf(program, version_.cells, place);
   return word;
 }
 
@@ -169,9 +169,9 @@ std::optional<CellWord> CellWords::FromDialect(const Cell& cell) const {
 
 CellWord CellWords::WordOf(CellId id) const {
   const ir::Program& program = *version_.program;
-  const Cell cell = CellAt(program, version_.cells, id);
+  const Cell cell = prove::execute::CellAt(program, version_.cells, id);
   if (cell.kind != CellKind::kBit) {
-    CellWord word{.name = CellName(program, cell), .address = {}, .place = std::nullopt, .cells = {id}};
+    CellWord word{.name = prove::execute::CellName(program, cell), .address = {}, .place = std::nullopt, .cells = {id}};
     if (cell.kind != CellKind::kField) return word;
     const ir::FieldInfo& info = ir::Info(program.states[cell.state].kind).fields[cell.field];
     if (info.hidden) {

@@ -13,28 +13,28 @@ namespace plcxx::driver {
 
 /// How people speak of a cell: the bit, word or field that the program uses there.
 struct CellWord {
-  std::string name;                  // "W3K0"
-  std::string address;               // where the name is another one: "DATA+3.5"
-  std::optional<ir::Place> place;    // none: the program has no place there ("U byte 17")
-  std::vector<prove::CellId> cells;  // of the word, from the least significant bit
+  std::string name;                           // "W3K0"
+  std::string address;                        // where the name is another one: "DATA+3.5"
+  std::optional<ir::Place> place;             // none: the program has no place there ("U byte 17")
+  std::vector<prove::execute::CellId> cells;  // of the word, from the least significant bit
 };
 
 class CellWords {
  public:
   /// `version` and the compilation outlive the object.
-  CellWords(const prove::Version& version, const Compilation& compilation);
-  CellWord WordOf(prove::CellId cell) const;
+  CellWords(const prove::compare::Version& version, const Compilation& compilation);
+  CellWord WordOf(prove::execute::CellId cell) const;
   /// From the program's documentation; empty when there is none.
   std::string MeaningOf(const CellWord& word) const;
 
  private:
-  std::optional<CellWord> FromSymbols(const prove::Cell& cell) const;
+  std::optional<CellWord> FromSymbols(const prove::execute::Cell& cell) const;
   /// A byte that the program reaches by a computed index only.
-  std::optional<CellWord> FromDialect(const prove::Cell& cell) const;
+  std::optional<CellWord> FromDialect(const prove::execute::Cell& cell) const;
   CellWord OfPlace(const ir::Place& place) const;
   bool IsNamed(const ir::Place& place) const;
 
-  const prove::Version& version_;
+  const prove::compare::Version& version_;
   const Compilation& compilation_;
   std::map<uint32_t, ir::PlaceId> bits_;          // by cell
   std::map<uint32_t, ir::PlaceId> words_;         // by cell of its first bit: the smallest one that begins there
@@ -47,10 +47,10 @@ struct StatementAccess {
   uint32_t begin = 0, end = 0;  // cells
   bool writes = false;
 };
-std::vector<StatementAccess> AccessesOf(const prove::Version& version);
+std::vector<StatementAccess> AccessesOf(const prove::compare::Version& version);
 
 /// By statement: those that decide whether it is executed, the heads of the blocks around it and the calls of its
 /// routine; of those again to be asked.
-std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::Version& version);
+std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::compare::Version& version);
 
 }  // namespace plcxx::driver

@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
 /// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
-std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
+std::vector<uint32_t> MakeBytesOf(const prove::compare::Version& version) {
   const ir::Program& program = *version.program;
   std::vector<uint32_t> bytes(version.cells.count, kNowhere);
   uint32_t at = 0;
@@ -34,7 +34,7 @@ std::vector<uint32_t> MakeBytesOf(const prove::Version& version) {
 
 }  // namespace
 
-DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version, Time end)
+DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& version, Time end)
     : side_(side),
       program_(side.compilation.program),
       version_(version),
@@ -51,13 +51,13 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::Version& version, Ti
   control_.PowerOn();
 }
 
-void DiffMachine::SetCell(prove::CellId id, uint64_t value) {
-  const prove::Cell cell = CellAt(*version_.program, version_.cells, id);
+void DiffMachine::SetCell(prove::execute::CellId id, uint64_t value) {
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
   ir::Place place;
   switch (cell.kind) {
-    case prove::CellKind::kCalls:
+    case prove::execute::CellKind::kCalls:
       return;
-    case prove::CellKind::kField: {
+    case prove::execute::CellKind::kField: {
       const ir::FieldInfo& field = ir::Info(version_.program->states[cell.state].kind).fields[cell.field];
       if (field.hidden || field.count != 1) return;  // no scenario can
       place.type = field.type;
@@ -65,7 +65,7 @@ void DiffMachine::SetCell(prove::CellId id, uint64_t value) {
       place.field = cell.field;
       break;
     }
-    case prove::CellKind::kBit:
+    case prove::execute::CellKind::kBit:
       place.type = ir::Type::kBit;
       place.space = cell.space;
       place.offset = cell.offset;
@@ -88,8 +88,8 @@ void DiffMachine::SetWord(const std::string& text, const std::string& value) {
   if (bits) control_.Set(*location, *bits);
 }
 
-bool DiffMachine::Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::* cell) {
-  for (const prove::SetCell& input : stimulus.inputs) {
+bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell) {
+  for (const prove::compare::SetCell& input : stimulus.inputs) {
     if ((input.*cell).valid()) SetCell(input.*cell, input.value);
   }
   for (const auto& [location, value] : stimulus.words) SetWord(location, value);
@@ -112,15 +112,15 @@ void DiffMachine::Look() {
   }
 }
 
-uint64_t DiffMachine::Seen(prove::CellId id) const {
+uint64_t DiffMachine::Seen(prove::execute::CellId id) const {
   if (id.index >= version_.cells.calls) return calls_[id.index - version_.cells.calls];
   const uint32_t at = byte_of_[id.index];
   if (at == kNowhere || at >= picture_.size()) return 0;
   const bool is_bit = version_.cells.states.empty() || id.index < version_.cells.states.front();
   if (is_bit) return picture_[at] >> ((id.index - version_.cells.spaces.front()) % 8) & 1;
-  const prove::Cell cell = CellAt(*version_.program, version_.cells, id);
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
   uint64_t value = 0;
-  for (uint32_t i = 0; i < (CellWidth(*version_.program, cell) + 7U) / 8; ++i)
+  for (uint32_t i = 0; i < (prove::execute::CellWidth(*version_.program, cell) + 7U) / 8; ++i)
     value |= uint64_t{picture_[at + i]} << (8 * i);
   return value;
 }

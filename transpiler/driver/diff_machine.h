@@ -20,19 +20,19 @@ class DiffMachine {
   using Time = std::chrono::steady_clock::time_point;
 
   /// Powers on. Both outlive the machine. A step that is not done at `end` is left there.
-  DiffMachine(const DiffSide& side, const prove::Version& version, Time end = Time::max());
+  DiffMachine(const DiffSide& side, const prove::compare::Version& version, Time end = Time::max());
 
-  void SetCell(prove::CellId cell, uint64_t value);
+  void SetCell(prove::execute::CellId cell, uint64_t value);
   /// As a scenario's `set`; what the version does not know is left out.
   void SetWord(const std::string& location, const std::string& value);
   /// Sets what the stimulus says, by the old or the new cells, and lets the time pass. false: the program got stuck, or
   /// it is late.
-  bool Apply(const Stimulus& stimulus, prove::CellId prove::SetCell::* cell);
+  bool Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell);
   /// Takes a picture of all state.
   void Look();
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
   /// not show is 0.
-  uint64_t Seen(prove::CellId cell) const;
+  uint64_t Seen(prove::execute::CellId cell) const;
   /// The calls between the last two pictures.
   const std::vector<sim::HostEvent>& events() const { return events_; }
 
@@ -41,7 +41,7 @@ class DiffMachine {
 
   const DiffSide& side_;
   const ir::Program& program_;
-  const prove::Version& version_;
+  const prove::compare::Version& version_;
   sim::Simulator simulator_;
   ScenarioControl control_;
   sim::Clock clock_;

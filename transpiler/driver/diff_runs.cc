@@ -15,8 +15,8 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
-using prove::Random;
+using prove::execute::CellId;
+using prove::terms::Random;
 
 constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
@@ -27,14 +27,16 @@ constexpr size_t kMostSought = 400;
 constexpr uint64_t kWatchedMs = 30'000;  // from power-on
 
 /// The pairs that the host writes and a version reads, by the names of inputs that a scenario can set.
-std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const prove::Version& new_version,
-                                     const prove::Match& match) {
-  const prove::Uses old_uses = UsesOf(old_version), new_uses = UsesOf(new_version);
-  std::vector<prove::SetCell> inputs;
+std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
+                                              const prove::compare::Version& new_version,
+                                              const prove::compare::Match& match) {
+  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
+                             new_uses = prove::compare::UsesOf(new_version);
+  std::vector<prove::compare::SetCell> inputs;
   for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
     if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
-    if (IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
     }
   }
@@ -42,9 +44,9 @@ std::vector<prove::SetCell> InputsOf(const prove::Version& old_version, const pr
 }
 
 /// The control does what it was asked for now and then: the requests are cleared before some of the steps.
-void AddDoneRequests(Random& random, const std::vector<prove::SetCell>& requests, Stimuli& stimuli) {
+void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>& requests, Stimuli& stimuli) {
   for (Stimulus& stimulus : stimuli) {
-    for (const prove::SetCell& request : requests) {
+    for (const prove::compare::SetCell& request : requests) {
       if (random.OneIn(2)) stimulus.inputs.push_back(request);
     }
   }
@@ -54,13 +56,13 @@ void AddDoneRequests(Random& random, const std::vector<prove::SetCell>& requests
 enum class Waits : uint8_t { kNone, kSome };
 
 /// Inputs change seldom in some runs and often in others.
-Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, int run, Waits waits) {
+Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& inputs, int run, Waits waits) {
   const uint64_t one_in = uint64_t{2} << (run % 6);
   const uint64_t density = 1 + static_cast<uint64_t>(run) % 3;  // of ones, in quarters
   Stimuli stimuli;
   for (int step = 0; step < kSteps; ++step) {
     Stimulus stimulus;
-    for (prove::SetCell input : inputs) {
+    for (prove::compare::SetCell input : inputs) {
       if (step != 0 && !random.OneIn(one_in)) continue;
       input.value = random.Next() % 4 < density ? 1 : 0;
       stimulus.inputs.push_back(input);
@@ -76,8 +78,9 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::SetCell>& inputs, i
 }
 
 /// The inputs from which the cells are computed, over a few statements and scans.
-std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vector<bool> wanted,
-                                         const std::vector<prove::SetCell>& inputs, CellId prove::SetCell::* cell) {
+std::vector<prove::compare::SetCell> InputsBehind(const prove::compare::Version& version, std::vector<bool> wanted,
+                                                  const std::vector<prove::compare::SetCell>& inputs,
+                                                  CellId prove::compare::SetCell::* cell) {
   const std::vector<StatementAccess> accesses = AccessesOf(version);
   const auto touches = [&wanted](const StatementAccess& access) {
     for (uint32_t i = access.begin; i < access.end; ++i) {
@@ -95,28 +98,29 @@ std::vector<prove::SetCell> InputsBehind(const prove::Version& version, std::vec
       std::fill(wanted.begin() + access.begin, wanted.begin() + access.end, true);
     }
   }
-  std::vector<prove::SetCell> behind;
-  for (const prove::SetCell& input : inputs) {
+  std::vector<prove::compare::SetCell> behind;
+  for (const prove::compare::SetCell& input : inputs) {
     if (wanted[(input.*cell).index]) behind.push_back(input);
   }
   return behind;
 }
 
 /// Without memory that the host might write as well, such as data with presets: a random one there hides what differs.
-std::vector<prove::SetCell> InputsOfTheMachine(const prove::Version& version, std::vector<prove::SetCell> inputs) {
-  std::erase_if(inputs, [&version](const prove::SetCell& input) {
-    return DirectionOf(version, input.old_cell) != ir::Direction::kInput;
+std::vector<prove::compare::SetCell> InputsOfTheMachine(const prove::compare::Version& version,
+                                                        std::vector<prove::compare::SetCell> inputs) {
+  std::erase_if(inputs, [&version](const prove::compare::SetCell& input) {
+    return prove::compare::DirectionOf(version, input.old_cell) != ir::Direction::kInput;
   });
   return inputs;
 }
 
 /// The inputs as they stand after so many steps of a run.
-std::vector<prove::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
-  std::map<CellId, prove::SetCell> level;
+std::vector<prove::compare::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
+  std::map<CellId, prove::compare::SetCell> level;
   for (uint32_t step = 0; step < steps; ++step) {
-    for (const prove::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
+    for (const prove::compare::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
   }
-  std::vector<prove::SetCell> inputs;
+  std::vector<prove::compare::SetCell> inputs;
   for (const auto& [cell, input] : level) inputs.push_back(input);
   return inputs;
 }
@@ -142,13 +146,13 @@ std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
 
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result) {
-  const prove::Version& old_version = request.old_version;
-  const prove::Version& new_version = request.new_version;
-  const bool quick = request.effort == prove::Effort::kQuick;
+  const prove::compare::Version& old_version = request.old_version;
+  const prove::compare::Version& new_version = request.new_version;
+  const bool quick = request.effort == prove::compare::Effort::kQuick;
   if (!quick && request.cells.size() > kMostSought) return;  // the wake of a change that reaches everything
-  const std::vector<prove::SetCell> inputs = InputsOf(old_version, new_version, request.match);
-  std::vector<prove::SetCell> requests;
-  for (const CellId cell : MatchedRequests(old_version, new_version, request.match))
+  const std::vector<prove::compare::SetCell> inputs = InputsOf(old_version, new_version, request.match);
+  std::vector<prove::compare::SetCell> requests;
+  for (const CellId cell : prove::compare::MatchedRequests(old_version, new_version, request.match))
     requests.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
   std::vector<std::pair<CellId, CellId>> pairs;
   for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
@@ -175,8 +179,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       const Stimulus& stimulus = stimuli[step];
       uint32_t passed_ms = 0;
       const auto apply = [&](const Stimulus& piece) {
-        if (!old_machine.Apply(piece, &prove::SetCell::old_cell)) return false;
-        if (!new_machine.Apply(piece, &prove::SetCell::new_cell)) return false;
+        if (!old_machine.Apply(piece, &prove::compare::SetCell::old_cell)) return false;
+        if (!new_machine.Apply(piece, &prove::compare::SetCell::new_cell)) return false;
         old_machine.Look();
         new_machine.Look();
         periods += piece.slow + piece.ms / period_ms;
@@ -214,14 +218,14 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   const std::vector<Stimuli> known = StimuliOfScenarios(old_side);
   std::vector<bool> wanted(new_version.cells.count);
   for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
-  std::vector<prove::SetCell> behind;
-  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::SetCell::new_cell);
+  std::vector<prove::compare::SetCell> behind;
+  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::compare::SetCell::new_cell);
   // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
   const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
   const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
-  const std::vector<prove::SetCell> machines = InputsOfTheMachine(old_version, behind);
+  const std::vector<prove::compare::SetCell> machines = InputsOfTheMachine(old_version, behind);
   // Near the inputs with which something was seen there is more to be seen: what follows from it.
-  std::vector<prove::SetCell> telling;
+  std::vector<prove::compare::SetCell> telling;
   const auto run_and_learn = [&](const Stimuli& stimuli) {
     const size_t seen = result.difference_of.size();
     const auto first_run = static_cast<uint32_t>(result.runs.size());
@@ -233,7 +237,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   };
   for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
-    const std::vector<prove::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
+    const std::vector<prove::compare::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
     const bool near = !telling.empty() && run % 2 == 0;
     run_and_learn(
@@ -265,7 +269,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       }
       for (uint64_t i = 0; i <= random.Next() % 3; ++i) {
         // Mostly what matters.
-        const std::vector<prove::SetCell>& from = behind.empty() || random.OneIn(4) ? inputs : behind;
+        const std::vector<prove::compare::SetCell>& from = behind.empty() || random.OneIn(4) ? inputs : behind;
         stimulus.inputs.push_back(from[random.Next() % from.size()]);
         stimulus.inputs.back().value = random.Next() >> 7 & 1;
       }

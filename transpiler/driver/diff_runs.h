@@ -19,7 +19,7 @@ namespace plcxx::driver {
 
 /// Inputs set, then time.
 struct Stimulus {
-  std::vector<prove::SetCell> inputs;
+  std::vector<prove::compare::SetCell> inputs;
   std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
   uint32_t slow = 0;                                       // complete slow passes; 0: `ms`
   uint32_t ms = 0;
@@ -32,15 +32,15 @@ struct RandomRuns {
     uint32_t run = 0, steps = 0;  // after so many stimuli of the run
     uint64_t periods = 0;         // about so many of them passed until then
   };
-  std::map<prove::CellId, Difference> difference_of;  // by old cell: the first one
+  std::map<prove::execute::CellId, Difference> difference_of;  // by old cell: the first one
 };
 
 struct RunRequest {
-  const prove::Version& old_version;
-  const prove::Version& new_version;
-  const prove::Match& match;
-  const std::vector<prove::CellId>& cells;  // old ones: what is looked at
-  prove::Effort effort{};
+  const prove::compare::Version& old_version;
+  const prove::compare::Version& new_version;
+  const prove::compare::Match& match;
+  const std::vector<prove::execute::CellId>& cells;  // old ones: what is looked at
+  prove::compare::Effort effort{};
   std::chrono::steady_clock::time_point end;  // of the whole comparison
 };
 
@@ -51,16 +51,16 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
              RandomRuns& result);
 
 struct CounterexampleRequest {
-  const prove::Version& old_version;
-  const prove::Version& new_version;
+  const prove::compare::Version& old_version;
+  const prove::compare::Version& new_version;
   const CellWords& old_words;
   const CellWords& new_words;
   std::string name;
   ItemKind kind{};
-  std::vector<prove::CellId> old_cells;
-  std::optional<prove::Run> run;  // the solver's
+  std::vector<prove::execute::CellId> old_cells;
+  std::optional<prove::compare::Run> run;  // the solver's
   const RandomRuns& runs;
-  const prove::Match& match;
+  const prove::compare::Match& match;
 };
 
 /// A run that was shown, with both versions at its end: other items may differ there, too.

@@ -16,7 +16,7 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
+using prove::execute::CellId;
 
 constexpr size_t kMostShown = 12;  // of what one step sets, in the line of text; the scenario has all
 
@@ -35,11 +35,11 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
 }
 
 /// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
-std::vector<CellId> CellsNamed(const DiffSide& side, const prove::Version& version, const std::string& name) {
+std::vector<CellId> CellsNamed(const DiffSide& side, const prove::compare::Version& version, const std::string& name) {
   const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.compilation.program, name);
   if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
-  if (!prove::IsInside(*version.program, location->place)) return {};
-  return CellsOf(*version.program, version.cells, location->place);
+  if (!prove::execute::IsInside(*version.program, location->place)) return {};
+  return prove::execute::CellsOf(*version.program, version.cells, location->place);
 }
 
 /// How a scenario names the word. Where a location has moved, its address is another one's in the new version: then by
@@ -70,11 +70,11 @@ std::string WordText(const CellWord& word, uint64_t value) {
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name.
 std::vector<std::pair<std::string, std::string>> SetsOf(const DiffSide& old_side, const DiffSide& new_side,
                                                         const CounterexampleRequest& request,
-                                                        const std::vector<prove::SetCell>& inputs,
+                                                        const std::vector<prove::compare::SetCell>& inputs,
                                                         std::map<CellId, uint64_t>& now) {
   std::vector<CellWord> words;
   std::set<std::string> taken;
-  for (const prove::SetCell& input : inputs) {
+  for (const prove::compare::SetCell& input : inputs) {
     now[input.old_cell] = input.value;
     CellWord word = WordOfBoth(request, input.old_cell);
     if (HasNoName(word)) continue;
@@ -154,7 +154,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const Counterexample
   if (request.run) {
     // An arbitrary state is set before the first period; later inputs stay.
     Stimuli by_pass, by_time;
-    for (const std::vector<prove::SetCell>& inputs : request.run->periods) {
+    for (const std::vector<prove::compare::SetCell>& inputs : request.run->periods) {
       by_pass.push_back({.inputs = inputs, .words = {}, .slow = 1});
       by_time.push_back({.inputs = inputs, .words = {}, .ms = PeriodMs(old_side)});
     }
@@ -280,8 +280,8 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
                    .ends = {DiffMachine(old_side, request.old_version), DiffMachine(new_side, request.new_version)},
                    .cost = {}});
   for (const Stimulus& stimulus : run->stimuli) {
-    run->ends.old_machine.Apply(stimulus, &prove::SetCell::old_cell);
-    run->ends.new_machine.Apply(stimulus, &prove::SetCell::new_cell);
+    run->ends.old_machine.Apply(stimulus, &prove::compare::SetCell::old_cell);
+    run->ends.new_machine.Apply(stimulus, &prove::compare::SetCell::new_cell);
   }
   run->ends.old_machine.Look();
   run->ends.new_machine.Look();

@@ -17,19 +17,23 @@ struct ChangedConstants {
   std::vector<uint32_t> times_ms;  // ascending: between an old preset and a new one, whatever its unit
   uint32_t counts = 0;             // the greatest one that a counter may have to reach; 0: none
 };
-ChangedConstants FindChangedConstants(const prove::Version& old_version, const prove::Version& new_version);
+ChangedConstants FindChangedConstants(const prove::compare::Version& old_version,
+                                      const prove::compare::Version& new_version);
 
 /// A value for each input; `run`: half, many or few of them are 1, in turn.
-std::vector<prove::SetCell> RandomInputs(prove::Random& random, std::vector<prove::SetCell> inputs, int run);
+std::vector<prove::compare::SetCell> RandomInputs(prove::terms::Random& random,
+                                                  std::vector<prove::compare::SetCell> inputs, int run);
 
 /// At most two of them have another value.
-std::vector<prove::SetCell> AlmostTheSame(prove::Random& random, std::vector<prove::SetCell> inputs);
+std::vector<prove::compare::SetCell> AlmostTheSame(prove::terms::Random& random,
+                                                   std::vector<prove::compare::SetCell> inputs);
 
 /// All inputs are set once, and then nothing happens for longer and longer: until each of `times_ms`, too, as far as
 /// this run is one of the patient ones. Long waits cost much, so most runs end early.
-Stimuli HoldStimuli(std::vector<prove::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
+Stimuli HoldStimuli(std::vector<prove::compare::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
 
 /// All inputs are set once; then one of them comes and goes `count` times.
-Stimuli PulseStimuli(prove::Random& random, const std::vector<prove::SetCell>& inputs, int run, uint32_t count);
+Stimuli PulseStimuli(prove::terms::Random& random, const std::vector<prove::compare::SetCell>& inputs, int run,
+                     uint32_t count);
 
 }  // namespace plcxx::driver

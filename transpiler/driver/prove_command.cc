@@ -79,7 +79,7 @@ class Prove {
     if (!time) return Wrong("'--time " + settings_.time + "' is no time: write it as in 60s, 500ms or 5min");
     options_.time_ms = *time;
     options_.most_periods = settings_.most_periods;
-    if (settings_.any_retentive) options_.retentive = prove::RetentiveMemory::kAny;
+    if (settings_.any_retentive) options_.retentive = prove::properties::RetentiveMemory::kAny;
     if (!MakeRequest()) return kWrongUse;
     if (!scenario_ && settings_.files.empty()) {
       return Wrong("there is nothing to prove: name a file of properties with --property, or a scenario that has some");
@@ -95,8 +95,9 @@ class Prove {
     for (const PlacedProperty& placed : properties_) NameLocationsOf(placed.property, machine_);
     progress_.Show("executing");
     PropertyRuns runs(machine_, KnownRuns(request_));
-    options_.try_runs = [&runs](const prove::RunSearch& search) { return runs.Find(search); };
-    options_.why_not_shown = [this](const prove::Property& property, const prove::PropertyResult& result) {
+    options_.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
+    options_.why_not_shown = [this](const prove::properties::Property& property,
+                                    const prove::properties::PropertyResult& result) {
       scenario_of_run_ = MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
       return scenario_of_run_.reason;
     };
@@ -104,7 +105,7 @@ class Prove {
       progress_.Show("property " + std::to_string(proved_.size() + 1) + " of " + std::to_string(properties_.size()) +
                      ": " + what);
     };
-    prove::PropertyChecker checker(machine_.version, options_);
+    prove::properties::PropertyChecker checker(machine_.version, options_);
     if (!checker.refusal().empty()) {
       PrintUsageError("nothing can be proved: " + checker.refusal());
       return kWrongUse;
@@ -149,22 +150,22 @@ class Prove {
   int ReadProperties() {
     Compilation& compilation = machine_.compilation;
     const dialects::Dialect& dialect = *compilation.dialect;
-    const prove::PropertySurroundings surroundings =
-        SurroundingsOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
+    const prove::properties::PropertyContext context =
+        PropertyContextOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
     const auto add = [this](std::vector<PlacedProperty> more) {
       for (PlacedProperty& one : more) properties_.push_back(std::move(one));
     };
     diag::Engine diagnostics;
     std::swap(diagnostics, compilation.diagnostics);  // warnings of the program are not this command's
     if (scenario_ && !scenario_->properties.empty()) {
-      add(PropertiesOfScenario(*scenario_, dialect.name, surroundings, *compilation.sources, compilation.diagnostics));
+      add(PropertiesOfScenario(*scenario_, dialect.name, context, *compilation.sources, compilation.diagnostics));
     }
     for (const std::string& path : settings_.files) {
       std::error_code none;
       std::ifstream in(path, std::ios::binary);
       if (!in || std::filesystem::is_directory(path, none)) return Wrong("cannot read '" + path + "'");
       const std::string text{std::istreambuf_iterator<char>(in), {}};
-      add(PropertiesOfFile(path, text, dialect.name, surroundings, *compilation.sources, compilation.diagnostics));
+      add(PropertiesOfFile(path, text, dialect.name, context, *compilation.sources, compilation.diagnostics));
     }
     if (compilation.ok()) return kDone;
     PrintDiagnosticsBeside(compilation, FormatOf(settings_.common));
@@ -175,14 +176,14 @@ class Prove {
     return {.directory = settings_.counterexamples, .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml"};
   }
 
-  void Check(prove::PropertyChecker& checker, PlacedProperty placed) {
+  void Check(prove::properties::PropertyChecker& checker, PlacedProperty placed) {
     const std::string number = std::to_string(proved_.size() + 1);
     ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}};
-    const prove::Property& property = proved.placed.property;
+    const prove::properties::Property& property = proved.placed.property;
     progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
     proved.result = checker.Check(property);
     if (proved.result.run) proved.scenario = std::move(scenario_of_run_);
-    if (proved.result.verdict == prove::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
+    if (proved.result.verdict == prove::properties::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
       const ScenarioPlace place = PlaceOfNext();
       proved.file = (std::filesystem::path(place.directory) / place.name).generic_string();
     }
@@ -218,13 +219,13 @@ class Prove {
       }
     }
     for (const ProvedProperty& proved : proved_) {
-      if (proved.result.verdict != prove::PropertyVerdict::kProved) return kProgramHasErrors;
+      if (proved.result.verdict != prove::properties::PropertyVerdict::kProved) return kProgramHasErrors;
     }
     return kDone;
   }
 
   const ProveSettings& settings_;
-  prove::CheckOptions options_;
+  prove::properties::CheckOptions options_;
   CompilationRequest request_;
   std::optional<Scenario> scenario_;
   ProveMachine machine_;

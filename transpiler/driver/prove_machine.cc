@@ -14,31 +14,32 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
-using prove::IsInside;
-using prove::PropertyOperand;
+using prove::execute::CellId;
+using prove::execute::IsInside;
+using prove::properties::PropertyOperand;
 
-prove::LocatedOperand OperandOf(const ir::Program& program, const prove::Cells& cells,
-                                const dialects::Location& location, std::string_view word) {
+prove::properties::LocatedOperand OperandOf(const ir::Program& program, const prove::execute::Cells& cells,
+                                            const dialects::Location& location, std::string_view word) {
   if (location.text_input) return std::string("a text input");
   if (location.cell) return std::string("a port of the simulated control");
   const ir::Place& place = location.place;
   if (sim::IsFloat(place.type)) return std::string("a floating-point number");
   PropertyOperand operand{.text = std::string(word)};
   operand.is_bit = place.type == ir::Type::kBit;
-  operand.width = prove::WidthOf(place.type);
+  operand.width = prove::meaning::WidthOf(place.type);
   operand.has_sign = location.has_sign;
   if (location.absent) return operand;
   if (!location.bits.empty()) {
     operand.width = static_cast<uint8_t>(location.bits.size());
-    for (const ir::Place& bit : location.bits) operand.cells.push_back(CellsOf(program, cells, bit).front());
+    for (const ir::Place& bit : location.bits)
+      operand.cells.push_back(prove::execute::CellsOf(program, cells, bit).front());
     return operand;
   }
   if (!IsInside(program, place)) return std::string("outside the program's memory");
   if (!place.is_field() && program.spaces[place.space].lifetime == ir::Lifetime::kRoutine) {
     return std::string("a local name, which has no value between two periods");
   }
-  operand.cells = CellsOf(program, cells, place);
+  operand.cells = prove::execute::CellsOf(program, cells, place);
   return operand;
 }
 
@@ -71,9 +72,9 @@ std::string NameOf(const dialects::Dialect& dialect, const ir::Program& program,
 
 }  // namespace
 
-prove::PropertyTiming TimingOf(const ir::Program& program) {
+prove::properties::PropertyTiming TimingOf(const ir::Program& program) {
   const ir::Schedule& schedule = program.schedule;
-  prove::PropertyTiming timing{.period_ms = std::max(1U, schedule.period_ms)};
+  prove::properties::PropertyTiming timing{.period_ms = std::max(1U, schedule.period_ms)};
   if (schedule.fast_ms != 0) {
     timing.fast_per_period = std::max(1U, schedule.period_ms / schedule.fast_ms);
     return timing;
@@ -103,28 +104,29 @@ void MakeProveMachine(const CompilationRequest& request, ProveMachine& machine) 
   }
   program.schedule.period_ms *= machine.slices;
   passes::Optimize(program);
-  machine.version = prove::MakeVersion(program);
+  machine.version = prove::compare::MakeVersion(program);
   machine.timing = TimingOf(program);
 }
 
-prove::PropertySurroundings SurroundingsOf(const dialects::Dialect& dialect, const ir::Program& program,
-                                           const prove::Cells& cells, const prove::PropertyTiming& timing) {
-  prove::PropertySurroundings surroundings;
-  surroundings.timing = timing;
-  surroundings.locate = [&](std::string_view word) -> std::optional<prove::LocatedOperand> {
+prove::properties::PropertyContext PropertyContextOf(const dialects::Dialect& dialect, const ir::Program& program,
+                                                     const prove::execute::Cells& cells,
+                                                     const prove::properties::PropertyTiming& timing) {
+  prove::properties::PropertyContext context;
+  context.timing = timing;
+  context.locate = [&](std::string_view word) -> std::optional<prove::properties::LocatedOperand> {
     const std::optional<dialects::Location> location = dialect.locate(program, word);
     if (!location) return std::nullopt;
     return OperandOf(program, cells, *location, word);
   };
-  surroundings.number = [&dialect](std::string_view word) -> std::optional<int64_t> {
+  context.number = [&dialect](std::string_view word) -> std::optional<int64_t> {
     const std::optional<uint64_t> value = ParseScenarioValue(word, ir::Type::kI64, dialect);
     if (!value) return std::nullopt;
     return static_cast<int64_t>(*value);
   };
-  return surroundings;
+  return context;
 }
 
-void NameLocationsOf(const prove::Property& property, ProveMachine& machine) {
+void NameLocationsOf(const prove::properties::Property& property, ProveMachine& machine) {
   for (const PropertyOperand& operand : property.operands) {
     const bool is_whole = operand.low_bit == 0 && operand.cells.size() == operand.width;
     if (is_whole) machine.named.push_back({.name = operand.text, .cells = operand.cells});
@@ -140,7 +142,7 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
     for (const ir::Place& place : program.places) {
       if (place.is_field() || (place.type == ir::Type::kBit) != bits || !IsInside(program, place)) continue;
       if (program.spaces[place.space].lifetime == ir::Lifetime::kRoutine) continue;
-      const std::vector<CellId> own = CellsOf(program, machine.version.cells, place);
+      const std::vector<CellId> own = prove::execute::CellsOf(program, machine.version.cells, place);
       const auto is_open = [&](CellId cell) {
         return std::ranges::find(cells, cell) != cells.end() && !word_of.contains(cell);
       };

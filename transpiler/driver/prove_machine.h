@@ -19,14 +19,14 @@ namespace plcxx::driver {
 /// An input as a scenario sets it.
 struct InputWord {
   std::string name;
-  std::vector<prove::CellId> cells;  // from the least significant bit
+  std::vector<prove::execute::CellId> cells;  // from the least significant bit
 };
 
 struct ProveMachine {
   Compilation compilation;  // its program: the slow part in one piece, optimized
   uint32_t slices = 1;      // of the program as it runs
-  prove::Version version;
-  prove::PropertyTiming timing;
+  prove::compare::Version version;
+  prove::properties::PropertyTiming timing;
   std::vector<InputWord> named;  // by properties: the program itself need not have a place there
 };
 
@@ -34,16 +34,17 @@ struct ProveMachine {
 void MakeProveMachine(const CompilationRequest& request, ProveMachine& machine);
 
 /// Cells and words of a program as its scenarios write them. Both outlive what it gives.
-prove::PropertySurroundings SurroundingsOf(const dialects::Dialect& dialect, const ir::Program& program,
-                                           const prove::Cells& cells, const prove::PropertyTiming& timing);
+prove::properties::PropertyContext PropertyContextOf(const dialects::Dialect& dialect, const ir::Program& program,
+                                                     const prove::execute::Cells& cells,
+                                                     const prove::properties::PropertyTiming& timing);
 
 /// Notes the locations that a property names.
-void NameLocationsOf(const prove::Property& property, ProveMachine& machine);
+void NameLocationsOf(const prove::properties::Property& property, ProveMachine& machine);
 
 /// What time the parts of a program take, in periods: measured by running it.
-prove::PropertyTiming TimingOf(const ir::Program& program);
+prove::properties::PropertyTiming TimingOf(const ir::Program& program);
 
 /// For each of `cells` the name that a scenario can set it by; none for a cell that has none.
-std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<prove::CellId>& cells);
+std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<prove::execute::CellId>& cells);
 
 }  // namespace plcxx::driver

@@ -9,9 +9,9 @@
 namespace plcxx::driver {
 namespace {
 
-ir::Place PlaceOf(const ir::Program& program, const prove::Cell& cell) {
+ir::Place PlaceOf(const ir::Program& program, const prove::execute::Cell& cell) {
   ir::Place place;
-  if (cell.kind == prove::CellKind::kField) {
+  if (cell.kind == prove::execute::CellKind::kField) {
     place.state = cell.state;
     place.field = cell.field;
     place.type = ir::Info(program.states[cell.state].kind).fields[cell.field].type;
@@ -25,18 +25,19 @@ ir::Place PlaceOf(const ir::Program& program, const prove::Cell& cell) {
 
 }  // namespace
 
-PropertyMonitor::PropertyMonitor(const ir::Program& program, const prove::Cells& cells,
-                                 std::vector<prove::Property> properties)
+PropertyMonitor::PropertyMonitor(const ir::Program& program, const prove::execute::Cells& cells,
+                                 std::vector<prove::properties::Property> properties)
     : program_(program), properties_(std::move(properties)) {
-  std::erase_if(properties_,
-                [](const prove::Property& property) { return property.kind == prove::PropertyKind::kNeverStuck; });
-  for (const prove::Property& property : properties_) {
-    window_ = std::max(window_, WindowOf(property));
-    for (const prove::PropertyOperand& operand : property.operands) {
-      for (const prove::CellId id : operand.cells) {
+  std::erase_if(properties_, [](const prove::properties::Property& property) {
+    return property.kind == prove::properties::PropertyKind::kNeverStuck;
+  });
+  for (const prove::properties::Property& property : properties_) {
+    window_ = std::max(window_, prove::properties::WindowOf(property));
+    for (const prove::properties::PropertyOperand& operand : property.operands) {
+      for (const prove::execute::CellId id : operand.cells) {
         if (std::ranges::find(watched_, id, &Watched::cell) != watched_.end()) continue;
-        const prove::Cell cell = CellAt(program, cells, id);
-        watched_.push_back({id, PlaceOf(program, cell), CellWidth(program, cell)});
+        const prove::execute::Cell cell = prove::execute::CellAt(program, cells, id);
+        watched_.push_back({id, PlaceOf(program, cell), prove::execute::CellWidth(program, cell)});
       }
     }
   }
@@ -71,12 +72,12 @@ void PropertyMonitor::AfterPeriod(sim::Engine& engine, uint32_t now_ms) {
   history_.emplace_front();
   for (const Watched& watched : watched_) history_.front()[watched.cell] = engine.Read(watched.place);
   if (history_.size() > window_) history_.pop_back();
-  const auto value = [this](prove::CellId cell, uint32_t period) {
+  const auto value = [this](prove::execute::CellId cell, uint32_t period) {
     const auto watched = std::ranges::find(watched_, cell, &Watched::cell);
     return terms_.Const(history_[period_ - period].at(cell), watched->width);
   };
-  for (const prove::Property& property : properties_) {
-    if (terms_.IsTrue(HoldsAfter(terms_, property, period_, value))) continue;
+  for (const prove::properties::Property& property : properties_) {
+    if (terms_.IsTrue(prove::properties::HoldsAfter(terms_, property, period_, value))) continue;
     violation_ = "property '" + property.text + "' does not hold";
     return;
   }

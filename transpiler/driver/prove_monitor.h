@@ -22,7 +22,8 @@ namespace plcxx::driver {
 class PropertyMonitor {
  public:
   /// `program` outlives it.
-  PropertyMonitor(const ir::Program& program, const prove::Cells& cells, std::vector<prove::Property> properties);
+  PropertyMonitor(const ir::Program& program, const prove::execute::Cells& cells,
+                  std::vector<prove::properties::Property> properties);
 
   void PowerOn();
   void AfterPeriod(sim::Engine& engine, uint32_t now_ms);
@@ -31,7 +32,7 @@ class PropertyMonitor {
 
  private:
   struct Watched {
-    prove::CellId cell;
+    prove::execute::CellId cell;
     ir::Place place;
     uint8_t width;
   };
@@ -39,15 +40,15 @@ class PropertyMonitor {
   bool IsEndOfPeriod(sim::Engine& engine, uint32_t now_ms);
 
   const ir::Program& program_;
-  std::vector<prove::Property> properties_;
+  std::vector<prove::properties::Property> properties_;
   std::vector<Watched> watched_;
   uint32_t window_ = 1;
   bool sliced_ = false;
   uint64_t slow_done_ = 0;
   std::optional<uint32_t> fast_seen_ms_;
   uint32_t period_ = 0;
-  std::deque<std::map<prove::CellId, uint64_t>> history_;  // of the last periods, the present one in front
-  prove::Terms terms_;
+  std::deque<std::map<prove::execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
+  prove::terms::Terms terms_;
   std::optional<std::string> violation_;
 };
 

@@ -8,7 +8,7 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::PropertyVerdict;
+using prove::properties::PropertyVerdict;
 
 std::string_view NameOf(PropertyVerdict verdict) {
   switch (verdict) {
@@ -24,10 +24,10 @@ std::string_view NameOf(PropertyVerdict verdict) {
 
 /// The lines below the property's own, without indentation.
 std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
-  const prove::PropertyResult& result = proved.result;
+  const prove::properties::PropertyResult& result = proved.result;
   switch (result.verdict) {
     case PropertyVerdict::kProved: {
-      const bool is_stuck = proved.placed.property.kind == prove::PropertyKind::kNeverStuck;
+      const bool is_stuck = proved.placed.property.kind == prove::properties::PropertyKind::kNeverStuck;
       std::string text = is_stuck ? "within " + support::Counted(result.periods, "period") + " from every state"
                                   : "by induction over " + support::Counted(result.periods, "period");
       if (result.invariants > 0) text += ", with " + support::Counted(result.invariants, "invariant");
@@ -86,7 +86,7 @@ std::string ProveSummary(const std::vector<ProvedProperty>& all) {
 std::string ProveJson(const std::vector<ProvedProperty>& all) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ProvedProperty& proved : all) {
-    const prove::PropertyResult& result = proved.result;
+    const prove::properties::PropertyResult& result = proved.result;
     nlohmann::ordered_json one;
     one["property"] = proved.placed.property.text;
     one["file"] = proved.placed.path;

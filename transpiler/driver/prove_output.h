@@ -14,7 +14,7 @@ namespace plcxx::driver {
 
 struct ProvedProperty {
   PlacedProperty placed;
-  prove::PropertyResult result;
+  prove::properties::PropertyResult result;
   PropertyScenario scenario;  // of a violation
   std::string file;           // where the scenario was written; empty: nowhere
 };

@@ -8,8 +8,8 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::PropertyError;
-using prove::PropertyFault;
+using prove::properties::PropertyError;
+using prove::properties::PropertyFault;
 
 /// The row of a fault and its parameters in their order.
 std::pair<const diag::Row*, std::vector<std::string>> MessageOf(const PropertyError& error, const std::string& path,
@@ -68,17 +68,17 @@ PropertyError Moved(PropertyError error, const MarkedText& written, std::string_
 }
 
 struct ScenarioProperties {
-  std::vector<prove::Property> properties;
+  std::vector<prove::properties::Property> properties;
   std::vector<PropertyError> errors;
 };
 
 ScenarioProperties ParseScenarioProperties(const Scenario& scenario, std::string_view text,
-                                           const prove::PropertySurroundings& surroundings) {
+                                           const prove::properties::PropertyContext& context) {
   ScenarioProperties result;
   for (const MarkedText& written : scenario.properties) {
-    prove::Properties parsed = prove::ParseProperties(written.text, surroundings);
+    prove::properties::Properties parsed = prove::properties::ParseProperties(written.text, context);
     for (PropertyError& error : parsed.errors) result.errors.push_back(Moved(std::move(error), written, text));
-    for (prove::Property& property : parsed.properties) {
+    for (prove::properties::Property& property : parsed.properties) {
       property.line = written.mark.line;
       property.column = written.mark.column;
       result.properties.push_back(std::move(property));
@@ -95,32 +95,33 @@ std::string TextOf(const std::string& path) {
 }  // namespace
 
 std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std::string& text, std::string_view dialect,
-                                             const prove::PropertySurroundings& surroundings,
+                                             const prove::properties::PropertyContext& context,
                                              source::SourceManager& sources, diag::Engine& diagnostics) {
   const source::FileId file = sources.AddText(path, text);
-  prove::Properties parsed = prove::ParseProperties(text, surroundings);
+  prove::properties::Properties parsed = prove::properties::ParseProperties(text, context);
   for (const PropertyError& error : parsed.errors) Report(error, file, dialect, sources, diagnostics);
   std::vector<PlacedProperty> placed;
-  for (prove::Property& property : parsed.properties) placed.push_back({path, std::move(property)});
+  for (prove::properties::Property& property : parsed.properties) placed.push_back({path, std::move(property)});
   return placed;
 }
 
 std::vector<PlacedProperty> PropertiesOfScenario(const Scenario& scenario, std::string_view dialect,
-                                                 const prove::PropertySurroundings& surroundings,
+                                                 const prove::properties::PropertyContext& context,
                                                  source::SourceManager& sources, diag::Engine& diagnostics) {
   const std::string text = TextOf(scenario.path);
   const source::FileId file = sources.AddText(scenario.path, text);
-  ScenarioProperties parsed = ParseScenarioProperties(scenario, text, surroundings);
+  ScenarioProperties parsed = ParseScenarioProperties(scenario, text, context);
   for (const PropertyError& error : parsed.errors) Report(error, file, dialect, sources, diagnostics);
   std::vector<PlacedProperty> placed;
-  for (prove::Property& property : parsed.properties) placed.push_back({scenario.path, std::move(property)});
+  for (prove::properties::Property& property : parsed.properties)
+    placed.push_back({scenario.path, std::move(property)});
   return placed;
 }
 
-std::vector<prove::Property> WatchedProperties(const Scenario& scenario, std::string_view dialect,
-                                               const prove::PropertySurroundings& surroundings,
-                                               std::vector<ScenarioError>& errors) {
-  ScenarioProperties parsed = ParseScenarioProperties(scenario, TextOf(scenario.path), surroundings);
+std::vector<prove::properties::Property> WatchedProperties(const Scenario& scenario, std::string_view dialect,
+                                                           const prove::properties::PropertyContext& context,
+                                                           std::vector<ScenarioError>& errors) {
+  ScenarioProperties parsed = ParseScenarioProperties(scenario, TextOf(scenario.path), context);
   for (const PropertyError& error : parsed.errors) {
     const auto [row, words] = MessageOf(error, scenario.path, dialect);
     errors.push_back({scenario.path,

@@ -14,22 +14,22 @@ namespace plcxx::driver {
 
 struct PlacedProperty {
   std::string path;
-  prove::Property property;
+  prove::properties::Property property;
 };
 
 /// The properties of a file's text. Errors are reported at their places in it.
 std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std::string& text, std::string_view dialect,
-                                             const prove::PropertySurroundings& surroundings,
+                                             const prove::properties::PropertyContext& context,
                                              source::SourceManager& sources, diag::Engine& diagnostics);
 
 /// Those of a scenario; its text is read again, so that messages can show it.
 std::vector<PlacedProperty> PropertiesOfScenario(const Scenario& scenario, std::string_view dialect,
-                                                 const prove::PropertySurroundings& surroundings,
+                                                 const prove::properties::PropertyContext& context,
                                                  source::SourceManager& sources, diag::Engine& diagnostics);
 
 /// The same for a run of the scenario: the errors as the scenario's own.
-std::vector<prove::Property> WatchedProperties(const Scenario& scenario, std::string_view dialect,
-                                               const prove::PropertySurroundings& surroundings,
-                                               std::vector<ScenarioError>& errors);
+std::vector<prove::properties::Property> WatchedProperties(const Scenario& scenario, std::string_view dialect,
+                                                           const prove::properties::PropertyContext& context,
+                                                           std::vector<ScenarioError>& errors);
 
 }  // namespace plcxx::driver

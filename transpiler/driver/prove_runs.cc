@@ -16,8 +16,8 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
-using prove::Random;
+using prove::execute::CellId;
+using prove::terms::Random;
 
 constexpr uint32_t kRunPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
@@ -35,7 +35,7 @@ uint32_t PeriodsOfMs(const ProveMachine& machine, uint64_t ms) {
 /// The program in the simulator, with the dialect's simulated control around it, watched period by period.
 class Watched {
  public:
-  Watched(const ProveMachine& machine, const prove::Property& property)
+  Watched(const ProveMachine& machine, const prove::properties::Property& property)
       : machine_(machine),
         program_(machine.compilation.program),
         simulator_(program_),
@@ -53,7 +53,7 @@ class Watched {
   }
 
   void Set(CellId id, bool value) {
-    const prove::Cell cell = CellAt(program_, machine_.version.cells, id);
+    const prove::execute::Cell cell = prove::execute::CellAt(program_, machine_.version.cells, id);
     dialects::Location location;
     location.place.type = ir::Type::kBit;
     location.place.space = cell.space;
@@ -78,8 +78,10 @@ class Watched {
 }  // namespace
 
 PropertyRuns::PropertyRuns(const ProveMachine& machine, const std::vector<std::vector<KnownStep>>& known)
-    : machine_(machine), inputs_(prove::InputsOf(machine.version)), can_be_set_(machine.version.cells.count) {
-  const std::vector<bool> requests = prove::RequestCells(machine.version);
+    : machine_(machine),
+      inputs_(prove::properties::InputsOf(machine.version)),
+      can_be_set_(machine.version.cells.count) {
+  const std::vector<bool> requests = prove::compare::RequestCells(machine.version);
   std::vector<CellId> cells;
   for (uint32_t i = 0; i < inputs_.size(); ++i) {
     if (inputs_[i] || requests[i]) cells.emplace_back(i);
@@ -95,7 +97,7 @@ PropertyRuns::PropertyRuns(const ProveMachine& machine, const std::vector<std::v
 void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
   const dialects::Dialect& dialect = *machine_.compilation.dialect;
   const ir::Program& program = machine_.compilation.program;
-  const prove::PropertyTiming& timing = machine_.timing;
+  const prove::properties::PropertyTiming& timing = machine_.timing;
   Plan plan;
   for (const KnownStep& step : steps) {
     for (const auto& [word, text] : step.words) {
@@ -104,9 +106,9 @@ void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
       std::vector<CellId> cells;
       if (!location->bits.empty()) {
         for (const ir::Place& bit : location->bits)
-          cells.push_back(CellsOf(program, machine_.version.cells, bit).front());
-      } else if (prove::IsInside(program, location->place)) {
-        cells = CellsOf(program, machine_.version.cells, location->place);
+          cells.push_back(prove::execute::CellsOf(program, machine_.version.cells, bit).front());
+      } else if (prove::execute::IsInside(program, location->place)) {
+        cells = prove::execute::CellsOf(program, machine_.version.cells, location->place);
       }
       const std::optional<uint64_t> value = ParseScenarioValue(text, location->place.type, dialect);
       for (size_t i = 0; value && i < cells.size(); ++i) {
@@ -125,7 +127,7 @@ void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
   if (plan.periods > 0) known_.push_back(std::move(plan));
 }
 
-uint32_t PropertyRuns::ViolatedAfter(const prove::Property& property, const Plan& plan) const {
+uint32_t PropertyRuns::ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const {
   Watched watched(machine_, property);
   size_t next = 0;
   for (uint32_t period = 1; period <= plan.periods; ++period) {
@@ -139,8 +141,8 @@ uint32_t PropertyRuns::ViolatedAfter(const prove::Property& property, const Plan
   return 0;
 }
 
-std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch& search) const {
-  const prove::Property& property = *search.property;
+std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties::RunSearch& search) const {
+  const prove::properties::Property& property = *search.property;
   const auto violates = [&](Plan& plan) {
     const uint32_t periods = ViolatedAfter(property, plan);
     if (periods == 0) return false;
@@ -156,7 +158,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
   for (const CellId cell : search.inputs) {
     if (!can_be_set_[cell.index]) continue;
     inputs.push_back(cell);
-    if (DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
+    if (prove::compare::DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
   }
   std::vector<CellId> requests;
   for (const CellId cell : search.requests) {
@@ -219,7 +221,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::RunSearch&
   return std::nullopt;
 }
 
-bool PropertyRuns::Try(const prove::Property& property, Plan& plan, Plan shorter) const {
+bool PropertyRuns::Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const {
   if (Late()) return false;
   const uint32_t periods = ViolatedAfter(property, shorter);
   if (periods == 0 || periods > plan.periods) return false;
@@ -230,7 +232,7 @@ bool PropertyRuns::Try(const prove::Property& property, Plan& plan, Plan shorter
 }
 
 /// Leaves out what need not be set, in halves and smaller pieces, and what need not be waited for.
-void PropertyRuns::Shorten(const prove::Property& property, Plan& plan) const {
+void PropertyRuns::Shorten(const prove::properties::Property& property, Plan& plan) const {
   ShortenWaits(property, plan);  // first: a short run is soon tried
   for (size_t piece = std::max<size_t>(1, plan.events.size() / 2); piece > 0; piece /= 2) {
     for (size_t begin = 0; begin < plan.events.size() && !Late();) {
@@ -244,7 +246,7 @@ void PropertyRuns::Shorten(const prove::Property& property, Plan& plan) const {
   ShortenWaits(property, plan);
 }
 
-void PropertyRuns::ShortenWaits(const prove::Property& property, Plan& plan) const {
+void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Plan& plan) const {
   for (size_t i = 0; i < plan.events.size(); ++i) {
     const uint32_t before = i == 0 ? 1 : plan.events[i - 1].period;
     for (uint32_t cut = plan.events[i].period - before; cut > 0 && !Late();) {
@@ -260,17 +262,17 @@ void PropertyRuns::ShortenWaits(const prove::Property& property, Plan& plan) con
   }
 }
 
-std::optional<prove::PropertyRun> PropertyRuns::Find(const prove::RunSearch& search) {
+std::optional<prove::properties::PropertyRun> PropertyRuns::Find(const prove::properties::RunSearch& search) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(search.milliseconds);
   std::optional<Plan> plan = FindPlan(search);
   if (!plan) return std::nullopt;
   deadline_ = std::chrono::steady_clock::now() + kShorteningTime;
   Shorten(*search.property, *plan);
-  prove::PropertyRun run;
+  prove::properties::PropertyRun run;
   const uint32_t parts =
       machine_.compilation.program.schedule.fast_ms == 0 ? 1 : std::max(1U, machine_.timing.fast_per_period);
-  run.periods.assign(plan->periods, std::vector<std::vector<prove::InputValue>>(parts));
-  const std::vector<bool> handshakes = prove::HandshakeCells(machine_.version);
+  run.periods.assign(plan->periods, std::vector<std::vector<prove::properties::InputValue>>(parts));
+  const std::vector<bool> handshakes = prove::properties::HandshakeCells(machine_.version);
   std::map<CellId, bool> now;
   for (const RunEvent& event : plan->events) {
     const auto [at, added] = now.try_emplace(event.cell, false);
@@ -278,8 +280,8 @@ std::optional<prove::PropertyRun> PropertyRuns::Find(const prove::RunSearch& sea
     const bool stays = inputs_[event.cell.index] && !handshakes[event.cell.index];
     if (!added && at->second == event.value && stays) continue;
     at->second = event.value;
-    std::vector<prove::InputValue>& inputs = run.periods[event.period - 1].front();
-    const auto same = std::ranges::find(inputs, event.cell, &prove::InputValue::cell);
+    std::vector<prove::properties::InputValue>& inputs = run.periods[event.period - 1].front();
+    const auto same = std::ranges::find(inputs, event.cell, &prove::properties::InputValue::cell);
     if (same == inputs.end()) {
       inputs.push_back({event.cell, event.value});
     } else {

@@ -19,7 +19,7 @@ namespace plcxx::driver {
 /// Inputs as they are set before a period, requests as they are taken back.
 struct RunEvent {
   uint32_t period = 0;  // from 1
-  prove::CellId cell;
+  prove::execute::CellId cell;
   bool value = false;
 };
 
@@ -30,7 +30,7 @@ class PropertyRuns {
 
   /// Those of the scenarios; those in which the inputs are set once and then nothing happens; random ones; the
   /// scenarios with something unexpected in the middle. Ends with the first violation, or the time.
-  std::optional<prove::PropertyRun> Find(const prove::RunSearch& search);
+  std::optional<prove::properties::PropertyRun> Find(const prove::properties::RunSearch& search);
 
  private:
   using Events = std::vector<RunEvent>;  // ascending by period
@@ -42,11 +42,11 @@ class PropertyRuns {
   void AddPlanOf(const std::vector<KnownStep>& steps);
   bool Late() const;
   /// The period after which the property is violated in this run; 0: in none of its periods, or it is late.
-  uint32_t ViolatedAfter(const prove::Property& property, const Plan& plan) const;
-  std::optional<Plan> FindPlan(const prove::RunSearch& search) const;
-  void Shorten(const prove::Property& property, Plan& plan) const;
-  void ShortenWaits(const prove::Property& property, Plan& plan) const;
-  bool Try(const prove::Property& property, Plan& plan, Plan shorter) const;
+  uint32_t ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const;
+  std::optional<Plan> FindPlan(const prove::properties::RunSearch& search) const;
+  void Shorten(const prove::properties::Property& property, Plan& plan) const;
+  void ShortenWaits(const prove::properties::Property& property, Plan& plan) const;
+  bool Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const;
 
   const ProveMachine& machine_;
   std::vector<Plan> known_;

@@ -14,7 +14,7 @@
 namespace plcxx::driver {
 namespace {
 
-using prove::CellId;
+using prove::execute::CellId;
 
 std::string Scalar(const std::string& text) { return YamlWord(text, "_./"); }
 
@@ -26,9 +26,9 @@ std::string PathFrom(const std::string& directory, const CompilationRequest& req
   return relative.empty() ? full.generic_string() : relative.generic_string();
 }
 
-std::string Heading(const ProveMachine& machine, const CompilationRequest& request, const prove::Property& property,
-                    const std::string& directory) {
-  std::string text = property.kind == prove::PropertyKind::kNeverStuck
+std::string Heading(const ProveMachine& machine, const CompilationRequest& request,
+                    const prove::properties::Property& property, const std::string& directory) {
+  std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
                          ? "# A run behind which no inputs move the output in time.\n"
                          : "# A run that violates the property: it passes when the program has been repaired.\n";
   text += "dialect: " + std::string(machine.compilation.dialect->name) + "\nsources: [";
@@ -55,12 +55,12 @@ std::string Heading(const ProveMachine& machine, const CompilationRequest& reque
 }
 
 /// The steps of the run; false: an input has no name.
-bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, PropertyScenario& scenario) {
+bool WriteSteps(const ProveMachine& machine, const prove::properties::PropertyRun& run, PropertyScenario& scenario) {
   std::vector<CellId> cells;
-  for (const prove::InputValue& stored : run.retentive) cells.push_back(stored.cell);
+  for (const prove::properties::InputValue& stored : run.retentive) cells.push_back(stored.cell);
   for (const auto& period : run.periods) {
     for (const auto& part : period) {
-      for (const prove::InputValue& input : part) {
+      for (const prove::properties::InputValue& input : part) {
         if (std::ranges::find(cells, input.cell) == cells.end()) cells.push_back(input.cell);
       }
     }
@@ -76,9 +76,9 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
   std::map<CellId, bool> now;
   for (const InputWord& word : words) {
     for (const CellId id : word.cells) {
-      const prove::Cell cell = CellAt(program, machine.version.cells, id);
-      now[id] =
-          cell.kind == prove::CellKind::kBit && prove::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
+      const prove::execute::Cell cell = prove::execute::CellAt(program, machine.version.cells, id);
+      now[id] = cell.kind == prove::execute::CellKind::kBit &&
+                prove::compare::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
     }
   }
   uint32_t runs = 0;  // parts without a change in between
@@ -91,11 +91,11 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
     add_line(by_slow ? "slow " + count : count + " ms");
     runs = 0;
   };
-  const auto set = [&](const std::vector<prove::InputValue>& part) {
-    for (const prove::InputValue& input : part) now[input.cell] = input.value;
+  const auto set = [&](const std::vector<prove::properties::InputValue>& part) {
+    for (const prove::properties::InputValue& input : part) now[input.cell] = input.value;
     std::string sets;
     for (const InputWord& word : words) {
-      const bool changes = std::ranges::any_of(part, [&](const prove::InputValue& input) {
+      const bool changes = std::ranges::any_of(part, [&](const prove::properties::InputValue& input) {
         return std::ranges::find(word.cells, input.cell) != word.cells.end();
       });
       if (!changes) continue;
@@ -112,7 +112,7 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
     const ir::PlaceId asked = schedule.retain_at_power_off;
     if (asked.valid()) {
       const std::vector<InputWord> request =
-          WordsOf(machine, CellsOf(program, machine.version.cells, program.places[asked]));
+          WordsOf(machine, prove::execute::CellsOf(program, machine.version.cells, program.places[asked]));
       if (!request.front().name.empty()) {
         steps += "- set: {" + Scalar(request.front().name) + ": 1}\n";
         add_line(request.front().name + "=1");
@@ -136,10 +136,10 @@ bool WriteSteps(const ProveMachine& machine, const prove::PropertyRun& run, Prop
 }  // namespace
 
 PropertyScenario MakePropertyScenario(const ProveMachine& machine, const CompilationRequest& request,
-                                      const prove::Property& property, const prove::PropertyResult& result,
-                                      const ScenarioPlace& place) {
+                                      const prove::properties::Property& property,
+                                      const prove::properties::PropertyResult& result, const ScenarioPlace& place) {
   PropertyScenario scenario;
-  const bool is_stuck = property.kind == prove::PropertyKind::kNeverStuck;
+  const bool is_stuck = property.kind == prove::properties::PropertyKind::kNeverStuck;
   scenario.yaml = Heading(machine, request, property, place.directory);
   if (!WriteSteps(machine, *result.run, scenario)) {
     scenario.reason = "an input has no name that a scenario can set";

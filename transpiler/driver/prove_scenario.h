@@ -22,7 +22,7 @@ struct ScenarioPlace {
 /// The scenario of a violation: it fails as long as the property is violated, and passes when the program is repaired.
 /// That of "is never stuck" shows a run behind which the output stays as it is: it passes as long as it is stuck.
 PropertyScenario MakePropertyScenario(const ProveMachine& machine, const CompilationRequest& request,
-                                      const prove::Property& property, const prove::PropertyResult& result,
-                                      const ScenarioPlace& place);
+                                      const prove::properties::Property& property,
+                                      const prove::properties::PropertyResult& result, const ScenarioPlace& place);
 
 }  // namespace plcxx::driver

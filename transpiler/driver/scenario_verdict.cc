@@ -87,11 +87,12 @@ class Test {
   void PlanMonitor(const Compilation& compilation, std::vector<ScenarioError>& errors) {
     if (scenario_.properties.empty()) return;
     const ir::Program& program = compilation.program;
-    const prove::Cells cells = prove::MakeCells(program);
+    const prove::execute::Cells cells = prove::execute::MakeCells(program);
     const dialects::Dialect& dialect = *compilation.dialect;
     monitor_ = std::make_unique<PropertyMonitor>(
         program, cells,
-        WatchedProperties(scenario_, dialect.name, SurroundingsOf(dialect, program, cells, TimingOf(program)), errors));
+        WatchedProperties(scenario_, dialect.name, PropertyContextOf(dialect, program, cells, TimingOf(program)),
+                          errors));
   }
 
   ScenarioResult End(TestOutcome outcome, std::string text) {

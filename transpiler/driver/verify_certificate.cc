@@ -20,29 +20,29 @@ Json Hashed(const std::string& name, std::string_view bytes) {
   return {{"file", name}, {"sha256", support::Sha256(bytes)}};
 }
 
-std::string_view Name(prove::ProofResult result) {
+std::string_view Name(prove::compiled::ProofResult result) {
   switch (result) {
-    case prove::ProofResult::kProved:
+    case prove::compiled::ProofResult::kProved:
       return "proved";
-    case prove::ProofResult::kDifferent:
+    case prove::compiled::ProofResult::kDifferent:
       return "different";
-    case prove::ProofResult::kNotDecided:
+    case prove::compiled::ProofResult::kNotDecided:
       return "not decided";
   }
   return "";
 }
 
-Json DifferenceJson(const prove::CodeDifference& difference) {
+Json DifferenceJson(const prove::compiled::CodeDifference& difference) {
   Json json = {{"what", difference.what}};
   if (!difference.has_values) return json;
   json["expected"] = difference.expected;
   json["compiled"] = difference.compiled;
   json["state"] = Json::object();
-  for (const prove::VariableValue& value : difference.state) json["state"][value.name] = value.value;
+  for (const prove::compiled::VariableValue& value : difference.state) json["state"][value.name] = value.value;
   return json;
 }
 
-Json RoutineJson(const prove::RoutineProof& proof) {
+Json RoutineJson(const prove::compiled::RoutineProof& proof) {
   Json json = {{"routine", proof.routine}, {"result", Name(proof.result)}};
   if (!proof.reason.empty()) json["reason"] = proof.reason;
   json["state_bytes"] = proof.bytes;
@@ -51,7 +51,7 @@ Json RoutineJson(const prove::RoutineProof& proof) {
   if (proof.claims != 0) json["loop_claims"] = proof.claims;
   json["instructions"] = proof.instructions;
   if (!proof.relies_on.empty()) json["relies_on"] = proof.relies_on;
-  for (const prove::CodeDifference& difference : proof.differences)
+  for (const prove::compiled::CodeDifference& difference : proof.differences)
     json["differences"].push_back(DifferenceJson(difference));
   return json;
 }
@@ -80,9 +80,9 @@ std::string CertificateText(const Certificate& certificate) {
                      "the compiler translates LLVM IR to the processor's instructions as LLVM defines it"};
   bool all = true;
   json["routines"] = Json::array();
-  for (const prove::RoutineProof& proof : *certificate.proofs) {
+  for (const prove::compiled::RoutineProof& proof : *certificate.proofs) {
     json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof));
-    if (proof.exported) all = all && proof.result == prove::ProofResult::kProved;
+    if (proof.exported) all = all && proof.result == prove::compiled::ProofResult::kProved;
   }
   if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
   json["proved"] = all && certificate.left_out.empty();

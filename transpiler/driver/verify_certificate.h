@@ -16,8 +16,8 @@ struct Certificate {
   const Compilation* compilation = nullptr;
   const std::vector<emit::OutputFile>* files = nullptr;  // the generated code
   const compile::Toolchain* toolchain = nullptr;
-  const prove::Bitcode* bitcode = nullptr;
-  const std::vector<prove::RoutineProof>* proofs = nullptr;
+  const prove::compiled::Bitcode* bitcode = nullptr;
+  const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
   std::vector<std::string> left_out;  // routines that nobody asked for
 };
 

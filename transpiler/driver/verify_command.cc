@@ -40,7 +40,7 @@ Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wro
 struct VerifySettings {
   CommonOptions common;
   std::string name;
-  std::string compiler = prove::kVerifyCompiler;
+  std::string compiler = prove::compiled::kVerifyCompiler;
   std::string level = "2";
   std::string certificate;
   std::vector<std::string> routines;
@@ -55,7 +55,7 @@ std::string Hex(uint64_t value) {
   return "0x" + digits;
 }
 
-std::string DifferenceText(const prove::CodeDifference& difference) {
+std::string DifferenceText(const prove::compiled::CodeDifference& difference) {
   if (!difference.has_values) return "    " + difference.what + "\n";
   std::string text = "    " + difference.what + ": " + Hex(difference.expected) + " by the program, " +
                      Hex(difference.compiled) + " as compiled, with";
@@ -65,25 +65,25 @@ std::string DifferenceText(const prove::CodeDifference& difference) {
   return text + "\n";
 }
 
-std::string ProofText(const prove::RoutineProof& proof) {
+std::string ProofText(const prove::compiled::RoutineProof& proof) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
-    case prove::ProofResult::kProved:
+    case prove::compiled::ProofResult::kProved:
       text += "proved (" + support::Counted(proof.bytes, "byte") + " of State, " +
               support::Counted(proof.host_functions, "host function") + ", " +
               support::Counted(proof.instructions, "instruction");
       if (proof.claims != 0) text += "; " + support::Counted(proof.claims, "claim") + " of loops";
       if (!proof.relies_on.empty()) text += "; with " + support::Counted(proof.relies_on.size(), "proved function");
       return text + ")\n";
-    case prove::ProofResult::kNotDecided:
+    case prove::compiled::ProofResult::kNotDecided:
       text += "not decided: " + proof.reason + "\n";
-      for (const prove::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+      for (const prove::compiled::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
       return text;
-    case prove::ProofResult::kDifferent:
+    case prove::compiled::ProofResult::kDifferent:
       break;
   }
   text += "different\n";
-  for (const prove::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+  for (const prove::compiled::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
   return text;
 }
 
@@ -102,7 +102,7 @@ class Verification {
   bool Refuse(const std::string& reason);
   /// Those that were asked for, all when none was; false when the program has no such routine.
   bool ChooseRoutines();
-  bool WriteCertificate(const prove::Bitcode& bitcode);
+  bool WriteCertificate(const prove::compiled::Bitcode& bitcode);
 
   const VerifySettings& settings_;
   uint64_t routine_ms_;
@@ -112,7 +112,7 @@ class Verification {
   std::vector<emit::OutputFile> files_;
   std::vector<ir::RoutineId> routines_;
   std::vector<std::string> left_out_;
-  std::vector<prove::RoutineProof> proofs_;
+  std::vector<prove::compiled::RoutineProof> proofs_;
   std::string text_;
 };
 
@@ -134,7 +134,7 @@ bool Verification::FindCompiler() {
 
 bool Verification::ChooseRoutines() {
   std::vector<std::string> names;
-  for (const ir::RoutineId id : prove::RoutinesToVerify(compilation_.program)) {
+  for (const ir::RoutineId id : prove::compiled::RoutinesToVerify(compilation_.program)) {
     names.push_back(compilation_.program.routines[id].name);
     const bool chosen =
         settings_.routines.empty() || std::ranges::find(settings_.routines, names.back()) != settings_.routines.end();
@@ -150,7 +150,7 @@ bool Verification::ChooseRoutines() {
   return true;
 }
 
-bool Verification::WriteCertificate(const prove::Bitcode& bitcode) {
+bool Verification::WriteCertificate(const prove::compiled::Bitcode& bitcode) {
   OutputRequest output;
   output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
                                                                   .files = &files_,
@@ -171,28 +171,29 @@ bool Verification::Run() {
   const emit::Emittable emittable = emit::Legalize(compilation_.program, {.name = compilation_.name});
   files_ = emit::PrintCpp(emittable, *compilation_.sources);
   progress_.Show("compiling");
-  auto compiled = prove::CompileToBitcode({.toolchain = &toolchain_, .level = settings_.level, .files = &files_});
-  if (const auto* failure = std::get_if<prove::BitcodeFailure>(&compiled)) {
+  auto compiled =
+      prove::compiled::CompileToBitcode({.toolchain = &toolchain_, .level = settings_.level, .files = &files_});
+  if (const auto* failure = std::get_if<prove::compiled::BitcodeFailure>(&compiled)) {
     std::cerr << failure->output;
     return Refuse(failure->message);
   }
-  const auto& bitcode = std::get<prove::Bitcode>(compiled);
-  const prove::LoadedCode loaded = prove::LoadCode(bitcode.files);
+  const auto& bitcode = std::get<prove::compiled::Bitcode>(compiled);
+  const prove::compiled::LoadedCode loaded = prove::compiled::LoadCode(bitcode.files);
   if (loaded.code == nullptr) return Refuse(loaded.reason);
-  prove::VerifyLimits limits;
+  prove::compiled::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
-  proofs_ = prove::Verify(emittable, *loaded.code, routines_, limits);
+  proofs_ = prove::compiled::Verify(emittable, *loaded.code, routines_, limits);
   bool all = true;
   std::string causes;
-  for (const prove::RoutineProof& proof : proofs_) {
+  for (const prove::compiled::RoutineProof& proof : proofs_) {
     // A function that only others call matters where it is why these are not proved.
     if (!proof.exported) {
-      if (proof.result != prove::ProofResult::kProved) causes += ProofText(proof);
+      if (proof.result != prove::compiled::ProofResult::kProved) causes += ProofText(proof);
       continue;
     }
     text_ += ProofText(proof);
-    all = all && proof.result == prove::ProofResult::kProved;
+    all = all && proof.result == prove::compiled::ProofResult::kProved;
   }
   if (!all) text_ += causes;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";

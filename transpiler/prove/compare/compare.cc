@@ -4,24 +4,24 @@
 
 #include "transpiler/prove/compare/comparison.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr size_t kMostReached = 2000;  // pairs
 
 /// Whether a version of its own does anything with the cell.
-bool IsUsed(const Uses& uses, CellId cell) { return uses.reads[cell.index] || uses.writes[cell.index]; }
+bool IsUsed(const Uses& uses, execute::CellId cell) { return uses.reads[cell.index] || uses.writes[cell.index]; }
 
 /// Internal memory that power-off clears: nobody but the version itself knows of it.
-bool IsPrivate(const Version& version, CellId cell) {
+bool IsPrivate(const Version& version, execute::CellId cell) {
   return DirectionOf(version, cell) == ir::Direction::kInternal && !IsRetentive(version, cell);
 }
 
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
-    const CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
+    const execute::CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
     if (!new_cell.valid() || !IsState(comparison.old_version, old_cell)) continue;
     const bool old_uses = IsUsed(comparison.old_uses, old_cell), new_uses = IsUsed(comparison.new_uses, new_cell);
     if (!old_uses && !new_uses) continue;
@@ -31,7 +31,8 @@ void AddMatched(Comparison& comparison) {
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
     if (written && DirectionOf(comparison.old_version, old_cell) == ir::Direction::kOutput &&
-        CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell).kind == CellKind::kBit) {
+        execute::CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell).kind ==
+            execute::CellKind::kBit) {
       comparison.old_outputs.push_back(old_cell);
       comparison.new_outputs.push_back(new_cell);
     }
@@ -40,7 +41,7 @@ void AddMatched(Comparison& comparison) {
 
 /// What only one version has: a difference where the host sees it.
 void AddUnmatched(const Comparison& comparison, std::vector<PairResult>& results) {
-  const auto add = [&](const Version& version, const Uses& uses, CellId cell, PairResult result) {
+  const auto add = [&](const Version& version, const Uses& uses, execute::CellId cell, PairResult result) {
     if (!IsState(version, cell) || !uses.writes[cell.index] || IsPrivate(version, cell)) return;
     const bool visible = DirectionOf(version, cell) == ir::Direction::kOutput;
     result.verdict = visible ? PairVerdict::kDifferent : PairVerdict::kUndecided;
@@ -50,11 +51,13 @@ void AddUnmatched(const Comparison& comparison, std::vector<PairResult>& results
   };
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
     if (comparison.match.new_of_old[i].valid()) continue;
-    add(comparison.old_version, comparison.old_uses, CellId(i), {.old_cell = CellId(i), .reason = {}});
+    add(comparison.old_version, comparison.old_uses, execute::CellId(i),
+        {.old_cell = execute::CellId(i), .reason = {}});
   }
   for (uint32_t i = 0; i < comparison.new_version.cells.count; ++i) {
     if (comparison.match.old_of_new[i].valid()) continue;
-    add(comparison.new_version, comparison.new_uses, CellId(i), {.new_cell = CellId(i), .reason = {}});
+    add(comparison.new_version, comparison.new_uses, execute::CellId(i),
+        {.new_cell = execute::CellId(i), .reason = {}});
   }
 }
 
@@ -70,7 +73,7 @@ void SetVerdicts(Comparison& comparison) {
 }
 
 void MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort) {
-  std::vector<CellId> asked;
+  std::vector<execute::CellId> asked;
   bool any = false;
   for (const PairResult& result : comparison.results) {
     const bool open = !comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided;
@@ -80,7 +83,7 @@ void MarkDifferent(Comparison& comparison, const FindDifferent& find_different, 
   }
   if (!any) return;
   comparison.Report("running both");
-  for (const CellId cell : find_different(asked, effort)) {
+  for (const execute::CellId cell : find_different(asked, effort)) {
     comparison.results[comparison.result_of_old[cell.index]].verdict = PairVerdict::kDifferent;
     comparison.pairing.Separate(cell);
   }
@@ -135,7 +138,7 @@ Comparison::Comparison(const Version& old_side, const Version& new_side, const M
       round_ms(compare_limits.total_ms / 90),
       now(terms.Variable("now", 32)),
       deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
-  LoadedSolver loaded = LoadSolver(terms);
+  solver::LoadedSolver loaded = solver::LoadSolver(terms);
   solver = std::move(loaded.solver);
   refusal = std::move(loaded.reason);
 }
@@ -154,17 +157,17 @@ bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
   return result.verdict == PairVerdict::kUndecided && (count <= kMostLookedAt || result.changed_itself);
 }
 
-bool Comparison::IsInput(CellId old_cell) const {
+bool Comparison::IsInput(execute::CellId old_cell) const {
   return IsInputPair(old_version, old_uses, new_uses, match, old_cell);
 }
 
-TermId Comparison::NextOld(CellId cell) {
-  const TermId next = old_next.next[cell.index];
+terms::TermId Comparison::NextOld(execute::CellId cell) {
+  const terms::TermId next = old_next.next[cell.index];
   return next.valid() ? next : pairing.Initial(Which::kOld, cell);
 }
 
-TermId Comparison::NextNew(CellId cell) {
-  const TermId next = new_next.next[cell.index];
+terms::TermId Comparison::NextNew(execute::CellId cell) {
+  const terms::TermId next = new_next.next[cell.index];
   return next.valid() ? next : pairing.Initial(Which::kNew, cell);
 }
 
@@ -179,7 +182,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
       comparison.results, [&](const PairResult& result) { return comparison.pairing.IsEqual(result.old_cell); });
   if (!FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
-  std::vector<CellId> reach;
+  std::vector<execute::CellId> reach;
   if (at_power_on && !comparison.fast_part_works) reach = ReachOfDifferences(comparison);
   const bool reaches_much = reach.size() > kMostReached;
   if (!SeparateWake(comparison)) return Finish(comparison, 0);
@@ -187,7 +190,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
   uint32_t beyond_reach = 0;
   if (reaches_much) {
-    for (const CellId cell : reach) comparison.pairing.Separate(cell);
+    for (const execute::CellId cell : reach) comparison.pairing.Separate(cell);
     if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return Finish(comparison, 0);
   }
   if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return Finish(comparison, 0);
@@ -231,4 +234,4 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   return Finish(comparison, invariants);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -17,7 +17,7 @@
 #include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/solver/solver.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 struct CompareLimits {
   uint32_t question_ms = 2000;  // for one question to the solver
@@ -29,7 +29,7 @@ struct CompareLimits {
 
 /// An input, or a part of the state, as it is set before a period.
 struct SetCell {
-  CellId old_cell, new_cell;  // either may be none
+  execute::CellId old_cell, new_cell;  // either may be none
   uint64_t value = 0;
 };
 
@@ -48,7 +48,7 @@ enum class PairVerdict : uint8_t {
 };
 
 struct PairResult {
-  CellId old_cell, new_cell;  // one of them none: the other version has no such cell
+  execute::CellId old_cell, new_cell;  // one of them none: the other version has no such cell
   PairVerdict verdict = PairVerdict::kUndecided;
   /// What its own statements do differs, with every value that they read equal. Of others that are undecided it is
   /// proved that they behave alike in every run in which those with such a change do.
@@ -65,9 +65,10 @@ struct CompareResult {
 
 enum class Effort : uint8_t { kQuick, kThorough };
 /// Asked with pairs (by old cell): gives those of which running both versions shows a difference.
-using FindDifferent = std::function<std::vector<CellId>(const std::vector<CellId>& old_cells, Effort effort)>;
+using FindDifferent =
+    std::function<std::vector<execute::CellId>(const std::vector<execute::CellId>& old_cells, Effort effort)>;
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
                               const FindDifferent& find_different, const CompareLimits& limits);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -13,7 +13,7 @@
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/solver/sweep.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 struct Comparison {
   Comparison(const Version& old_version, const Version& new_version, const Match& match, const CompareLimits& limits);
@@ -22,16 +22,16 @@ struct Comparison {
   const Version& new_version;
   const Match& match;
   const CompareLimits& limits;
-  Terms terms;
-  std::unique_ptr<Solver> solver;
+  terms::Terms terms;
+  std::unique_ptr<solver::Solver> solver;
   std::string refusal;
   Pairing pairing;
   Uses old_uses, new_uses;
-  std::vector<CellId> requests;                  // old cells that the control clears when it likes
-  std::vector<CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
+  std::vector<execute::CellId> requests;                  // old cells that the control clears when it likes
+  std::vector<execute::CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
   /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
   uint64_t round_ms;
-  TermId now;
+  terms::TermId now;
   std::vector<PairResult> results;      // of matched state, ascending by old cell
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
   Transition old_next, new_next;        // of the last period, over the pairing's variables
@@ -50,30 +50,30 @@ struct Comparison {
     if (limits.progress) limits.progress(what);
   }
   /// An input: the host writes it and no version does.
-  bool IsInput(CellId old_cell) const;
+  bool IsInput(execute::CellId old_cell) const;
 
   /// The solver assumes the invariants, over the pairing's variables, until its Pop.
   void PushInvariants();
 
-  TermId NextOld(CellId cell);
-  TermId NextNew(CellId cell);
+  terms::TermId NextOld(execute::CellId cell);
+  terms::TermId NextNew(execute::CellId cell);
 };
 
 /// Whether two terms are one, for the sake of a pair.
 struct Question {
-  TermPair pair;
+  solver::TermPair pair;
   uint32_t result;  // index of Comparison::results
 };
 /// Under the invariants.
-std::vector<Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
 /// What the host sees in the middle of a period, of old_next and new_next: the same functions in the same order, at the
 /// same time, with the same outputs. A call that only one of them makes counts as a difference of the calls.
 void AddObservations(Comparison& comparison, std::vector<Question>& questions);
 
 /// What a version gets instead of a value that it writes, and to which cells that happens; see Environment::cut.
 struct Cut {
-  std::function<TermId(Which which, CellId cell, TermId value)> value;
-  std::function<bool(Which which, CellId cell)> is_cut;
+  std::function<terms::TermId(Which which, execute::CellId cell, terms::TermId value)> value;
+  std::function<bool(Which which, execute::CellId cell)> is_cut;
 };
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const Cut* cut = nullptr);
@@ -91,7 +91,7 @@ bool SeparateWake(Comparison& comparison);
 /// The separated pairs, and those that may differ a period later, or later still, because of them: all others are equal
 /// in every scan. To be called behind the execution of the period with every pair equal, in a program where no fast
 /// part of its own works.
-std::vector<CellId> ReachOfDifferences(Comparison& comparison);
+std::vector<execute::CellId> ReachOfDifferences(Comparison& comparison);
 /// So many undecided pairs are looked at one by one; of more only those with a change of their own.
 inline constexpr uint32_t kMostLookedAt = 400;
 
@@ -103,4 +103,4 @@ void SearchStates(Comparison& comparison);
 /// version; questions assume them from then on. False as above.
 bool AddInvariants(Comparison& comparison, uint64_t most_ms);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

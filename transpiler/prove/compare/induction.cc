@@ -6,10 +6,10 @@
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
-SweepLimits LimitsOf(const Comparison& comparison) {
+solver::SweepLimits LimitsOf(const Comparison& comparison) {
   return {.pair_ms = comparison.limits.question_ms,
           .total_ms = std::min(comparison.RestMs(), comparison.round_ms),
           .any_values_count = comparison.old_invariants.empty() && comparison.new_invariants.empty(),
@@ -18,29 +18,30 @@ SweepLimits LimitsOf(const Comparison& comparison) {
 
 /// Separates the pairs of which a question is not answered by "equal"; gives their number.
 uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
-  const std::vector<Verdict> verdicts = Answers(comparison, questions);
+  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions);
   uint32_t separated = 0;
   for (size_t i = 0; i < questions.size(); ++i) {
     const PairResult& result = comparison.results[questions[i].result];
-    if (verdicts[i] == Verdict::kEqual || !comparison.pairing.IsEqual(result.old_cell)) continue;
+    if (verdicts[i] == solver::Verdict::kEqual || !comparison.pairing.IsEqual(result.old_cell)) continue;
     comparison.pairing.Separate(result.old_cell);
     ++separated;
   }
   return separated;
 }
 
-Surroundings SurroundingsOf(Comparison& comparison, Which which) {
-  return {.initial = [&comparison, which](CellId cell) { return comparison.pairing.Initial(which, cell); },
+PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
+  return {.initial = [&comparison, which](execute::CellId cell) { return comparison.pairing.Initial(which, cell); },
           .now = comparison.now,
           .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs,
           .host_bit =
-              [&comparison, which](CellId cell) {
+              [&comparison, which](execute::CellId cell) {
                 // An input that the new version has at another place is the old one's.
-                const CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+                const execute::CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
                 const Version& version = old_cell.valid() ? comparison.old_version : comparison.new_version;
-                const Cell at = CellAt(*version.program, version.cells, old_cell.valid() ? old_cell : cell);
-                return Environment::HostBit{(old_cell.valid() ? "" : "new ") + version.program->spaces[at.space].name,
-                                            at.offset, at.bit};
+                const execute::Cell at =
+                    execute::CellAt(*version.program, version.cells, old_cell.valid() ? old_cell : cell);
+                return execute::Environment::HostBit{
+                    (old_cell.valid() ? "" : "new ") + version.program->spaces[at.space].name, at.offset, at.bit};
               }};
 }
 
@@ -51,8 +52,8 @@ bool TakeRefusal(Comparison& comparison, const Transition& transition, const cha
 }
 
 /// The terms from which the next values of the undecided pairs are computed in the part that was executed.
-std::vector<TermId> NextOfUndecided(Comparison& comparison) {
-  std::vector<TermId> next;
+std::vector<terms::TermId> NextOfUndecided(Comparison& comparison) {
+  std::vector<terms::TermId> next;
   for (const PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided) continue;
     next.push_back(comparison.NextOld(result.old_cell));
@@ -63,21 +64,22 @@ std::vector<TermId> NextOfUndecided(Comparison& comparison) {
 
 /// The cells of one version that are in the cone of what the undecided pairs become, by either version: what one of
 /// them reads may stand in another place of the other one.
-std::vector<CellId> SupportOfUndecided(Comparison& comparison, Which which, const std::vector<TermId>& cone) {
-  std::set<CellId> cells;
+std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which which,
+                                                const std::vector<terms::TermId>& cone) {
+  std::set<execute::CellId> cells;
   for (const Which side : {Which::kOld, Which::kNew}) {
     const Version& version = side == Which::kOld ? comparison.old_version : comparison.new_version;
     const Uses& uses = side == Which::kOld ? comparison.old_uses : comparison.new_uses;
-    const std::vector<CellId>& partners =
+    const std::vector<execute::CellId>& partners =
         side == Which::kOld ? comparison.match.new_of_old : comparison.match.old_of_new;
     for (uint32_t i = 0; i < version.cells.calls; ++i) {
-      if (!uses.reads[i] || !IsState(version, CellId(i))) continue;
+      if (!uses.reads[i] || !IsState(version, execute::CellId(i))) continue;
       // A bit of a byte that is read as a whole counts with it.
-      const TermId initial = comparison.pairing.Initial(side, CellId(i));
-      const Term& term = comparison.terms[initial];
-      const TermId whole = term.kind == TermKind::kExtract ? TermId(term.a) : initial;
+      const terms::TermId initial = comparison.pairing.Initial(side, execute::CellId(i));
+      const terms::Term& term = comparison.terms[initial];
+      const terms::TermId whole = term.kind == terms::TermKind::kExtract ? terms::TermId(term.a) : initial;
       if (!std::ranges::binary_search(cone, initial) && !std::ranges::binary_search(cone, whole)) continue;
-      const CellId cell = side == which ? CellId(i) : partners[i];
+      const execute::CellId cell = side == which ? execute::CellId(i) : partners[i];
       if (cell.valid()) cells.insert(cell);
     }
   }
@@ -90,23 +92,24 @@ void Comparison::PushInvariants() {
   solver->Push();
   for (const Which which : {Which::kOld, Which::kNew}) {
     for (const Invariant& invariant : which == Which::kOld ? old_invariants : new_invariants) {
-      const auto value = [&](CellId cell) { return pairing.Initial(which, cell); };
+      const auto value = [&](execute::CellId cell) { return pairing.Initial(which, cell); };
       solver->Assume(ConditionOf(terms, invariant, value));
     }
   }
 }
 
-std::vector<Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
-  std::vector<TermPair> pairs;
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
+  std::vector<solver::TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(question.pair);
   comparison.PushInvariants();
-  std::vector<Verdict> verdicts = Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
+  std::vector<solver::Verdict> verdicts =
+      solver::Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
   comparison.solver->Pop();
   return verdicts;
 }
 
 void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
-  Terms& terms = comparison.terms;
+  terms::Terms& terms = comparison.terms;
   const Transition &old_next = comparison.old_next, &new_next = comparison.new_next;
   for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
     const Observation& one = old_next.observations[i];
@@ -114,29 +117,30 @@ void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
     for (size_t output = 0; output < one.outputs.size(); ++output) {
       const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
       if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
-      const TermId a = terms.And(one.when, one.outputs[output]), b = terms.And(other.when, other.outputs[output]);
+      const terms::TermId a = terms.And(one.when, one.outputs[output]),
+                          b = terms.And(other.when, other.outputs[output]);
       if (a != b) questions.push_back({{a, b}, result});
     }
   }
 }
 
 bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
-  std::vector<TermId> next;
+  std::vector<terms::TermId> next;
   for (const Part part : {Part::kFast, Part::kPeriod}) {
     if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
     if (!ExecutePart(comparison, part)) return false;
-    const std::vector<TermId> more = NextOfUndecided(comparison);
+    const std::vector<terms::TermId> more = NextOfUndecided(comparison);
     next.insert(next.end(), more.begin(), more.end());
   }
-  const std::vector<TermId> cone = ConeOf(comparison.terms, next);
+  const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, next);
   comparison.Report("invariants");
   for (const Which which : {Which::kOld, Which::kNew}) {
     const bool is_old = which == Which::kOld;
-    const auto is_input = [&](CellId cell) {
-      const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+    const auto is_input = [&](execute::CellId cell) {
+      const execute::CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
       return old_cell.valid() && comparison.IsInput(old_cell);
     };
-    const std::vector<CellId> cells = SupportOfUndecided(comparison, which, cone);
+    const std::vector<execute::CellId> cells = SupportOfUndecided(comparison, which, cone);
     (is_old ? comparison.old_invariants : comparison.new_invariants) =
         FindInvariants(comparison.terms, *comparison.solver, is_old ? comparison.old_version : comparison.new_version,
                        cells, is_input, std::min(comparison.RestMs(), most_ms));
@@ -146,13 +150,15 @@ bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
 
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const Cut* cut) {
   const auto run = [&](Which which) {
-    Surroundings surroundings = SurroundingsOf(comparison, which);
-    surroundings.answers = answers;
+    PartEnvironment environment = EnvironmentOf(comparison, which);
+    environment.answers = answers;
     if (cut != nullptr) {
-      surroundings.cut = [cut, which](CellId cell, TermId value) { return cut->value(which, cell, value); };
-      surroundings.is_cut = [cut, which](CellId cell) { return cut->is_cut(which, cell); };
+      environment.cut = [cut, which](execute::CellId cell, terms::TermId value) {
+        return cut->value(which, cell, value);
+      };
+      environment.is_cut = [cut, which](execute::CellId cell) { return cut->is_cut(which, cell); };
     }
-    return RunPart(comparison.terms, comparison.pairing.version(which), part, surroundings);
+    return RunPart(comparison.terms, comparison.pairing.version(which), part, environment);
   };
   const uint64_t before_ms = comparison.RestMs();
   comparison.old_next = run(Which::kOld);
@@ -167,15 +173,13 @@ namespace {
 /// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
 std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
   comparison.Report("power-on");
-  const Transition old_init =
-      RunInit(comparison.terms, comparison.old_version, SurroundingsOf(comparison, Which::kOld));
-  const Transition new_init =
-      RunInit(comparison.terms, comparison.new_version, SurroundingsOf(comparison, Which::kNew));
+  const Transition old_init = RunInit(comparison.terms, comparison.old_version, EnvironmentOf(comparison, Which::kOld));
+  const Transition new_init = RunInit(comparison.terms, comparison.new_version, EnvironmentOf(comparison, Which::kNew));
   if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return std::nullopt;
   std::vector<Question> questions;
   for (uint32_t i = 0; i < comparison.results.size(); ++i) {
     const PairResult& result = comparison.results[i];
-    const TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
+    const solver::TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
   SeparateFailing(comparison, questions);
@@ -206,7 +210,7 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
 namespace {
 
 bool DoesAnything(const Transition& transition) {
-  return !transition.observations.empty() || std::ranges::any_of(transition.next, &TermId::valid);
+  return !transition.observations.empty() || std::ranges::any_of(transition.next, &terms::TermId::valid);
 }
 
 }  // namespace
@@ -227,7 +231,7 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
       for (uint32_t i = 0; i < comparison.results.size(); ++i) {
         PairResult& result = comparison.results[i];
         if (!comparison.pairing.IsEqual(result.old_cell)) continue;
-        const TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
+        const solver::TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
         if (pair.a != pair.b) questions.push_back({pair, i});
       }
       AddObservations(comparison, questions);
@@ -243,4 +247,4 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
   return true;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -12,7 +12,7 @@
 #include "transpiler/prove/terms/evaluate.h"
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 constexpr size_t kMostBits = 96;        // that are looked at two by two
@@ -36,96 +36,98 @@ std::set<uint64_t> ConstantsOf(const ir::Program& program) {
 
 class Finder {
  public:
-  Finder(Terms& terms, Solver& solver, const Version& version, std::function<bool(CellId)> is_input)
+  Finder(terms::Terms& terms, solver::Solver& solver, const Version& version,
+         std::function<bool(execute::CellId)> is_input)
       : terms_(terms), solver_(solver), version_(version), is_input_(std::move(is_input)) {}
 
-  std::vector<Invariant> Find(std::span<const CellId> cells, uint64_t milliseconds);
+  std::vector<Invariant> Find(std::span<const execute::CellId> cells, uint64_t milliseconds);
 
  private:
-  TermId Current(CellId cell);
-  TermId Next(const Transition& part, CellId cell);
+  terms::TermId Current(execute::CellId cell);
+  terms::TermId Next(const Transition& part, execute::CellId cell);
   /// The state cells on which the next values of `cells` depend; all of them at last, closed under this.
-  void CloseOver(std::span<const CellId> cells);
+  void CloseOver(std::span<const execute::CellId> cells);
   /// The values of all terms behind the next state of one part, or of power-on.
   struct Step {
     const Transition* transition;
-    std::vector<TermId> cone;
+    std::vector<terms::TermId> cone;
   };
   Step StepOf(const Transition& transition);
   static void AddLimit(std::set<uint64_t>& limits, uint64_t constant) {
     limits.insert({constant - 1, constant, constant + 1});
   }
   void Simulate();
-  void RecordSample(const std::map<CellId, uint64_t>& state);
+  void RecordSample(const std::map<execute::CellId, uint64_t>& state);
   void Guess();
   /// The number may have a limit that the program has as a constant, though no run came near it.
-  void GuessLimits(const std::vector<CellId>& cells, uint64_t greatest);
+  void GuessLimits(const std::vector<execute::CellId>& cells, uint64_t greatest);
   void DropWrongAtPowerOn();
   bool Prove();
 
-  Terms& terms_;
-  Solver& solver_;
+  terms::Terms& terms_;
+  solver::Solver& solver_;
   const Version& version_;
-  std::function<bool(CellId)> is_input_;
-  std::map<CellId, TermId> current_;
+  std::function<bool(execute::CellId)> is_input_;
+  std::map<execute::CellId, terms::TermId> current_;
   std::vector<Transition> parts_;  // the fast part where it has a time of its own, then the period
   Transition init_;
-  TermId now_;
-  std::vector<CellId> state_;               // closed: what the cells of interest depend on in any number of periods
-  std::vector<CellId> inputs_;              // that these depend on
-  std::vector<CellId> bits_, fields_;       // of interest
-  std::vector<std::vector<CellId>> bytes_;  // of interest, from bit 7 down
-  std::vector<uint8_t> seen_pairs_;         // by two bits of interest: which of the four combinations occurred
+  terms::TermId now_;
+  std::vector<execute::CellId> state_;          // closed: what the cells of interest depend on in any number of periods
+  std::vector<execute::CellId> inputs_;         // that these depend on
+  std::vector<execute::CellId> bits_, fields_;  // of interest
+  std::vector<std::vector<execute::CellId>> bytes_;  // of interest, from bit 7 down
+  std::vector<uint8_t> seen_pairs_;                  // by two bits of interest: which of the four combinations occurred
   std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
   std::vector<uint64_t> greatest_fields_, greatest_bytes_;  // that occurred
   std::set<uint64_t> limits_;                               // constants of the functions, and their neighbours
   std::set<uint64_t> program_limits_;                       // the same of the whole program
   std::vector<Invariant> guesses_;
-  Random random_{0x2545F4914F6CDD1D};
+  terms::Random random_{0x2545F4914F6CDD1D};
   std::chrono::steady_clock::time_point deadline_;
 };
 
-TermId Finder::Current(CellId cell) {
-  TermId& term = current_[cell];
+terms::TermId Finder::Current(execute::CellId cell) {
+  terms::TermId& term = current_[cell];
   if (!term.valid()) {
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
-    term = terms_.Variable("alone " + CellName(*version_.program, what), CellWidth(*version_.program, what));
+    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+    term = terms_.Variable("alone " + execute::CellName(*version_.program, what),
+                           execute::CellWidth(*version_.program, what));
   }
   return term;
 }
 
-TermId Finder::Next(const Transition& part, CellId cell) {
-  const TermId next = part.next[cell.index];
+terms::TermId Finder::Next(const Transition& part, execute::CellId cell) {
+  const terms::TermId next = part.next[cell.index];
   return next.valid() ? next : Current(cell);
 }
 
-void Finder::CloseOver(std::span<const CellId> cells) {
+void Finder::CloseOver(std::span<const execute::CellId> cells) {
   std::vector<bool> seen_terms(terms_.size());
-  std::set<CellId> closed(cells.begin(), cells.end());
-  std::map<uint32_t, CellId> cell_of;  // by variable term
+  std::set<execute::CellId> closed(cells.begin(), cells.end());
+  std::map<uint32_t, execute::CellId> cell_of;  // by variable term
   for (const auto& [cell, term] : current_) cell_of[term.index] = cell;
-  std::vector<CellId> open(closed.begin(), closed.end());
+  std::vector<execute::CellId> open(closed.begin(), closed.end());
   while (!open.empty()) {
-    const CellId cell = open.back();
+    const execute::CellId cell = open.back();
     open.pop_back();
-    std::vector<TermId> terms;
+    std::vector<terms::TermId> terms;
     for (const Transition& part : parts_) terms.push_back(Next(part, cell));
     while (!terms.empty()) {
-      const TermId id = terms.back();
+      const terms::TermId id = terms.back();
       terms.pop_back();
       if (id.index >= seen_terms.size()) seen_terms.resize(terms_.size());
       if (seen_terms[id.index]) continue;
       seen_terms[id.index] = true;
       const auto found = cell_of.find(id.index);
       if (found != cell_of.end() && closed.insert(found->second).second) open.push_back(found->second);
-      terms_.ForEachOperand(terms_[id], [&terms](TermId operand) { terms.push_back(operand); });
+      terms_.ForEachOperand(terms_[id], [&terms](terms::TermId operand) { terms.push_back(operand); });
     }
   }
-  for (const CellId cell : closed) (is_input_(cell) ? inputs_ : state_).push_back(cell);
+  for (const execute::CellId cell : closed) (is_input_(cell) ? inputs_ : state_).push_back(cell);
 }
 
-void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
-  const auto bit = [&state](CellId cell) { return state.at(cell) & 1; };
+void Finder::RecordSample(const std::map<execute::CellId, uint64_t>& state) {
+  const auto bit = [&state](execute::CellId cell) { return state.at(cell) & 1; };
   for (size_t i = 0; i < bits_.size(); ++i) {
     for (size_t j = i; j < bits_.size(); ++j) {
       seen_pairs_[i * bits_.size() + j] |= static_cast<uint8_t>(1U << (2 * bit(bits_[i]) + bit(bits_[j])));
@@ -137,18 +139,18 @@ void Finder::RecordSample(const std::map<CellId, uint64_t>& state) {
   }
   for (size_t i = 0; i < bytes_.size(); ++i) {
     uint64_t value = 0;
-    for (const CellId cell : bytes_[i]) value = value << 1 | bit(cell);
+    for (const execute::CellId cell : bytes_[i]) value = value << 1 | bit(cell);
     greatest_bytes_[i] = std::max(greatest_bytes_[i], value);
     if (seen_bytes_[i].size() <= kMostValues) seen_bytes_[i].insert(value);
   }
 }
 
 Finder::Step Finder::StepOf(const Transition& transition) {
-  std::vector<TermId> roots;
-  for (const CellId cell : state_) roots.push_back(Next(transition, cell));
-  Step step{.transition = &transition, .cone = ConeOf(terms_, roots)};
-  for (const TermId id : step.cone) {
-    if (terms_[id].kind == TermKind::kConst) AddLimit(limits_, terms_.Value(id));
+  std::vector<terms::TermId> roots;
+  for (const execute::CellId cell : state_) roots.push_back(Next(transition, cell));
+  Step step{.transition = &transition, .cone = terms::ConeOf(terms_, roots)};
+  for (const terms::TermId id : step.cone) {
+    if (terms_[id].kind == terms::TermKind::kConst) AddLimit(limits_, terms_.Value(id));
   }
   return step;
 }
@@ -163,18 +165,18 @@ void Finder::Simulate() {
     if (constants.size() <= kMostConstants) AddLimit(program_limits_, constant);
   }
   std::vector<uint64_t> values(terms_.size());
-  std::map<uint32_t, CellId> cell_of;  // by variable
+  std::map<uint32_t, execute::CellId> cell_of;  // by variable
   for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;
   const ir::Schedule& schedule = version_.program->schedule;
   // Of the fast parts between two periods a few are enough to guess from.
   const uint32_t fast_parts = steps.size() < 2 ? 0 : std::clamp(schedule.period_ms / schedule.fast_ms, 1U, kMostFast);
   for (int run = 0; run < kRuns && std::chrono::steady_clock::now() < deadline_; ++run) {
-    std::map<CellId, uint64_t> state, inputs;
+    std::map<execute::CellId, uint64_t> state, inputs;
     uint64_t now = 0;
     const auto execute = [&](const Step& step) {
-      for (const TermId id : step.cone) {
-        values[id.index] = EvaluateTerm(
-            terms_, terms_[id], [&values](TermId operand) { return values[operand.index]; },
+      for (const terms::TermId id : step.cone) {
+        values[id.index] = terms::EvaluateTerm(
+            terms_, terms_[id], [&values](terms::TermId operand) { return values[operand.index]; },
             [&](uint32_t variable) -> uint64_t {
               if (variable == terms_[now_].a) return now;
               const auto cell = cell_of.find(variable);
@@ -185,14 +187,14 @@ void Finder::Simulate() {
               return of_input != inputs.end() ? of_input->second : 0;
             });
       }
-      for (const CellId cell : state_) state[cell] = values[Next(*step.transition, cell).index];
+      for (const execute::CellId cell : state_) state[cell] = values[Next(*step.transition, cell).index];
       RecordSample(state);
     };
     execute(init);
     // Inputs change seldom in some runs and often in others, as a machine's do.
     const uint64_t one_in = uint64_t{2} << (run % 5);
     for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_; ++period) {
-      for (const CellId cell : inputs_) {
+      for (const execute::CellId cell : inputs_) {
         if (period == 0 || random_.Next() % one_in == 0) inputs[cell] = random_.Next() & 1;
       }
       for (uint32_t part = 0; part < fast_parts; ++part) {
@@ -205,10 +207,11 @@ void Finder::Simulate() {
   }
 }
 
-void Finder::GuessLimits(const std::vector<CellId>& cells, uint64_t greatest) {
-  const uint64_t width = cells.size() > 1
-                             ? cells.size()
-                             : CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cells.front()));
+void Finder::GuessLimits(const std::vector<execute::CellId>& cells, uint64_t greatest) {
+  const uint64_t width =
+      cells.size() > 1
+          ? cells.size()
+          : execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cells.front()));
   const uint64_t most = width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1;
   std::set<uint64_t> nearest;
   for (const std::set<uint64_t>* limits : {&limits_, &program_limits_}) {
@@ -254,9 +257,10 @@ void Finder::Guess() {
 void Finder::DropWrongAtPowerOn() {
   std::erase_if(guesses_, [this](const Invariant& guess) {
     if (std::chrono::steady_clock::now() >= deadline_) return true;
-    const TermId wrong = terms_.Not(ConditionOf(terms_, guess, [this](CellId cell) { return init_.next[cell.index]; }));
+    const terms::TermId wrong =
+        terms_.Not(ConditionOf(terms_, guess, [this](execute::CellId cell) { return init_.next[cell.index]; }));
     if (terms_.IsFalse(wrong)) return false;
-    return solver_.Check({&wrong, 1}, 1000) != Answer::kNever;
+    return solver_.Check({&wrong, 1}, 1000) != solver::Answer::kNever;
   });
 }
 
@@ -267,13 +271,13 @@ bool Finder::Prove() {
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
     if (rest.count() <= 0) return false;
     // They have to outlive each part, in whatever order the parts come.
-    std::vector<TermId> conditions, fails;
-    TermId any = terms_.Bit(false);
+    std::vector<terms::TermId> conditions, fails;
+    terms::TermId any = terms_.Bit(false);
     for (const Invariant& guess : guesses_) {
-      conditions.push_back(ConditionOf(terms_, guess, [this](CellId cell) { return Current(cell); }));
-      TermId fails_somewhere = terms_.Bit(false);
+      conditions.push_back(ConditionOf(terms_, guess, [this](execute::CellId cell) { return Current(cell); }));
+      terms::TermId fails_somewhere = terms_.Bit(false);
       for (const Transition& part : parts_) {
-        const TermId holds = ConditionOf(terms_, guess, [&](CellId cell) { return Next(part, cell); });
+        const terms::TermId holds = ConditionOf(terms_, guess, [&](execute::CellId cell) { return Next(part, cell); });
         fails_somewhere = terms_.Or(fails_somewhere, terms_.Not(holds));
       }
       fails.push_back(fails_somewhere);
@@ -281,9 +285,9 @@ bool Finder::Prove() {
     }
     if (terms_.IsFalse(any)) return true;
     conditions.push_back(any);
-    const Answer answer = solver_.Check(conditions, static_cast<uint32_t>(rest.count()));
-    if (answer == Answer::kNever) return true;
-    if (answer == Answer::kUnknown) return false;
+    const solver::Answer answer = solver_.Check(conditions, static_cast<uint32_t>(rest.count()));
+    if (answer == solver::Answer::kNever) return true;
+    if (answer == solver::Answer::kUnknown) return false;
     std::vector<Invariant> kept;
     for (size_t i = 0; i < guesses_.size(); ++i) {
       if (solver_.ValueOf(fails[i]) == 0) kept.push_back(std::move(guesses_[i]));
@@ -292,10 +296,10 @@ bool Finder::Prove() {
   }
 }
 
-std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t milliseconds) {
+std::vector<Invariant> Finder::Find(std::span<const execute::CellId> cells, uint64_t milliseconds) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
   now_ = terms_.Variable("alone now", 32);
-  const auto initial = [this](CellId cell) { return Current(cell); };
+  const auto initial = [this](execute::CellId cell) { return Current(cell); };
   for (const Part part : {Part::kFast, Part::kPeriod}) {
     if (part == Part::kFast && !HasFastPart(version_)) continue;
     parts_.push_back(RunPart(terms_, version_, part, {.initial = initial, .now = now_, .outputs = {}}));
@@ -304,20 +308,20 @@ std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t mill
   init_ = RunInit(terms_, version_, {.initial = initial, .now = now_, .outputs = {}});
   if (!init_.refusal.empty()) return {};
   CloseOver(cells);
-  const std::set<CellId> interesting(cells.begin(), cells.end());
+  const std::set<execute::CellId> interesting(cells.begin(), cells.end());
   std::set<uint32_t> bytes_taken;
-  for (const CellId id : interesting) {
-    const Cell cell = CellAt(*version_.program, version_.cells, id);
-    if (is_input_(id) || cell.kind == CellKind::kCalls) continue;
-    if (cell.kind == CellKind::kField && CellWidth(*version_.program, cell) > 1) {
+  for (const execute::CellId id : interesting) {
+    const execute::Cell cell = execute::CellAt(*version_.program, version_.cells, id);
+    if (is_input_(id) || cell.kind == execute::CellKind::kCalls) continue;
+    if (cell.kind == execute::CellKind::kField && execute::CellWidth(*version_.program, cell) > 1) {
       fields_.push_back(id);
       continue;
     }
     if (bits_.size() < kMostBits) bits_.push_back(id);
-    if (cell.kind != CellKind::kBit || !bytes_taken.insert(id.index - cell.bit).second) continue;
-    std::vector<CellId> byte;
+    if (cell.kind != execute::CellKind::kBit || !bytes_taken.insert(id.index - cell.bit).second) continue;
+    std::vector<execute::CellId> byte;
     for (uint32_t bit = 8; bit-- > 0;) byte.emplace_back(id.index - cell.bit + bit);
-    if (std::ranges::all_of(byte, [&](CellId bit) { return std::ranges::binary_search(state_, bit); })) {
+    if (std::ranges::all_of(byte, [&](execute::CellId bit) { return std::ranges::binary_search(state_, bit); })) {
       bytes_.push_back(byte);
     }
   }
@@ -335,25 +339,26 @@ std::vector<Invariant> Finder::Find(std::span<const CellId> cells, uint64_t mill
 
 }  // namespace
 
-TermId ConditionOf(Terms& terms, const Invariant& invariant, const std::function<TermId(CellId)>& value) {
-  TermId number;
-  for (const CellId cell : invariant.cells) {
-    const TermId part = value(cell);
+terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
+                          const std::function<terms::TermId(execute::CellId)>& value) {
+  terms::TermId number;
+  for (const execute::CellId cell : invariant.cells) {
+    const terms::TermId part = value(cell);
     number = number.valid() ? terms.Concat(number, part) : part;
   }
   if (invariant.kind == Invariant::Kind::kAtMost) {
     return terms.Ule(number, terms.Const(invariant.values.front(), terms.Width(number)));
   }
-  TermId any = terms.Bit(false);
+  terms::TermId any = terms.Bit(false);
   for (const uint64_t one : invariant.values)
     any = terms.Or(any, terms.Eq(number, terms.Const(one, terms.Width(number))));
   return invariant.kind == Invariant::Kind::kNoneOf ? terms.Not(any) : any;
 }
 
-std::vector<Invariant> FindInvariants(Terms& terms, Solver& solver, const Version& version,
-                                      std::span<const CellId> cells, const std::function<bool(CellId)>& is_input,
-                                      uint64_t milliseconds) {
+std::vector<Invariant> FindInvariants(terms::Terms& terms, solver::Solver& solver, const Version& version,
+                                      std::span<const execute::CellId> cells,
+                                      const std::function<bool(execute::CellId)>& is_input, uint64_t milliseconds) {
   return Finder(terms, solver, version, is_input).Find(cells, milliseconds);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

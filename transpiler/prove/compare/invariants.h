@@ -14,22 +14,23 @@
 #include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/solver/solver.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 /// What the number that `cells` make may be.
 struct Invariant {
   enum class Kind : uint8_t { kOneOf, kNoneOf, kAtMost };
-  std::vector<CellId> cells;     // from the most significant down; together one number
-  std::vector<uint64_t> values;  // of kAtMost one
+  std::vector<execute::CellId> cells;  // from the most significant down; together one number
+  std::vector<uint64_t> values;        // of kAtMost one
   Kind kind = Kind::kOneOf;
 };
 
 /// An invariant as a condition on the values that `value` gives.
-TermId ConditionOf(Terms& terms, const Invariant& invariant, const std::function<TermId(CellId)>& value);
+terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
+                          const std::function<terms::TermId(execute::CellId)>& value);
 
 /// At most about `milliseconds`; when that is not enough, none. `is_input`: the host writes the cell.
-std::vector<Invariant> FindInvariants(Terms& terms, Solver& solver, const Version& version,
-                                      std::span<const CellId> cells, const std::function<bool(CellId)>& is_input,
-                                      uint64_t milliseconds);
+std::vector<Invariant> FindInvariants(terms::Terms& terms, solver::Solver& solver, const Version& version,
+                                      std::span<const execute::CellId> cells,
+                                      const std::function<bool(execute::CellId)>& is_input, uint64_t milliseconds);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -8,7 +8,7 @@
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 class Matcher {
@@ -16,8 +16,8 @@ class Matcher {
   Matcher(const Version& old_version, const Version& new_version)
       : old_(old_version),
         new_(new_version),
-        match_{.new_of_old = std::vector<CellId>(old_version.cells.count),
-               .old_of_new = std::vector<CellId>(new_version.cells.count)} {}
+        match_{.new_of_old = std::vector<execute::CellId>(old_version.cells.count),
+               .old_of_new = std::vector<execute::CellId>(new_version.cells.count)} {}
 
   void Places(const ir::Place& one, const ir::Place& other);
   void InputsAndOutputs();
@@ -29,10 +29,10 @@ class Matcher {
   Match Take() { return std::move(match_); }
 
  private:
-  bool IsFree(CellId one, CellId other) const {
+  bool IsFree(execute::CellId one, execute::CellId other) const {
     return !match_.new_of_old[one.index].valid() && !match_.old_of_new[other.index].valid();
   }
-  void Pair(CellId one, CellId other) {
+  void Pair(execute::CellId one, execute::CellId other) {
     if (!IsFree(one, other)) return;
     match_.new_of_old[one.index] = other;
     match_.old_of_new[other.index] = one;
@@ -54,9 +54,10 @@ void Matcher::Places(const ir::Place& one, const ir::Place& other) {
       Instance(one.state, other.state);
     return;
   }
-  if (one.type != other.type || !IsInside(*old_.program, one) || !IsInside(*new_.program, other)) return;
-  const std::vector<CellId> from = CellsOf(*old_.program, old_.cells, one);
-  const std::vector<CellId> to = CellsOf(*new_.program, new_.cells, other);
+  if (one.type != other.type || !execute::IsInside(*old_.program, one) || !execute::IsInside(*new_.program, other))
+    return;
+  const std::vector<execute::CellId> from = execute::CellsOf(*old_.program, old_.cells, one);
+  const std::vector<execute::CellId> to = execute::CellsOf(*new_.program, new_.cells, other);
   for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
     if (!IsFree(from[i], to[i])) return;
   }
@@ -72,7 +73,7 @@ void Matcher::Spaces(Accept&& accept) {
       const ir::Space& other = new_.program->spaces[ir::SpaceId(j)];
       if (other.name != space.name || other.lifetime == ir::Lifetime::kRoutine) continue;
       for (uint32_t bit = 0; bit < 8 * std::min(space.bytes, other.bytes); ++bit) {
-        const CellId one(old_.cells.spaces[i] + bit), same(new_.cells.spaces[j] + bit);
+        const execute::CellId one(old_.cells.spaces[i] + bit), same(new_.cells.spaces[j] + bit);
         if (accept(one, same)) Pair(one, same);
       }
     }
@@ -80,19 +81,19 @@ void Matcher::Spaces(Accept&& accept) {
 }
 
 void Matcher::InputsAndOutputs() {
-  Spaces([this](CellId one, CellId other) {
+  Spaces([this](execute::CellId one, execute::CellId other) {
     return DirectionOf(old_, one) != ir::Direction::kInternal || DirectionOf(new_, other) != ir::Direction::kInternal;
   });
 }
 
 void Matcher::ByAddress() {
-  Spaces([](CellId, CellId) { return true; });
+  Spaces([](execute::CellId, execute::CellId) { return true; });
 }
 
 void Matcher::InternalByName() {
   std::map<std::string, const ir::Place*> by_name;
   const auto is_candidate = [](const Version& version, const ir::Place& place) {
-    return !place.is_field() && !place.name.empty() && IsInside(*version.program, place) &&
+    return !place.is_field() && !place.name.empty() && execute::IsInside(*version.program, place) &&
            version.program->spaces[place.space].lifetime != ir::Lifetime::kRoutine;
   };
   for (const ir::Place& place : new_.program->places) {
@@ -136,7 +137,8 @@ void Matcher::SymbolsByName() {
 
 void Matcher::Instance(ir::StateId one, ir::StateId other) {
   const uint32_t from = old_.cells.states[one.index], to = new_.cells.states[other.index];
-  for (uint32_t i = 0; i < FieldTerms(old_.program->states[one].kind); ++i) Pair(CellId(from + i), CellId(to + i));
+  for (uint32_t i = 0; i < meaning::FieldTerms(old_.program->states[one].kind); ++i)
+    Pair(execute::CellId(from + i), execute::CellId(to + i));
 }
 
 void Matcher::Instances() {
@@ -169,7 +171,7 @@ void Matcher::HostFunctions() {
     for (uint32_t j = 0; j < new_.program->host_functions.size(); ++j) {
       if (old_.program->host_functions[ir::HostFunctionId(i)].name ==
           new_.program->host_functions[ir::HostFunctionId(j)].name) {
-        Pair(CellId(old_.cells.calls + i), CellId(new_.cells.calls + j));
+        Pair(execute::CellId(old_.cells.calls + i), execute::CellId(new_.cells.calls + j));
       }
     }
   }
@@ -177,7 +179,7 @@ void Matcher::HostFunctions() {
 
 }  // namespace
 
-Version MakeVersion(const ir::Program& program) { return {.program = &program, .cells = MakeCells(program)}; }
+Version MakeVersion(const ir::Program& program) { return {.program = &program, .cells = execute::MakeCells(program)}; }
 
 Match MatchCells(const Version& old_version, const Version& new_version,
                  const std::vector<std::pair<ir::Place, ir::Place>>& same) {
@@ -192,37 +194,38 @@ Match MatchCells(const Version& old_version, const Version& new_version,
   return matcher.Take();
 }
 
-ir::Direction DirectionOf(const Version& version, CellId id) {
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  if (cell.kind == CellKind::kCalls) return ir::Direction::kOutput;
-  if (cell.kind == CellKind::kField) return ir::Direction::kInternal;
+ir::Direction DirectionOf(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind == execute::CellKind::kCalls) return ir::Direction::kOutput;
+  if (cell.kind == execute::CellKind::kField) return ir::Direction::kInternal;
   for (const ir::Zone& zone : version.program->spaces[cell.space].zones) {
     if (zone.begin <= cell.offset && cell.offset < zone.end) return zone.direction;
   }
   return ir::Direction::kInternal;
 }
 
-bool IsState(const Version& version, CellId id) {
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  return cell.kind != CellKind::kBit || version.program->spaces[cell.space].lifetime != ir::Lifetime::kRoutine;
+bool IsState(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind != execute::CellKind::kBit || version.program->spaces[cell.space].lifetime != ir::Lifetime::kRoutine;
 }
 
-bool IsRetentive(const Version& version, CellId id) {
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  return cell.kind == CellKind::kBit && version.program->spaces[cell.space].lifetime == ir::Lifetime::kRetentive;
+bool IsRetentive(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit &&
+         version.program->spaces[cell.space].lifetime == ir::Lifetime::kRetentive;
 }
 
 Uses UsesOf(const Version& version) {
   const ir::Program& program = *version.program;
   Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
   const auto on_place = [&](ir::PlaceId place, ir::Access access) {
-    for (const CellId cell : TouchedCells(program, version.cells, program.places[place])) {
+    for (const execute::CellId cell : execute::TouchedCells(program, version.cells, program.places[place])) {
       if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
       if (access != ir::Access::kRead) uses.writes[cell.index] = true;
     }
   };
   const auto on_instance = [&](ir::StateId state) {
-    for (const CellId cell : CellsOfInstance(program, version.cells, state)) {
+    for (const execute::CellId cell : execute::CellsOfInstance(program, version.cells, state)) {
       uses.reads[cell.index] = uses.writes[cell.index] = true;
     }
   };
@@ -239,11 +242,11 @@ Uses UsesOf(const Version& version) {
 }
 
 bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& new_uses, const Match& match,
-                 CellId old_cell) {
-  const Cell cell = CellAt(*old_version.program, old_version.cells, old_cell);
-  if (cell.kind != CellKind::kBit) return false;
+                 execute::CellId old_cell) {
+  const execute::Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
+  if (cell.kind != execute::CellKind::kBit) return false;
   if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
-  const CellId new_cell = match.new_of_old[old_cell.index];
+  const execute::CellId new_cell = match.new_of_old[old_cell.index];
   const ir::Space& space = old_version.program->spaces[cell.space];
   // Without zones it is the program's own, unless it is kept: then what nobody writes comes with the machine.
   if (space.zones.empty() && space.lifetime != ir::Lifetime::kRetentive) return false;
@@ -251,4 +254,4 @@ bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& n
          !(new_cell.valid() && new_uses.writes[new_cell.index]);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -12,18 +12,18 @@
 #include "transpiler/ir/program.h"
 #include "transpiler/prove/execute/cells.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 /// One version of a program with its cells.
 struct Version {
   const ir::Program* program = nullptr;
-  Cells cells;
+  execute::Cells cells;
 };
 Version MakeVersion(const ir::Program& program);
 
 struct Match {
-  std::vector<CellId> new_of_old;  // by cell of the old version; none: it is not in the new one
-  std::vector<CellId> old_of_new;
+  std::vector<execute::CellId> new_of_old;  // by cell of the old version; none: it is not in the new one
+  std::vector<execute::CellId> old_of_new;
 };
 
 /// `same`: places of the old and the new version that the user says are one (--map).
@@ -31,10 +31,10 @@ Match MatchCells(const Version& old_version, const Version& new_version,
                  const std::vector<std::pair<ir::Place, ir::Place>>& same);
 
 /// How the host uses a cell: bits by the zone of their byte; fields are internal, calls go out.
-ir::Direction DirectionOf(const Version& version, CellId cell);
+ir::Direction DirectionOf(const Version& version, execute::CellId cell);
 /// Whether a cell lives from scan to scan.
-bool IsState(const Version& version, CellId cell);
-bool IsRetentive(const Version& version, CellId cell);
+bool IsState(const Version& version, execute::CellId cell);
+bool IsRetentive(const Version& version, execute::CellId cell);
 
 /// What a program does to each cell, by CellId.
 struct Uses {
@@ -44,6 +44,6 @@ Uses UsesOf(const Version& version);
 
 /// Whether a matched pair is an input: the host writes it, and no version does but for inputs of the machine.
 bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& new_uses, const Match& match,
-                 CellId old_cell);
+                 execute::CellId old_cell);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

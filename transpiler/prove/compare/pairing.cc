@@ -4,7 +4,7 @@
 
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 /// The bytes that a place of a byte or more touches.
@@ -24,7 +24,7 @@ std::vector<bool> WordBytes(const Version& version) {
 
 }  // namespace
 
-Pairing::Pairing(Terms& terms, const Version& old_version, const Version& new_version, const Match& match)
+Pairing::Pairing(terms::Terms& terms, const Version& old_version, const Version& new_version, const Match& match)
     : terms_(terms),
       old_(old_version),
       new_(new_version),
@@ -35,33 +35,35 @@ Pairing::Pairing(Terms& terms, const Version& old_version, const Version& new_ve
   for (uint32_t i = 0; i < old_version.cells.count; ++i) equal_[i] = match.new_of_old[i].valid();
 }
 
-TermId& Pairing::VariableOf(Which which, uint32_t cell, bool shared, bool byte) {
+terms::TermId& Pairing::VariableOf(Which which, uint32_t cell, bool shared, bool byte) {
   const uint64_t side = shared ? 2 : which == Which::kOld ? 0 : 1;
   return variables_[uint64_t{cell} << 3 | side << 1 | (byte ? 1 : 0)];
 }
 
 /// All bits of the byte are equal, and the other version has them in one byte, too.
-bool Pairing::SharesByte(CellId first) const {
-  const CellId partner = match_.new_of_old[first.index];
+bool Pairing::SharesByte(execute::CellId first) const {
+  const execute::CellId partner = match_.new_of_old[first.index];
   for (uint32_t i = 0; i < 8; ++i) {
-    if (!equal_[first.index + i] || match_.new_of_old[first.index + i] != CellId(partner.index + i)) return false;
+    if (!equal_[first.index + i] || match_.new_of_old[first.index + i] != execute::CellId(partner.index + i))
+      return false;
   }
-  const Cell there = CellAt(*new_.program, new_.cells, partner);
-  return there.kind == CellKind::kBit && there.bit == 0 && (old_words_[first.index] || new_words_[partner.index]);
+  const execute::Cell there = execute::CellAt(*new_.program, new_.cells, partner);
+  return there.kind == execute::CellKind::kBit && there.bit == 0 &&
+         (old_words_[first.index] || new_words_[partner.index]);
 }
 
-TermId Pairing::Bit(Which which, CellId id, bool shared) {
+terms::TermId Pairing::Bit(Which which, execute::CellId id, bool shared) {
   const Version& version = this->version(which);
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  const CellId first(id.index - cell.bit);
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  const execute::CellId first(id.index - cell.bit);
   const bool as_byte = shared ? SharesByte(first) : (which == Which::kOld ? old_words_ : new_words_)[first.index];
   const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
   if (!as_byte) {
-    TermId& variable = VariableOf(which, id.index, shared, false);
-    if (!variable.valid()) variable = terms_.Variable(prefix + CellName(*version.program, cell), 1);
+    terms::TermId& variable = VariableOf(which, id.index, shared, false);
+    if (!variable.valid()) variable = terms_.Variable(prefix + execute::CellName(*version.program, cell), 1);
     return variable;
   }
-  TermId& variable = VariableOf(which, first.index, shared, true);
+  terms::TermId& variable = VariableOf(which, first.index, shared, true);
   if (!variable.valid()) {
     variable =
         terms_.Variable(prefix + version.program->spaces[cell.space].name + "." + std::to_string(cell.offset), 8);
@@ -69,22 +71,23 @@ TermId Pairing::Bit(Which which, CellId id, bool shared) {
   return terms_.Extract(variable, cell.bit, 1);
 }
 
-TermId Pairing::Initial(Which which, CellId id) {
-  const CellId old_cell = which == Which::kOld ? id : match_.old_of_new[id.index];
+terms::TermId Pairing::Initial(Which which, execute::CellId id) {
+  const execute::CellId old_cell = which == Which::kOld ? id : match_.old_of_new[id.index];
   const bool shared = old_cell.valid() && equal_[old_cell.index];
   if (shared) {
     which = Which::kOld;
     id = old_cell;
   }
   const Version& version = this->version(which);
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  if (cell.kind == CellKind::kBit) return Bit(which, id, shared);
-  TermId& variable = VariableOf(which, id.index, shared, false);
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind == execute::CellKind::kBit) return Bit(which, id, shared);
+  terms::TermId& variable = VariableOf(which, id.index, shared, false);
   if (!variable.valid()) {
     const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
-    variable = terms_.Variable(prefix + CellName(*version.program, cell), CellWidth(*version.program, cell));
+    variable =
+        terms_.Variable(prefix + execute::CellName(*version.program, cell), execute::CellWidth(*version.program, cell));
   }
   return variable;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

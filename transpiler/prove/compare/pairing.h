@@ -7,37 +7,37 @@
 #include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 enum class Which : uint8_t { kOld, kNew };
 
 class Pairing {
  public:
   /// All refer to what outlives the pairing.
-  Pairing(Terms& terms, const Version& old_version, const Version& new_version, const Match& match);
+  Pairing(terms::Terms& terms, const Version& old_version, const Version& new_version, const Match& match);
 
   /// The value of a cell before the period; the same variable for both where the cells are `equal`.
-  TermId Initial(Which which, CellId cell);
-  bool IsEqual(CellId old_cell) const { return equal_[old_cell.index]; }
+  terms::TermId Initial(Which which, execute::CellId cell);
+  bool IsEqual(execute::CellId old_cell) const { return equal_[old_cell.index]; }
   /// From now on the versions' cells are two variables.
-  void Separate(CellId old_cell) { equal_[old_cell.index] = false; }
-  void Join(CellId old_cell) { equal_[old_cell.index] = true; }
+  void Separate(execute::CellId old_cell) { equal_[old_cell.index] = false; }
+  void Join(execute::CellId old_cell) { equal_[old_cell.index] = true; }
 
   const Version& version(Which which) const { return which == Which::kOld ? old_ : new_; }
   const Match& match() const { return match_; }
 
  private:
-  TermId Bit(Which which, CellId cell, bool shared);
-  bool SharesByte(CellId old_cell) const;
-  TermId& VariableOf(Which which, uint32_t cell, bool shared, bool byte);
+  terms::TermId Bit(Which which, execute::CellId cell, bool shared);
+  bool SharesByte(execute::CellId old_cell) const;
+  terms::TermId& VariableOf(Which which, uint32_t cell, bool shared, bool byte);
 
-  Terms& terms_;
+  terms::Terms& terms_;
   const Version& old_;
   const Version& new_;
   const Match& match_;
   std::vector<bool> equal_;                  // by old cell
   std::vector<bool> old_words_, new_words_;  // by cell of the first bit of a byte: it is part of a word somewhere
-  std::unordered_map<uint64_t, TermId> variables_;  // looked up only
+  std::unordered_map<uint64_t, terms::TermId> variables_;  // looked up only
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

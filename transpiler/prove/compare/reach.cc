@@ -9,7 +9,7 @@
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 /// Which terms depend on the cells that are reached.
@@ -21,7 +21,7 @@ class Reach {
       old_next_.push_back(comparison.NextOld(result.old_cell));
       new_next_.push_back(comparison.NextNew(result.new_cell));
     }
-    std::vector<TermId> roots = old_next_;
+    std::vector<terms::TermId> roots = old_next_;
     roots.insert(roots.end(), new_next_.begin(), new_next_.end());
     for (const Transition* transition : {&comparison.old_next, &comparison.new_next}) {
       for (const Observation& observation : transition->observations) {
@@ -29,26 +29,26 @@ class Reach {
         roots.insert(roots.end(), observation.outputs.begin(), observation.outputs.end());
       }
     }
-    cone_ = ConeOf(terms_, roots);
+    cone_ = terms::ConeOf(terms_, roots);
     depends_.resize(terms_.size());
     seeds_.resize(terms_.size());
     is_cell_.resize(terms_.size());
-    for (const TermId initial : initial_) is_cell_[initial.index] = true;
+    for (const terms::TermId initial : initial_) is_cell_[initial.index] = true;
   }
 
   void Add(size_t result) {
-    const TermId initial = initial_[result];
+    const terms::TermId initial = initial_[result];
     seeds_[initial.index] = true;
     // The byte that the bit is a part of.
-    if (terms_[initial].kind == TermKind::kExtract) seeds_[terms_[initial].a] = true;
+    if (terms_[initial].kind == terms::TermKind::kExtract) seeds_[terms_[initial].a] = true;
   }
 
   void Spread() {
-    for (const TermId id : cone_) {
+    for (const terms::TermId id : cone_) {
       bool depends = seeds_[id.index];
       // A bit of a byte is reached when it is one of the cells, whatever the others are.
       if (!is_cell_[id.index]) {
-        terms_.ForEachOperand(terms_[id], [&](TermId operand) { depends = depends || depends_[operand.index]; });
+        terms_.ForEachOperand(terms_[id], [&](terms::TermId operand) { depends = depends || depends_[operand.index]; });
       }
       depends_[id.index] = depends;
     }
@@ -72,26 +72,26 @@ class Reach {
 
  private:
   Comparison& comparison_;
-  Terms& terms_;
-  std::vector<TermId> initial_, old_next_, new_next_;  // by result
-  std::vector<TermId> cone_;
+  terms::Terms& terms_;
+  std::vector<terms::TermId> initial_, old_next_, new_next_;  // by result
+  std::vector<terms::TermId> cone_;
   std::vector<bool> depends_, seeds_, is_cell_;  // by term
 };
 
 }  // namespace
 
-std::vector<CellId> ReachOfDifferences(Comparison& comparison) {
-  std::vector<CellId> separated, all;
+std::vector<execute::CellId> ReachOfDifferences(Comparison& comparison) {
+  std::vector<execute::CellId> separated, all;
   for (const PairResult& result : comparison.results) {
     if (!comparison.pairing.IsEqual(result.old_cell)) separated.push_back(result.old_cell);
   }
   // The variables are those of the execution, in which everything was equal.
-  for (const CellId cell : separated) comparison.pairing.Join(cell);
+  for (const execute::CellId cell : separated) comparison.pairing.Join(cell);
   Reach reach(comparison);
-  for (const CellId cell : separated) comparison.pairing.Separate(cell);
+  for (const execute::CellId cell : separated) comparison.pairing.Separate(cell);
   std::vector<bool> reached(comparison.results.size());
   std::vector<uint32_t> added;
-  for (const CellId cell : separated) added.push_back(comparison.result_of_old[cell.index]);
+  for (const execute::CellId cell : separated) added.push_back(comparison.result_of_old[cell.index]);
   while (!added.empty()) {
     for (const uint32_t result : added) {
       if (!reached[result]) reach.Add(result);
@@ -110,4 +110,4 @@ std::vector<CellId> ReachOfDifferences(Comparison& comparison) {
   return all;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -3,7 +3,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 /// Looks for `if REQUEST { answer = polled(); if answer == ... { REQUEST = 0 } }`.
@@ -23,7 +23,7 @@ class RequestWalk {
       case ir::Shape::kIf: {
         const ir::Inst& condition = program_[ir::InstId(inst.a)];
         const bool asks_bit = IsBit(condition, ir::Shape::kLoad);
-        const std::vector<CellId> answered = answered_;
+        const std::vector<execute::CellId> answered = answered_;
         if (asks_bit) asked_.push_back(CellOf(condition));
         Region(ir::RegionId(inst.b));
         if (asks_bit) asked_.pop_back();
@@ -40,8 +40,8 @@ class RequestWalk {
         if (!IsBit(inst, ir::Shape::kStore)) break;
         const ir::Inst& value = program_[ir::InstId(inst.a)];
         const bool clears = ir::Info(value.op).shape == ir::Shape::kConst && ir::ConstantValue(value) == 0;
-        const CellId cell = CellOf(inst);
-        for (const CellId asked : answered_) {
+        const execute::CellId cell = CellOf(inst);
+        for (const execute::CellId asked : answered_) {
           if (clears && asked == cell) cells_[cell.index] = true;
         }
         break;
@@ -53,7 +53,7 @@ class RequestWalk {
       case ir::Shape::kLoop:
       case ir::Shape::kRepeat:
         for (const ir::RegionId region : ir::OwnedRegions(program_, inst)) {
-          const std::vector<CellId> answered = answered_;
+          const std::vector<execute::CellId> answered = answered_;
           Region(region);
           answered_ = answered;  // the next arm, or what follows, may come without this one
         }
@@ -75,9 +75,9 @@ class RequestWalk {
   bool IsBit(const ir::Inst& inst, ir::Shape shape) const {
     if (ir::Info(inst.op).shape != shape) return false;
     const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
-    return !place.is_field() && !place.indexed && place.type == ir::Type::kBit && IsInside(program_, place);
+    return !place.is_field() && !place.indexed && place.type == ir::Type::kBit && execute::IsInside(program_, place);
   }
-  CellId CellOf(const ir::Inst& inst) const {
+  execute::CellId CellOf(const ir::Inst& inst) const {
     const ir::Place& place = program_.places[ir::PlaceId(inst.payload)];
     return version_.cells.OfBit(place.space, place.offset, place.bit);
   }
@@ -85,7 +85,7 @@ class RequestWalk {
   const Version& version_;
   const ir::Program& program_;
   std::vector<bool>& cells_;
-  std::vector<CellId> asked_, answered_;  // bits that are 1 here; that were when the host was asked
+  std::vector<execute::CellId> asked_, answered_;  // bits that are 1 here; that were when the host was asked
 };
 
 }  // namespace
@@ -99,14 +99,15 @@ std::vector<bool> RequestCells(const Version& version) {
   return cells;
 }
 
-std::vector<CellId> MatchedRequests(const Version& old_version, const Version& new_version, const Match& match) {
+std::vector<execute::CellId> MatchedRequests(const Version& old_version, const Version& new_version,
+                                             const Match& match) {
   const std::vector<bool> old_cells = RequestCells(old_version), new_cells = RequestCells(new_version);
-  std::vector<CellId> requests;
+  std::vector<execute::CellId> requests;
   for (uint32_t i = 0; i < old_cells.size(); ++i) {
-    const CellId new_cell = match.new_of_old[i];
+    const execute::CellId new_cell = match.new_of_old[i];
     if (old_cells[i] && new_cell.valid() && new_cells[new_cell.index]) requests.emplace_back(i);
   }
   return requests;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -9,12 +9,13 @@
 
 #include "transpiler/prove/compare/match.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 
 /// By CellId: whether the cell is a request.
 std::vector<bool> RequestCells(const Version& version);
 
 /// Old cells that are requests in both versions.
-std::vector<CellId> MatchedRequests(const Version& old_version, const Version& new_version, const Match& match);
+std::vector<execute::CellId> MatchedRequests(const Version& old_version, const Version& new_version,
+                                             const Match& match);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -9,36 +9,39 @@
 #include "transpiler/prove/terms/justify.h"
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 /// The state of both versions after some periods, over the inputs so far.
 struct Unrolled {
-  std::vector<TermId> old_state, new_state;        // by cell
-  std::vector<std::map<uint32_t, TermId>> inputs;  // by period: what each input (an old cell) is
-  std::vector<std::map<uint32_t, TermId>> done;    // by period: whether the control has done each request (an old cell)
+  std::vector<terms::TermId> old_state, new_state;        // by cell
+  std::vector<std::map<uint32_t, terms::TermId>> inputs;  // by period: what each input (an old cell) is
+  std::vector<std::map<uint32_t, terms::TermId>>
+      done;  // by period: whether the control has done each request (an old cell)
 };
 
 void SetInput(Comparison& comparison, Unrolled& state, uint32_t old_cell) {
-  std::map<uint32_t, TermId>& inputs = state.inputs.back();
+  std::map<uint32_t, terms::TermId>& inputs = state.inputs.back();
   if (inputs.contains(old_cell)) return;
-  const Cell cell = CellAt(*comparison.old_version.program, comparison.old_version.cells, CellId(old_cell));
+  const execute::Cell cell =
+      execute::CellAt(*comparison.old_version.program, comparison.old_version.cells, execute::CellId(old_cell));
   inputs[old_cell] = comparison.terms.Variable(
-      "period " + std::to_string(state.inputs.size()) + " " + CellName(*comparison.old_version.program, cell), 1);
+      "period " + std::to_string(state.inputs.size()) + " " + execute::CellName(*comparison.old_version.program, cell),
+      1);
 }
 
 /// One part of one version at a time; what it changed, or nullopt when it cannot be executed.
 std::optional<bool> AdvancePart(Comparison& comparison, Unrolled& state, Which which, Part part, uint64_t now_ms) {
   const bool is_old = which == Which::kOld;
-  std::vector<TermId>& values = is_old ? state.old_state : state.new_state;
+  std::vector<terms::TermId>& values = is_old ? state.old_state : state.new_state;
   // Inputs have a new value in every period, the same for both; they keep it until the next one.
-  const auto initial = [&](CellId cell) {
-    const CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+  const auto initial = [&](execute::CellId cell) {
+    const execute::CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
     if (!old_cell.valid() || !comparison.IsInput(old_cell)) return values[cell.index];
     SetInput(comparison, state, old_cell.index);
     return state.inputs.back()[old_cell.index];
   };
-  const TermId now = comparison.terms.Const(now_ms & 0xFFFFFFFF, 32);
+  const terms::TermId now = comparison.terms.Const(now_ms & 0xFFFFFFFF, 32);
   const Transition next = RunPart(comparison.terms, is_old ? comparison.old_version : comparison.new_version, part,
                                   {.initial = initial, .now = now, .answers = HostAnswers::kNothing, .outputs = {}});
   if (!next.refusal.empty()) return std::nullopt;
@@ -53,15 +56,15 @@ std::optional<bool> AdvancePart(Comparison& comparison, Unrolled& state, Which w
 
 /// Before a period the control clears the requests that it has done, in both versions the same ones.
 void ClearDoneRequests(Comparison& comparison, Unrolled& state) {
-  Terms& terms = comparison.terms;
-  for (const CellId old_cell : comparison.requests) {
-    TermId& one = state.old_state[old_cell.index];
-    TermId& other = state.new_state[comparison.match.new_of_old[old_cell.index].index];
+  terms::Terms& terms = comparison.terms;
+  for (const execute::CellId old_cell : comparison.requests) {
+    terms::TermId& one = state.old_state[old_cell.index];
+    terms::TermId& other = state.new_state[comparison.match.new_of_old[old_cell.index].index];
     if (terms.IsFalse(one) && terms.IsFalse(other)) continue;
-    const Cell cell = CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell);
-    const TermId done = terms.Variable("before period " + std::to_string(state.done.size()) + " done " +
-                                           CellName(*comparison.old_version.program, cell),
-                                       1);
+    const execute::Cell cell = execute::CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell);
+    const terms::TermId done = terms.Variable("before period " + std::to_string(state.done.size()) + " done " +
+                                                  execute::CellName(*comparison.old_version.program, cell),
+                                              1);
     state.done.back()[old_cell.index] = done;
     one = terms.And(one, terms.Not(done));
     other = terms.And(other, terms.Not(done));
@@ -91,12 +94,12 @@ bool Advance(Comparison& comparison, Unrolled& state) {
 }
 
 Unrolled PowerOn(Comparison& comparison) {
-  const Surroundings surroundings{.initial = [&](CellId) { return comparison.terms.Const(0, 64); },
-                                  .now = comparison.terms.Const(0, 32),
-                                  .answers = HostAnswers::kNothing,
-                                  .outputs = {}};
-  return {.old_state = RunInit(comparison.terms, comparison.old_version, surroundings).next,
-          .new_state = RunInit(comparison.terms, comparison.new_version, surroundings).next,
+  const PartEnvironment environment{.initial = [&](execute::CellId) { return comparison.terms.Const(0, 64); },
+                                    .now = comparison.terms.Const(0, 32),
+                                    .answers = HostAnswers::kNothing,
+                                    .outputs = {}};
+  return {.old_state = RunInit(comparison.terms, comparison.old_version, environment).next,
+          .new_state = RunInit(comparison.terms, comparison.new_version, environment).next,
           .inputs = {},
           .done = {}};
 }
@@ -104,53 +107,54 @@ Unrolled PowerOn(Comparison& comparison) {
 /// A pair that is looked at, and the term that is 1 where it differs.
 struct OpenPair {
   PairResult* result;
-  TermId differ;
+  terms::TermId differ;
 };
 
-std::vector<TermId> ConeOf(const Comparison& comparison, const std::vector<OpenPair>& pairs) {
-  std::vector<TermId> roots;
+std::vector<terms::TermId> ConeOf(const Comparison& comparison, const std::vector<OpenPair>& pairs) {
+  std::vector<terms::TermId> roots;
   for (const OpenPair& pair : pairs) roots.push_back(pair.differ);
-  return ConeOf(comparison.terms, roots);
+  return terms::ConeOf(comparison.terms, roots);
 }
 
 /// By TermId: the values of a cone for those that `variable(term)` gives its variables.
 template <class Variable>
-void EvaluateCone(const Terms& terms, std::span<const TermId> cone, std::vector<uint64_t>& values,
+void EvaluateCone(const terms::Terms& terms, std::span<const terms::TermId> cone, std::vector<uint64_t>& values,
                   Variable&& variable) {
   values.resize(terms.size());
-  for (const TermId id : cone) {
-    values[id.index] = EvaluateTerm(
-        terms, terms[id], [&values](TermId operand) { return values[operand.index]; },
+  for (const terms::TermId id : cone) {
+    values[id.index] = terms::EvaluateTerm(
+        terms, terms[id], [&values](terms::TermId operand) { return values[operand.index]; },
         [&](uint32_t) { return variable(id); });
   }
 }
 
 /// The solver's values for all that the pair is made of; what it makes up for unknown functions, too.
-std::vector<uint64_t> SolversValues(Comparison& comparison, std::span<const TermId> cone) {
-  const Terms& terms = comparison.terms;
+std::vector<uint64_t> SolversValues(Comparison& comparison, std::span<const terms::TermId> cone) {
+  const terms::Terms& terms = comparison.terms;
   std::vector<uint64_t> values(terms.size());
-  for (const TermId id : cone) {
-    const Term& term = terms[id];
-    const bool unknown = term.kind == TermKind::kApply && terms.Info(FunctionId(term.a)).evaluate == nullptr;
+  for (const terms::TermId id : cone) {
+    const terms::Term& term = terms[id];
+    const bool unknown =
+        term.kind == terms::TermKind::kApply && terms.Info(terms::FunctionId(term.a)).evaluate == nullptr;
     values[id.index] = unknown ? comparison.solver->ValueOf(id)
-                               : EvaluateTerm(
-                                     terms, term, [&values](TermId operand) { return values[operand.index]; },
+                               : terms::EvaluateTerm(
+                                     terms, term, [&values](terms::TermId operand) { return values[operand.index]; },
                                      [&](uint32_t) { return comparison.solver->ValueOf(id); });
   }
   return values;
 }
 
 /// Whether a value that was made up for an unknown function, such as a loop, is among them: then nothing is shown.
-bool AreMadeUp(const Terms& terms, const std::vector<Reason>& reasons) {
-  return std::ranges::any_of(reasons,
-                             [&terms](const Reason& reason) { return terms[reason.term].kind == TermKind::kApply; });
+bool AreMadeUp(const terms::Terms& terms, const std::vector<terms::Reason>& reasons) {
+  return std::ranges::any_of(
+      reasons, [&terms](const terms::Reason& reason) { return terms[reason.term].kind == terms::TermKind::kApply; });
 }
 
 /// The inputs that make a difference, each where its level changes.
-Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector<Reason>& reasons,
+Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector<terms::Reason>& reasons,
           const std::vector<uint64_t>& values) {
   std::unordered_map<uint32_t, uint64_t> needed;  // looked up only
-  for (const Reason& reason : reasons) needed[reason.term.index] = values[reason.term.index];
+  for (const terms::Reason& reason : reasons) needed[reason.term.index] = values[reason.term.index];
   const ir::Program& program = *comparison.old_version.program;
   std::map<uint32_t, uint64_t> level;
   Run run;
@@ -160,18 +164,19 @@ Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector
       const auto found = needed.find(variable.index);
       if (found == needed.end() || found->second == 0) continue;
       run.periods.back().push_back(
-          {.old_cell = CellId(old_cell), .new_cell = comparison.match.new_of_old[old_cell], .value = 0});
+          {.old_cell = execute::CellId(old_cell), .new_cell = comparison.match.new_of_old[old_cell], .value = 0});
     }
     for (const auto& [old_cell, variable] : state.inputs[period]) {
       const auto found = needed.find(variable.index);
       if (found == needed.end()) continue;
-      const Cell cell = CellAt(program, comparison.old_version.cells, CellId(old_cell));
+      const execute::Cell cell = execute::CellAt(program, comparison.old_version.cells, execute::CellId(old_cell));
       const auto [at, first] =
           level.try_emplace(old_cell, PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit));
       if (at->second == found->second) continue;
       at->second = found->second;
-      run.periods.back().push_back(
-          {.old_cell = CellId(old_cell), .new_cell = comparison.match.new_of_old[old_cell], .value = found->second});
+      run.periods.back().push_back({.old_cell = execute::CellId(old_cell),
+                                    .new_cell = comparison.match.new_of_old[old_cell],
+                                    .value = found->second});
     }
   }
   return run;
@@ -187,32 +192,32 @@ uint64_t EndMs(const Comparison& comparison, uint64_t part) {
 void TryRandomInputs(Comparison& comparison, const Unrolled& state, const std::vector<OpenPair>& pairs,
                      uint64_t end_ms) {
   constexpr int kTries = 24;
-  const std::vector<TermId> cone = ConeOf(comparison, pairs);
+  const std::vector<terms::TermId> cone = ConeOf(comparison, pairs);
   std::unordered_map<uint32_t, uint32_t> cell_of;  // by variable
-  for (const std::map<uint32_t, TermId>& inputs : state.inputs) {
+  for (const std::map<uint32_t, terms::TermId>& inputs : state.inputs) {
     for (const auto& [old_cell, variable] : inputs) cell_of[variable.index] = old_cell;
   }
-  for (const std::map<uint32_t, TermId>& done : state.done) {
+  for (const std::map<uint32_t, terms::TermId>& done : state.done) {
     for (const auto& [old_cell, variable] : done) cell_of[variable.index] = old_cell;
   }
   std::vector<uint64_t> values;
-  Random random(0xA0761D6478BD642F + state.inputs.size());
+  terms::Random random(0xA0761D6478BD642F + state.inputs.size());
   for (int attempt = 0; attempt < kTries && comparison.RestMs() > end_ms; ++attempt) {
     // Levels of every density that change seldom in some tries and often in others.
     const uint64_t density = uint64_t{16} << attempt % 4, change = uint64_t{1} << attempt % 3;
     std::unordered_map<uint32_t, uint64_t> level;
-    EvaluateCone(comparison.terms, cone, values, [&](TermId variable) {
+    EvaluateCone(comparison.terms, cone, values, [&](terms::TermId variable) {
       const auto cell = cell_of.find(variable.index);
       if (cell == cell_of.end()) return uint64_t{0};
       const auto [at, first] = level.try_emplace(cell->second, 0);
       if (first || random.OneIn(change)) at->second = (random.Next() >> 9 & 255) < density ? 1 : 0;
       return at->second;
     });
-    std::optional<Justification> why;
+    std::optional<terms::Justification> why;
     for (const OpenPair& pair : pairs) {
       if (pair.result->run || values[pair.differ.index] == 0) continue;
       if (!why) why.emplace(comparison.terms, cone, values);
-      const std::vector<Reason> reasons = why->ReasonsFor(pair.differ);
+      const std::vector<terms::Reason> reasons = why->ReasonsFor(pair.differ);
       if (AreMadeUp(comparison.terms, reasons)) continue;
       pair.result->verdict = PairVerdict::kDifferent;
       pair.result->run = RunOf(comparison, state, reasons, values);
@@ -242,7 +247,7 @@ void SearchRuns(Comparison& comparison) {
     for (PairResult& result : comparison.results) {
       // A longer run is known of what is different; a short one is easier to read.
       if (!comparison.IsLookedAt(result, undecided) && !is_shown(result)) continue;
-      const TermId differ =
+      const terms::TermId differ =
           comparison.terms.Ne(state.old_state[result.old_cell.index], state.new_state[result.new_cell.index]);
       if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
     }
@@ -251,12 +256,13 @@ void SearchRuns(Comparison& comparison) {
     for (const OpenPair& pair : pairs) {
       if (pair.result->run || comparison.RestMs() <= end_ms) continue;
       const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
-      const Answer answer =
+      const solver::Answer answer =
           comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
-      if (answer != Answer::kPossible) continue;
-      const std::vector<TermId> cone = ConeOf(comparison.terms, {&pair.differ, 1});
+      if (answer != solver::Answer::kPossible) continue;
+      const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
       const std::vector<uint64_t> values = SolversValues(comparison, cone);
-      const std::vector<Reason> reasons = Justification(comparison.terms, cone, values).ReasonsFor(pair.differ);
+      const std::vector<terms::Reason> reasons =
+          terms::Justification(comparison.terms, cone, values).ReasonsFor(pair.differ);
       // Otherwise it is a run to be tried.
       if (!AreMadeUp(comparison.terms, reasons)) pair.result->verdict = PairVerdict::kDifferent;
       pair.result->run = RunOf(comparison, state, reasons, values);
@@ -271,25 +277,25 @@ class StateVariables {
  public:
   explicit StateVariables(Comparison& comparison) : terms_(comparison.terms) {
     for (const PairResult& result : comparison.results) {
-      const TermId initial = comparison.pairing.Initial(Which::kOld, result.old_cell);
-      const Term& term = terms_[initial];
-      const bool is_part = term.kind == TermKind::kExtract;
+      const terms::TermId initial = comparison.pairing.Initial(Which::kOld, result.old_cell);
+      const terms::Term& term = terms_[initial];
+      const bool is_part = term.kind == terms::TermKind::kExtract;
       parts_[is_part ? term.a : initial.index].push_back(
           {&result, is_part ? term.b : 0, is_part ? term.width : uint8_t{64}});
     }
   }
 
   /// The state in which a pair differs, as far as it matters.
-  Run StateOf(const std::vector<Reason>& reasons, const std::vector<uint64_t>& values) const {
+  Run StateOf(const std::vector<terms::Reason>& reasons, const std::vector<uint64_t>& values) const {
     Run run{.periods = {{}}, .from_state = true};
-    for (const Reason& reason : reasons) {
+    for (const terms::Reason& reason : reasons) {
       const auto parts = parts_.find(reason.term.index);
       if (parts == parts_.end()) continue;
       for (const auto& [result, low, width] : parts->second) {
-        if (Masked(reason.bits >> low, width) == 0) continue;
+        if (terms::Masked(reason.bits >> low, width) == 0) continue;
         run.periods[0].push_back({.old_cell = result->old_cell,
                                   .new_cell = result->new_cell,
-                                  .value = Masked(values[reason.term.index] >> low, width)});
+                                  .value = terms::Masked(values[reason.term.index] >> low, width)});
       }
     }
     std::ranges::sort(run.periods[0], {}, &SetCell::old_cell);
@@ -302,7 +308,7 @@ class StateVariables {
     uint32_t low;
     uint8_t width;
   };
-  const Terms& terms_;
+  const terms::Terms& terms_;
   std::unordered_map<uint32_t, std::vector<StatePart>> parts_;  // looked up only
 };
 
@@ -312,17 +318,17 @@ void TryRandomStates(Comparison& comparison, const std::vector<OpenPair>& pairs,
   constexpr int kStates = 64;
   constexpr size_t kMostFound = 300;  // more of them nobody reads
   size_t found = 0;
-  const std::vector<TermId> cone = ConeOf(comparison, pairs);
+  const std::vector<terms::TermId> cone = ConeOf(comparison, pairs);
   std::vector<uint64_t> values;
-  Random random(0x2545F4914F6CDD1D);
+  terms::Random random(0x2545F4914F6CDD1D);
   for (int state = 0; state < kStates && found < kMostFound && comparison.RestMs() > end_ms; ++state) {
     // Bits of every density: much of a machine is 0.
     const uint64_t density = uint64_t{8} << state % 5;
-    EvaluateCone(comparison.terms, cone, values, [&](TermId variable) {
+    EvaluateCone(comparison.terms, cone, values, [&](terms::TermId variable) {
       return comparison.terms.Width(variable) == 1 ? uint64_t{(random.Next() & 255) < density}
                                                    : random.Next() & random.Next();
     });
-    std::optional<Justification> why;
+    std::optional<terms::Justification> why;
     for (const OpenPair& pair : pairs) {
       if (pair.result->run || values[pair.differ.index] == 0 || found == kMostFound) continue;
       if (!why) why.emplace(comparison.terms, cone, values);
@@ -343,7 +349,8 @@ void SearchStates(Comparison& comparison) {
   std::vector<OpenPair> pairs;
   for (PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided || !result.changed_itself) continue;
-    const TermId differ = comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
+    const terms::TermId differ =
+        comparison.terms.Ne(comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell));
     if (!comparison.terms.IsFalse(differ)) pairs.push_back({&result, differ});
   }
   if (pairs.empty()) return;
@@ -359,13 +366,15 @@ void SearchStates(Comparison& comparison) {
   for (const OpenPair& pair : pairs) {
     if (pair.result->run || comparison.RestMs() <= end_ms) continue;
     const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
-    const Answer answer = comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
-    if (answer != Answer::kPossible) continue;
-    const std::vector<TermId> cone = ConeOf(comparison.terms, {&pair.differ, 1});
+    const solver::Answer answer =
+        comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+    if (answer != solver::Answer::kPossible) continue;
+    const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
     const std::vector<uint64_t> values = SolversValues(comparison, cone);
-    pair.result->run = variables.StateOf(Justification(comparison.terms, cone, values).ReasonsFor(pair.differ), values);
+    pair.result->run =
+        variables.StateOf(terms::Justification(comparison.terms, cone, values).ReasonsFor(pair.differ), values);
   }
   comparison.solver->Pop();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

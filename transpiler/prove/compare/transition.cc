@@ -2,31 +2,32 @@
 
 #include <algorithm>
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
-Transition RunRoutine(Terms& terms, const Version& version, ir::RoutineId routine, const Surroundings& surroundings,
-                      const std::function<TermId(CellId)>& stored = {}) {
+Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId routine,
+                      const PartEnvironment& environment,
+                      const std::function<terms::TermId(execute::CellId)>& stored = {}) {
   Transition transition;
-  Environment environment{.initial = surroundings.initial,
-                          .observe = {},
-                          .host_bit = surroundings.host_bit,
-                          .cut = surroundings.cut,
-                          .is_cut = surroundings.is_cut,
-                          .now = surroundings.now,
-                          .stored = stored,
-                          .host_answers = surroundings.answers == HostAnswers::kAny,
-                          .summarize_after = 16};
-  environment.observe = [&](Memory& memory, ir::HostFunctionId function, TermId when) {
+  execute::Environment execution{.initial = environment.initial,
+                                 .observe = {},
+                                 .host_bit = environment.host_bit,
+                                 .cut = environment.cut,
+                                 .is_cut = environment.is_cut,
+                                 .now = environment.now,
+                                 .stored = stored,
+                                 .host_answers = environment.answers == HostAnswers::kAny,
+                                 .summarize_after = 16};
+  execution.observe = [&](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
     Observation observation{.function = function, .when = when, .outputs = {}};
-    for (const CellId cell : surroundings.outputs) observation.outputs.push_back(memory.Read(cell));
+    for (const execute::CellId cell : environment.outputs) observation.outputs.push_back(memory.Read(cell));
     transition.observations.push_back(std::move(observation));
   };
-  Memory memory(terms, *version.program, version.cells, std::move(environment));
-  transition.refusal = Execute(memory, routine);
+  execute::Memory memory(terms, *version.program, version.cells, std::move(execution));
+  transition.refusal = execute::Execute(memory, routine);
   transition.next.resize(version.cells.count);
   for (uint32_t i = 0; i < version.cells.count; ++i) {
-    if (memory.IsWritten(CellId(i))) transition.next[i] = memory.Read(CellId(i));
+    if (memory.IsWritten(execute::CellId(i))) transition.next[i] = memory.Read(execute::CellId(i));
   }
   return transition;
 }
@@ -45,28 +46,28 @@ bool HasRetentiveMemory(const Version& version) {
                              [](const ir::Space& space) { return space.lifetime == ir::Lifetime::kRetentive; });
 }
 
-Transition RunPart(Terms& terms, const Version& version, Part part, const Surroundings& surroundings) {
+Transition RunPart(terms::Terms& terms, const Version& version, Part part, const PartEnvironment& environment) {
   const ir::Schedule& schedule = version.program->schedule;
-  return RunRoutine(terms, version, part == Part::kFast ? schedule.fast_only : schedule.period, surroundings);
+  return RunRoutine(terms, version, part == Part::kFast ? schedule.fast_only : schedule.period, environment);
 }
 
-Transition RunInit(Terms& terms, const Version& version, const Surroundings& surroundings) {
-  Surroundings at_power_on = surroundings;
-  at_power_on.initial = [&](CellId id) {
-    const Cell cell = CellAt(*version.program, version.cells, id);
+Transition RunInit(terms::Terms& terms, const Version& version, const PartEnvironment& environment) {
+  PartEnvironment at_power_on = environment;
+  at_power_on.initial = [&](execute::CellId id) {
+    const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
     switch (cell.kind) {
-      case CellKind::kCalls:
-        return surroundings.initial(id);
-      case CellKind::kField:
-        return terms.Const(0, CellWidth(*version.program, cell));
-      case CellKind::kBit:
+      case execute::CellKind::kCalls:
+        return environment.initial(id);
+      case execute::CellKind::kField:
+        return terms.Const(0, execute::CellWidth(*version.program, cell));
+      case execute::CellKind::kBit:
         break;
     }
     return terms.Bit(PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit));
   };
-  Transition transition = RunRoutine(terms, version, version.program->schedule.init, at_power_on, surroundings.initial);
+  Transition transition = RunRoutine(terms, version, version.program->schedule.init, at_power_on, environment.initial);
   for (uint32_t i = 0; i < version.cells.count; ++i) {
-    if (!transition.next[i].valid()) transition.next[i] = at_power_on.initial(CellId(i));
+    if (!transition.next[i].valid()) transition.next[i] = at_power_on.initial(execute::CellId(i));
   }
   // A period is one step here: what happens between two would be left out.
   if (version.program->schedule.elapses_every_ms && transition.refusal.empty())
@@ -74,4 +75,4 @@ Transition RunInit(Terms& terms, const Version& version, const Surroundings& sur
   return transition;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

@@ -8,17 +8,17 @@
 
 #include "transpiler/prove/compare/comparison.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compare {
 namespace {
 
 /// By old cell: the values that it gets, in their order.
-using Values = std::map<uint32_t, std::vector<TermId>>;
+using Values = std::map<uint32_t, std::vector<terms::TermId>>;
 
 }  // namespace
 
 bool SeparateWake(Comparison& comparison) {
   std::vector<bool> is_cut(comparison.old_version.cells.count);
-  std::vector<CellId> cells;  // old ones
+  std::vector<execute::CellId> cells;  // old ones
   for (const PairResult& result : comparison.results) {
     if (comparison.pairing.IsEqual(result.old_cell)) continue;
     is_cut[result.old_cell.index] = true;
@@ -26,27 +26,27 @@ bool SeparateWake(Comparison& comparison) {
   }
   if (cells.empty()) return true;
   comparison.Report("where the changes are");
-  for (const CellId cell : cells) comparison.pairing.Join(cell);
-  std::map<std::pair<uint32_t, size_t>, TermId> unknowns;
+  for (const execute::CellId cell : cells) comparison.pairing.Join(cell);
+  std::map<std::pair<uint32_t, size_t>, terms::TermId> unknowns;
   std::vector<bool> has_change(comparison.old_version.cells.count);
   bool executed = true;
   for (const Part part : {Part::kFast, Part::kPeriod}) {
     if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
     Values old_values, new_values;
-    const auto old_cell_of = [&](Which which, CellId cell) {
+    const auto old_cell_of = [&](Which which, execute::CellId cell) {
       return which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
     };
     Cut cut;
-    cut.is_cut = [&](Which which, CellId cell) {
-      const CellId old_cell = old_cell_of(which, cell);
+    cut.is_cut = [&](Which which, execute::CellId cell) {
+      const execute::CellId old_cell = old_cell_of(which, cell);
       return old_cell.valid() && is_cut[old_cell.index];
     };
-    cut.value = [&](Which which, CellId cell, TermId value) {
+    cut.value = [&](Which which, execute::CellId cell, terms::TermId value) {
       if (!cut.is_cut(which, cell)) return value;
-      const CellId old_cell = old_cell_of(which, cell);
-      std::vector<TermId>& values = (which == Which::kOld ? old_values : new_values)[old_cell.index];
+      const execute::CellId old_cell = old_cell_of(which, cell);
+      std::vector<terms::TermId>& values = (which == Which::kOld ? old_values : new_values)[old_cell.index];
       values.push_back(value);
-      TermId& unknown = unknowns[{old_cell.index, values.size()}];
+      terms::TermId& unknown = unknowns[{old_cell.index, values.size()}];
       if (!unknown.valid()) {
         unknown = comparison.terms.Variable(
             "value " + std::to_string(values.size()) + " of cell " + std::to_string(old_cell.index),
@@ -57,18 +57,18 @@ bool SeparateWake(Comparison& comparison) {
     executed = ExecutePart(comparison, part, HostAnswers::kAny, &cut);
     if (!executed) break;
     std::vector<Question> questions;
-    for (const CellId cell : cells) {
-      const std::vector<TermId>&one = old_values[cell.index], &other = new_values[cell.index];
+    for (const execute::CellId cell : cells) {
+      const std::vector<terms::TermId>&one = old_values[cell.index], &other = new_values[cell.index];
       if (one.size() != other.size()) has_change[cell.index] = true;
       for (size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
         if (one[k] != other[k]) questions.push_back({{one[k], other[k]}, comparison.result_of_old[cell.index]});
       }
     }
     AddObservations(comparison, questions);
-    const std::vector<Verdict> verdicts = Answers(comparison, questions);
+    const std::vector<solver::Verdict> verdicts = Answers(comparison, questions);
     for (size_t i = 0; i < questions.size(); ++i) {
       const PairResult& result = comparison.results[questions[i].result];
-      if (verdicts[i] != Verdict::kEqual) has_change[result.old_cell.index] = true;
+      if (verdicts[i] != solver::Verdict::kEqual) has_change[result.old_cell.index] = true;
     }
   }
   for (PairResult& result : comparison.results) {
@@ -79,4 +79,4 @@ bool SeparateWake(Comparison& comparison) {
   return executed;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compare

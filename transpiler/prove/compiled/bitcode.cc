@@ -7,7 +7,7 @@
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr int kCompilerSeconds = 600;
@@ -71,4 +71,4 @@ std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& req
   return bitcode;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -9,7 +9,7 @@
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/emit/cpp_printer.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 struct BitcodeRequest {
   const compile::Toolchain* toolchain = nullptr;         // a Clang
@@ -35,4 +35,4 @@ std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& req
 /// The Clang that plcxx verify takes when none is named.
 inline constexpr const char* kVerifyCompiler = "clang++-19";
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

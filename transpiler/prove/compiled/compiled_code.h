@@ -2,7 +2,7 @@
 // LLVM's bitcode (llvm_ir/, lib/plcxx_verify.so).
 //
 // An execution works on a row of slots: first the bytes of State, one term of 8 bits each; behind them as many more as
-// its surroundings ask for (what hosts have been told), of any width. Branches are joined with Ite, loops are unrolled
+// its environment ask for (what hosts have been told), of any width. Branches are joined with Ite, loops are unrolled
 // as far as they are not known to end, calls of defined functions are followed, others are the host's.
 // What the language leaves open (undef, poison, a shift by too much, a read outside of an object) is a variable that
 // nothing else depends on; what must not happen at all (division by zero, a write outside) is an Obligation.
@@ -20,7 +20,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// The slots on the path that executes.
 class CodeMemory {
@@ -29,23 +29,23 @@ class CodeMemory {
   CodeMemory(const CodeMemory&) = delete;
   CodeMemory& operator=(const CodeMemory&) = delete;
   virtual ~CodeMemory() = default;
-  virtual TermId Read(uint32_t slot) = 0;
-  virtual void Write(uint32_t slot, TermId value) = 0;
+  virtual terms::TermId Read(uint32_t slot) = 0;
+  virtual void Write(uint32_t slot, terms::TermId value) = 0;
   /// When execution comes here, as a term of width 1.
-  virtual TermId When() const = 0;
+  virtual terms::TermId When() const = 0;
   /// `never` (width 1) becomes an Obligation of the execution: where it comes here, it must be 0.
-  virtual void Require(TermId never, const char* text) = 0;
+  virtual void Require(terms::TermId never, const char* text) = 0;
 };
 
 struct HostArgument {
   enum class Kind : uint8_t { kValue, kHost, kMemory, kUnknownPointer };
   Kind kind = Kind::kValue;
-  TermId value;           // kValue
+  terms::TermId value;    // kValue
   uint32_t slot = 0;      // kMemory: where the bytes begin that it points to
   std::string_view name;  // of the function's parameter; empty: it has none there
 };
 
-/// A call that the surroundings answer: of a function that the code declares and does not define, or that they replace.
+/// A call that the environment answer: of a function that the code declares and does not define, or that they replace.
 struct HostRequest {
   std::string_view function;  // as the source calls it: "lathe::fault"
   std::span<const HostArgument> arguments;
@@ -62,34 +62,34 @@ struct CodeLoop {
   };
   std::span<const Item> items;
   struct Head {
-    TermId when;                 // execution comes here
-    std::vector<TermId> values;  // of the items
+    terms::TermId when;                 // execution comes here
+    std::vector<terms::TermId> values;  // of the items
   };
   Head entry;
   std::vector<Head> samples;
 };
 
-class CodeSurroundings {
+class CodeEnvironment {
  public:
-  CodeSurroundings() = default;
-  CodeSurroundings(const CodeSurroundings&) = delete;
-  CodeSurroundings& operator=(const CodeSurroundings&) = delete;
-  virtual ~CodeSurroundings() = default;
+  CodeEnvironment() = default;
+  CodeEnvironment(const CodeEnvironment&) = delete;
+  CodeEnvironment& operator=(const CodeEnvironment&) = delete;
+  virtual ~CodeEnvironment() = default;
   /// What a slot holds before anything wrote it; asked once.
-  virtual TermId Initial(uint32_t slot) = 0;
+  virtual terms::TermId Initial(uint32_t slot) = 0;
   /// Whether calls of a function that the code defines come to CallHost, too, instead of being followed.
   virtual bool Replaces(std::string_view) const { return false; }
   /// Does what the host does to `memory`, and gives its result. A reason in `refusal` ends the execution.
-  virtual TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) = 0;
+  virtual terms::TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) = 0;
 
   /// A loop begins that is not unrolled; loops inside it are opened and closed before it is closed.
   virtual void OpenLoop() {}
   /// What its items are at the head of any round. Asked again with more items where the round changes others.
-  virtual std::vector<TermId> AtHead(const CodeLoop&) { return {}; }
+  virtual std::vector<terms::TermId> AtHead(const CodeLoop&) { return {}; }
   /// `again`: since the head, whether another round follows, and the items then.
-  virtual void CloseLoop(TermId /*again*/, std::span<const TermId> /*values*/) {}
+  virtual void CloseLoop(terms::TermId /*again*/, std::span<const terms::TermId> /*values*/) {}
   /// What may be taken for granted of loops that have ended; none: nothing.
-  virtual TermId Given() { return {}; }
+  virtual terms::TermId Given() { return {}; }
 };
 
 /// One argument of a function as the source declares it.
@@ -97,7 +97,7 @@ struct CodeArgument {
   enum class Kind : uint8_t { kState, kHost, kValue, kMemory };
   Kind kind = Kind::kValue;
   std::string name;              // of the parameter
-  TermId value;                  // kValue
+  terms::TermId value;           // kValue
   uint32_t slot = 0, bytes = 0;  // kMemory: a variable of the caller's, by reference
 };
 
@@ -134,18 +134,18 @@ struct CodeRun {
 
 /// A condition of width 1 that no state and input may make 1.
 struct Obligation {
-  TermId never;
-  std::string text;  // "a division by zero"
-  TermId given;      // of loops, CodeSurroundings::Given(); may be none
+  terms::TermId never;
+  std::string text;     // "a division by zero"
+  terms::TermId given;  // of loops, CodeEnvironment::Given(); may be none
 };
 
 struct CodeOutcome {
-  std::string refusal;        // why it was given up, with the instruction's name; empty: it was not
-  std::vector<TermId> slots;  // after it
-  TermId result;              // none when the function has none
+  std::string refusal;               // why it was given up, with the instruction's name; empty: it was not
+  std::vector<terms::TermId> slots;  // after it
+  terms::TermId result;              // none when the function has none
   std::vector<Obligation> obligations;
   uint64_t instructions = 0;  // executed, loops and calls as often as they were
-  TermId left_out;            // when a loop would have gone round more often
+  terms::TermId left_out;     // when a loop would have gone round more often
 };
 
 class CompiledCode {
@@ -154,7 +154,7 @@ class CompiledCode {
   CompiledCode(const CompiledCode&) = delete;
   CompiledCode& operator=(const CompiledCode&) = delete;
   virtual ~CompiledCode() = default;
-  virtual CodeOutcome Execute(Terms& terms, CodeSurroundings& surroundings, const CodeRun& run) = 0;
+  virtual CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) = 0;
   /// The names of the parameters that a function has after compilation (of one without name, empty); none: the code
   /// has no such function.
   virtual std::optional<std::vector<std::string>> Parameters(const std::string& function) const = 0;
@@ -173,4 +173,4 @@ using ReadCodeFunction = CompiledCode*(std::span<const std::string> bitcode, std
 inline constexpr const char* kVerifyModule = "plcxx_verify.so";
 inline constexpr const char* kReadCode = "plcxx_read_code";
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr size_t kMostCases = 16;
@@ -45,4 +45,4 @@ std::vector<ArgumentCase> ArgumentCases(const ir::Program& program, const Unit& 
   return distinct;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

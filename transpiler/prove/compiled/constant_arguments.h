@@ -12,7 +12,7 @@
 #include "transpiler/ir/program.h"
 #include "transpiler/prove/compiled/units.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// One value for each of Unit::values; none: any.
 using ArgumentCase = std::vector<std::optional<uint64_t>>;
@@ -20,4 +20,4 @@ using ArgumentCase = std::vector<std::optional<uint64_t>>;
 /// At least one case, in the order of the calls; one of unknowns alone where the cases would be many.
 std::vector<ArgumentCase> ArgumentCases(const ir::Program& program, const Unit& unit);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

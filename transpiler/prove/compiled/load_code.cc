@@ -1,7 +1,7 @@
 #include "transpiler/prove/compiled/compiled_code.h"
 #include "transpiler/support/module.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 LoadedCode LoadCode(std::span<const std::string> bitcode) {
   const support::ModuleFunction function = support::LoadFunction(kVerifyModule, kReadCode);
@@ -12,4 +12,4 @@ LoadedCode LoadCode(std::span<const std::string> bitcode) {
   return loaded;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -15,11 +15,12 @@
 #include "transpiler/prove/solver/sweep.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// `a` of all pairs is one side, `b` the other. Ends after about so many milliseconds. `solver` assumes nothing: what
 /// it says of one term is taken for every term of the same form.
-std::vector<TermPair> MakeAlike(Terms& terms, Solver& solver, std::span<const TermPair> pairs, uint64_t milliseconds,
-                                AnsweredForms& answered);
+std::vector<solver::TermPair> MakeAlike(terms::Terms& terms, solver::Solver& solver,
+                                        std::span<const solver::TermPair> pairs, uint64_t milliseconds,
+                                        solver::AnsweredForms& answered);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -8,53 +8,53 @@
 
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr size_t kMostLeaves = 24;
 
 /// What a condition is made of: comparisons and bits, in the order of their making.
-std::vector<TermId> LeavesOf(const Terms& terms, TermId condition) {
+std::vector<terms::TermId> LeavesOf(const terms::Terms& terms, terms::TermId condition) {
   std::vector<bool> seen(terms.size());
-  std::vector<TermId> open = {condition}, leaves;
+  std::vector<terms::TermId> open = {condition}, leaves;
   while (!open.empty()) {
-    const TermId id = open.back();
+    const terms::TermId id = open.back();
     open.pop_back();
     if (seen[id.index] || terms.IsConst(id)) continue;
     seen[id.index] = true;
     bool joins = false;
     switch (terms[id].kind) {
-      case TermKind::kNot:
-      case TermKind::kAnd:
-      case TermKind::kOr:
-      case TermKind::kXor:
-      case TermKind::kIte:
+      case terms::TermKind::kNot:
+      case terms::TermKind::kAnd:
+      case terms::TermKind::kOr:
+      case terms::TermKind::kXor:
+      case terms::TermKind::kIte:
         joins = true;
         break;
-      case TermKind::kEq:
-        joins = terms.Width(TermId(terms[id].a)) == 1;
+      case terms::TermKind::kEq:
+        joins = terms.Width(terms::TermId(terms[id].a)) == 1;
         break;
-      case TermKind::kConst:
-      case TermKind::kVariable:
-      case TermKind::kAdd:
-      case TermKind::kSub:
-      case TermKind::kMul:
-      case TermKind::kUdiv:
-      case TermKind::kUrem:
-      case TermKind::kSdiv:
-      case TermKind::kSrem:
-      case TermKind::kShl:
-      case TermKind::kLshr:
-      case TermKind::kAshr:
-      case TermKind::kUlt:
-      case TermKind::kSlt:
-      case TermKind::kConcat:
-      case TermKind::kExtract:
-      case TermKind::kApply:
+      case terms::TermKind::kConst:
+      case terms::TermKind::kVariable:
+      case terms::TermKind::kAdd:
+      case terms::TermKind::kSub:
+      case terms::TermKind::kMul:
+      case terms::TermKind::kUdiv:
+      case terms::TermKind::kUrem:
+      case terms::TermKind::kSdiv:
+      case terms::TermKind::kSrem:
+      case terms::TermKind::kShl:
+      case terms::TermKind::kLshr:
+      case terms::TermKind::kAshr:
+      case terms::TermKind::kUlt:
+      case terms::TermKind::kSlt:
+      case terms::TermKind::kConcat:
+      case terms::TermKind::kExtract:
+      case terms::TermKind::kApply:
         break;
     }
     if (joins) {
-      terms.ForEachOperand(terms[id], [&open](TermId operand) { open.push_back(operand); });
+      terms.ForEachOperand(terms[id], [&open](terms::TermId operand) { open.push_back(operand); });
     } else {
       leaves.push_back(id);
     }
@@ -69,18 +69,18 @@ uint64_t Mixed(uint64_t hash, uint64_t value) {
 }
 
 /// By what the terms say, not by their numbers.
-uint64_t HashOf(const Terms& terms, TermId root) {
+uint64_t HashOf(const terms::Terms& terms, terms::TermId root) {
   std::unordered_map<uint32_t, uint64_t> hashes;  // looked up only
-  for (const TermId id : ConeOf(terms, {&root, 1})) {
-    const Term& term = terms[id];
+  for (const terms::TermId id : terms::ConeOf(terms, {&root, 1})) {
+    const terms::Term& term = terms[id];
     uint64_t hash = Mixed(static_cast<uint64_t>(term.kind), term.width);
-    if (term.kind == TermKind::kConst) hash = Mixed(hash, terms.Value(id));
-    if (term.kind == TermKind::kExtract) hash = Mixed(hash, term.b);
+    if (term.kind == terms::TermKind::kConst) hash = Mixed(hash, terms.Value(id));
+    if (term.kind == terms::TermKind::kExtract) hash = Mixed(hash, term.b);
     std::string_view name;
-    if (term.kind == TermKind::kVariable) name = terms.VariableName(term.a);
-    if (term.kind == TermKind::kApply) name = terms.Info(FunctionId(term.a)).name;
+    if (term.kind == terms::TermKind::kVariable) name = terms.VariableName(term.a);
+    if (term.kind == terms::TermKind::kApply) name = terms.Info(terms::FunctionId(term.a)).name;
     for (const char c : name) hash = Mixed(hash, static_cast<unsigned char>(c));
-    terms.ForEachOperand(term, [&](TermId operand) { hash = Mixed(hash, hashes.at(operand.index)); });
+    terms.ForEachOperand(term, [&](terms::TermId operand) { hash = Mixed(hash, hashes.at(operand.index)); });
     hashes.emplace(id.index, hash);
   }
   return hashes.at(root.index);
@@ -88,50 +88,52 @@ uint64_t HashOf(const Terms& terms, TermId root) {
 
 class Facts {
  public:
-  Facts(Terms& terms, TermId round, TermId later, const std::function<TermId(TermId)>& at_entry)
+  Facts(terms::Terms& terms, terms::TermId round, terms::TermId later,
+        const std::function<terms::TermId(terms::TermId)>& at_entry)
       : terms_(terms), round_(round), at_entry_(at_entry), first_(terms.Not(later)) {
     Add(terms_.Eq(first_, terms_.Eq(round_, terms_.Const(0, terms_.Width(round_)))));
   }
 
-  void AddLeaf(TermId leaf);
+  void AddLeaf(terms::TermId leaf);
   std::vector<FactCandidate> Take() { return std::move(found_); }
 
  private:
-  void Add(TermId fact);
-  void AddDistance(TermId distance);
+  void Add(terms::TermId fact);
+  void AddDistance(terms::TermId distance);
 
-  Terms& terms_;
-  TermId round_;
-  const std::function<TermId(TermId)>& at_entry_;
-  TermId first_;
+  terms::Terms& terms_;
+  terms::TermId round_;
+  const std::function<terms::TermId(terms::TermId)>& at_entry_;
+  terms::TermId first_;
   std::vector<FactCandidate> found_;
 };
 
-void Facts::Add(TermId fact) {
+void Facts::Add(terms::TermId fact) {
   const bool there = std::ranges::any_of(found_, [fact](const FactCandidate& one) { return one.always == fact; });
   if (terms_.IsConst(fact) || there) return;
   found_.push_back({.always = fact, .later = terms_.Or(first_, fact), .key = std::to_string(HashOf(terms_, fact))});
 }
 
 /// What is left becomes less, by 1 each round where it does so evenly, and does not begin anew behind 0.
-void Facts::AddDistance(TermId distance) {
-  const TermId before = at_entry_(distance);
+void Facts::AddDistance(terms::TermId distance) {
+  const terms::TermId before = at_entry_(distance);
   if (before == distance) return;
   Add(terms_.Ule(distance, before));
   const uint8_t width = terms_.Width(round_);
   if (terms_.Width(distance) >= width) return;
-  const TermId now = terms_.Zext(distance, width), then = terms_.Zext(before, width);
+  const terms::TermId now = terms_.Zext(distance, width), then = terms_.Zext(before, width);
   Add(terms_.Eq(terms_.Add(now, round_), then));
 }
 
 /// What a comparison says, weakly and strongly, in both directions.
-void Facts::AddLeaf(TermId leaf) {
+void Facts::AddLeaf(terms::TermId leaf) {
   Add(leaf);
   Add(terms_.Not(leaf));
-  const Term term = terms_[leaf];
-  if (term.kind != TermKind::kUlt && term.kind != TermKind::kSlt && term.kind != TermKind::kEq) return;
-  const TermId a(term.a), b(term.b);
-  const bool is_signed = term.kind == TermKind::kSlt;
+  const terms::Term term = terms_[leaf];
+  if (term.kind != terms::TermKind::kUlt && term.kind != terms::TermKind::kSlt && term.kind != terms::TermKind::kEq)
+    return;
+  const terms::TermId a(term.a), b(term.b);
+  const bool is_signed = term.kind == terms::TermKind::kSlt;
   Add(is_signed ? terms_.Sle(a, b) : terms_.Ule(a, b));
   Add(is_signed ? terms_.Sle(b, a) : terms_.Ule(b, a));
   AddDistance(terms_.Sub(a, b));
@@ -140,15 +142,16 @@ void Facts::AddLeaf(TermId leaf) {
 
 }  // namespace
 
-std::vector<FactCandidate> FactsFrom(Terms& terms, TermId again, TermId round, TermId later,
-                                     const std::function<bool(TermId variable)>& is_known,
-                                     const std::function<TermId(TermId term)>& at_entry) {
+std::vector<FactCandidate> FactsFrom(terms::Terms& terms, terms::TermId again, terms::TermId round, terms::TermId later,
+                                     const std::function<bool(terms::TermId variable)>& is_known,
+                                     const std::function<terms::TermId(terms::TermId term)>& at_entry) {
   Facts facts(terms, round, later, at_entry);
   size_t used = 0;
-  for (const TermId leaf : LeavesOf(terms, again)) {
+  for (const terms::TermId leaf : LeavesOf(terms, again)) {
     if (used == kMostLeaves) break;
-    const bool known = std::ranges::all_of(
-        ConeOf(terms, {&leaf, 1}), [&](TermId id) { return terms[id].kind != TermKind::kVariable || is_known(id); });
+    const bool known = std::ranges::all_of(terms::ConeOf(terms, {&leaf, 1}), [&](terms::TermId id) {
+      return terms[id].kind != terms::TermKind::kVariable || is_known(id);
+    });
     if (!known) continue;
     ++used;
     facts.AddLeaf(leaf);
@@ -156,4 +159,4 @@ std::vector<FactCandidate> FactsFrom(Terms& terms, TermId again, TermId round, T
   return facts.Take();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

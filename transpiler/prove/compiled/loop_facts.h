@@ -12,17 +12,17 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 struct FactCandidate {
-  TermId always, later;  // width 1; `later`: where a round was before
-  std::string key;       // the same in each execution of the same program
+  terms::TermId always, later;  // width 1; `later`: where a round was before
+  std::string key;              // the same in each execution of the same program
 };
 
 /// `later`: whether a round was before, which `round` does not tell where it begins anew. `is_known`: whether a
 /// variable has its value at the head already; `at_entry`: a term over the head, over the entry.
-std::vector<FactCandidate> FactsFrom(Terms& terms, TermId again, TermId round, TermId later,
-                                     const std::function<bool(TermId variable)>& is_known,
-                                     const std::function<TermId(TermId term)>& at_entry);
+std::vector<FactCandidate> FactsFrom(terms::Terms& terms, terms::TermId again, terms::TermId round, terms::TermId later,
+                                     const std::function<bool(terms::TermId variable)>& is_known,
+                                     const std::function<terms::TermId(terms::TermId term)>& at_entry);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

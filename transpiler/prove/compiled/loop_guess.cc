@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr size_t kMostGuesses = 12;
@@ -22,20 +22,22 @@ std::vector<Form> FormsOf(const SampledValue& word, size_t number, uint8_t width
   std::vector<Form> forms;
   const auto add = [&](Guess term, auto&& value) {
     Form form{.term = std::move(term), .values = {}};
-    for (const uint64_t one : word.values) form.values.push_back(Masked(value(one), width));
+    for (const uint64_t one : word.values) form.values.push_back(terms::Masked(value(one), width));
     forms.push_back(std::move(form));
   };
   if (word.width <= width) {
-    add([number, width](Terms& terms, std::span<const TermId> words) { return terms.Zext(words[number], width); },
+    add([number, width](terms::Terms& terms,
+                        std::span<const terms::TermId> words) { return terms.Zext(words[number], width); },
         [](uint64_t value) { return value; });
   }
   if (word.width < width) {
-    add([number, width](Terms& terms, std::span<const TermId> words) { return terms.Sext(words[number], width); },
-        [&](uint64_t value) { return static_cast<uint64_t>(AsSigned(value, word.width)); });
+    add([number, width](terms::Terms& terms,
+                        std::span<const terms::TermId> words) { return terms.Sext(words[number], width); },
+        [&](uint64_t value) { return static_cast<uint64_t>(terms::AsSigned(value, word.width)); });
   }
   for (uint8_t low = 0; word.width > width && low + width <= word.width; low = static_cast<uint8_t>(low + 8)) {
-    add([number, low, width](Terms& terms,
-                             std::span<const TermId> words) { return terms.Extract(words[number], low, width); },
+    add([number, low, width](terms::Terms& terms,
+                             std::span<const terms::TermId> words) { return terms.Extract(words[number], low, width); },
         [low](uint64_t value) { return value >> low; });
   }
   return forms;
@@ -43,7 +45,7 @@ std::vector<Form> FormsOf(const SampledValue& word, size_t number, uint8_t width
 
 class Guesser {
  public:
-  Guesser(const SampledValue& item, TermId at_entry, const SampledLoop& loop)
+  Guesser(const SampledValue& item, terms::TermId at_entry, const SampledLoop& loop)
       : item_(item), at_entry_(at_entry), loop_(loop), count_(item.values.size()) {}
 
   std::vector<RatedGuess> Run();
@@ -53,7 +55,7 @@ class Guesser {
   enum class Of : uint8_t { kAll, kLater };
   void Try(Of of);
   bool IsAsked(size_t sample) const { return of_ == Of::kAll || loop_.entries[sample] != sample; }
-  uint64_t Bits(uint64_t value) const { return Masked(value, item_.width); }
+  uint64_t Bits(uint64_t value) const { return terms::Masked(value, item_.width); }
   /// Whether all samples satisfy it.
   template <class Test>
   bool All(Test&& test) const {
@@ -71,7 +73,7 @@ class Guesser {
   void TryScaled(const Form& form);
 
   const SampledValue& item_;
-  TermId at_entry_;
+  terms::TermId at_entry_;
   const SampledLoop& loop_;
   size_t count_;
   Of of_ = Of::kAll;
@@ -80,10 +82,10 @@ class Guesser {
 };
 
 Guess Guesser::BehindEntry(Guess guess) const {
-  return
-      [guess = std::move(guess), entry = at_entry_, later = loop_.later](Terms& terms, std::span<const TermId> words) {
-        return terms.Ite(words[later], guess(terms, words), entry);
-      };
+  return [guess = std::move(guess), entry = at_entry_, later = loop_.later](terms::Terms& terms,
+                                                                            std::span<const terms::TermId> words) {
+    return terms.Ite(words[later], guess(terms, words), entry);
+  };
 }
 
 void Guesser::TryApart(const Form& form) {
@@ -91,11 +93,11 @@ void Guesser::TryApart(const Form& form) {
   const uint64_t apart = Bits(item_.values[base_] - form.values[base_]),
                  sum = Bits(item_.values[base_] + form.values[base_]);
   if (All([&](size_t i) { return Bits(item_.values[i] - form.values[i]) == apart; })) {
-    Add(kApart, [term = form.term, apart, width](Terms& terms, std::span<const TermId> words) {
+    Add(kApart, [term = form.term, apart, width](terms::Terms& terms, std::span<const terms::TermId> words) {
       return terms.Add(term(terms, words), terms.Const(apart, width));
     });
   } else if (All([&](size_t i) { return Bits(item_.values[i] + form.values[i]) == sum; })) {
-    Add(kApart, [term = form.term, sum, width](Terms& terms, std::span<const TermId> words) {
+    Add(kApart, [term = form.term, sum, width](terms::Terms& terms, std::span<const terms::TermId> words) {
       return terms.Sub(terms.Const(sum, width), term(terms, words));
     });
   }
@@ -113,11 +115,12 @@ void Guesser::TryMasked(const Form& form) {
   if ((changes & ~differs) == 0) return;
   if ((differs & varies) == 0) {
     const uint64_t fixed = item_.values[0] & differs;
-    Add(kMasked, [term = form.term, differs, fixed, width](Terms& terms, std::span<const TermId> words) {
+    Add(kMasked, [term = form.term, differs, fixed, width](terms::Terms& terms, std::span<const terms::TermId> words) {
       return terms.Or(terms.And(term(terms, words), terms.Const(~differs, width)), terms.Const(fixed, width));
     });
   } else if ((differs & changes) == 0) {
-    Add(kMasked, [term = form.term, differs, entry = at_entry_, width](Terms& terms, std::span<const TermId> words) {
+    Add(kMasked, [term = form.term, differs, entry = at_entry_, width](terms::Terms& terms,
+                                                                       std::span<const terms::TermId> words) {
       return terms.Or(terms.And(term(terms, words), terms.Const(~differs, width)),
                       terms.And(entry, terms.Const(differs, width)));
     });
@@ -137,9 +140,9 @@ void Guesser::TryScaled(const Form& form) {
   if (step == 0 || !All([&](size_t i) { return Bits(item_.values[i] - AtEntry(i)) == Bits(step * changed(i)); }))
     return;
   Add(step == 1 ? kApartSinceEntry : kScaled,
-      [term = form.term, step, width, entry = at_entry_, before = loop_.words_at_entry](Terms& terms,
-                                                                                        std::span<const TermId> words) {
-        const TermId since = terms.Sub(term(terms, words), term(terms, *before));
+      [term = form.term, step, width, entry = at_entry_, before = loop_.words_at_entry](
+          terms::Terms& terms, std::span<const terms::TermId> words) {
+        const terms::TermId since = terms.Sub(term(terms, words), term(terms, *before));
         return terms.Add(entry, terms.Mul(terms.Const(step, width), since));
       });
 }
@@ -161,11 +164,10 @@ void Guesser::Try(Of of) {
   while (base_ < count_ && !IsAsked(base_)) ++base_;
   if (base_ == count_) return;
   if (All([&](size_t i) { return item_.values[i] == item_.values[base_]; })) {
-    Add(kFixed, [value = item_.values[base_], width = item_.width](Terms& terms, std::span<const TermId>) {
-      return terms.Const(value, width);
-    });
+    Add(kFixed, [value = item_.values[base_], width = item_.width](
+                    terms::Terms& terms, std::span<const terms::TermId>) { return terms.Const(value, width); });
   } else if (of == Of::kAll && All([&](size_t i) { return item_.values[i] == AtEntry(i); })) {
-    Add(kFixed, [entry = at_entry_](Terms&, std::span<const TermId>) { return entry; });
+    Add(kFixed, [entry = at_entry_](terms::Terms&, std::span<const terms::TermId>) { return entry; });
   }
   for (size_t number = 0; number < loop_.words.size(); ++number) {
     for (const Form& form : FormsOf(loop_.words[number], number, item_.width)) TryForm(form);
@@ -195,8 +197,8 @@ std::vector<RatedGuess> Guesser::Run() {
 
 }  // namespace
 
-std::vector<RatedGuess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop) {
+std::vector<RatedGuess> GuessesFor(const SampledValue& item, terms::TermId at_entry, const SampledLoop& loop) {
   return Guesser(item, at_entry, loop).Run();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -13,10 +13,10 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// A term for given values of the words.
-using Guess = std::function<TermId(Terms& terms, std::span<const TermId> words)>;
+using Guess = std::function<terms::TermId(terms::Terms& terms, std::span<const terms::TermId> words)>;
 
 struct SampledValue {
   uint8_t width = 1;
@@ -25,7 +25,7 @@ struct SampledValue {
 
 struct SampledLoop {
   std::vector<SampledValue> words;
-  std::shared_ptr<const std::vector<TermId>> words_at_entry;
+  std::shared_ptr<const std::vector<terms::TermId>> words_at_entry;
   std::vector<uint32_t> entries;  // by sample: the one of the entry before it; of an entry itself
   size_t later = 0;               // the word, of width 1, that says that some round was before
 };
@@ -35,6 +35,6 @@ struct RatedGuess {
   bool is_fixed = false;  // over no word: nothing was seen to move it
 };
 
-std::vector<RatedGuess> GuessesFor(const SampledValue& item, TermId at_entry, const SampledLoop& loop);
+std::vector<RatedGuess> GuessesFor(const SampledValue& item, terms::TermId at_entry, const SampledLoop& loop);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -29,7 +29,7 @@
 #include "transpiler/prove/execute/loop_heads.h"
 #include "transpiler/prove/solver/sweep.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// How many guesses have been dropped, by what is guessed.
 using DroppedGuesses = std::map<std::string, uint32_t>;
@@ -45,35 +45,36 @@ enum class Blame : uint8_t {
 };
 
 struct LoopClaim {
-  std::string what;   // "loop 1, for.body: DB24"
-  std::string guess;  // of which it is; empty: of none, it must hold
-  Blame blame{};      // of the guess
-  TermId given;       // width 1: it is claimed where this holds
-  TermPair pair;
+  std::string what;     // "loop 1, for.body: DB24"
+  std::string guess;    // of which it is; empty: of none, it must hold
+  Blame blame{};        // of the guess
+  terms::TermId given;  // width 1: it is claimed where this holds
+  solver::TermPair pair;
 };
 
-class LoopRelation : public LoopHeads {
+class LoopRelation : public execute::LoopHeads {
  public:
   /// `initial`: of a cell that nothing has written.
-  LoopRelation(Terms& terms, const emit::Emittable& emittable, const Cells& cells, const StateImage& image,
-               std::function<TermId(CellId)> initial, const DroppedGuesses& dropped);
+  LoopRelation(terms::Terms& terms, const emit::Emittable& emittable, const execute::Cells& cells,
+               const StateImage& image, std::function<terms::TermId(execute::CellId)> initial,
+               const DroppedGuesses& dropped);
 
   // Of the program.
   void Open() override;
-  ProgramLoop::Head AtHead(const ProgramLoop& loop) override;
-  void Holds(TermId condition) override;
-  void Close(TermId again, std::span<const TermId> values) override;
+  execute::ProgramLoop::Head AtHead(const execute::ProgramLoop& loop) override;
+  void Holds(terms::TermId condition) override;
+  void Close(terms::TermId again, std::span<const terms::TermId> values) override;
 
   // Of the code.
   void OpenInCode();
   /// Empty: the program has no such loop.
-  std::vector<TermId> AtHeadInCode(const CodeLoop& loop);
-  void CloseInCode(TermId again, std::span<const TermId> values);
+  std::vector<terms::TermId> AtHeadInCode(const CodeLoop& loop);
+  void CloseInCode(terms::TermId again, std::span<const terms::TermId> values);
 
   /// What holds behind the loops that the code has left so far.
-  TermId given_in_code() const { return given_in_code_; }
+  terms::TermId given_in_code() const { return given_in_code_; }
   /// Behind all of them.
-  TermId Given() { return terms_.And(given_, given_in_code_); }
+  terms::TermId Given() { return terms_.And(given_, given_in_code_); }
   const std::vector<LoopClaim>& claims() const { return claims_; }
   /// Whether a loop of the code was not unrolled.
   bool has_code() const { return next_in_code_ != 0; }
@@ -94,17 +95,17 @@ class LoopRelation : public LoopHeads {
     std::string key;
   };
   struct OfProgram {
-    ProgramLoop known;
+    execute::ProgramLoop known;
     std::vector<Word> words;
     std::vector<std::pair<uint32_t, uint8_t>> places;  // by index of a cell: its word, and bit of it
     std::vector<WordGuess> guesses;                    // by word
     std::vector<size_t> others;                        // words that guesses of later ones are over
-    std::vector<TermId> any;                           // by word: its variable at the head; none: it is a guess
-    ProgramLoop::Head head, next;
-    TermId later;             // at its head: some round was before
-    TermId facts;             // a variable until it is closed: what is no equality and holds at its head
+    std::vector<terms::TermId> any;                    // by word: its variable at the head; none: it is a guess
+    execute::ProgramLoop::Head head, next;
+    terms::TermId later;      // at its head: some round was before
+    terms::TermId facts;      // a variable until it is closed: what is no equality and holds at its head
     uint32_t first_term = 0;  // that is made behind its head
-    TermId given_before, given_inside, again, holds;
+    terms::TermId given_before, given_inside, again, holds;
     size_t claims = 0;  // before it
   };
   struct OfCode {
@@ -113,53 +114,54 @@ class LoopRelation : public LoopHeads {
     std::vector<std::string> items, keys;
     std::vector<Guess> guesses;  // by item; none: it is any value
     std::vector<Blame> blames;   // by item
-    TermId when, given_before;
+    terms::TermId when, given_before;
     size_t claims = 0;
   };
 
-  TermId Implies(TermId a, TermId b) { return terms_.Or(terms_.Not(a), b); }
+  terms::TermId Implies(terms::TermId a, terms::TermId b) { return terms_.Or(terms_.Not(a), b); }
   void MakeWords(OfProgram& loop);
   void AddWord(OfProgram& loop, std::string name, std::vector<size_t> cells);
   /// The words, the number of rounds, and whether there was one.
-  std::vector<TermId> WordsAt(const OfProgram& loop, const ProgramLoop::Head& head);
+  std::vector<terms::TermId> WordsAt(const OfProgram& loop, const execute::ProgramLoop::Head& head);
   void GuessWords(OfProgram& loop, const std::string& prefix);
   static Guess FixedBits(const SampledValue& sampled);
-  TermId LaterAt(const OfProgram& loop, const ProgramLoop::Head& head);
+  terms::TermId LaterAt(const OfProgram& loop, const execute::ProgramLoop::Head& head);
   /// `others`: the number of rounds, whether there was one, then OfProgram::others.
-  TermId Apply(const WordGuess& guess, TermId word, std::span<const TermId> others);
-  std::vector<TermId> OthersOf(const OfProgram& loop, std::span<const TermId> words);
+  terms::TermId Apply(const WordGuess& guess, terms::TermId word, std::span<const terms::TermId> others);
+  std::vector<terms::TermId> OthersOf(const OfProgram& loop, std::span<const terms::TermId> words);
   /// What the variables of a head are at another one.
-  Replacements HeadAt(const OfProgram& loop, const ProgramLoop::Head& head);
+  Replacements HeadAt(const OfProgram& loop, const execute::ProgramLoop::Head& head);
   /// Those that are claimed, as one term.
-  TermId ClaimFacts(const OfProgram& loop, size_t number);
+  terms::TermId ClaimFacts(const OfProgram& loop, size_t number);
   /// From the condition under which the loop goes round again, as it is over one head and, where it is tested behind
   /// what the round writes, over the next one.
   std::vector<FactCandidate> FactsOf(const OfProgram& loop);
-  std::vector<TermId> FactsOnSamples(const OfProgram& loop, const std::string& prefix, std::vector<std::string>& keys);
-  void ClaimWords(const OfProgram& loop, const std::string& where, Blame blame, TermId given,
-                  const ProgramLoop::Head& head);
+  std::vector<terms::TermId> FactsOnSamples(const OfProgram& loop, const std::string& prefix,
+                                            std::vector<std::string>& keys);
+  void ClaimWords(const OfProgram& loop, const std::string& where, Blame blame, terms::TermId given,
+                  const execute::ProgramLoop::Head& head);
   /// A byte of State, or what a host function was told, as the program's cells say; none: the loop does not write them.
   Guess OwnCells(const OfProgram& loop, uint32_t slot);
   /// Of the items of `code`, to `open`.
   void Choose(const OfProgram& loop, const CodeLoop& code, OfCode& open);
   uint32_t Dropped(const std::string& key) const;
   std::string NameOf(const CodeLoop::Item& item) const;
-  void Claim(std::string what, std::string guess, Blame blame, TermId given, TermId a, TermId b);
+  void Claim(std::string what, std::string guess, Blame blame, terms::TermId given, terms::TermId a, terms::TermId b);
 
-  Terms& terms_;
+  terms::Terms& terms_;
   const emit::Emittable& emittable_;
   const ir::Program& program_;
-  const Cells& cells_;
+  const execute::Cells& cells_;
   const StateImage& image_;
-  std::function<TermId(CellId)> initial_;
+  std::function<terms::TermId(execute::CellId)> initial_;
   const DroppedGuesses& dropped_;
   std::vector<std::unique_ptr<OfProgram>> loops_;
   std::vector<size_t> open_;  // of the program's
-  TermId given_;
+  terms::TermId given_;
   std::vector<OfCode> open_in_code_;
   size_t next_in_code_ = 0;
-  TermId given_in_code_;
+  terms::TermId given_in_code_;
   std::vector<LoopClaim> claims_;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -6,7 +6,7 @@
 
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr uint8_t kHashWidth = 32;
@@ -14,15 +14,15 @@ constexpr const char* kNoBit = "a byte that holds a bit and is neither 0 nor 1 a
 
 uint8_t BytesFor(uint8_t width) { return static_cast<uint8_t>((width + 7) / 8); }
 
-TermId ReadBytes(Terms& terms, CodeMemory& memory, uint32_t slot, uint8_t bytes) {
-  TermId value = memory.Read(slot);
+terms::TermId ReadBytes(terms::Terms& terms, CodeMemory& memory, uint32_t slot, uint8_t bytes) {
+  terms::TermId value = memory.Read(slot);
   for (uint8_t i = 1; i < bytes; ++i) value = terms.Concat(memory.Read(slot + i), value);
   return value;
 }
 
-void WriteBytes(Terms& terms, CodeMemory& memory, uint32_t slot, TermId value) {
+void WriteBytes(terms::Terms& terms, CodeMemory& memory, uint32_t slot, terms::TermId value) {
   const auto width = static_cast<uint8_t>(8 * BytesFor(terms.Width(value)));
-  const TermId wide = terms.Zext(value, width);
+  const terms::TermId wide = terms.Zext(value, width);
   for (uint8_t i = 0; i < width / 8; ++i) memory.Write(slot + i, terms.Extract(wide, static_cast<uint8_t>(8 * i), 8));
 }
 
@@ -43,11 +43,11 @@ std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Un
   return names;
 }
 
-TermId CallLog::ByArguments(const ReplacedCall& call, std::span<const TermId> arguments) {
+terms::TermId CallLog::ByArguments(const ReplacedCall& call, std::span<const terms::TermId> arguments) {
   return terms_.Apply(terms_.Function("call of " + call.unit().name, 64), arguments);
 }
 
-std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, TermId when) {
+std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, terms::TermId when) {
   std::vector<Entry*> of_function;
   for (Entry& entry : entries_) {
     if (entry.call == &call) of_function.push_back(&entry);
@@ -61,7 +61,7 @@ std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, TermId
   open.insert(open.end(), of_function.begin(), of_function.end() - static_cast<std::ptrdiff_t>(open.size()));
   for (Entry* entry : open) {
     const bool fits =
-        std::ranges::all_of(entry->taken, [&](TermId other) { return never_(terms_.And(when, other)); }) &&
+        std::ranges::all_of(entry->taken, [&](terms::TermId other) { return never_(terms_.And(when, other)); }) &&
         never_(terms_.And(when, terms_.Not(entry->when)));
     if (fits) return {entry};
   }
@@ -70,7 +70,8 @@ std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, TermId
   return open;
 }
 
-TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
+terms::TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<terms::TermId> arguments,
+                                       terms::TermId when) {
   if (matching_ == Matching::kByArguments) return ByArguments(call, arguments);
   const std::string name = "call " + std::to_string(entries_.size() + 1) + ", of " + call.unit().name;
   entries_.push_back({.call = &call,
@@ -81,12 +82,13 @@ TermId CallLog::CalledByProgram(const ReplacedCall& call, std::vector<TermId> ar
   return entries_.back().known;
 }
 
-TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when) {
+terms::TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<terms::TermId> arguments,
+                                    terms::TermId when) {
   if (matching_ == Matching::kByArguments) return ByArguments(call, arguments);
   const std::vector<Entry*> entries = EntriesOf(call, when);
   if (entries.empty()) return {};
-  TermId known = entries.back()->known;
-  std::vector<TermId> expected = entries.back()->arguments;
+  terms::TermId known = entries.back()->known;
+  std::vector<terms::TermId> expected = entries.back()->arguments;
   for (const Entry* entry : entries | std::views::take(entries.size() - 1) | std::views::reverse) {
     known = terms_.Ite(entry->when, entry->known, known);
     for (size_t i = 0; i < expected.size(); ++i)
@@ -95,13 +97,13 @@ TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<TermId> argum
   for (Entry* entry : entries) entry->taken.push_back(when);
   for (size_t i = 0; i < arguments.size(); ++i) {
     // Where the code does not come here, its call is none.
-    const TermId program = terms_.Ite(when, expected[i], arguments[i]);
+    const terms::TermId program = terms_.Ite(when, expected[i], arguments[i]);
     if (program != arguments[i]) claims_.push_back({.call = &call, .program = program, .code = arguments[i]});
   }
   return known;
 }
 
-ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const Cells& cells, const StateImage& image,
+ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image,
                            const Unit& unit, const std::vector<std::string>& parameters)
     : emittable_(emittable),
       program_(*emittable.program),
@@ -115,19 +117,19 @@ ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const Cells& cells,
       items_.push_back({.kind = Kind::kValue,
                         .cell = {},
                         .place = place,
-                        .width = WidthOf(program_.places[place].type),
+                        .width = meaning::WidthOf(program_.places[place].type),
                         .name = emittable.place_names[place.index]});
   }
   for (const ir::PlaceId place : unit.references) {
     if (!Gets(parameters, emittable.place_names[place.index])) continue;
-    const std::vector<CellId> touched = CellsOf(program_, cells_, program_.places[place]);
-    items_.push_back(
-        {.kind = Kind::kReference,
-         .cell = {},
-         .place = place,
-         .width = WidthOf(program_.places[place].type),
-         .written = std::ranges::any_of(touched, [&unit](CellId cell) { return unit.footprint.written[cell.index]; }),
-         .name = emittable.place_names[place.index]});
+    const std::vector<execute::CellId> touched = execute::CellsOf(program_, cells_, program_.places[place]);
+    items_.push_back({.kind = Kind::kReference,
+                      .cell = {},
+                      .place = place,
+                      .width = meaning::WidthOf(program_.places[place].type),
+                      .written = std::ranges::any_of(
+                          touched, [&unit](execute::CellId cell) { return unit.footprint.written[cell.index]; }),
+                      .name = emittable.place_names[place.index]});
   }
 }
 
@@ -155,44 +157,48 @@ void ReplacedCall::AddItems() {
       written = written || footprint.written[cell];
     }
     if (!touched) continue;
-    items_.push_back({.kind = whole ? Kind::kByte : Kind::kField,
-                      .offset = at,
-                      .cell = byte.cell,
-                      .place = {},
-                      .width = whole ? uint8_t{8} : CellWidth(program_, CellAt(program_, cells_, byte.cell)),
-                      .written = written,
-                      .name = image_.NameOf(at)});
+    items_.push_back(
+        {.kind = whole ? Kind::kByte : Kind::kField,
+         .offset = at,
+         .cell = byte.cell,
+         .place = {},
+         .width = whole ? uint8_t{8} : execute::CellWidth(program_, execute::CellAt(program_, cells_, byte.cell)),
+         .written = written,
+         .name = image_.NameOf(at)});
   }
   for (uint32_t i = 0; i < cells_.count; ++i) {
     if (!footprint.touched[i] || placed[i]) continue;
-    const Cell cell = CellAt(program_, cells_, CellId(i));
-    if (cell.kind == CellKind::kCalls) {
+    const execute::Cell cell = execute::CellAt(program_, cells_, execute::CellId(i));
+    if (cell.kind == execute::CellKind::kCalls) {
       if (cell.host == program_.schedule.now) continue;
       items_.push_back({.kind = Kind::kCalls,
-                        .cell = CellId(i),
+                        .cell = execute::CellId(i),
                         .place = {},
                         .width = 64,
                         .written = true,
-                        .name = CellName(program_, cell)});
+                        .name = execute::CellName(program_, cell)});
       continue;
     }
-    const bool local = cell.kind == CellKind::kBit && program_.spaces[cell.space].lifetime == ir::Lifetime::kRoutine;
+    const bool local =
+        cell.kind == execute::CellKind::kBit && program_.spaces[cell.space].lifetime == ir::Lifetime::kRoutine;
     opaque_ = opaque_ || (!local && footprint.written[i]);
   }
 }
 
-TermId ReplacedCall::After(Terms& terms, TermId known, const std::string& name, uint8_t width) const {
+terms::TermId ReplacedCall::After(terms::Terms& terms, terms::TermId known, const std::string& name,
+                                  uint8_t width) const {
   return terms.Apply(terms.Function(name + " after " + unit_.name, width), {&known, 1});
 }
 
-std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, TermId when, CallLog& log) const {
-  Terms& terms = memory.terms();
-  std::vector<TermId> arguments;
+std::vector<execute::CellChange> ReplacedCall::OnCells(execute::Memory& memory, terms::TermId hash, terms::TermId when,
+                                                       CallLog& log) const {
+  terms::Terms& terms = memory.terms();
+  std::vector<terms::TermId> arguments;
   for (const Item& item : items_) {
     switch (item.kind) {
       case Kind::kByte:
         arguments.push_back(
-            image_.ByteFor(terms, item.offset, [&memory](CellId cell) { return memory.Read(cell); }, hash));
+            image_.ByteFor(terms, item.offset, [&memory](execute::CellId cell) { return memory.Read(cell); }, hash));
         break;
       case Kind::kField:
       case Kind::kCalls:
@@ -207,27 +213,27 @@ std::vector<CellChange> ReplacedCall::OnCells(Memory& memory, TermId hash, TermI
         break;
     }
   }
-  const TermId known = log.CalledByProgram(*this, std::move(arguments), when);
-  std::vector<CellChange> changes;
-  const auto spread = [&](const std::vector<CellId>& cells, TermId value) {
+  const terms::TermId known = log.CalledByProgram(*this, std::move(arguments), when);
+  std::vector<execute::CellChange> changes;
+  const auto spread = [&](const std::vector<execute::CellId>& cells, terms::TermId value) {
     uint8_t bit = 0;  // of 32
-    for (const CellId cell : cells) changes.push_back({cell, terms.Extract(value, bit++, 1)});
+    for (const execute::CellId cell : cells) changes.push_back({cell, terms.Extract(value, bit++, 1)});
   };
   for (const Item& item : items_) {
     if (!item.written) continue;
-    const TermId value = After(terms, known, item.name, item.width);
+    const terms::TermId value = After(terms, known, item.name, item.width);
     if (item.kind == Kind::kByte) {
       for (uint8_t bit = 0; bit < 8; ++bit)
-        changes.push_back({CellId(item.cell.index + bit), terms.Extract(value, bit, 1)});
+        changes.push_back({execute::CellId(item.cell.index + bit), terms.Extract(value, bit, 1)});
     } else if (item.kind == Kind::kReference) {
-      spread(CellsOf(program_, cells_, program_.places[item.place]), value);
+      spread(execute::CellsOf(program_, cells_, program_.places[item.place]), value);
     } else {
       changes.push_back({item.cell, value});
     }
   }
   if (unit_.result.valid()) {
     const ir::Place& place = program_.places[unit_.result];
-    spread(CellsOf(program_, cells_, place), After(terms, known, "the result", WidthOf(place.type)));
+    spread(execute::CellsOf(program_, cells_, place), After(terms, known, "the result", meaning::WidthOf(place.type)));
   }
   return changes;
 }
@@ -253,7 +259,7 @@ std::optional<ReplacedCall::Bound> ReplacedCall::Bind(const HostRequest& request
   }
   const HostArgument* state = find("m");
   if (state != nullptr && state->kind == HostArgument::Kind::kMemory && state->slot != 0) return std::nullopt;
-  Bound bound{.values = std::vector<TermId>(items_.size()), .slots = std::vector<uint32_t>(items_.size())};
+  Bound bound{.values = std::vector<terms::TermId>(items_.size()), .slots = std::vector<uint32_t>(items_.size())};
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
     if (item.kind != Kind::kValue && item.kind != Kind::kReference) continue;
@@ -270,34 +276,34 @@ std::optional<ReplacedCall::Bound> ReplacedCall::Bind(const HostRequest& request
 }
 
 /// What holds a bit must be 0 or 1 there.
-TermId ReplacedCall::CheckedBit(Terms& terms, CodeMemory& memory, TermId byte) const {
-  const TermId bit = terms.Extract(byte, 0, 1);
+terms::TermId ReplacedCall::CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const {
+  const terms::TermId bit = terms.Extract(byte, 0, 1);
   if (terms.Zext(bit, terms.Width(byte)) != byte)
     memory.Require(terms.Ne(byte, terms.Zext(bit, terms.Width(byte))), kNoBit);
   return bit;
 }
 
-TermId ReplacedCall::ReadCode(Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const {
+terms::TermId ReplacedCall::ReadCode(terms::Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const {
   if (item.width == 1) return CheckedBit(terms, memory, memory.Read(slot));
   return ReadBytes(terms, memory, slot, BytesFor(item.width));
 }
 
-TermId ReplacedCall::OnCode(Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log,
-                            std::string& refusal) const {
+terms::TermId ReplacedCall::OnCode(terms::Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log,
+                                   std::string& refusal) const {
   const std::optional<Bound> bound = Bind(request);
   const auto misfit = [&] {
     refusal = "a call of " + unit_.name + " with other parameters than its declaration";
-    return TermId();
+    return terms::TermId();
   };
   if (!bound) return misfit();
   for (uint32_t at = 0; at < image_.size(); ++at) {
     if (image_.IsBit(at)) CheckedBit(terms, memory, memory.Read(at));
   }
   const auto counter = [this](const Item& item) { return image_.size() + item.cell.index - cells_.calls; };
-  std::vector<TermId> arguments;
+  std::vector<terms::TermId> arguments;
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
-    TermId value = bound->values[i];
+    terms::TermId value = bound->values[i];
     if (item.kind == Kind::kCalls) {
       value = memory.Read(counter(item));
     } else if (item.kind == Kind::kReference && !value.valid()) {
@@ -310,7 +316,7 @@ TermId ReplacedCall::OnCode(Terms& terms, CodeMemory& memory, const HostRequest&
     if (terms.Width(value) != item.width) return misfit();
     arguments.push_back(value);
   }
-  const TermId known = log.CalledByCode(*this, std::move(arguments), memory.When());
+  const terms::TermId known = log.CalledByCode(*this, std::move(arguments), memory.When());
   if (!known.valid()) {
     refusal = "calls in another order: " + unit_.name;
     return {};
@@ -318,7 +324,7 @@ TermId ReplacedCall::OnCode(Terms& terms, CodeMemory& memory, const HostRequest&
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
     if (!item.written) continue;
-    const TermId value = After(terms, known, item.name, item.width);
+    const terms::TermId value = After(terms, known, item.name, item.width);
     if (item.kind == Kind::kCalls) {
       memory.Write(counter(item), value);
     } else {
@@ -327,7 +333,7 @@ TermId ReplacedCall::OnCode(Terms& terms, CodeMemory& memory, const HostRequest&
   }
   if (request.result_width == 0) return {};
   if (!unit_.result.valid()) return misfit();
-  return After(terms, known, "the result", WidthOf(program_.places[unit_.result].type));
+  return After(terms, known, "the result", meaning::WidthOf(program_.places[unit_.result].type));
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

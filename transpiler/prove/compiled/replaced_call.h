@@ -17,7 +17,7 @@
 #include "transpiler/prove/compiled/state_image.h"
 #include "transpiler/prove/compiled/units.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// "m", the locals, "host": the names of a unit's parameters in C++, in this order.
 std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit);
@@ -34,37 +34,37 @@ class CallLog {
   enum class Matching : uint8_t { kByOrder, kByArguments };
 
   /// `never`: whether a condition is soon found to hold never; asked where a function is called more than once.
-  CallLog(Terms& terms, Matching matching, std::function<bool(TermId condition)> never)
+  CallLog(terms::Terms& terms, Matching matching, std::function<bool(terms::TermId condition)> never)
       : terms_(terms), matching_(matching), never_(std::move(never)) {}
 
   /// What stands for a call: 64 bits.
-  TermId CalledByProgram(const ReplacedCall& call, std::vector<TermId> arguments, TermId when);
+  terms::TermId CalledByProgram(const ReplacedCall& call, std::vector<terms::TermId> arguments, terms::TermId when);
   /// None: the program makes no such call.
-  TermId CalledByCode(const ReplacedCall& call, std::vector<TermId> arguments, TermId when);
+  terms::TermId CalledByCode(const ReplacedCall& call, std::vector<terms::TermId> arguments, terms::TermId when);
 
   /// What has to be equal so that calls give the same.
   struct Claim {
     const ReplacedCall* call = nullptr;
-    TermId program, code;
+    terms::TermId program, code;
   };
   const std::vector<Claim>& claims() const { return claims_; }
 
  private:
   struct Entry {
     const ReplacedCall* call = nullptr;
-    std::vector<TermId> arguments;
-    TermId known, when;
-    std::vector<TermId> taken;  // when the code makes calls that are this one
+    std::vector<terms::TermId> arguments;
+    terms::TermId known, when;
+    std::vector<terms::TermId> taken;  // when the code makes calls that are this one
   };
 
-  TermId ByArguments(const ReplacedCall& call, std::span<const TermId> arguments);
+  terms::TermId ByArguments(const ReplacedCall& call, std::span<const terms::TermId> arguments);
   /// The program's call that one of the code's is, or several, of which it is the first that the program comes to;
   /// none: there are no more.
-  std::vector<Entry*> EntriesOf(const ReplacedCall& call, TermId when);
+  std::vector<Entry*> EntriesOf(const ReplacedCall& call, terms::TermId when);
 
-  Terms& terms_;
+  terms::Terms& terms_;
   Matching matching_;
-  std::function<bool(TermId condition)> never_;
+  std::function<bool(terms::TermId condition)> never_;
   std::vector<Entry> entries_;
   std::vector<Claim> claims_;
 };
@@ -72,45 +72,47 @@ class CallLog {
 class ReplacedCall {
  public:
   /// `parameters`: what the compiled function has left of its parameters; a local that it does not get does not matter.
-  ReplacedCall(const emit::Emittable& emittable, const Cells& cells, const StateImage& image, const Unit& unit,
+  ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image, const Unit& unit,
                const std::vector<std::string>& parameters);
 
   const Unit& unit() const { return unit_; }
   /// Whether there is anything in it that has no place in State: then calls of it have to be followed.
   bool is_opaque() const { return opaque_; }
 
-  std::vector<CellChange> OnCells(Memory& memory, TermId hash, TermId when, CallLog& log) const;
+  std::vector<execute::CellChange> OnCells(execute::Memory& memory, terms::TermId hash, terms::TermId when,
+                                           CallLog& log) const;
   /// The result, if it has one. A reason in `refusal` when the call does not fit the function's declaration.
-  TermId OnCode(Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log, std::string& refusal) const;
+  terms::TermId OnCode(terms::Terms& terms, CodeMemory& memory, const HostRequest& request, CallLog& log,
+                       std::string& refusal) const;
 
  private:
   enum class Kind : uint8_t { kByte, kField, kCalls, kLayout, kValue, kReference };
   /// One of the things that it may read, and perhaps write.
   struct Item {
     Kind kind{};
-    uint32_t offset = 0;  // kByte, kField: in State; kLayout: of the retentive block
-    CellId cell;          // kByte: the first of eight; kField, kCalls
-    ir::PlaceId place;    // kValue, kReference
+    uint32_t offset = 0;   // kByte, kField: in State; kLayout: of the retentive block
+    execute::CellId cell;  // kByte: the first of eight; kField, kCalls
+    ir::PlaceId place;     // kValue, kReference
     uint8_t width = 8;
     bool written = false;
     std::string name;  // for the function that gives what is written
   };
   /// Where the arguments of one call are.
   struct Bound {
-    std::vector<TermId> values;   // by item, of kValue and of references whose value was passed
-    std::vector<uint32_t> slots;  // by item, of kReference
+    std::vector<terms::TermId> values;  // by item, of kValue and of references whose value was passed
+    std::vector<uint32_t> slots;        // by item, of kReference
   };
 
   void AddItems();
   std::optional<Bound> Bind(const HostRequest& request) const;
-  TermId ReadCode(Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
-  TermId CheckedBit(Terms& terms, CodeMemory& memory, TermId byte) const;
+  terms::TermId ReadCode(terms::Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
+  terms::TermId CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const;
   /// What a call leaves in an item.
-  TermId After(Terms& terms, TermId known, const std::string& name, uint8_t width) const;
+  terms::TermId After(terms::Terms& terms, terms::TermId known, const std::string& name, uint8_t width) const;
 
   const emit::Emittable& emittable_;
   const ir::Program& program_;
-  const Cells& cells_;
+  const execute::Cells& cells_;
   const StateImage& image_;
   const Unit& unit_;
   std::vector<std::string> parameters_;  // as the source declares them
@@ -118,4 +120,4 @@ class ReplacedCall {
   bool opaque_ = false;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

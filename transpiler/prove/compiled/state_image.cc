@@ -6,7 +6,7 @@
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/terms/gather.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
@@ -21,7 +21,7 @@ uint32_t Fnv1a(std::string_view text) {
 
 }  // namespace
 
-StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, const Cells& cells)
+StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, const execute::Cells& cells)
     : program_(program),
       layout_(layout),
       cells_(cells),
@@ -47,7 +47,8 @@ StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, c
   PlaceSpaces();
   PlaceStates();
   for (const StateByte& byte : bytes_)
-    is_bit_.push_back(byte.kind == ByteKind::kCell && CellWidth(program, CellAt(program, cells, byte.cell)) == 1);
+    is_bit_.push_back(byte.kind == ByteKind::kCell &&
+                      execute::CellWidth(program, execute::CellAt(program, cells, byte.cell)) == 1);
   HashLayout();
 }
 
@@ -64,7 +65,7 @@ void StateImage::PlaceSpaces() {
   for (uint32_t s = 0; s < layout_.bytes.size(); ++s) {
     for (uint32_t b = 0; b < layout_.bytes[s].size(); ++b) {
       const emit::ByteStorage& stored = layout_.bytes[s][b];
-      const CellId first = cells_.OfBit(ir::SpaceId(s), b, 0);
+      const execute::CellId first = cells_.OfBit(ir::SpaceId(s), b, 0);
       if (stored.whole.storage != emit::Storage::kNone) {
         bytes_[stored.whole.offset] = {.kind = ByteKind::kBits, .cell = first};
         std::fill_n(places_.begin() + first.index, 8, stored.whole.offset);
@@ -72,7 +73,7 @@ void StateImage::PlaceSpaces() {
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
         if (stored.bits[bit].storage == emit::Storage::kNone) continue;
-        const CellId cell = cells_.OfBit(ir::SpaceId(s), b, bit);
+        const execute::CellId cell = cells_.OfBit(ir::SpaceId(s), b, bit);
         bytes_[stored.bits[bit].offset] = {.kind = ByteKind::kCell, .cell = cell};
         places_[cell.index] = stored.bits[bit].offset;
       }
@@ -93,55 +94,60 @@ void StateImage::PlaceStates() {
         places_[cell] = offset;
         for (uint32_t byte = 0; byte < width; ++byte) {
           bytes_[offset + byte] = {
-              .kind = ByteKind::kCell, .cell = CellId(cell), .low = static_cast<uint8_t>(8 * byte)};
+              .kind = ByteKind::kCell, .cell = execute::CellId(cell), .low = static_cast<uint8_t>(8 * byte)};
         }
       }
     }
   }
 }
 
-TermId StateImage::Variable(Terms& terms, TermId& variable, const std::string& name, uint8_t width) const {
+terms::TermId StateImage::Variable(terms::Terms& terms, terms::TermId& variable, const std::string& name,
+                                   uint8_t width) const {
   if (!variable.valid()) variable = terms.Variable(name, width);
   return variable;
 }
 
-void StateImage::MakeVariables(Terms&) {
-  units_before_.assign(bytes_.size(), TermId());
-  cells_before_.assign(cells_.count, TermId());
-  hash_before_ = TermId();
+void StateImage::MakeVariables(terms::Terms&) {
+  units_before_.assign(bytes_.size(), terms::TermId());
+  cells_before_.assign(cells_.count, terms::TermId());
+  hash_before_ = terms::TermId();
 }
 
-TermId StateImage::HashBefore(Terms& terms) { return Variable(terms, hash_before_, "retentive.layout", 32); }
+terms::TermId StateImage::HashBefore(terms::Terms& terms) {
+  return Variable(terms, hash_before_, "retentive.layout", 32);
+}
 
-TermId StateImage::CellBefore(Terms& terms, CellId id) {
+terms::TermId StateImage::CellBefore(terms::Terms& terms, execute::CellId id) {
   const uint32_t offset = places_[id.index];
-  const Cell cell = CellAt(program_, cells_, id);
+  const execute::Cell cell = execute::CellAt(program_, cells_, id);
   if (offset != kNowhere && bytes_[offset].kind == ByteKind::kBits) {
     const uint32_t unit = units_[offset];
-    const TermId word = Variable(terms, units_before_[unit], NameOf(unit), static_cast<uint8_t>(8 * unit_bytes_[unit]));
+    const terms::TermId word =
+        Variable(terms, units_before_[unit], NameOf(unit), static_cast<uint8_t>(8 * unit_bytes_[unit]));
     return terms.Extract(word, static_cast<uint8_t>(8 * (offset - unit) + cell.bit), 1);
   }
-  return Variable(terms, cells_before_[id.index], CellName(program_, cell), CellWidth(program_, cell));
+  return Variable(terms, cells_before_[id.index], execute::CellName(program_, cell),
+                  execute::CellWidth(program_, cell));
 }
 
-TermId StateImage::ByteBefore(Terms& terms, uint32_t offset) {
+terms::TermId StateImage::ByteBefore(terms::Terms& terms, uint32_t offset) {
   if (bytes_[offset].kind == ByteKind::kNothing)
     return Variable(terms, units_before_[offset], "padding " + std::to_string(offset), 8);
-  return ByteFor(terms, offset, [&](CellId cell) { return CellBefore(terms, cell); }, HashBefore(terms));
+  return ByteFor(terms, offset, [&](execute::CellId cell) { return CellBefore(terms, cell); }, HashBefore(terms));
 }
 
-TermId StateImage::CellAtPowerOn(Terms& terms, CellId id) const {
-  const Cell cell = CellAt(program_, cells_, id);
-  const uint8_t width = CellWidth(program_, cell);
-  if (cell.kind != CellKind::kBit) return terms.Const(0, width);
+terms::TermId StateImage::CellAtPowerOn(terms::Terms& terms, execute::CellId id) const {
+  const execute::Cell cell = execute::CellAt(program_, cells_, id);
+  const uint8_t width = execute::CellWidth(program_, cell);
+  if (cell.kind != execute::CellKind::kBit) return terms.Const(0, width);
   const std::vector<ir::InitialByte>& initial = program_.spaces[cell.space].initial;
   const auto at = std::ranges::lower_bound(initial, cell.offset, {}, &ir::InitialByte::offset);
   const bool there = at != initial.end() && at->offset == cell.offset;
   return terms.Const(there ? (at->value >> cell.bit & 1U) : 0U, width);
 }
 
-TermId StateImage::ByteFor(Terms& terms, uint32_t offset, const std::function<TermId(CellId)>& cell,
-                           TermId hash) const {
+terms::TermId StateImage::ByteFor(terms::Terms& terms, uint32_t offset,
+                                  const std::function<terms::TermId(execute::CellId)>& cell, terms::TermId hash) const {
   const StateByte& byte = bytes_[offset];
   switch (byte.kind) {
     case ByteKind::kNothing:
@@ -149,13 +155,13 @@ TermId StateImage::ByteFor(Terms& terms, uint32_t offset, const std::function<Te
     case ByteKind::kLayout:
       return terms.Extract(hash, byte.low, 8);
     case ByteKind::kCell: {
-      const TermId value = cell(byte.cell);
+      const terms::TermId value = cell(byte.cell);
       return terms.Width(value) < 8 ? terms.Zext(value, 8) : terms.Extract(value, byte.low, 8);
     }
     case ByteKind::kBits: {
-      std::array<TermId, 8> bits;
-      for (uint32_t bit = 0; bit < 8; ++bit) bits[bit] = cell(CellId(byte.cell.index + bit));
-      return Gather(terms, bits);
+      std::array<terms::TermId, 8> bits;
+      for (uint32_t bit = 0; bit < 8; ++bit) bits[bit] = cell(execute::CellId(byte.cell.index + bit));
+      return terms::Gather(terms, bits);
     }
   }
   PLCXX_UNREACHABLE();
@@ -165,9 +171,9 @@ std::string StateImage::NameOf(uint32_t offset) const {
   const StateByte& byte = bytes_[offset];
   if (byte.kind == ByteKind::kNothing) return "padding " + std::to_string(offset);
   if (byte.kind == ByteKind::kLayout) return "retentive.layout";
-  const Cell cell = CellAt(program_, cells_, byte.cell);
+  const execute::Cell cell = execute::CellAt(program_, cells_, byte.cell);
   if (byte.kind == ByteKind::kBits) return program_.spaces[cell.space].name + "." + std::to_string(cell.offset);
-  return CellName(program_, cell);
+  return execute::CellName(program_, cell);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

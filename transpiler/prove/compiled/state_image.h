@@ -13,7 +13,7 @@
 #include "transpiler/prove/execute/cells.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 enum class ByteKind : uint8_t {
   kNothing,  // padding
@@ -24,13 +24,13 @@ enum class ByteKind : uint8_t {
 
 struct StateByte {
   ByteKind kind = ByteKind::kNothing;
-  CellId cell;      // kBits: the first
-  uint8_t low = 0;  // bit of the cell
+  execute::CellId cell;  // kBits: the first
+  uint8_t low = 0;       // bit of the cell
 };
 
 class StateImage {
  public:
-  StateImage(const ir::Program& program, const emit::Layout& layout, const Cells& cells);
+  StateImage(const ir::Program& program, const emit::Layout& layout, const execute::Cells& cells);
 
   uint32_t size() const { return static_cast<uint32_t>(bytes_.size()); }
   const StateByte& operator[](uint32_t offset) const { return bytes_[offset]; }
@@ -42,18 +42,19 @@ class StateImage {
   uint32_t layout_hash() const { return layout_hash_; }
 
   /// Variables for all that State holds, one for each word, byte, bit or field.
-  void MakeVariables(Terms& terms);
+  void MakeVariables(terms::Terms& terms);
   /// What a cell is before a routine, by these variables; of what State does not hold a variable of its own.
-  TermId CellBefore(Terms& terms, CellId cell);
+  terms::TermId CellBefore(terms::Terms& terms, execute::CellId cell);
   /// What a byte of State is before a routine: of padding some variable.
-  TermId ByteBefore(Terms& terms, uint32_t offset);
+  terms::TermId ByteBefore(terms::Terms& terms, uint32_t offset);
   /// At power-on.
-  TermId CellAtPowerOn(Terms& terms, CellId cell) const;
+  terms::TermId CellAtPowerOn(terms::Terms& terms, execute::CellId cell) const;
 
   /// What a byte is for these cells and hash; not of padding.
-  TermId ByteFor(Terms& terms, uint32_t offset, const std::function<TermId(CellId)>& cell, TermId hash) const;
+  terms::TermId ByteFor(terms::Terms& terms, uint32_t offset, const std::function<terms::TermId(execute::CellId)>& cell,
+                        terms::TermId hash) const;
   /// The hash before a routine.
-  TermId HashBefore(Terms& terms);
+  terms::TermId HashBefore(terms::Terms& terms);
 
   /// "U.10.3", "T5.elapsed_ms".
   std::string NameOf(uint32_t offset) const;
@@ -62,20 +63,20 @@ class StateImage {
   void PlaceSpaces();
   void PlaceStates();
   void HashLayout();
-  TermId Variable(Terms& terms, TermId& variable, const std::string& name, uint8_t width) const;
+  terms::TermId Variable(terms::Terms& terms, terms::TermId& variable, const std::string& name, uint8_t width) const;
 
   const ir::Program& program_;
   const emit::Layout& layout_;
-  const Cells& cells_;
+  const execute::Cells& cells_;
   std::vector<StateByte> bytes_;
   std::vector<bool> is_bit_;         // by offset
   std::vector<uint32_t> places_;     // by CellId: the byte of State that holds it, or its first; kNowhere: none
   std::vector<uint32_t> units_;      // by offset: first byte of the word that it belongs to
   std::vector<uint8_t> unit_bytes_;  // by offset of that first byte
-  std::vector<TermId> units_before_;
-  std::vector<TermId> cells_before_;
-  TermId hash_before_;
+  std::vector<terms::TermId> units_before_;
+  std::vector<terms::TermId> cells_before_;
+  terms::TermId hash_before_;
   uint32_t retentive_begin_ = 0, retentive_end_ = 0, layout_hash_ = 0;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -5,24 +5,24 @@
 
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
-TermId Substitute(Terms& terms, TermId term, const Replacements& replacements) {
-  std::unordered_map<uint32_t, TermId> changed;  // looked up only
-  const auto now = [&changed](TermId id) {
+terms::TermId Substitute(terms::Terms& terms, terms::TermId term, const Replacements& replacements) {
+  std::unordered_map<uint32_t, terms::TermId> changed;  // looked up only
+  const auto now = [&changed](terms::TermId id) {
     const auto at = changed.find(id.index);
     return at == changed.end() ? id : at->second;
   };
-  std::vector<TermId> operands;
-  for (const TermId id : ConeOf(terms, {&term, 1})) {
+  std::vector<terms::TermId> operands;
+  for (const terms::TermId id : terms::ConeOf(terms, {&term, 1})) {
     if (const auto at = replacements.find(id); at != replacements.end()) {
       changed.emplace(id.index, at->second);
       continue;
     }
-    const Term copy = terms[id];  // Rebuild moves the table
+    const terms::Term copy = terms[id];  // Rebuild moves the table
     operands.clear();
     bool differs = false;
-    terms.ForEachOperand(copy, [&](TermId operand) {
+    terms.ForEachOperand(copy, [&](terms::TermId operand) {
       operands.push_back(now(operand));
       differs = differs || operands.back() != operand;
     });
@@ -31,4 +31,4 @@ TermId Substitute(Terms& terms, TermId term, const Replacements& replacements) {
   return now(term);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -5,11 +5,11 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
-using Replacements = std::map<TermId, TermId>;
+using Replacements = std::map<terms::TermId, terms::TermId>;
 
 /// `term` with all that `replacements` names replaced, at once: what is put in is not looked into.
-TermId Substitute(Terms& terms, TermId term, const Replacements& replacements);
+terms::TermId Substitute(terms::Terms& terms, terms::TermId term, const Replacements& replacements);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -6,7 +6,7 @@
 #include "transpiler/prove/compiled/local_sweep.h"
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr size_t kMostDifferences = 8;
@@ -21,43 +21,44 @@ constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
 }  // namespace
 
-Environment UnitVerifier::MakeEnvironment() {
-  Environment environment;
+execute::Environment UnitVerifier::MakeEnvironment() {
+  execute::Environment environment;
   environment.now = now_;
   environment.most_rounds = MostRounds();
   environment.replaced = replaced_.get();
   environment.most_terms = kMostTerms;
   if (treatment_.loops != Loops::kUnrolled) environment.loops = &policy_;
-  environment.initial = [this](CellId cell) {
-    const bool power_on = is_init() && CellAt(program_.ir, program_.cells, cell).kind != CellKind::kCalls;
+  environment.initial = [this](execute::CellId cell) {
+    const bool power_on =
+        is_init() && execute::CellAt(program_.ir, program_.cells, cell).kind != execute::CellKind::kCalls;
     return power_on ? image_.CellAtPowerOn(terms_, cell) : image_.CellBefore(terms_, cell);
   };
-  environment.stored = [this](CellId id) {
-    const Cell cell = CellAt(program_.ir, program_.cells, id);
+  environment.stored = [this](execute::CellId id) {
+    const execute::Cell cell = execute::CellAt(program_.ir, program_.cells, id);
     return terms_.Extract(StoredByte(terms_, program_.ir.spaces[cell.space].name, cell.offset), cell.bit, 1);
   };
-  environment.observe = [this](Memory& memory, ir::HostFunctionId function, TermId when) {
+  environment.observe = [this](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
     Observe(memory, function, when);
   };
   return environment;
 }
 
-void UnitVerifier::Observe(Memory& memory, ir::HostFunctionId function, TermId when) {
+void UnitVerifier::Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
   const ir::HostFunction& host = program_.ir.host_functions[function];
   const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
   const uint32_t begin = retentive ? image_.retentive_begin() : 0;
   const uint32_t end = retentive ? image_.retentive_end() : image_.size();
-  std::vector<TermId> bytes;
+  std::vector<terms::TermId> bytes;
   for (uint32_t at = begin; at < end; ++at) {
     if (image_[at].kind == ByteKind::kNothing) continue;
-    bytes.push_back(image_.ByteFor(terms_, at, [&memory](CellId cell) { return memory.Read(cell); }, hash_));
+    bytes.push_back(image_.ByteFor(terms_, at, [&memory](execute::CellId cell) { return memory.Read(cell); }, hash_));
   }
-  const CellId counter = program_.cells.OfCalls(function);
-  const TermId calls = memory.Read(counter);
+  const execute::CellId counter = program_.cells.OfCalls(function);
+  const terms::TermId calls = memory.Read(counter);
   memory.Write(counter, terms_.Ite(when, HavingSeen(terms_, host.name, calls, bytes), calls));
 }
 
-TermId UnitVerifier::InitialSlot(uint32_t slot) {
+terms::TermId UnitVerifier::InitialSlot(uint32_t slot) {
   if (slot >= locals_begin()) return local_bytes_[slot - locals_begin()];
   if (slot >= image_.size())
     return image_.CellBefore(terms_, program_.cells.OfCalls(ir::HostFunctionId(slot - image_.size())));
@@ -67,19 +68,20 @@ TermId UnitVerifier::InitialSlot(uint32_t slot) {
 
 void UnitVerifier::MakeArguments() {
   const auto variable = [this](ir::PlaceId id) {
-    return terms_.Variable(program_.emittable.place_names[id.index], WidthOf(program_.ir.places[id].type));
+    return terms_.Variable(program_.emittable.place_names[id.index], meaning::WidthOf(program_.ir.places[id].type));
   };
   arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
   for (size_t i = 0; i < unit_.values.size(); ++i) {
     const ir::PlaceId id = unit_.values[i];
-    values_.push_back(given_[i] ? terms_.Const(*given_[i], WidthOf(program_.ir.places[id].type)) : variable(id));
+    values_.push_back(given_[i] ? terms_.Const(*given_[i], meaning::WidthOf(program_.ir.places[id].type))
+                                : variable(id));
     arguments_.push_back({.name = program_.emittable.place_names[id.index], .value = values_.back()});
   }
   for (const ir::PlaceId id : unit_.references) {
     references_.push_back(variable(id));
     slots_.push_back(locals_begin() + static_cast<uint32_t>(local_bytes_.size()));
     const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
-    const TermId wide = terms_.Zext(references_.back(), static_cast<uint8_t>(8 * bytes));
+    const terms::TermId wide = terms_.Zext(references_.back(), static_cast<uint8_t>(8 * bytes));
     for (uint32_t i = 0; i < bytes; ++i) local_bytes_.push_back(terms_.Extract(wide, static_cast<uint8_t>(8 * i), 8));
     arguments_.push_back({.kind = CodeArgument::Kind::kMemory,
                           .name = program_.emittable.place_names[id.index],
@@ -90,17 +92,17 @@ void UnitVerifier::MakeArguments() {
   arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
 }
 
-std::string UnitVerifier::ExecuteProgram(Memory& memory) {
-  if (!is_inner()) return Execute(memory, unit_.part.routine, values_);
+std::string UnitVerifier::ExecuteProgram(execute::Memory& memory) {
+  if (!is_inner()) return execute::Execute(memory, unit_.part.routine, values_);
   for (size_t i = 0; i < values_.size(); ++i) memory.WritePlace(program_.ir.places[unit_.values[i]], values_[i]);
   for (size_t i = 0; i < references_.size(); ++i)
     memory.WritePlace(program_.ir.places[unit_.references[i]], references_[i]);
-  return ExecutePart(memory, unit_.part);
+  return execute::ExecutePart(memory, unit_.part);
 }
 
 CodeOutcome UnitVerifier::ExecuteCode() {
-  Surroundings surroundings(terms_, program_, now_, replaced_.get(), relation_.get(),
-                            [this](uint32_t slot) { return InitialSlot(slot); });
+  UnitEnvironment environment(terms_, program_, now_, replaced_.get(), relation_.get(),
+                              [this](uint32_t slot) { return InitialSlot(slot); });
   CodeRun run;
   run.function = program_.CppName(unit_);
   run.state_bytes = image_.size();
@@ -112,13 +114,13 @@ CodeOutcome UnitVerifier::ExecuteCode() {
     run.loops = relation_ != nullptr ? CodeRun::Loops::kAtHeads : CodeRun::Loops::kFirstRounds;
     run.rounds = policy_.rounds;
   }
-  return program_.code.Execute(terms_, surroundings, run);
+  return program_.code.Execute(terms_, environment, run);
 }
 
-void UnitVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
-  const auto cell = [&memory](CellId id) { return memory.Read(id); };
-  const TermId given = GivenAtEnd(outcome);
-  const auto ask = [&](std::string what, TermId program, TermId code) {
+void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
+  const auto cell = [&memory](execute::CellId id) { return memory.Read(id); };
+  const terms::TermId given = GivenAtEnd(outcome);
+  const auto ask = [&](std::string what, terms::TermId program, terms::TermId code) {
     questions_.push_back({.what = std::move(what), .pair = {program, code}, .given = given, .guess = {}});
   };
   for (uint32_t at = 0; at < image_.size(); ++at) {
@@ -135,9 +137,9 @@ void UnitVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
   }
   for (size_t i = 0; i < references_.size(); ++i) {
     const ir::PlaceId id = unit_.references[i];
-    const TermId value = memory.ReadPlace(program_.ir.places[id]);
+    const terms::TermId value = memory.ReadPlace(program_.ir.places[id]);
     const uint32_t bytes = ir::Bytes(program_.ir.places[id].type);
-    const TermId wide = terms_.Zext(value, static_cast<uint8_t>(8 * bytes));
+    const terms::TermId wide = terms_.Zext(value, static_cast<uint8_t>(8 * bytes));
     for (uint32_t k = 0; k < bytes; ++k)
       ask(program_.emittable.place_names[id.index], terms_.Extract(wide, static_cast<uint8_t>(8 * k), 8),
           outcome.slots[slots_[i] + k]);
@@ -159,16 +161,16 @@ void UnitVerifier::Ask(Memory& memory, const CodeOutcome& outcome) {
   }
 }
 
-std::vector<TermId> UnitVerifier::VariablesOf(const TermPair& pair) const {
+std::vector<terms::TermId> UnitVerifier::VariablesOf(const solver::TermPair& pair) const {
   std::vector<bool> seen(terms_.size());
-  std::vector<TermId> open = {pair.a, pair.b}, variables;
+  std::vector<terms::TermId> open = {pair.a, pair.b}, variables;
   while (!open.empty()) {
-    const TermId id = open.back();
+    const terms::TermId id = open.back();
     open.pop_back();
     if (seen[id.index]) continue;
     seen[id.index] = true;
-    if (terms_[id].kind == TermKind::kVariable) variables.push_back(id);
-    terms_.ForEachOperand(terms_[id], [&open](TermId operand) { open.push_back(operand); });
+    if (terms_[id].kind == terms::TermKind::kVariable) variables.push_back(id);
+    terms_.ForEachOperand(terms_[id], [&open](terms::TermId operand) { open.push_back(operand); });
   }
   std::ranges::sort(variables);
   return variables;
@@ -179,27 +181,27 @@ uint32_t UnitVerifier::MostRounds() const {
   return treatment_.loops == Loops::kUnrolled ? kMostUnrolled : kMostRounds;
 }
 
-TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
-  if (relation_ != nullptr) return has_loops_ ? relation_->Given() : TermId();
+terms::TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
+  if (relation_ != nullptr) return has_loops_ ? relation_->Given() : terms::TermId();
   if (!has_loops_) return {};
   return terms_.Not(terms_.Or(policy_.left_out, outcome.left_out));
 }
 
-TermPair UnitVerifier::Asked(const Question& question) {
+solver::TermPair UnitVerifier::Asked(const Question& question) {
   if (!question.given.valid()) return question.pair;
-  const TermId none = terms_.Const(0, terms_.Width(question.pair.a));
+  const terms::TermId none = terms_.Const(0, terms_.Width(question.pair.a));
   return {terms_.Ite(question.given, question.pair.a, none), terms_.Ite(question.given, question.pair.b, none)};
 }
 
-CodeDifference UnitVerifier::Show(Solver& solver, const Question& question) {
+CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& question) {
   CodeDifference difference{.what = question.what};
-  const TermPair asked = Asked(question);
-  const TermId differ = terms_.Ne(asked.a, asked.b);
-  if (solver.Check({&differ, 1}, program_.limits.question_ms) != Answer::kPossible) return difference;
+  const solver::TermPair asked = Asked(question);
+  const terms::TermId differ = terms_.Ne(asked.a, asked.b);
+  if (solver.Check({&differ, 1}, program_.limits.question_ms) != solver::Answer::kPossible) return difference;
   difference.has_values = true;
   difference.expected = solver.ValueOf(question.pair.a);
   difference.compiled = solver.ValueOf(question.pair.b);
-  for (const TermId variable : VariablesOf(asked)) {
+  for (const terms::TermId variable : VariablesOf(asked)) {
     const uint64_t value = solver.ValueOf(variable);
     if (value != 0 && difference.state.size() < kMostValues)
       difference.state.push_back({terms_.VariableName(terms_[variable].a), value});
@@ -207,10 +209,10 @@ CodeDifference UnitVerifier::Show(Solver& solver, const Question& question) {
   return difference;
 }
 
-std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Question> questions) {
-  std::vector<TermPair> pairs;
+std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::span<const Question> questions) {
+  std::vector<solver::TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(Asked(question));
-  SweepLimits sweep;
+  solver::SweepLimits sweep;
   sweep.pair_ms = program_.limits.question_ms;
   sweep.total_ms = program_.limits.routine_ms;
   sweep.answered = program_.answered.get();
@@ -220,34 +222,34 @@ std::vector<Verdict> UnitVerifier::Compare(Solver& solver, std::span<const Quest
     };
   }
   // Most are decided soon as they are. What is left has been rewritten more: both sides are made alike first.
-  SweepLimits quick = sweep;
+  solver::SweepLimits quick = sweep;
   quick.total_ms = program_.limits.routine_ms / kQuickShare;
   quick.pair_ms = sweep.pair_ms / kQuickShare;
   quick.progress = {};
-  std::vector<Verdict> verdicts = prove::Compare(terms_, solver, pairs, quick);
+  std::vector<solver::Verdict> verdicts = prove::solver::Compare(terms_, solver, pairs, quick);
   std::vector<size_t> open;
   for (size_t i = 0; i < pairs.size(); ++i) {
     proof_.asked += pairs[i].a != pairs[i].b ? 1 : 0;
-    if (verdicts[i] == Verdict::kUndecided) open.push_back(i);
+    if (verdicts[i] == solver::Verdict::kUndecided) open.push_back(i);
   }
   if (open.empty()) return verdicts;
-  std::vector<TermPair> rest;
+  std::vector<solver::TermPair> rest;
   for (const size_t i : open) rest.push_back(pairs[i]);
   rest = MakeAlike(terms_, solver, rest, program_.limits.routine_ms / 2, *program_.answered);
-  const std::vector<Verdict> later = prove::Compare(terms_, solver, rest, sweep);
+  const std::vector<solver::Verdict> later = prove::solver::Compare(terms_, solver, rest, sweep);
   for (size_t k = 0; k < open.size(); ++k) verdicts[open[k]] = later[k];
   return verdicts;
 }
 
-bool UnitVerifier::DecideLoops(Solver& solver) {
+bool UnitVerifier::DecideLoops(solver::Solver& solver) {
   std::vector<Question> questions;
   for (const LoopClaim& claim : relation_->claims())
     questions.push_back({.what = claim.what, .pair = claim.pair, .given = claim.given, .guess = claim.guess});
   proof_.claims = questions.size();
-  const std::vector<Verdict> verdicts = Compare(solver, questions);
+  const std::vector<solver::Verdict> verdicts = Compare(solver, questions);
   Blame least = Blame::kMemory;
   for (size_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i] == Verdict::kEqual) continue;
+    if (verdicts[i] == solver::Verdict::kEqual) continue;
     if (!questions[i].guess.empty()) {
       const Blame blame = relation_->claims()[i].blame;
       if (blame < least) refuted_.clear();
@@ -256,8 +258,8 @@ bool UnitVerifier::DecideLoops(Solver& solver) {
         refuted_.push_back(questions[i].guess);
     } else if (proof_.reason.empty()) {
       proof_.reason =
-          verdicts[i] == Verdict::kDifferent ? questions[i].what : "not within the time: " + questions[i].what;
-      if (verdicts[i] == Verdict::kDifferent) proof_.differences.push_back(Show(solver, questions[i]));
+          verdicts[i] == solver::Verdict::kDifferent ? questions[i].what : "not within the time: " + questions[i].what;
+      if (verdicts[i] == solver::Verdict::kDifferent) proof_.differences.push_back(Show(solver, questions[i]));
     }
   }
   if (!refuted_.empty() && proof_.reason.empty())
@@ -265,14 +267,14 @@ bool UnitVerifier::DecideLoops(Solver& solver) {
   return refuted_.empty() && proof_.reason.empty();
 }
 
-void UnitVerifier::Decide(Solver& solver) {
-  const std::vector<Verdict> verdicts = Compare(solver, questions_);
+void UnitVerifier::Decide(solver::Solver& solver) {
+  const std::vector<solver::Verdict> verdicts = Compare(solver, questions_);
   proof_.result = ProofResult::kProved;
   for (size_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i] == Verdict::kDifferent) {
+    if (verdicts[i] == solver::Verdict::kDifferent) {
       proof_.result = ProofResult::kDifferent;
       if (proof_.differences.size() < kMostDifferences) proof_.differences.push_back(Show(solver, questions_[i]));
-    } else if (verdicts[i] == Verdict::kUndecided && proof_.result == ProofResult::kProved) {
+    } else if (verdicts[i] == solver::Verdict::kUndecided && proof_.result == ProofResult::kProved) {
       proof_.result = ProofResult::kNotDecided;
       proof_.reason = "not within the time: " + questions_[i].what;
     }
@@ -292,7 +294,7 @@ RoutineProof UnitVerifier::Run() {
   proof_.routine = is_inner() ? unit_.name : routine_.name;
   proof_.exported = !is_inner();
   if (program_.limits.progress) program_.limits.progress(proof_.routine);
-  LoadedSolver loaded = LoadSolver(terms_);
+  solver::LoadedSolver loaded = solver::LoadSolver(terms_);
   if (loaded.solver == nullptr) {
     proof_.reason = loaded.reason;
     gave_up_ = true;
@@ -304,14 +306,14 @@ RoutineProof UnitVerifier::Run() {
   const bool in_order = treatment_.callees == Callees::kReplacedInOrder;
   if (treatment_.callees != Callees::kFollowed) {
     const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
-    const auto never = [this, &loaded](TermId condition) {
+    const auto never = [this, &loaded](terms::TermId condition) {
       return terms_.IsFalse(condition) ||
-             (!terms_.IsTrue(condition) && loaded.solver->Check({&condition, 1}, kBranchMs) == Answer::kNever);
+             (!terms_.IsTrue(condition) && loaded.solver->Check({&condition, 1}, kBranchMs) == solver::Answer::kNever);
     };
     replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never));
   }
   MakeArguments();
-  const Environment environment = MakeEnvironment();
+  const execute::Environment environment = MakeEnvironment();
   if (treatment_.loops == Loops::kInStep && !in_order) {
     relation_ = std::make_unique<LoopRelation>(terms_, program_.emittable, program_.cells, image_, environment.initial,
                                                treatment_.dropped);
@@ -319,7 +321,7 @@ RoutineProof UnitVerifier::Run() {
   if (in_order) policy_.rounds = kFewRounds;
   policy_.heads = relation_.get();
   policy_.left_out = terms_.Bit(false);
-  Memory memory(terms_, program_.ir, program_.cells, environment);
+  execute::Memory memory(terms_, program_.ir, program_.cells, environment);
   proof_.reason = ExecuteProgram(memory);
   has_loops_ = policy_.has_heads || !terms_.IsFalse(policy_.left_out);
   gave_up_ = !proof_.reason.empty();
@@ -339,4 +341,4 @@ RoutineProof UnitVerifier::Run() {
   gave_up_ = proof_.result == ProofResult::kNotDecided;
   return std::move(proof_);
 }
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

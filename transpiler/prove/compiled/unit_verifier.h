@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "transpiler/prove/compiled/constant_arguments.h"
-#include "transpiler/prove/compiled/unit_surroundings.h"
+#include "transpiler/prove/compiled/unit_environment.h"
 #include "transpiler/prove/compiled/verified_program.h"
 #include "transpiler/prove/execute/execute.h"
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/solver/sweep.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// What is done with calls of functions that are proved; the first is the cheapest, the last finds differences.
 enum class Callees : uint8_t { kReplacedInOrder, kReplacedByArguments, kFollowed };
@@ -55,9 +55,9 @@ class UnitVerifier {
  private:
   struct Question {
     std::string what;
-    TermPair pair;      // the IR's, the code's
-    TermId given;       // where it is asked; none: everywhere
-    std::string guess;  // of which it is; may be none
+    solver::TermPair pair;  // the IR's, the code's
+    terms::TermId given;    // where it is asked; none: everywhere
+    std::string guess;      // of which it is; may be none
   };
 
   /// A chunk or subroutine: it works on its caller's locals.
@@ -65,22 +65,22 @@ class UnitVerifier {
   bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
   uint32_t locals_begin() const { return image_.size() + program_.ir.host_functions.size(); }
   uint32_t MostRounds() const;
-  Environment MakeEnvironment();
-  void Observe(Memory& memory, ir::HostFunctionId function, TermId when);
-  TermId InitialSlot(uint32_t slot);
+  execute::Environment MakeEnvironment();
+  void Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when);
+  terms::TermId InitialSlot(uint32_t slot);
   void MakeArguments();
-  std::string ExecuteProgram(Memory& memory);
+  std::string ExecuteProgram(execute::Memory& memory);
   CodeOutcome ExecuteCode();
-  void Ask(Memory& memory, const CodeOutcome& outcome);
+  void Ask(execute::Memory& memory, const CodeOutcome& outcome);
   /// What is given everywhere behind loops.
-  TermId GivenAtEnd(const CodeOutcome& outcome);
-  TermPair Asked(const Question& question);
-  std::vector<Verdict> Compare(Solver& solver, std::span<const Question> questions);
+  terms::TermId GivenAtEnd(const CodeOutcome& outcome);
+  solver::TermPair Asked(const Question& question);
+  std::vector<solver::Verdict> Compare(solver::Solver& solver, std::span<const Question> questions);
   /// Whether what is claimed of loops is so.
-  bool DecideLoops(Solver& solver);
-  void Decide(Solver& solver);
-  CodeDifference Show(Solver& solver, const Question& question);
-  std::vector<TermId> VariablesOf(const TermPair& pair) const;
+  bool DecideLoops(solver::Solver& solver);
+  void Decide(solver::Solver& solver);
+  CodeDifference Show(solver::Solver& solver, const Question& question);
+  std::vector<terms::TermId> VariablesOf(const solver::TermPair& pair) const;
 
   const VerifiedProgram& program_;
   const Unit& unit_;
@@ -88,19 +88,19 @@ class UnitVerifier {
   const Treatment& treatment_;
   const ir::Routine& routine_;
   StateImage image_;
-  Terms terms_;
-  TermId now_, hash_;
+  terms::Terms terms_;
+  terms::TermId now_, hash_;
   std::vector<CodeArgument> arguments_;
-  std::vector<TermId> values_, references_;  // of the arguments, in the unit's order
-  std::vector<uint32_t> slots_;              // of the references
-  std::vector<TermId> local_bytes_;
+  std::vector<terms::TermId> values_, references_;  // of the arguments, in the unit's order
+  std::vector<uint32_t> slots_;                     // of the references
+  std::vector<terms::TermId> local_bytes_;
   std::unique_ptr<Replaced> replaced_;
   std::unique_ptr<LoopRelation> relation_;
-  LoopPolicy policy_;
+  execute::LoopPolicy policy_;
   std::vector<Question> questions_;
   RoutineProof proof_;
   std::vector<std::string> refuted_;
   bool gave_up_ = false, has_loops_ = false;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

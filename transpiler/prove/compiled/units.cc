@@ -6,12 +6,12 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 class UnitMaker {
  public:
-  UnitMaker(const emit::Emittable& emittable, const Cells& cells)
+  UnitMaker(const emit::Emittable& emittable, const execute::Cells& cells)
       : emittable_(emittable), program_(*emittable.program), cells_(cells) {}
 
   Units Run();
@@ -26,17 +26,17 @@ class UnitMaker {
   static void AddCallee(Unit& unit, UnitId callee);
   // What it may do, calls and chunks included.
   const Footprint& OfRoutine(ir::RoutineId id);
-  Footprint OfPart(const Stretch& part);
+  Footprint OfPart(const execute::Stretch& part);
   void Note(Footprint& footprint, const ir::Inst& inst);
   void NoteRegion(Footprint& footprint, ir::RegionId region);
   void NotePlace(Footprint& footprint, ir::PlaceId id, bool writes) const;
   void NoteInstance(Footprint& footprint, ir::StateId state) const;
   void NoteHost(Footprint& footprint, const ir::Call& call) const;
-  void NoteCell(Footprint& footprint, CellId cell, bool writes) const;
+  void NoteCell(Footprint& footprint, execute::CellId cell, bool writes) const;
 
   const emit::Emittable& emittable_;
   const ir::Program& program_;
-  const Cells& cells_;
+  const execute::Cells& cells_;
   Units units_;
   std::vector<Footprint> routines_;  // by RoutineId; empty: not looked at yet
 };
@@ -109,7 +109,7 @@ void UnitMaker::FindCallees(Unit& unit) {
   for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) VisitRegion(unit, region);
 }
 
-void UnitMaker::NoteCell(Footprint& footprint, CellId cell, bool writes) const {
+void UnitMaker::NoteCell(Footprint& footprint, execute::CellId cell, bool writes) const {
   footprint.touched[cell.index] = true;
   if (writes) footprint.written[cell.index] = true;
 }
@@ -117,11 +117,11 @@ void UnitMaker::NoteCell(Footprint& footprint, CellId cell, bool writes) const {
 void UnitMaker::NotePlace(Footprint& footprint, ir::PlaceId id, bool writes) const {
   if (!id.valid()) return;
   const ir::Place& place = program_.places[id];
-  for (const CellId cell : TouchedCells(program_, cells_, place)) NoteCell(footprint, cell, writes);
+  for (const execute::CellId cell : execute::TouchedCells(program_, cells_, place)) NoteCell(footprint, cell, writes);
 }
 
 void UnitMaker::NoteInstance(Footprint& footprint, ir::StateId state) const {
-  for (const CellId cell : CellsOfInstance(program_, cells_, state)) NoteCell(footprint, cell, true);
+  for (const execute::CellId cell : execute::CellsOfInstance(program_, cells_, state)) NoteCell(footprint, cell, true);
 }
 
 void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
@@ -134,7 +134,7 @@ void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-      if (!HostWrites(program_, host.access, space, offset)) continue;
+      if (!execute::HostWrites(program_, host.access, space, offset)) continue;
       for (uint8_t bit = 0; bit < 8; ++bit) NoteCell(footprint, cells_.OfBit(space, offset, bit), true);
     }
   }
@@ -156,7 +156,7 @@ void UnitMaker::Note(Footprint& footprint, const ir::Inst& inst) {
   if (shape != ir::Shape::kCall) return;
   const Footprint& callee = OfRoutine(program_.calls[ir::CallId(inst.payload)].routine);
   for (uint32_t i = 0; i < cells_.count; ++i) {
-    if (callee.touched[i]) NoteCell(footprint, CellId(i), callee.written[i]);
+    if (callee.touched[i]) NoteCell(footprint, execute::CellId(i), callee.written[i]);
   }
   footprint.shows_state = footprint.shows_state || callee.shows_state;
   footprint.shows_retentive = footprint.shows_retentive || callee.shows_retentive;
@@ -167,7 +167,7 @@ const Footprint& UnitMaker::OfRoutine(ir::RoutineId id) {
   return routines_[id.index];
 }
 
-Footprint UnitMaker::OfPart(const Stretch& part) {
+Footprint UnitMaker::OfPart(const execute::Stretch& part) {
   Footprint footprint;
   footprint.touched.resize(cells_.count);
   footprint.written.resize(cells_.count);
@@ -205,6 +205,8 @@ UnitId Units::At(const emit::Emittable& emittable, ir::RegionId region, uint32_t
   return {};
 }
 
-Units MakeUnits(const emit::Emittable& emittable, const Cells& cells) { return UnitMaker(emittable, cells).Run(); }
+Units MakeUnits(const emit::Emittable& emittable, const execute::Cells& cells) {
+  return UnitMaker(emittable, cells).Run();
+}
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

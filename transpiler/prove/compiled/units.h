@@ -12,7 +12,7 @@
 #include "transpiler/prove/execute/cells.h"
 #include "transpiler/prove/execute/execute.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 using UnitId = support::Id<struct UnitTag>;
 
@@ -24,7 +24,7 @@ struct Footprint {
 
 struct Unit {
   std::string name;  // in C++, without namespace
-  Stretch part;
+  execute::Stretch part;
   std::vector<ir::PlaceId> values, references;  // named locals and parameters from the caller, in C++'s order
   ir::PlaceId result;                           // none: void
   std::vector<UnitId> callees;                  // each once
@@ -42,6 +42,6 @@ struct Units {
   UnitId At(const emit::Emittable& emittable, ir::RegionId region, uint32_t instruction) const;
 };
 
-Units MakeUnits(const emit::Emittable& emittable, const Cells& cells);
+Units MakeUnits(const emit::Emittable& emittable, const execute::Cells& cells);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -13,7 +13,7 @@
 #include "transpiler/prove/compiled/verify.h"
 #include "transpiler/prove/solver/answered.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 struct VerifiedProgram {
   VerifiedProgram(const emit::Emittable& printed, CompiledCode& compiled, const VerifyLimits& given)
@@ -21,7 +21,7 @@ struct VerifiedProgram {
         ir(*printed.program),
         code(compiled),
         limits(given),
-        cells(MakeCells(ir)),
+        cells(execute::MakeCells(ir)),
         image(ir, printed.layout, cells),
         units(MakeUnits(printed, cells)),
         calls(units.all.size()) {}
@@ -32,11 +32,11 @@ struct VerifiedProgram {
   const ir::Program& ir;
   CompiledCode& code;
   const VerifyLimits& limits;
-  Cells cells;
+  execute::Cells cells;
   StateImage image;
   Units units;
   std::vector<std::unique_ptr<ReplacedCall>> calls;  // by UnitId: of those that are proved
-  std::unique_ptr<AnsweredForms> answered = std::make_unique<AnsweredForms>();
+  std::unique_ptr<solver::AnsweredForms> answered = std::make_unique<solver::AnsweredForms>();
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

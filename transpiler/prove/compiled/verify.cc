@@ -10,7 +10,7 @@
 #include "transpiler/prove/compiled/unit_verifier.h"
 #include "transpiler/prove/compiled/verified_program.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 constexpr int kMostRetries = 80;  // with other guesses of what loops have in common
@@ -228,4 +228,4 @@ std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode&
   return verification.TakeProofs();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

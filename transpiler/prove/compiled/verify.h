@@ -20,7 +20,7 @@
 #include "transpiler/emit/emittable.h"
 #include "transpiler/prove/compiled/compiled_code.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 struct VariableValue {
   std::string name;  // of what State holds, of a parameter, or of what a host answers
@@ -65,4 +65,4 @@ std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program);
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
                                  std::span<const ir::RoutineId> routines, const VerifyLimits& limits);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

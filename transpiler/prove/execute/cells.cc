@@ -4,7 +4,7 @@
 
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 namespace {
 
 /// By SpaceId: the bytes that places of the program reach.
@@ -32,7 +32,7 @@ Cells MakeCells(const ir::Program& program) {
   }
   for (const ir::StateInstance& state : program.states) {
     cells.states.push_back(cells.count);
-    cells.count += FieldTerms(state.kind);
+    cells.count += meaning::FieldTerms(state.kind);
   }
   cells.calls = cells.count;
   cells.count += program.host_functions.size();
@@ -71,7 +71,7 @@ uint8_t CellWidth(const ir::Program& program, const Cell& cell) {
     case CellKind::kBit:
       return 1;
     case CellKind::kField:
-      return WidthOf(ir::Info(program.states[cell.state].kind).fields[cell.field].type);
+      return meaning::WidthOf(ir::Info(program.states[cell.state].kind).fields[cell.field].type);
     case CellKind::kCalls:
       return 64;
   }
@@ -97,7 +97,7 @@ std::string CellName(const ir::Program& program, const Cell& cell) {
 
 std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, const ir::Place& place) {
   if (place.is_field()) {
-    const uint32_t field = FieldTermIndex(program.states[place.state].kind, place.field);
+    const uint32_t field = meaning::FieldTermIndex(program.states[place.state].kind, place.field);
     return {CellId(cells.states[place.state.index] + field)};
   }
   if (place.type == ir::Type::kBit) return {cells.OfBit(place.space, place.offset, place.bit)};
@@ -127,7 +127,7 @@ std::vector<CellId> TouchedCells(const ir::Program& program, const Cells& cells,
 
 std::vector<CellId> CellsOfInstance(const ir::Program& program, const Cells& cells, ir::StateId state) {
   std::vector<CellId> fields;
-  for (uint32_t i = 0; i < FieldTerms(program.states[state].kind); ++i) {
+  for (uint32_t i = 0; i < meaning::FieldTerms(program.states[state].kind); ++i) {
     fields.emplace_back(cells.states[state.index] + i);
   }
   return fields;
@@ -139,4 +139,4 @@ bool IsInside(const ir::Program& program, const ir::Place& place) {
          uint64_t{place.offset} + ir::Bytes(place.type) <= program.spaces[place.space].bytes;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -11,7 +11,7 @@
 
 #include "transpiler/ir/program.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
 /// Number of a cell.
 using CellId = support::Id<struct CellTag>;
@@ -60,4 +60,4 @@ std::vector<CellId> CellsOfInstance(const ir::Program& program, const Cells& cel
 /// Whether a place is a field, or is not indexed and lies wholly in its space.
 bool IsInside(const ir::Program& program, const ir::Place& place);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -6,9 +6,9 @@
 #include "transpiler/prove/execute/executor.h"
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
-Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> arguments) {
+Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const terms::TermId> arguments) {
   return Executor(memory).Run(routine, arguments);
 }
 
@@ -28,7 +28,7 @@ void Executor::Refuse(std::string reason) {
   flow_.active = terms_.Bit(false);
 }
 
-Refusal Executor::Run(ir::RoutineId id, std::span<const TermId> arguments) {
+Refusal Executor::Run(ir::RoutineId id, std::span<const terms::TermId> arguments) {
   if (!id.valid()) return {};
   flow_ = {.active = terms_.Bit(true), .leaving = {}};
   ClearLocals();
@@ -88,7 +88,7 @@ bool Executor::IsReplaced(ir::RegionId region, uint32_t& at) {
 
 void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
   const auto operands = [&] {
-    std::vector<TermId> terms;
+    std::vector<terms::TermId> terms;
     for (const uint32_t operand : {inst.a, inst.b, inst.c}) {
       if (terms.size() < ir::Info(inst.op).operand_count) terms.push_back(ValueOf(operand));
     }
@@ -102,7 +102,7 @@ void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
 #undef PLCXX_PURE
 #undef PLCXX_STEP
 #undef PLCXX_CORE
-    values_[id.index] = MeaningOf(terms_, inst.op, operands());
+    values_[id.index] = meaning::MeaningOf(terms_, inst.op, operands());
     break;
 #define PLCXX_PURE(...)
 #define PLCXX_STEP(Kind, ...) case ir::OpKind::k##Kind:
@@ -112,8 +112,8 @@ void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
 #undef PLCXX_STEP
 #undef PLCXX_CORE
     {
-      std::vector<TermId> fields = Fields(ir::StateId(inst.payload));
-      values_[id.index] = StepMeaning(terms_, inst.op, fields, operands());
+      std::vector<terms::TermId> fields = Fields(ir::StateId(inst.payload));
+      values_[id.index] = meaning::StepMeaning(terms_, inst.op, fields, operands());
       StepInstance(ir::StateId(inst.payload), fields);
       break;
     }
@@ -131,11 +131,11 @@ void Executor::ExecuteInst(ir::InstId id, const ir::Inst& inst) {
 }
 
 void Executor::ExecuteConst(ir::InstId id, const ir::Inst& inst) {
-  values_[id.index] = terms_.Const(ir::ConstantValue(inst), WidthOf(inst.type));
+  values_[id.index] = terms_.Const(ir::ConstantValue(inst), meaning::WidthOf(inst.type));
 }
 
 void Executor::ExecutePoison(ir::InstId id, const ir::Inst& inst) {
-  if (inst.type != ir::Type::kNone) values_[id.index] = terms_.Const(0, WidthOf(inst.type));
+  if (inst.type != ir::Type::kNone) values_[id.index] = terms_.Const(0, meaning::WidthOf(inst.type));
 }
 
 void Executor::ExecuteStatement(ir::InstId, const ir::Inst&) {
@@ -163,8 +163,8 @@ void Executor::ExecuteStore(ir::InstId, const ir::Inst& inst) {
 
 void Executor::ExecuteUpdateText(ir::InstId, const ir::Inst& inst) {
   const ir::StateId flag_id(inst.payload), inbox_id(inst.a);
-  std::vector<TermId> flag = Fields(flag_id), inbox = Fields(inbox_id);
-  UpdateTextMeaning(terms_, flag, inbox, program_.texts[ir::TextId(inst.b)]);
+  std::vector<terms::TermId> flag = Fields(flag_id), inbox = Fields(inbox_id);
+  meaning::UpdateTextMeaning(terms_, flag, inbox, program_.texts[ir::TextId(inst.b)]);
   StepInstance(flag_id, flag);
   StepInstance(inbox_id, inbox);
 }
@@ -173,7 +173,7 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
   // A partition has named locals of its own; those of its caller come back behind it.
-  std::vector<std::pair<CellId, TermId>> callers;
+  std::vector<std::pair<CellId, terms::TermId>> callers;
   if (routine.kind != ir::RoutineKind::kSubroutine) {
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       const ir::Space& space = program_.spaces[ir::SpaceId(i)];
@@ -200,10 +200,10 @@ void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
 }
 
 /// What stood in a place before the execution.
-TermId Executor::InitialOf(const ir::Place& place) {
-  TermId value;
+terms::TermId Executor::InitialOf(const ir::Place& place) {
+  terms::TermId value;
   for (const CellId cell : CellsOf(program_, memory_.cells(), place)) {
-    const TermId part = memory_.environment().initial(cell);
+    const terms::TermId part = memory_.environment().initial(cell);
     value = value.valid() ? terms_.Concat(part, value) : part;
   }
   return value;
@@ -216,21 +216,22 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
     values_[id.index] = memory_.environment().now;
     return;
   }
-  std::vector<TermId> arguments;
+  std::vector<terms::TermId> arguments;
   for (const ir::ValueId argument : call.arguments) arguments.push_back(ValueOf(argument.index));
-  const TermId calls = CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
+  const terms::TermId calls =
+      CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
   WriteCell(memory_.cells().OfCalls(call.host), calls);
   const bool answers = memory_.environment().host_answers;
   if (host.result != ir::Type::kNone) {
-    values_[id.index] =
-        answers ? AnswerOf(terms_, host.name, calls, WidthOf(host.result)) : terms_.Const(0, WidthOf(host.result));
+    values_[id.index] = answers ? AnswerOf(terms_, host.name, calls, meaning::WidthOf(host.result))
+                                : terms_.Const(0, meaning::WidthOf(host.result));
     const ir::Place* const input = memory_.environment().fetched ? memory_.environment().fetched(id) : nullptr;
     if (input != nullptr) values_[id.index] = InitialOf(*input);
   }
   if (call.out.valid() && answers) {
     const ir::Place& out = program_.places[call.out];
     WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, calls),
-                               SecondAnswerOf(terms_, host.name, calls, WidthOf(out.type)), ReadPlace(out)));
+                               SecondAnswerOf(terms_, host.name, calls, meaning::WidthOf(out.type)), ReadPlace(out)));
   }
   if (host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive) {
     if (memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
@@ -248,14 +249,14 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
         const CellId cell = memory_.cells().OfBit(space, offset, bit);
         if (is_exchanged && !is_exchanged(cell)) continue;
         if (restores) {
-          const TermId copied = memory_.environment().stored(cell);
+          const terms::TermId copied = memory_.environment().stored(cell);
           WriteCell(cell, terms_.Ite(HasCopy(terms_, host.name, calls), copied, memory_.Read(cell)));
           continue;
         }
         const auto& host_bit = memory_.environment().host_bit;
         const Environment::HostBit known =
             host_bit ? host_bit(cell) : Environment::HostBit{program_.spaces[space].name, offset, bit};
-        const TermId byte = ByteFromHost(terms_, host.name, calls, known.space, known.offset);
+        const terms::TermId byte = ByteFromHost(terms_, host.name, calls, known.space, known.offset);
         WriteCell(cell, terms_.Extract(byte, known.bit, 1));
       }
     }
@@ -266,4 +267,4 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
 void Executor::ExecuteJump(ir::InstId, const ir::Inst&) { PLCXX_UNREACHABLE(); }
 void Executor::ExecuteLabel(ir::InstId, const ir::Inst&) { PLCXX_UNREACHABLE(); }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -21,14 +21,14 @@
 #include "transpiler/prove/execute/loop_heads.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
 class Memory;
 
 /// A cell and what it becomes.
 struct CellChange {
   CellId cell;
-  TermId value;
+  terms::TermId value;
 };
 
 /// A part of a program: a routine, or the instructions [begin, end) of one region of it.
@@ -47,20 +47,20 @@ class ReplacedParts {
   virtual ~ReplacedParts() = default;
   /// What a call of a routine does, whose parameters stand in their places; none: it is executed. `when`: execution
   /// comes there.
-  virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, TermId when) = 0;
+  virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, terms::TermId when) = 0;
   /// What the part of a region does that begins at its instruction `at`, which becomes the one behind it; none: that
   /// instruction is executed.
   virtual std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at,
-                                                      TermId when) = 0;
+                                                      terms::TermId when) = 0;
 };
 
 /// What surrounds an execution.
 struct Environment {
   /// The value of a cell that nothing has written yet; asked once for each cell that is read.
-  std::function<TermId(CellId cell)> initial;
+  std::function<terms::TermId(CellId cell)> initial;
   /// Called at a call of a host function that reads the state, with the memory then and when it comes there; may be
   /// empty.
-  std::function<void(Memory& memory, ir::HostFunctionId function, TermId when)> observe;
+  std::function<void(Memory& memory, ir::HostFunctionId function, terms::TermId when)> observe;
   /// By which name the host knows a bit that it writes; empty: its own. Two versions that have an input at different
   /// places name it alike.
   struct HostBit {
@@ -70,14 +70,14 @@ struct Environment {
   };
   std::function<HostBit(CellId cell)> host_bit;
   /// Told every value that a cell gets, it gives the one that the cell has from then on; empty: the same.
-  std::function<TermId(CellId cell, TermId value)> cut;
+  std::function<terms::TermId(CellId cell, terms::TermId value)> cut;
   /// Whether `cut` makes anything else of the values of a cell; empty: of all of them, perhaps.
   std::function<bool(CellId cell)> is_cut;
   /// The answer to the schedule's `now`.
-  TermId now;
+  terms::TermId now;
   ReplacedParts* replaced = nullptr;
   /// What the host has of a retentive cell, if it has a copy at all; empty: a copy of which nothing is known.
-  std::function<TermId(CellId cell)> stored;
+  std::function<terms::TermId(CellId cell)> stored;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
   /// The place whose initial value a call of the host gives, whatever host_answers says; none: another call.
@@ -97,19 +97,19 @@ struct Environment {
 /// The cells of one program in the middle of an execution.
 class Memory {
  public:
-  Memory(Terms& terms, const ir::Program& program, const Cells& cells, Environment environment);
+  Memory(terms::Terms& terms, const ir::Program& program, const Cells& cells, Environment environment);
 
-  TermId Read(CellId cell);
-  void Write(CellId cell, TermId value);
+  terms::TermId Read(CellId cell);
+  void Write(CellId cell, terms::TermId value);
   /// Whether the execution has written the cell since the memory was made; Read of others gives the initial value.
   bool IsWritten(CellId cell) const { return written_[cell.index]; }
 
   /// By CellId, of those that were asked for or written.
-  const std::vector<TermId>& values();
+  const std::vector<terms::TermId>& values();
 
   /// A place that is not indexed; width of its type.
-  TermId ReadPlace(const ir::Place& place);
-  void WritePlace(const ir::Place& place, TermId value);
+  terms::TermId ReadPlace(const ir::Place& place);
+  void WritePlace(const ir::Place& place, terms::TermId value);
 
   /// From here on changed cells are remembered; TakeChanges ends the innermost Begin: it gives the changed cells with
   /// their values, ascending, and puts the values before it back.
@@ -117,7 +117,7 @@ class Memory {
   void BeginChanges();
   std::vector<Change> TakeChanges();
 
-  Terms& terms() { return *terms_; }
+  terms::Terms& terms() { return *terms_; }
   const ir::Program& program() const { return *program_; }
   const Cells& cells() const { return *cells_; }
   const Environment& environment() const { return environment_; }
@@ -127,12 +127,12 @@ class Memory {
   /// The bit of a word that was written as one. Taking words apart costs more than anything else in a program with
   /// tables, and most are read as they were written; so it is done when somebody asks for the bit.
   struct WordBit {
-    TermId word;  // none: the cell was written alone, or never
+    terms::TermId word;  // none: the cell was written alone, or never
     uint8_t bit = 0;
   };
   struct Undo {
     CellId cell;
-    TermId before;
+    terms::TermId before;
     WordBit word_before;
     bool was_written;
     uint32_t stamp;
@@ -141,14 +141,14 @@ class Memory {
   /// What the cell is, for TakeChanges; to be called before each change of it.
   void NoteBefore(CellId cell);
   /// The word of which the cells are all bits, from the least significant one on; none: they are not.
-  TermId WholeWord(std::span<const CellId> bits) const;
+  terms::TermId WholeWord(std::span<const CellId> bits) const;
 
-  Terms* terms_;
+  terms::Terms* terms_;
   const ir::Program* program_;
   const Cells* cells_;
   Environment environment_;
-  std::vector<TermId> values_;  // invalid: not asked for yet
-  std::vector<WordBit> words_;  // what an invalid value was written as, and a valid one may have been
+  std::vector<terms::TermId> values_;  // invalid: not asked for yet
+  std::vector<WordBit> words_;         // what an invalid value was written as, and a valid one may have been
   std::vector<bool> written_;
   std::vector<uint32_t> stamps_;  // the Begin during which the cell's value was noted last
   std::vector<std::vector<Undo>> undo_;
@@ -160,25 +160,27 @@ class Memory {
 using Refusal = std::string;
 
 /// Executes a routine whose parameters get `arguments`, as a call of it from outside does: named locals are 0.
-Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const TermId> arguments = {});
+Refusal Execute(Memory& memory, ir::RoutineId routine, std::span<const terms::TermId> arguments = {});
 
 /// Executes a part of a program where it stands: named locals are what `memory` says.
 Refusal ExecutePart(Memory& memory, const Stretch& part);
 
 /// The functions that stand for host calls; compiled code is executed with the same ones. `function` is the name of
 /// the host function.
-TermId CallsAfter(Terms& terms, std::string_view function, TermId calls, std::span<const TermId> arguments);
+terms::TermId CallsAfter(terms::Terms& terms, std::string_view function, terms::TermId calls,
+                         std::span<const terms::TermId> arguments);
 /// Its result after that call.
-TermId AnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
+terms::TermId AnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width);
 /// Whether it gave a second result, and which.
-TermId GivesSecond(Terms& terms, std::string_view function, TermId calls);
-TermId SecondAnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width);
+terms::TermId GivesSecond(terms::Terms& terms, std::string_view function, terms::TermId calls);
+terms::TermId SecondAnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width);
 /// A byte of a space after a call that writes the state: of `space` by its name.
-TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::string_view space, uint32_t offset);
+terms::TermId ByteFromHost(terms::Terms& terms, std::string_view function, terms::TermId calls, std::string_view space,
+                           uint32_t offset);
 /// Whether it has a copy of the retentive memory; without one it leaves the memory alone.
-TermId HasCopy(Terms& terms, std::string_view function, TermId calls);
+terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::TermId calls);
 /// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState, all
 /// of a retentive space by kWritesRetentive.
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

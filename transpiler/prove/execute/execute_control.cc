@@ -5,9 +5,9 @@
 
 #include "transpiler/prove/execute/executor.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
-void Executor::Leave(ir::InstId target, bool repeats, TermId when) {
+void Executor::Leave(ir::InstId target, bool repeats, terms::TermId when) {
   if (terms_.IsFalse(when)) return;
   for (Leaving& leaving : flow_.leaving) {
     if (leaving.target != target || leaving.repeats != repeats) continue;
@@ -22,16 +22,16 @@ void Executor::Join(std::vector<Arm> arms) {
     flow_.active = terms_.Bit(false);
     return;
   }
-  const TermId before = flow_.active;
+  const terms::TermId before = flow_.active;
   // Later arms are joined first, so that the first one stands outermost.
-  std::map<CellId, TermId> joined;
+  std::map<CellId, terms::TermId> joined;
   for (const Arm& arm : arms) {
     for (const Memory::Change& change : arm.changes) joined.emplace(change.cell, memory_.Read(change.cell));
   }
-  TermId active = before;
+  terms::TermId active = before;
   for (auto arm = arms.rbegin(); arm != arms.rend(); ++arm) {
     for (const Memory::Change& change : arm->changes) {
-      TermId& value = joined[change.cell];
+      terms::TermId& value = joined[change.cell];
       value = terms_.Ite(arm->when, change.value, value);
     }
     if (!terms_.IsTrue(arm->flow.active)) {
@@ -47,24 +47,24 @@ void Executor::Join(std::vector<Arm> arms) {
   flow_.active = active;
 }
 
-TermId Executor::TakeLeaving(ir::InstId target, bool repeats) {
+terms::TermId Executor::TakeLeaving(ir::InstId target, bool repeats) {
   const auto at = std::ranges::find_if(
       flow_.leaving, [&](const Leaving& leaving) { return leaving.target == target && leaving.repeats == repeats; });
   if (at == flow_.leaving.end()) return terms_.Bit(false);
-  const TermId when = at->when;
+  const terms::TermId when = at->when;
   flow_.leaving.erase(at);
   return when;
 }
 
-void Executor::Land(ir::InstId target, TermId before) {
-  const TermId landed = TakeLeaving(target, false);
+void Executor::Land(ir::InstId target, terms::TermId before) {
+  const terms::TermId landed = TakeLeaving(target, false);
   if (!refusal_.empty()) return;
   // Who came in and did not leave for somewhere else is here.
   flow_.active = flow_.leaving.empty() ? before : terms_.Or(flow_.active, landed);
 }
 
 void Executor::ExecuteIf(ir::InstId, const ir::Inst& inst) {
-  const TermId condition = ValueOf(inst.a);
+  const terms::TermId condition = ValueOf(inst.a);
   const ir::RegionId then(inst.b), otherwise(inst.c);
   if (terms_.IsConst(condition)) {
     ExecuteRegion(terms_.IsTrue(condition) ? then : otherwise);
@@ -76,18 +76,18 @@ void Executor::ExecuteIf(ir::InstId, const ir::Inst& inst) {
   Join(std::move(arms));
 }
 
-TermId Executor::SelectedBy(const ir::SwitchCase& one, TermId selector) {
-  TermId chosen = terms_.Bit(false);
+terms::TermId Executor::SelectedBy(const ir::SwitchCase& one, terms::TermId selector) {
+  terms::TermId chosen = terms_.Bit(false);
   for (const uint64_t value : one.values) {
     chosen = terms_.Or(chosen, terms_.Eq(selector, terms_.Const(value, terms_.Width(selector))));
   }
   return chosen;
 }
 
-std::vector<TermId> Executor::CaseConditions(const std::vector<ir::SwitchCase>& cases, TermId selector) {
+std::vector<terms::TermId> Executor::CaseConditions(const std::vector<ir::SwitchCase>& cases, terms::TermId selector) {
   // As in C, the default is taken when no other case is, wherever it stands.
-  std::vector<TermId> conditions;
-  TermId any = terms_.Bit(false);
+  std::vector<terms::TermId> conditions;
+  terms::TermId any = terms_.Bit(false);
   for (const ir::SwitchCase& one : cases) {
     conditions.push_back(SelectedBy(one, selector));
     any = terms_.Or(any, conditions.back());
@@ -100,12 +100,12 @@ std::vector<TermId> Executor::CaseConditions(const std::vector<ir::SwitchCase>& 
 
 void Executor::ExecuteSwitch(ir::InstId, const ir::Inst& inst) {
   const std::vector<ir::SwitchCase>& cases = program_.switches[ir::SwitchId(inst.payload)].cases;
-  const std::vector<TermId> chosen = CaseConditions(cases, ValueOf(inst.a));
+  const std::vector<terms::TermId> chosen = CaseConditions(cases, ValueOf(inst.a));
   // Cases that run on into each other are one arm; inside it each begins where it is chosen or run into.
   std::vector<Arm> arms;
   for (size_t begin = 0; begin < cases.size();) {
     size_t end = begin + 1;
-    TermId any = chosen[begin];
+    terms::TermId any = chosen[begin];
     for (; cases[end - 1].falls_through && end < cases.size(); ++end) any = terms_.Or(any, chosen[end]);
     if (!terms_.IsFalse(any)) {
       arms.push_back(RunArm(any, [&] {
@@ -113,7 +113,7 @@ void Executor::ExecuteSwitch(ir::InstId, const ir::Inst& inst) {
           ExecuteRegion(cases[begin].region);
           return;
         }
-        TermId running = terms_.Bit(false);
+        terms::TermId running = terms_.Bit(false);
         for (size_t i = begin; i < end; ++i) {
           running = terms_.Or(running, chosen[i]);
           if (terms_.IsFalse(running)) continue;
@@ -125,7 +125,7 @@ void Executor::ExecuteSwitch(ir::InstId, const ir::Inst& inst) {
           one.front().flow.active = terms_.Bit(true);
           Join(std::move(one));
         }
-        TermId left = terms_.Bit(false);
+        terms::TermId left = terms_.Bit(false);
         for (const Leaving& leaving : flow_.leaving) left = terms_.Or(left, leaving.when);
         if (refusal_.empty()) flow_.active = terms_.Not(left);
       }));
@@ -136,7 +136,7 @@ void Executor::ExecuteSwitch(ir::InstId, const ir::Inst& inst) {
 }
 
 void Executor::ExecuteBlock(ir::InstId id, const ir::Inst& inst) {
-  const TermId before = flow_.active;
+  const terms::TermId before = flow_.active;
   std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
   ExecuteRegion(ir::RegionId(inst.a));
   Land(id, before);
@@ -145,17 +145,17 @@ void Executor::ExecuteBlock(ir::InstId id, const ir::Inst& inst) {
 
 void Executor::ExecuteExit(ir::InstId, const ir::Inst& inst) {
   const bool conditional = ir::ValueId(inst.a).valid();
-  const TermId when = conditional ? terms_.And(flow_.active, ValueOf(inst.a)) : flow_.active;
+  const terms::TermId when = conditional ? terms_.And(flow_.active, ValueOf(inst.a)) : flow_.active;
   Leave(ir::InstId(inst.payload), false, when);
   flow_.active = conditional ? terms_.And(flow_.active, terms_.Not(ValueOf(inst.a))) : terms_.Bit(false);
 }
 
 void Executor::ExecuteRepeat(ir::InstId, const ir::Inst& inst) {
-  const TermId wants = ir::ValueId(inst.a).valid() ? ValueOf(inst.a) : terms_.Bit(true);
+  const terms::TermId wants = ir::ValueId(inst.a).valid() ? ValueOf(inst.a) : terms_.Bit(true);
   const ir::InstId target(inst.payload);
   const ir::Place& budget = program_.places[program_.loops[ir::LoopId(program_[target].payload)].budget];
-  const TermId left = memory_.ReadPlace(budget);
-  const TermId refused = terms_.Eq(left, terms_.Const(0, terms_.Width(left)));
+  const terms::TermId left = memory_.ReadPlace(budget);
+  const terms::TermId refused = terms_.Eq(left, terms_.Const(0, terms_.Width(left)));
   std::vector<Arm> arms;
   arms.push_back(RunArm(terms_.And(wants, terms_.Not(refused)), [&] {
     WritePlace(budget, terms_.Sub(left, terms_.Const(1, terms_.Width(left))));
@@ -167,4 +167,4 @@ void Executor::ExecuteRepeat(ir::InstId, const ir::Inst& inst) {
   Join(std::move(arms));
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

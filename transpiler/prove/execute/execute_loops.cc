@@ -6,7 +6,7 @@
 #include "transpiler/prove/execute/executor.h"
 #include "transpiler/prove/execute/summary.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 namespace {
 
 constexpr uint8_t kRoundWidth = 32;
@@ -46,9 +46,9 @@ void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
 Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples) {
   const uint32_t most_unknown = memory_.environment().summarize_after;
   LoopPolicy* policy = memory_.environment().loops;
-  const TermId before = flow_.active;
+  const terms::TermId before = flow_.active;
   std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
-  TermId done = terms_.Bit(false);
+  terms::TermId done = terms_.Bit(false);
   uint32_t unknown = 0;
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (round > 0 && flow_.active != before) ++unknown;
@@ -63,7 +63,7 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, std
       Refuse("a loop may go round more than " + std::to_string(memory_.environment().most_rounds) + " times");
       break;
     }
-    const TermId number = terms_.Const(round, kRoundWidth);
+    const terms::TermId number = terms_.Const(round, kRoundWidth);
     if (samples != nullptr && samples->size() < kMostSamples)
       samples->push_back({terms_.And(Absolute(), terms_.Not(policy->left_out)), memory_.values()});
     flow_.active = ExecuteRound(id, loop, number, done);
@@ -83,12 +83,12 @@ void Executor::ExecuteSummary(ir::InstId id) {
     return;
   }
   // Its arguments, in words of up to 64 bits; one term then stands for all that the loop knows.
-  std::vector<TermId> arguments;
+  std::vector<terms::TermId> arguments;
   for (const ir::ValueId value : summary.outside) arguments.push_back(ValueOf(value.index));
-  TermId word;
+  terms::TermId word;
   for (size_t i = 0; i < summary.cells.size(); ++i) {
     if (!summary.reads[i]) continue;
-    const TermId part = memory_.Read(summary.cells[i]);
+    const terms::TermId part = memory_.Read(summary.cells[i]);
     if (word.valid() && terms_.Width(word) + terms_.Width(part) <= 64) {
       word = terms_.Concat(part, word);
       continue;
@@ -102,61 +102,61 @@ void Executor::ExecuteSummary(ir::InstId id) {
   for (const char c : summary.text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
   const std::string name =
       std::string(kLoopFunction) + std::to_string(hash) + "." + std::to_string(summary.text.size());
-  const TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
-  const auto result = [&](const std::string& what, uint8_t width, TermId before = {}) {
-    const std::array<TermId, 2> from = {known, before};
+  const terms::TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
+  const auto result = [&](const std::string& what, uint8_t width, terms::TermId before = {}) {
+    const std::array<terms::TermId, 2> from = {known, before};
     return terms_.Apply(terms_.Function(name + " " + what, width), {from.data(), before.valid() ? size_t{2} : 1});
   };
   for (const uint32_t number : summary.written) {
     const CellId cell = summary.cells[number];
     const uint8_t width = CellWidth(program_, CellAt(program_, memory_.cells(), cell));
-    const TermId before = summary.reads[number] ? TermId() : memory_.Read(cell);
+    const terms::TermId before = summary.reads[number] ? terms::TermId() : memory_.Read(cell);
     WriteCell(cell, result("cell " + std::to_string(number), width, before));
   }
   for (size_t i = 0; i < summary.targets.size(); ++i) {
-    const TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));
+    const terms::TermId leaves = terms_.And(flow_.active, result("leaves " + std::to_string(i), 1));
     Leave(summary.targets[i], false, leaves);
     flow_.active = terms_.And(flow_.active, terms_.Not(leaves));
   }
 }
 
-TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, TermId number, TermId& done) {
-  const auto finish = [&](TermId when) { done = terms_.Or(done, when); };
+terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done) {
+  const auto finish = [&](terms::TermId when) { done = terms_.Or(done, when); };
   if (loop.condition.valid()) {
     ExecuteRegion(loop.condition);
     finish(TakeLeaving(id, false));
     if (terms_.IsFalse(flow_.active)) return flow_.active;
-    const TermId condition = ValueOf(program_.regions[loop.condition].insts.back().index);
+    const terms::TermId condition = ValueOf(program_.regions[loop.condition].insts.back().index);
     finish(terms_.And(flow_.active, terms_.Not(condition)));
     flow_.active = terms_.And(flow_.active, condition);
     if (terms_.IsFalse(flow_.active)) return flow_.active;
   }
   const bool counts = loop.kind != ir::LoopBound::kBudget && loop.bound <= kMostCounted;
-  const TermId over = counts ? terms_.Ule(terms_.Const(loop.bound, kRoundWidth), number) : terms_.Bit(false);
+  const terms::TermId over = counts ? terms_.Ule(terms_.Const(loop.bound, kRoundWidth), number) : terms_.Bit(false);
   if (loop.kind == ir::LoopBound::kProven) {
     // The front end has shown that nobody comes here.
     finish(terms_.And(flow_.active, over));
     flow_.active = terms_.And(flow_.active, terms_.Not(over));
   }
   if (terms_.IsFalse(flow_.active)) return flow_.active;
-  const TermId running = flow_.active;
-  const TermId exhausts = loop.kind == ir::LoopBound::kGuard ? over : terms_.Bit(false);
+  const terms::TermId running = flow_.active;
+  const terms::TermId exhausts = loop.kind == ir::LoopBound::kGuard ? over : terms_.Bit(false);
   // The body as an arm of its own: what it computes is not guarded inside, only joined behind.
   flow_.active = terms_.Bit(true);
   const std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
   std::vector<Arm> arms;
-  const auto run = [&](TermId when, ir::RegionId region) {
+  const auto run = [&](terms::TermId when, ir::RegionId region) {
     if (terms_.IsFalse(when)) return when;
     arms.push_back(RunArm(when, [&] { ExecuteRegion(region); }));
-    const TermId fell_through = std::exchange(arms.back().flow.active, terms_.Bit(true));
+    const terms::TermId fell_through = std::exchange(arms.back().flow.active, terms_.Bit(true));
     return terms_.And(when, fell_through);
   };
-  const TermId through = run(terms_.And(running, terms_.Not(exhausts)), loop.body);
-  const TermId exhausted = run(terms_.And(running, exhausts), loop.exhausted);
+  const terms::TermId through = run(terms_.And(running, terms_.Not(exhausts)), loop.body);
+  const terms::TermId exhausted = run(terms_.And(running, exhausts), loop.exhausted);
   Join(std::move(arms));
   if (!refusal_.empty()) return terms_.Bit(false);
   finish(TakeLeaving(id, false));
-  const TermId next = TakeLeaving(id, true);
+  const terms::TermId next = TakeLeaving(id, true);
   for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
   finish(exhausted);
   if (loop.kind == ir::LoopBound::kBudget) {
@@ -189,7 +189,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
   LoopPolicy& policy = *memory_.environment().loops;
   // The first rounds: if they are all, there is no more to be done.
   const Flow before = flow_;
-  const TermId left_out = std::exchange(policy.left_out, terms_.Bit(false));
+  const terms::TermId left_out = std::exchange(policy.left_out, terms_.Bit(false));
   std::vector<Sample> samples;
   memory_.BeginChanges();
   ++sampling_;
@@ -226,7 +226,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
     flow_.active = terms_.Bit(false);
     return;
   }
-  const TermId behind = std::exchange(arm.flow.active, terms_.Bit(true));
+  const terms::TermId behind = std::exchange(arm.flow.active, terms_.Bit(true));
   flow_.leaving = before.leaving;
   std::vector<Arm> arms;
   arms.push_back(std::move(arm));
@@ -250,19 +250,19 @@ void Executor::ExecuteOneForAll(ir::InstId id, const ir::Loop& loop, ProgramLoop
   if (known.bound != 0 && known.bound <= kMostCounted)
     heads.Holds(terms_.Ule(head.round, terms_.Const(known.bound, kRoundWidth)));
   memory_.BeginChanges();
-  TermId done = terms_.Bit(false);
-  const TermId again = ExecuteRound(id, loop, head.round, done);
+  terms::TermId done = terms_.Bit(false);
+  const terms::TermId again = ExecuteRound(id, loop, head.round, done);
   for (const Memory::Change& change : memory_.TakeChanges()) {
     if (change.value == memory_.Read(change.cell)) continue;
     if (!std::ranges::binary_search(known.cells, change.cell)) more.push_back(change.cell);
     memory_.Write(change.cell, change.value);
   }
   if (!refusal_.empty() || !more.empty()) return;
-  std::vector<TermId> values;
+  std::vector<terms::TermId> values;
   for (const CellId cell : known.cells) values.push_back(memory_.Read(cell));
   heads.Close(again, values);
   // The round is the last one: who does not leave it for elsewhere goes on behind it.
   flow_.active = flow_.leaving.empty() ? terms_.Bit(true) : done;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -5,7 +5,7 @@
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/terms/look_up.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 namespace {
 
 /// In memory at all, as the simulator has it; other places read 0 and write nothing.
@@ -40,7 +40,7 @@ void ForEachElement(const ir::Program& program, const ir::Place& place, Visit&& 
 
 }  // namespace
 
-void Executor::WriteCell(CellId cell, TermId value) {
+void Executor::WriteCell(CellId cell, terms::TermId value) {
   if (terms_.IsTrue(flow_.active)) {
     memory_.Write(cell, value);
   } else if (!terms_.IsFalse(flow_.active)) {
@@ -48,7 +48,7 @@ void Executor::WriteCell(CellId cell, TermId value) {
   }
 }
 
-void Executor::WritePlace(const ir::Place& place, TermId value) {
+void Executor::WritePlace(const ir::Place& place, terms::TermId value) {
   if (!IsPresent(program_, place)) return;
   if (terms_.IsTrue(flow_.active)) {
     memory_.WritePlace(place, value);
@@ -57,44 +57,44 @@ void Executor::WritePlace(const ir::Place& place, TermId value) {
   }
 }
 
-TermId Executor::ReadPlace(const ir::Place& place) {
-  return IsPresent(program_, place) ? memory_.ReadPlace(place) : terms_.Const(0, WidthOf(place.type));
+terms::TermId Executor::ReadPlace(const ir::Place& place) {
+  return IsPresent(program_, place) ? memory_.ReadPlace(place) : terms_.Const(0, meaning::WidthOf(place.type));
 }
 
-TermId Executor::ReadAt(const ir::Place& place, TermId index) {
-  const TermId none = terms_.Const(0, WidthOf(place.type));
+terms::TermId Executor::ReadAt(const ir::Place& place, terms::TermId index) {
+  const terms::TermId none = terms_.Const(0, meaning::WidthOf(place.type));
   if (!IsPresent(program_, place)) return none;
-  std::vector<TableElement> elements;
+  std::vector<terms::TableElement> elements;
   ForEachElement(program_, place, [&](int64_t i, const ir::Place& element) {
-    const uint64_t at = Masked(static_cast<uint64_t>(i), 32);
+    const uint64_t at = terms::Masked(static_cast<uint64_t>(i), 32);
     if (!terms_.IsFalse(terms_.Eq(index, terms_.Const(at, 32)))) elements.push_back({at, memory_.ReadPlace(element)});
   });
   // Negative indices come last as numbers without sign.
-  std::ranges::sort(elements, {}, &TableElement::index);
-  return LookUp(terms_, index, elements, none);
+  std::ranges::sort(elements, {}, &terms::TableElement::index);
+  return terms::LookUp(terms_, index, elements, none);
 }
 
-void Executor::WriteAt(const ir::Place& place, TermId index, TermId value) {
+void Executor::WriteAt(const ir::Place& place, terms::TermId index, terms::TermId value) {
   if (!IsPresent(program_, place)) return;
   ForEachElement(program_, place, [&](int64_t i, const ir::Place& element) {
-    const TermId chosen = terms_.Eq(index, terms_.Const(static_cast<uint64_t>(i), 32));
+    const terms::TermId chosen = terms_.Eq(index, terms_.Const(static_cast<uint64_t>(i), 32));
     if (!terms_.IsFalse(chosen)) WritePlace(element, terms_.Ite(chosen, value, memory_.ReadPlace(element)));
   });
 }
 
-std::vector<TermId> Executor::Fields(ir::StateId state) {
-  std::vector<TermId> fields;
+std::vector<terms::TermId> Executor::Fields(ir::StateId state) {
+  std::vector<terms::TermId> fields;
   const uint32_t first = memory_.cells().states[state.index];
-  for (uint32_t i = 0; i < FieldTerms(program_.states[state].kind); ++i)
+  for (uint32_t i = 0; i < meaning::FieldTerms(program_.states[state].kind); ++i)
     fields.push_back(memory_.Read(CellId(first + i)));
   return fields;
 }
 
-void Executor::StepInstance(ir::StateId state, std::span<const TermId> fields) {
+void Executor::StepInstance(ir::StateId state, std::span<const terms::TermId> fields) {
   const uint32_t first = memory_.cells().states[state.index];
   for (uint32_t i = 0; i < fields.size(); ++i) {
     if (fields[i] != memory_.Read(CellId(first + i))) WriteCell(CellId(first + i), fields[i]);
   }
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

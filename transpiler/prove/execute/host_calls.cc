@@ -3,39 +3,41 @@
 
 #include "transpiler/prove/execute/execute.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 namespace {
 
-TermId Named(Terms& terms, std::string_view what, std::string_view function, uint8_t width,
-             std::span<const TermId> arguments) {
+terms::TermId Named(terms::Terms& terms, std::string_view what, std::string_view function, uint8_t width,
+                    std::span<const terms::TermId> arguments) {
   return terms.Apply(terms.Function(std::string(what) + " " + std::string(function), width), arguments);
 }
 
 }  // namespace
 
-TermId CallsAfter(Terms& terms, std::string_view function, TermId calls, std::span<const TermId> arguments) {
-  std::vector<TermId> all{calls};
+terms::TermId CallsAfter(terms::Terms& terms, std::string_view function, terms::TermId calls,
+                         std::span<const terms::TermId> arguments) {
+  std::vector<terms::TermId> all{calls};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return Named(terms, "told", function, 64, all);
 }
 
-TermId AnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width) {
+terms::TermId AnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width) {
   return Named(terms, "answer of", function, width, {&calls, 1});
 }
 
-TermId GivesSecond(Terms& terms, std::string_view function, TermId calls) {
+terms::TermId GivesSecond(terms::Terms& terms, std::string_view function, terms::TermId calls) {
   return Named(terms, "has second answer of", function, 1, {&calls, 1});
 }
 
-TermId SecondAnswerOf(Terms& terms, std::string_view function, TermId calls, uint8_t width) {
+terms::TermId SecondAnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width) {
   return Named(terms, "second answer of", function, width, {&calls, 1});
 }
 
-TermId ByteFromHost(Terms& terms, std::string_view function, TermId calls, std::string_view space, uint32_t offset) {
+terms::TermId ByteFromHost(terms::Terms& terms, std::string_view function, terms::TermId calls, std::string_view space,
+                           uint32_t offset) {
   return Named(terms, std::string(space) + "." + std::to_string(offset) + " by", function, 8, {&calls, 1});
 }
 
-TermId HasCopy(Terms& terms, std::string_view function, TermId calls) {
+terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::TermId calls) {
   return Named(terms, "copy of", function, 1, {&calls, 1});
 }
 
@@ -59,4 +61,4 @@ bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId i
   PLCXX_UNREACHABLE();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -14,15 +14,15 @@
 #include "transpiler/prove/execute/cells.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
 /// A loop as the execution came to its head.
 struct ProgramLoop {
   std::vector<CellId> cells;  // that a round may write, ascending
   struct Head {
-    TermId when;                 // execution comes here
-    std::vector<TermId> values;  // of the cells
-    TermId round;                // how many were before
+    terms::TermId when;                 // execution comes here
+    std::vector<terms::TermId> values;  // of the cells
+    terms::TermId round;                // how many were before
   };
   /// The first ones; of those behind the entry there may be none.
   Head entry;
@@ -30,7 +30,7 @@ struct ProgramLoop {
   /// It ends after so many rounds at the latest; 0: it does not count them.
   uint64_t bound = 0;
   /// By CellId, at the entry; none: nobody has asked for the cell by then.
-  std::vector<TermId> memory;
+  std::vector<terms::TermId> memory;
 };
 
 class LoopHeads {
@@ -46,9 +46,9 @@ class LoopHeads {
   /// wrote others: what came since Open is forgotten then.
   virtual ProgramLoop::Head AtHead(const ProgramLoop& loop) = 0;
   /// Holds at every head by the way in which the loop is executed.
-  virtual void Holds(TermId condition) = 0;
+  virtual void Holds(terms::TermId condition) = 0;
   /// `again`: since the head, whether another round follows; the cells then, the number of rounds is one more.
-  virtual void Close(TermId again, std::span<const TermId> values) = 0;
+  virtual void Close(terms::TermId again, std::span<const terms::TermId> values) = 0;
 };
 
 /// What is done with loops of which it is not known whether they go on.
@@ -56,8 +56,8 @@ struct LoopPolicy {
   uint32_t rounds = 4;         // that are unrolled, or samples
   LoopHeads* heads = nullptr;  // none: what goes round more often is left out
   /// Told by the execution: when something was left out; whether some loop has not been unrolled.
-  TermId left_out;
+  terms::TermId left_out;
   bool has_heads = false;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -5,9 +5,9 @@
 #include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/terms/gather.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
-Memory::Memory(Terms& terms, const ir::Program& program, const Cells& cells, Environment environment)
+Memory::Memory(terms::Terms& terms, const ir::Program& program, const Cells& cells, Environment environment)
     : terms_(&terms),
       program_(&program),
       cells_(&cells),
@@ -17,15 +17,15 @@ Memory::Memory(Terms& terms, const ir::Program& program, const Cells& cells, Env
       written_(cells.count),
       stamps_(cells.count) {}
 
-TermId Memory::Read(CellId cell) {
-  TermId& value = values_[cell.index];
+terms::TermId Memory::Read(CellId cell) {
+  terms::TermId& value = values_[cell.index];
   if (value.valid()) return value;
   const WordBit& word = words_[cell.index];
   value = word.word.valid() ? terms_->Extract(word.word, word.bit, 1) : environment_.initial(cell);
   return value;
 }
 
-const std::vector<TermId>& Memory::values() {
+const std::vector<terms::TermId>& Memory::values() {
   for (uint32_t i = 0; i < values_.size(); ++i) {
     if (words_[i].word.valid()) Read(CellId(i));
   }
@@ -41,7 +41,7 @@ void Memory::NoteBefore(CellId cell) {
                           .stamp = std::exchange(stamps_[cell.index], open_stamps_.back())});
 }
 
-void Memory::Write(CellId cell, TermId value) {
+void Memory::Write(CellId cell, terms::TermId value) {
   if (environment_.cut) value = environment_.cut(cell, value);
   NoteBefore(cell);
   values_[cell.index] = value;
@@ -73,13 +73,13 @@ namespace {
 
 CellId FieldCell(const Memory& memory, const ir::Place& place) {
   const ir::StateKind kind = memory.program().states[place.state].kind;
-  return CellId(memory.cells().states[place.state.index] + FieldTermIndex(kind, place.field));
+  return CellId(memory.cells().states[place.state.index] + meaning::FieldTermIndex(kind, place.field));
 }
 
 }  // namespace
 
-TermId Memory::WholeWord(std::span<const CellId> bits) const {
-  const TermId word = words_[bits.front().index].word;
+terms::TermId Memory::WholeWord(std::span<const CellId> bits) const {
+  const terms::TermId word = words_[bits.front().index].word;
   if (!word.valid() || terms_->Width(word) != bits.size()) return {};
   for (size_t i = 0; i < bits.size(); ++i) {
     const WordBit& at = words_[bits[i].index];
@@ -88,23 +88,23 @@ TermId Memory::WholeWord(std::span<const CellId> bits) const {
   return word;
 }
 
-TermId Memory::ReadPlace(const ir::Place& place) {
+terms::TermId Memory::ReadPlace(const ir::Place& place) {
   if (place.is_field()) return Read(FieldCell(*this, place));
   if (place.type == ir::Type::kBit) return Read(cells_->OfBit(place.space, place.offset, place.bit));
   const std::vector<CellId> cells = CellsOf(*program_, *cells_, place);
-  if (const TermId word = WholeWord(cells); word.valid()) return word;
-  std::vector<TermId> bits;
+  if (const terms::TermId word = WholeWord(cells); word.valid()) return word;
+  std::vector<terms::TermId> bits;
   bool is_part = false;  // of a word that was written and is better kept
   for (const CellId cell : cells) {
     bits.push_back(Read(cell));
     is_part = is_part || words_[cell.index].word.valid();
   }
-  const TermId whole = Gather(*terms_, bits);
+  const terms::TermId whole = terms::Gather(*terms_, bits);
   for (uint8_t bit = 0; !is_part && bit < cells.size(); ++bit) words_[cells[bit].index] = {.word = whole, .bit = bit};
   return whole;
 }
 
-void Memory::WritePlace(const ir::Place& place, TermId value) {
+void Memory::WritePlace(const ir::Place& place, terms::TermId value) {
   if (place.is_field()) {
     Write(FieldCell(*this, place), value);
     return;
@@ -131,4 +131,4 @@ void Memory::WritePlace(const ir::Place& place, TermId value) {
   }
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -7,7 +7,7 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 namespace {
 
 class Summarizer {
@@ -66,7 +66,7 @@ class Summarizer {
     const ir::Place& place = program_.places[id];
     if (place.is_field()) {
       const CellId cell(cells_.states[place.state.index] +
-                        FieldTermIndex(program_.states[place.state].kind, place.field));
+                        meaning::FieldTermIndex(program_.states[place.state].kind, place.field));
       Word("field " + std::to_string(static_cast<uint32_t>(program_.states[place.state].kind)));
       Number(place.field);
       Use({cell}, access);
@@ -223,4 +223,4 @@ LoopSummary SummarizeLoop(const ir::Program& program, const Cells& cells, ir::In
   return Summarizer(program, cells).Run(loop);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

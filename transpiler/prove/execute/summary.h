@@ -14,7 +14,7 @@
 #include "transpiler/ir/program.h"
 #include "transpiler/prove/execute/cells.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::execute {
 
 struct LoopSummary {
   std::string text;                  // the same for two loops that do the same
@@ -32,4 +32,4 @@ inline constexpr std::string_view kLoopFunction = "loop ";
 
 LoopSummary SummarizeLoop(const ir::Program& program, const Cells& cells, ir::InstId loop);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::execute

@@ -6,26 +6,26 @@
 namespace plcxx::prove::meaning {
 namespace {
 
-Value Number(Value like, double value) { return like.With(FloatConst(*like.terms, value, 32)); }
+Value Number(Value like, double value) { return like.With(terms::FloatConst(*like.terms, value, 32)); }
 
 }  // namespace
 
-F32 AddF32(F32 a, F32 b) { return a.With(FloatAdd(*a.terms, a.id, b.id)); }
-F32 SubF32(F32 a, F32 b) { return a.With(FloatSub(*a.terms, a.id, b.id)); }
-F32 MulF32(F32 a, F32 b) { return a.With(FloatMul(*a.terms, a.id, b.id)); }
+F32 AddF32(F32 a, F32 b) { return a.With(terms::FloatAdd(*a.terms, a.id, b.id)); }
+F32 SubF32(F32 a, F32 b) { return a.With(terms::FloatSub(*a.terms, a.id, b.id)); }
+F32 MulF32(F32 a, F32 b) { return a.With(terms::FloatMul(*a.terms, a.id, b.id)); }
 /// By a zero of either sign: the dividend.
 F32 QuotientOrDividendF32(F32 a, F32 b) {
-  return Select(IsEqual(b, Number(b, 0.0)), a, a.With(FloatDiv(*a.terms, a.id, b.id)));
+  return Select(IsEqual(b, Number(b, 0.0)), a, a.With(terms::FloatDiv(*a.terms, a.id, b.id)));
 }
-F32 NegateF32(F32 a) { return a.With(FloatNegate(*a.terms, a.id)); }
+F32 NegateF32(F32 a) { return a.With(terms::FloatNegate(*a.terms, a.id)); }
 I32 BitsOfF32(F32 a) { return a; }
-F32 SignedToF32(I32 a) { return a.With(FloatFromSigned(*a.terms, a.id, 32)); }
+F32 SignedToF32(I32 a) { return a.With(terms::FloatFromSigned(*a.terms, a.id, 32)); }
 
 /// Toward zero; NaN is 0, and what lies beyond a word is its last number on that side.
 I32 TruncateF32(F32 a) {
-  const Value is_nan = a.With(FloatIsNan(*a.terms, a.id));
+  const Value is_nan = a.With(terms::FloatIsNan(*a.terms, a.id));
   const Value above = IsAtMost(Number(a, 2147483648.0), a), below = IsAtMost(a, Number(a, -2147483648.0));
-  const Value whole = a.With(FloatToSigned(*a.terms, a.id, 32));
+  const Value whole = a.With(terms::FloatToSigned(*a.terms, a.id, 32));
   return Select(is_nan, a.Same(0), Select(above, a.Same(0x7FFFFFFF), Select(below, a.Same(0x80000000), whole)));
 }
 

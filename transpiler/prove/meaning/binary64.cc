@@ -6,27 +6,27 @@
 namespace plcxx::prove::meaning {
 namespace {}  // namespace
 
-F64 AddF64(F64 a, F64 b) { return a.With(FloatAdd(*a.terms, a.id, b.id)); }
-F64 SubF64(F64 a, F64 b) { return a.With(FloatSub(*a.terms, a.id, b.id)); }
-F64 MulF64(F64 a, F64 b) { return a.With(FloatMul(*a.terms, a.id, b.id)); }
-F64 DivF64(F64 a, F64 b) { return a.With(FloatDiv(*a.terms, a.id, b.id)); }
-F64 NegateF64(F64 a) { return a.With(FloatNegate(*a.terms, a.id)); }
-F64 AbsF64(F64 a) { return a.With(FloatAbs(*a.terms, a.id)); }
-F64 FloorF64(F64 a) { return a.With(FloatFloor(*a.terms, a.id)); }
-F64 CeilF64(F64 a) { return a.With(FloatCeil(*a.terms, a.id)); }
-F64 SqrtF64(F64 a) { return a.With(FloatSqrt(*a.terms, a.id)); }
-F64 SignedToF64(I32 a) { return a.With(FloatFromSigned(*a.terms, a.id, 64)); }
-F64 UnsignedToF64(I32 a) { return a.With(FloatFromUnsigned(*a.terms, a.id, 64)); }
+F64 AddF64(F64 a, F64 b) { return a.With(terms::FloatAdd(*a.terms, a.id, b.id)); }
+F64 SubF64(F64 a, F64 b) { return a.With(terms::FloatSub(*a.terms, a.id, b.id)); }
+F64 MulF64(F64 a, F64 b) { return a.With(terms::FloatMul(*a.terms, a.id, b.id)); }
+F64 DivF64(F64 a, F64 b) { return a.With(terms::FloatDiv(*a.terms, a.id, b.id)); }
+F64 NegateF64(F64 a) { return a.With(terms::FloatNegate(*a.terms, a.id)); }
+F64 AbsF64(F64 a) { return a.With(terms::FloatAbs(*a.terms, a.id)); }
+F64 FloorF64(F64 a) { return a.With(terms::FloatFloor(*a.terms, a.id)); }
+F64 CeilF64(F64 a) { return a.With(terms::FloatCeil(*a.terms, a.id)); }
+F64 SqrtF64(F64 a) { return a.With(terms::FloatSqrt(*a.terms, a.id)); }
+F64 SignedToF64(I32 a) { return a.With(terms::FloatFromSigned(*a.terms, a.id, 64)); }
+F64 UnsignedToF64(I32 a) { return a.With(terms::FloatFromUnsigned(*a.terms, a.id, 64)); }
 
 /// Toward zero to 64 bits, of which the low half counts; from 2^63 on, and of NaN, 0.
 I32 TruncateF64(F64 a) {
-  const Value limit = a.With(FloatConst(*a.terms, 0x1p63, 64));
-  const Value whole = a.With(FloatToSigned(*a.terms, a.id, 64));
+  const Value limit = a.With(terms::FloatConst(*a.terms, 0x1p63, 64));
+  const Value whole = a.With(terms::FloatToSigned(*a.terms, a.id, 64));
   return Select(IsLess(NegateF64(limit), a) & IsLess(a, limit), Low(whole, 32), a.Const(0, 32));
 }
 
-F64 WidenF32(F32 a) { return a.With(FloatWiden(*a.terms, a.id)); }
-F32 NarrowF64(F64 a) { return a.With(FloatNarrow(*a.terms, a.id)); }
+F64 WidenF32(F32 a) { return a.With(terms::FloatWiden(*a.terms, a.id)); }
+F32 NarrowF64(F64 a) { return a.With(terms::FloatNarrow(*a.terms, a.id)); }
 
 Bit EqualF64(F64 a, F64 b) { return IsEqual(a, b); }
 Bit NotEqualF64(F64 a, F64 b) { return Not(IsEqual(a, b)); }

@@ -6,8 +6,8 @@
 
 namespace plcxx::prove::meaning {
 
-inline Value IsLess(Value a, Value b) { return a.With(FloatLess(*a.terms, a.id, b.id)); }
-inline Value IsAtMost(Value a, Value b) { return a.With(FloatLessEqual(*a.terms, a.id, b.id)); }
-inline Value IsEqual(Value a, Value b) { return a.With(FloatEqual(*a.terms, a.id, b.id)); }
+inline Value IsLess(Value a, Value b) { return a.With(terms::FloatLess(*a.terms, a.id, b.id)); }
+inline Value IsAtMost(Value a, Value b) { return a.With(terms::FloatLessEqual(*a.terms, a.id, b.id)); }
+inline Value IsEqual(Value a, Value b) { return a.With(terms::FloatEqual(*a.terms, a.id, b.id)); }
 
 }  // namespace plcxx::prove::meaning

@@ -9,13 +9,13 @@
 #include "transpiler/prove/meaning/rows.h"
 #include "transpiler/support/check.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::meaning {
 namespace {
 
 using meaning::Value;
 
 template <class... Operand>
-TermId CallPure(Value (*row)(Operand...), Terms& terms, std::span<const TermId> operands) {
+terms::TermId CallPure(Value (*row)(Operand...), terms::Terms& terms, std::span<const terms::TermId> operands) {
   PLCXX_CHECK(operands.size() == sizeof...(Operand));
   return [&]<size_t... kIndex>(std::index_sequence<kIndex...>) {
     return row(Value{&terms, operands[kIndex]}...).id;
@@ -27,7 +27,7 @@ template <class State>
 using Row = std::array<Value, sizeof(State) / sizeof(Value)>;
 
 template <class State>
-State Load(Terms& terms, std::span<const TermId> fields) {
+State Load(terms::Terms& terms, std::span<const terms::TermId> fields) {
   static_assert(std::is_trivially_copyable_v<State> && sizeof(Row<State>) == sizeof(State));
   Row<State> row;
   PLCXX_CHECK(fields.size() == row.size());
@@ -36,7 +36,7 @@ State Load(Terms& terms, std::span<const TermId> fields) {
 }
 
 template <class State>
-void Save(const State& state, const Terms& terms, std::span<TermId> fields) {
+void Save(const State& state, const terms::Terms& terms, std::span<terms::TermId> fields) {
   const auto row = std::bit_cast<Row<State>>(state);
   for (size_t i = 0; i < row.size(); ++i) {
     PLCXX_CHECK(terms.Width(row[i].id) == terms.Width(fields[i]));
@@ -45,14 +45,14 @@ void Save(const State& state, const Terms& terms, std::span<TermId> fields) {
 }
 
 template <class Result, class State, class... Operand>
-TermId CallStep(Result (*row)(State&, Operand...), Terms& terms, std::span<TermId> fields,
-                std::span<const TermId> operands) {
+terms::TermId CallStep(Result (*row)(State&, Operand...), terms::Terms& terms, std::span<terms::TermId> fields,
+                       std::span<const terms::TermId> operands) {
   PLCXX_CHECK(operands.size() == sizeof...(Operand));
   State state = Load<State>(terms, fields);
-  const TermId result = [&]<size_t... kIndex>(std::index_sequence<kIndex...>) {
+  const terms::TermId result = [&]<size_t... kIndex>(std::index_sequence<kIndex...>) {
     if constexpr (std::is_void_v<Result>) {
       row(state, Value{&terms, operands[kIndex]}...);
-      return TermId();
+      return terms::TermId();
     } else {
       return row(state, Value{&terms, operands[kIndex]}...).id;
     }
@@ -63,7 +63,7 @@ TermId CallStep(Result (*row)(State&, Operand...), Terms& terms, std::span<TermI
 
 }  // namespace
 
-TermId MeaningOf(Terms& terms, ir::OpKind op, std::span<const TermId> operands) {
+terms::TermId MeaningOf(terms::Terms& terms, ir::OpKind op, std::span<const terms::TermId> operands) {
   switch (op) {
 #define PLCXX_PURE(Kind, ...) \
   case ir::OpKind::k##Kind:   \
@@ -79,7 +79,8 @@ TermId MeaningOf(Terms& terms, ir::OpKind op, std::span<const TermId> operands) 
   PLCXX_UNREACHABLE();
 }
 
-TermId StepMeaning(Terms& terms, ir::OpKind op, std::span<TermId> fields, std::span<const TermId> operands) {
+terms::TermId StepMeaning(terms::Terms& terms, ir::OpKind op, std::span<terms::TermId> fields,
+                          std::span<const terms::TermId> operands) {
   switch (op) {
 #define PLCXX_PURE(Kind, ...) case ir::OpKind::k##Kind:
 #define PLCXX_STEP(...)
@@ -112,10 +113,11 @@ uint32_t FieldTerms(ir::StateKind kind) {
   return FieldTermIndex(kind, static_cast<uint8_t>(ir::Info(kind).fields.size()));
 }
 
-void UpdateTextMeaning(Terms& terms, std::span<TermId> flag, std::span<TermId> inbox, std::string_view text) {
+void UpdateTextMeaning(terms::Terms& terms, std::span<terms::TermId> flag, std::span<terms::TermId> inbox,
+                       std::string_view text) {
   auto values = Load<meaning::TextFlagValues>(terms, flag);
   meaning::UpdateText(values, Load<meaning::TextInboxValues>(terms, inbox), text);
   Save(values, terms, flag);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::meaning

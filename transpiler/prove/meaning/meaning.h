@@ -12,7 +12,7 @@
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::meaning {
 
 /// Bits of a term that holds a value of this type.
 constexpr uint8_t WidthOf(ir::Type type) {
@@ -20,7 +20,7 @@ constexpr uint8_t WidthOf(ir::Type type) {
 }
 
 /// The value of a pure operation for operands of the widths of its row.
-TermId MeaningOf(Terms& terms, ir::OpKind op, std::span<const TermId> operands);
+terms::TermId MeaningOf(terms::Terms& terms, ir::OpKind op, std::span<const terms::TermId> operands);
 
 /// The number of terms that an instance of this kind is: one for each field of ir::Info(kind).fields, `count` for an
 /// array.
@@ -30,9 +30,11 @@ uint32_t FieldTermIndex(ir::StateKind kind, uint8_t field);
 
 /// Advances an instance: `fields` (FieldTerms of them, each of its field's width) become what they are afterwards.
 /// Gives the operation's value; none (an invalid id) when its row has no result.
-TermId StepMeaning(Terms& terms, ir::OpKind op, std::span<TermId> fields, std::span<const TermId> operands);
+terms::TermId StepMeaning(terms::Terms& terms, ir::OpKind op, std::span<terms::TermId> fields,
+                          std::span<const terms::TermId> operands);
 
 /// The core operation UpdateText: `flag` and `inbox` are the terms of a TextFlag and the TextInbox.
-void UpdateTextMeaning(Terms& terms, std::span<TermId> flag, std::span<TermId> inbox, std::string_view text);
+void UpdateTextMeaning(terms::Terms& terms, std::span<terms::TermId> flag, std::span<terms::TermId> inbox,
+                       std::string_view text);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::meaning

@@ -11,11 +11,11 @@
 namespace plcxx::prove::meaning {
 
 struct Value {
-  Terms* terms = nullptr;
-  TermId id;
+  terms::Terms* terms = nullptr;
+  terms::TermId id;
 
   uint8_t width() const { return terms->Width(id); }
-  Value With(TermId term) const { return {terms, term}; }
+  Value With(terms::TermId term) const { return {terms, term}; }
   /// A constant: of this width, of another one, a single bit.
   Value Same(uint64_t value) const { return With(terms->Const(value, width())); }
   Value Const(uint64_t value, uint8_t bits) const { return With(terms->Const(value, bits)); }

@@ -7,7 +7,7 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 bool IsHostCall(const ir::Inst& inst) { return ir::Info(inst.op).shape == ir::Shape::kHostCall; }
@@ -37,14 +37,15 @@ void ForEachInPeriods(const ir::Program& program, Visit&& visit) {
 }
 
 /// Whether all of the place is an input of the machine.
-bool IsInput(const Version& version, const ir::Place& place) {
-  if (place.is_field() || place.indexed || !IsInside(*version.program, place)) return false;
-  return std::ranges::all_of(CellsOf(*version.program, version.cells, place),
-                             [&](CellId cell) { return DirectionOf(version, cell) == ir::Direction::kInput; });
+bool IsInput(const compare::Version& version, const ir::Place& place) {
+  if (place.is_field() || place.indexed || !execute::IsInside(*version.program, place)) return false;
+  return std::ranges::all_of(execute::CellsOf(*version.program, version.cells, place), [&](execute::CellId cell) {
+    return compare::DirectionOf(version, cell) == ir::Direction::kInput;
+  });
 }
 
 /// The value that an instruction stores to an input of the machine, if it does.
-std::optional<ir::InstId> StoredToInput(const Version& version, const ir::Inst& inst) {
+std::optional<ir::InstId> StoredToInput(const compare::Version& version, const ir::Inst& inst) {
   if (ir::Info(inst.op).shape != ir::Shape::kStore) return std::nullopt;
   if (!IsInput(version, version.program->places[ir::PlaceId(inst.payload)])) return std::nullopt;
   return ir::InstId(inst.a);
@@ -52,7 +53,7 @@ std::optional<ir::InstId> StoredToInput(const Version& version, const ir::Inst& 
 
 }  // namespace
 
-std::map<ir::InstId, ir::PlaceId> FetchedInputs(const Version& version) {
+std::map<ir::InstId, ir::PlaceId> FetchedInputs(const compare::Version& version) {
   const ir::Program& program = *version.program;
   std::set<ir::InstId> asked;
   std::map<ir::InstId, ir::PlaceId> fetched;
@@ -78,7 +79,7 @@ std::map<ir::InstId, ir::PlaceId> FetchedInputs(const Version& version) {
   return fetched;
 }
 
-std::vector<bool> HandshakeCells(const Version& version) {
+std::vector<bool> HandshakeCells(const compare::Version& version) {
   const ir::Program& program = *version.program;
   const std::map<ir::InstId, ir::PlaceId> fetched = FetchedInputs(version);
   std::vector<bool> cells(version.cells.count);
@@ -90,9 +91,9 @@ std::vector<bool> HandshakeCells(const Version& version) {
         [&](ir::PlaceId id, ir::Access access) {
           const ir::Place& place = program.places[id];
           if (access != ir::Access::kWrite || place.is_field()) return;
-          if (!place.indexed && !IsInside(program, place)) return;
-          for (const CellId cell : TouchedCells(program, version.cells, place)) {
-            if (DirectionOf(version, cell) == ir::Direction::kInput) cells[cell.index] = true;
+          if (!place.indexed && !execute::IsInside(program, place)) return;
+          for (const execute::CellId cell : execute::TouchedCells(program, version.cells, place)) {
+            if (compare::DirectionOf(version, cell) == ir::Direction::kInput) cells[cell.index] = true;
           }
         },
         [](ir::StateId) {});
@@ -100,7 +101,7 @@ std::vector<bool> HandshakeCells(const Version& version) {
   return cells;
 }
 
-bool AnswersMatter(const Version& version) {
+bool AnswersMatter(const compare::Version& version) {
   const ir::Program& program = *version.program;
   if (program.text_inbox.valid()) return true;
   const std::map<ir::InstId, ir::PlaceId> fetched = FetchedInputs(version);
@@ -123,4 +124,4 @@ bool AnswersMatter(const Version& version) {
   return matters || (exchanges > 1 && std::ranges::find(handshakes, true) != handshakes.end());
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -10,16 +10,16 @@
 
 #include "transpiler/prove/compare/match.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 /// By call: the input of the machine that the regular exchange fills with what this call gives.
-std::map<ir::InstId, ir::PlaceId> FetchedInputs(const Version& version);
+std::map<ir::InstId, ir::PlaceId> FetchedInputs(const compare::Version& version);
 
 /// By cell: inputs that the program stores to by itself, beside what it fetches.
-std::vector<bool> HandshakeCells(const Version& version);
+std::vector<bool> HandshakeCells(const compare::Version& version);
 
 /// Whether answers of the host can change what the program does: a period calls functions whose results are no inputs
 /// or that write in the middle of it, or texts of the operator arrive.
-bool AnswersMatter(const Version& version);
+bool AnswersMatter(const compare::Version& version);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

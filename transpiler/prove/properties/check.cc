@@ -11,7 +11,7 @@
 #include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr size_t kMostInvariantCells = 160;  // around which invariants are looked for
@@ -29,16 +29,21 @@ std::string Periods(uint32_t count) { return std::to_string(count) + (count == 1
 
 }  // namespace
 
-PropertyChecker::PropertyChecker(const Version& version, CheckOptions options)
-    : version_(version), options_(std::move(options)), inputs_(InputsOf(version)), requests_(RequestCells(version)) {
-  LoadedSolver loaded = LoadSolver(terms_);
+PropertyChecker::PropertyChecker(const compare::Version& version, CheckOptions options)
+    : version_(version),
+      options_(std::move(options)),
+      inputs_(InputsOf(version)),
+      requests_(compare::RequestCells(version)) {
+  solver::LoadedSolver loaded = solver::LoadSolver(terms_);
   solver_ = std::move(loaded.solver);
   refusal_ = std::move(loaded.reason);
   if (!refusal_.empty()) return;
   new_each_time_ = inputs_;
-  for (uint32_t i = 0; i < version_.cells.count; ++i) new_each_time_[i] = inputs_[i] || IsInbox(version_, CellId(i));
-  silent_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kNothing);
-  if (AnswersMatter(version)) any_ = std::make_unique<Relation>(terms_, version_, HostAnswers::kAny, silent_.get());
+  for (uint32_t i = 0; i < version_.cells.count; ++i)
+    new_each_time_[i] = inputs_[i] || IsInbox(version_, execute::CellId(i));
+  silent_ = std::make_unique<Relation>(terms_, version_, compare::HostAnswers::kNothing);
+  if (AnswersMatter(version))
+    any_ = std::make_unique<Relation>(terms_, version_, compare::HostAnswers::kAny, silent_.get());
   const Start start = options_.retentive == RetentiveMemory::kAny ? Start::kAnyRetentive : Start::kPowerOn;
   plain_ = std::make_unique<Unrolled>(terms_, *silent_, inputs_, start, "run");
   // Without answers nothing is ever done that the program asks for: as scenarios do it, the bit is taken back.
@@ -59,7 +64,7 @@ uint32_t PropertyChecker::RestMs() const {
 }
 
 ValueAfter PropertyChecker::ValuesOf(Unrolled& unrolled) {
-  return [&unrolled](CellId cell, uint32_t period) { return unrolled.Value(cell, period); };
+  return [&unrolled](execute::CellId cell, uint32_t period) { return unrolled.Value(cell, period); };
 }
 
 bool PropertyChecker::Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result) {
@@ -78,10 +83,10 @@ PropertyResult PropertyChecker::Check(const Property& property) {
 }
 
 std::string PropertyChecker::RemarkOn(const Property& property) {
-  const Uses uses = UsesOf(version_);
+  const compare::Uses uses = compare::UsesOf(version_);
   for (const PropertyOperand& operand : property.operands) {
-    const bool changes =
-        std::ranges::any_of(operand.cells, [&](CellId cell) { return inputs_[cell.index] || uses.writes[cell.index]; });
+    const bool changes = std::ranges::any_of(
+        operand.cells, [&](execute::CellId cell) { return inputs_[cell.index] || uses.writes[cell.index]; });
     if (!changes) return "nothing writes '" + operand.text + "'";
   }
   if (property.kind != PropertyKind::kResponse) return {};
@@ -151,11 +156,11 @@ bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, b
   Report(thorough ? "trying runs" : "trying a few runs");
   RunSearch search{
       .property = &property, .inputs = {}, .requests = {}, .milliseconds = milliseconds, .thorough = thorough};
-  std::vector<CellId> cells;
+  std::vector<execute::CellId> cells;
   for (const PropertyOperand& operand : property.operands)
     cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
   // Where the host may answer anything, inputs that it writes within a period are answers, too: no cells.
-  for (const CellId cell : CellsBehind(terms_, *silent_, cells)) {
+  for (const execute::CellId cell : CellsBehind(terms_, *silent_, cells)) {
     if (inputs_[cell.index]) search.inputs.push_back(cell);
     if (requests_[cell.index]) search.requests.push_back(cell);
   }
@@ -165,13 +170,13 @@ bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, b
   found.periods = static_cast<uint32_t>(found.run->periods.size());
   // The program in one piece shows it; cut into slices it may not.
   PropertyResult concluded;
-  Conclude(property, std::move(found), TermId(), concluded);
+  Conclude(property, std::move(found), terms::TermId(), concluded);
   if (concluded.verdict != PropertyVerdict::kViolated) return false;
   result = std::move(concluded);
   return true;
 }
 
-void PropertyChecker::Conclude(const Property& property, PropertyResult found, TermId violated,
+void PropertyChecker::Conclude(const Property& property, PropertyResult found, terms::TermId violated,
                                PropertyResult& result) {
   found.verdict = PropertyVerdict::kViolated;
   found.searched = result.searched;
@@ -186,12 +191,12 @@ void PropertyChecker::Conclude(const Property& property, PropertyResult found, T
   result = std::move(found);
 }
 
-std::vector<TermId> PropertyChecker::StaysQuiet(Unrolled& unrolled, uint32_t periods) {
-  std::vector<TermId> conditions;
+std::vector<terms::TermId> PropertyChecker::StaysQuiet(Unrolled& unrolled, uint32_t periods) {
+  std::vector<terms::TermId> conditions;
   for (uint32_t period = 1; period <= periods; ++period) {
     for (const Unrolled::Part& part : unrolled.parts(period)) {
       for (const auto& [cell, variable] : part) {
-        if (DirectionOf(version_, cell) != ir::Direction::kInput)
+        if (compare::DirectionOf(version_, cell) != ir::Direction::kInput)
           conditions.push_back(terms_.Eq(variable, unrolled.Value(cell, 0)));
       }
     }
@@ -204,27 +209,27 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
   for (Unrolled* const unrolled : {plain_.get(), answered_.get()}) {
     if (unrolled == nullptr) continue;
     if (Extend(*unrolled, period, result)) return true;
-    const TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
+    const terms::TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
     if (Late()) {
       result.reason = kNoTime;
       return true;
     }
     if (terms_.IsFalse(violated)) continue;
     // Runs that only move inputs of the machine are simulated as they are computed: they come first.
-    Answer answer = Answer::kNever;
-    std::vector<TermId> conditions = StaysQuiet(*unrolled, period);
+    solver::Answer answer = solver::Answer::kNever;
+    std::vector<terms::TermId> conditions = StaysQuiet(*unrolled, period);
     if (!conditions.empty() && unrolled == plain_.get()) {
       conditions.push_back(violated);
       answer = Ask(conditions, RestMs() / 2);
     }
-    if (answer != Answer::kPossible) answer = Ask({&violated, 1}, RestMs());
+    if (answer != solver::Answer::kPossible) answer = Ask({&violated, 1}, RestMs());
     switch (answer) {
-      case Answer::kNever:
+      case solver::Answer::kNever:
         break;
-      case Answer::kUnknown:
+      case solver::Answer::kUnknown:
         result.reason = WhyUnknown();
         return true;
-      case Answer::kPossible:
+      case solver::Answer::kPossible:
         PropertyResult found;
         found.periods = period;
         found.run = RunOf(*unrolled, violated, period);
@@ -258,24 +263,24 @@ bool PropertyChecker::TryInduction(const Property& property, uint32_t k, Propert
   const uint32_t window = WindowOf(property);
   Report("induction over " + Periods(k));
   if (Extend(*anywhere_, window + k - 1, result)) return true;
-  std::vector<TermId> conditions;
-  for (const Invariant& invariant : invariants_) {
-    const auto value = [this](CellId cell) { return anywhere_->Value(cell, 0); };
-    conditions.push_back(ConditionOf(terms_, invariant, value));
+  std::vector<terms::TermId> conditions;
+  for (const compare::Invariant& invariant : invariants_) {
+    const auto value = [this](execute::CellId cell) { return anywhere_->Value(cell, 0); };
+    conditions.push_back(compare::ConditionOf(terms_, invariant, value));
   }
-  const ValueAfter value = [this](CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
+  const ValueAfter value = [this](execute::CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
   for (uint32_t period = window; period < window + k; ++period)
     conditions.push_back(HoldsAfter(terms_, property, period, value));
   conditions.push_back(terms_.Not(HoldsAfter(terms_, property, window + k, value)));
   // From a state that cannot be reached much may happen: the first answer need not be waited for.
   const uint32_t share = k == 1 && invariants_.empty() ? kFirstInductionShare : kInductionShare;
   switch (Ask(conditions, RestMs() / share)) {
-    case Answer::kPossible:
+    case solver::Answer::kPossible:
       return false;
-    case Answer::kUnknown:
+    case solver::Answer::kUnknown:
       result.reason = WhyUnknown();
       return Late();
-    case Answer::kNever:
+    case solver::Answer::kNever:
       break;
   }
   result.verdict = PropertyVerdict::kProved;
@@ -289,42 +294,42 @@ std::string PropertyChecker::WhyUnknown() const {
   return too_large_ ? "what it depends on is too much for the solver" : kNoTime;
 }
 
-Answer PropertyChecker::Ask(std::span<const TermId> conditions, uint32_t milliseconds) {
+solver::Answer PropertyChecker::Ask(std::span<const terms::TermId> conditions, uint32_t milliseconds) {
   // What was made when the time was over means nothing.
   too_large_ = false;
-  if (Late()) return Answer::kUnknown;
+  if (Late()) return solver::Answer::kUnknown;
   // The solver's time begins when it has read the question.
-  too_large_ = ConeOf(terms_, conditions).size() > kMostQuestionTerms;
-  if (too_large_) return Answer::kUnknown;
+  too_large_ = terms::ConeOf(terms_, conditions).size() > kMostQuestionTerms;
+  if (too_large_) return solver::Answer::kUnknown;
   return solver_->Check(conditions, std::max(1U, milliseconds));
 }
 
 void PropertyChecker::FindInvariantsFor(const Property& property) {
   const uint32_t window = WindowOf(property);
   // The cells that the nearest periods depend on; those of the next ones as far as there are not too many.
-  std::vector<CellId> cells;
-  const ValueAfter value = [this](CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
+  std::vector<execute::CellId> cells;
+  const ValueAfter value = [this](execute::CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
   for (uint32_t period = 1; period <= window + 1 && cells.size() < kMostInvariantCells; ++period) {
-    const TermId holds = HoldsAfter(terms_, property, period, value);
-    for (const CellId cell : CellsIn(terms_, holds, anywhere_->start_variables())) {
+    const terms::TermId holds = HoldsAfter(terms_, property, period, value);
+    for (const execute::CellId cell : CellsIn(terms_, holds, anywhere_->start_variables())) {
       if (std::ranges::find(cells, cell) == cells.end()) cells.push_back(cell);
     }
   }
   FindInvariantsAround(cells);
 }
 
-void PropertyChecker::FindInvariantsAround(const std::vector<CellId>& cells) {
+void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& cells) {
   // Of those that outlive a fast part, too, no property is known that needs them.
   if (version_.program->schedule.fast_ms != 0) return;
-  const std::vector<CellId> behind = CellsBehind(terms_, Widest(), cells);
-  std::vector<TermId> next;
-  for (const CellId cell : behind) {
+  const std::vector<execute::CellId> behind = CellsBehind(terms_, Widest(), cells);
+  std::vector<terms::TermId> next;
+  for (const execute::CellId cell : behind) {
     if (Widest().period()[cell.index].valid()) next.push_back(Widest().period()[cell.index]);
   }
-  if (ConeOf(terms_, next).size() > kMostQuestionTerms) return;
+  if (terms::ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
-  invariants_ = FindInvariants(
-      terms_, *solver_, version_, cells, [this](CellId cell) { return bool{new_each_time_[cell.index]}; },
+  invariants_ = compare::FindInvariants(
+      terms_, *solver_, version_, cells, [this](execute::CellId cell) { return bool{new_each_time_[cell.index]}; },
       RestMs() / 3);
 }
 
@@ -335,13 +340,14 @@ std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
   const ir::HostFunctionId load = program.schedule.retentive_load;
   if (options_.retentive != RetentiveMemory::kAny || !load.valid()) return stored;
   const std::string& name = program.host_functions[load].name;
-  const TermId calls = CallsAfter(terms_, name, terms_.Const(0, 64), {});
-  if (const TermId copy = HasCopy(terms_, name, calls); cone.Has(copy) && solver_->ValueOf(copy) == 0) return stored;
+  const terms::TermId calls = execute::CallsAfter(terms_, name, terms_.Const(0, 64), {});
+  if (const terms::TermId copy = execute::HasCopy(terms_, name, calls); cone.Has(copy) && solver_->ValueOf(copy) == 0)
+    return stored;
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {
     const ir::Space& space = program.spaces[ir::SpaceId(i)];
     if (space.lifetime != ir::Lifetime::kRetentive) continue;
     for (uint32_t offset = 0; offset < space.bytes; ++offset) {
-      const TermId byte = ByteFromHost(terms_, name, calls, space.name, offset);
+      const terms::TermId byte = execute::ByteFromHost(terms_, name, calls, space.name, offset);
       if (!cone.Has(byte)) continue;
       const uint64_t value = solver_->ValueOf(byte);
       for (uint8_t bit = 0; bit < 8; ++bit) {
@@ -352,11 +358,11 @@ std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
   return stored;
 }
 
-PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t periods) {
+PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, terms::TermId violated, uint32_t periods) {
   const Cone cone(terms_, violated);
   struct Input {
     uint32_t period, part;
-    CellId cell;
+    execute::CellId cell;
     uint32_t variable;
   };
   std::vector<Input> inputs;
@@ -379,9 +385,9 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
     }
   }
   // An input that need not change does not.
-  std::map<CellId, uint64_t> before;
+  std::map<execute::CellId, uint64_t> before;
   for (const Input& input : inputs) {
-    const TermId start = unrolled.Value(input.cell, 0);
+    const terms::TermId start = unrolled.Value(input.cell, 0);
     before.try_emplace(input.cell, terms_.IsConst(start) ? terms_.Value(start) : 0);
     const uint64_t value = values[input.variable];
     if (value != before[input.cell] && !cone.has_unknown_function()) {
@@ -396,18 +402,19 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
     if (cone.Evaluate(values) == 0) values[request.variable] = 1;
   }
   // What stays as it is behind power-on, and is no input of the machine, is not worth a word.
-  std::map<CellId, bool> moves;
+  std::map<execute::CellId, bool> moves;
   for (const Input& input : inputs) {
-    const TermId start = unrolled.Value(input.cell, 0);
+    const terms::TermId start = unrolled.Value(input.cell, 0);
     const bool moved = !terms_.IsConst(start) || terms_.Value(start) != values[input.variable];
-    moves[input.cell] = moves[input.cell] || moved || DirectionOf(version_, input.cell) == ir::Direction::kInput;
+    moves[input.cell] =
+        moves[input.cell] || moved || compare::DirectionOf(version_, input.cell) == ir::Direction::kInput;
   }
   std::erase_if(inputs, [&moves](const Input& input) { return !moves[input.cell]; });
   PropertyRun run;
   run.retentive = RetentiveOf(cone);
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));
-  std::map<CellId, uint64_t> now;
-  std::map<CellId, uint32_t> set_in;  // by cell: the last period
+  std::map<execute::CellId, uint64_t> now;
+  std::map<execute::CellId, uint32_t> set_in;  // by cell: the last period
   const std::vector<bool> handshakes = HandshakeCells(version_);
   for (const Input& input : inputs) {
     if (now.try_emplace(input.cell, 0).second) run.periods[0][0].push_back({input.cell, false});
@@ -432,4 +439,4 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, TermId violated, uint32_t
   return run;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -25,12 +25,12 @@
 #include "transpiler/prove/properties/unroll.h"
 #include "transpiler/prove/solver/solver.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 enum class RetentiveMemory : uint8_t { kZero, kAny };
 
 struct InputValue {
-  CellId cell;
+  execute::CellId cell;
   bool value = false;
 };
 
@@ -44,8 +44,8 @@ struct PropertyRun {
 /// Runs that are tried instead of computed.
 struct RunSearch {
   const Property* property = nullptr;
-  std::vector<CellId> inputs;    // on which the property depends, the nearest first
-  std::vector<CellId> requests;  // bits on which it depends and that the control takes back when it likes
+  std::vector<execute::CellId> inputs;    // on which the property depends, the nearest first
+  std::vector<execute::CellId> requests;  // bits on which it depends and that the control takes back when it likes
   uint64_t milliseconds = 0;
   bool thorough = false;  // take all of the time
 };
@@ -79,7 +79,7 @@ struct CheckOptions {
 class PropertyChecker {
  public:
   /// `version` outlives it. Without a solver every check is refused.
-  PropertyChecker(const Version& version, CheckOptions options);
+  PropertyChecker(const compare::Version& version, CheckOptions options);
 
   /// Not empty: nothing can be checked, and why.
   const std::string& refusal() const { return refusal_; }
@@ -99,56 +99,57 @@ class PropertyChecker {
   /// Whether this is the end of the check: `result` has a verdict or a reason.
   bool Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result);
   /// That what the host may write beside inputs of the machine stays as it is behind power-on.
-  std::vector<TermId> StaysQuiet(Unrolled& unrolled, uint32_t periods);
+  std::vector<terms::TermId> StaysQuiet(Unrolled& unrolled, uint32_t periods);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
   /// A run has been found: whether the machine shows it.
-  void Conclude(const Property& property, PropertyResult found, TermId violated, PropertyResult& result);
+  void Conclude(const Property& property, PropertyResult found, terms::TermId violated, PropertyResult& result);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
   // By facts about the reachable states (check_reachable.cc).
   bool TryReachable(const Property& property, PropertyResult& result);
   /// Whether no reachable state, behind whole periods, is bad; `bad` is over the variables of Widest() and those of
   /// `more`. Counts the facts.
-  bool IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId variable)>& more,
+  bool IsNeverReached(terms::TermId bad, const std::function<std::optional<StateWord>(terms::TermId variable)>& more,
                       PropertyResult& result);
   bool IsNeverReached(const ReachQuestion& question, PropertyResult& result);
-  ReachQuestion QuestionOf(TermId bad, const std::function<std::optional<StateWord>(TermId variable)>& more);
+  ReachQuestion QuestionOf(terms::TermId bad,
+                           const std::function<std::optional<StateWord>(terms::TermId variable)>& more);
   // By counting periods (check_counting.cc).
   bool TryCounting(const Property& property, PropertyResult& result);
-  std::vector<std::vector<TermId>> RegistersAmong(const std::vector<CellId>& cells);
+  std::vector<std::vector<terms::TermId>> RegistersAmong(const std::vector<execute::CellId>& cells);
   void FindInvariantsFor(const Property& property);
-  void FindInvariantsAround(const std::vector<CellId>& cells);
-  PropertyRun RunOf(Unrolled& unrolled, TermId violated, uint32_t periods);
+  void FindInvariantsAround(const std::vector<execute::CellId>& cells);
+  PropertyRun RunOf(Unrolled& unrolled, terms::TermId violated, uint32_t periods);
   std::vector<InputValue> RetentiveOf(const Cone& cone);
   /// What the solver answers; kUnknown, too, when the question is so large that it would not come to an answer.
-  Answer Ask(std::span<const TermId> conditions, uint32_t milliseconds);
+  solver::Answer Ask(std::span<const terms::TermId> conditions, uint32_t milliseconds);
   std::string WhyUnknown() const;
   Relation& Widest() const { return any_ ? *any_ : *silent_; }
 
   // "is never stuck" (stuck.cc).
   /// Values of inputs, by period, part and cell; what is not in them is 0.
-  using Strategy = std::vector<std::vector<std::map<CellId, uint64_t>>>;
+  using Strategy = std::vector<std::vector<std::map<execute::CellId, uint64_t>>>;
   struct StuckSearch {
     const Property& property;
     bool wanted;  // the value that the output is to reach
     std::vector<Strategy> strategies;
     /// A state from which no inputs reach it; by cell, what is not in it is 0.
-    std::map<CellId, uint64_t> stuck;
+    std::map<execute::CellId, uint64_t> stuck;
   };
   enum class Reach : uint8_t { kAlways, kStuck, kUnknown };
   PropertyResult CheckNeverStuck(const Property& property);
   Reach ReachFromAnywhere(StuckSearch& search, PropertyResult& result);
   Reach ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result);
-  Reach FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state, uint64_t time,
+  Reach FindStrategy(StuckSearch& search, const std::map<execute::CellId, uint64_t>& state, uint64_t time,
                      PropertyResult& result);
   bool IsNeverStuck(const StuckSearch& search, PropertyResult& result);
-  std::optional<TermId> Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from, uint32_t period,
-                                PropertyResult& result);
+  std::optional<terms::TermId> Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from,
+                                       uint32_t period, PropertyResult& result);
 
-  const Version& version_;
+  const compare::Version& version_;
   CheckOptions options_;
-  Terms terms_;
-  std::unique_ptr<Solver> solver_;
+  terms::Terms terms_;
+  std::unique_ptr<solver::Solver> solver_;
   std::string refusal_;
   std::vector<bool> inputs_;
   std::vector<bool> requests_;          // by cell: see compare/requests.h
@@ -158,9 +159,9 @@ class PropertyChecker {
   std::unique_ptr<Unrolled> plain_;     // from power-on, the host answers 0
   std::unique_ptr<Unrolled> answered_;  // from power-on, the host answers anything; none where that makes no difference
   std::unique_ptr<Unrolled> anywhere_;  // from any state
-  std::vector<Invariant> invariants_;
+  std::vector<compare::Invariant> invariants_;
   bool too_large_ = false;  // the last question was not asked
   std::chrono::steady_clock::time_point deadline_;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -6,7 +6,7 @@
 #include "transpiler/prove/properties/check.h"
 #include "transpiler/prove/properties/time_facts.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr size_t kMostNearest = 160;  // cells around which facts are looked for
@@ -14,66 +14,68 @@ constexpr size_t kMostNearest = 160;  // cells around which facts are looked for
 /// The counts of a property as state words beside those of the program.
 class Counters {
  public:
-  Counters(Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
+  Counters(terms::Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
 
-  TermId Add(uint32_t most, const std::function<TermId(TermId before)>& next) {
+  terms::TermId Add(uint32_t most, const std::function<terms::TermId(terms::TermId before)>& next) {
     uint8_t width = 1;
     while (most >> width != 0) ++width;
-    const TermId variable = terms_.Variable("count " + std::to_string(terms_.variable_count()), width);
+    const terms::TermId variable = terms_.Variable("count " + std::to_string(terms_.variable_count()), width);
     // The period is the last part; the others count nothing.
-    StateWord word{.now = variable, .next = std::vector<TermId>(parts_, variable), .start = terms_.Const(0, width)};
+    StateWord word{
+        .now = variable, .next = std::vector<terms::TermId>(parts_, variable), .start = terms_.Const(0, width)};
     word.next.back() = next(variable);
-    const TermId after = word.next.back();
+    const terms::TermId after = word.next.back();
     words_[variable] = std::move(word);
     variables_.push_back(variable);
     return after;
   }
-  std::optional<StateWord> Find(TermId variable) const {
+  std::optional<StateWord> Find(terms::TermId variable) const {
     const auto found = words_.find(variable);
     return found == words_.end() ? std::nullopt : std::optional(found->second);
   }
-  const std::vector<TermId>& variables() const { return variables_; }
+  const std::vector<terms::TermId>& variables() const { return variables_; }
 
  private:
-  Terms& terms_;
+  terms::Terms& terms_;
   size_t parts_;
-  std::map<TermId, StateWord> words_;
-  std::vector<TermId> variables_;
+  std::map<terms::TermId, StateWord> words_;
+  std::vector<terms::TermId> variables_;
 };
 
 }  // namespace
 
 /// Numbers of the program in some cells, the nearest ones first: fields, and what places of whole bytes name.
-std::vector<std::vector<TermId>> PropertyChecker::RegistersAmong(const std::vector<CellId>& cells) {
+std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const std::vector<execute::CellId>& cells) {
   const ir::Program& program = *version_.program;
   Relation& relation = Widest();
-  std::map<CellId, std::vector<CellId>> word_of;  // by its first cell
+  std::map<execute::CellId, std::vector<execute::CellId>> word_of;  // by its first cell
   for (const ir::Place& place : program.places) {
     const bool is_number = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
-                           IsInside(program, place) && program.spaces[place.space].lifetime != ir::Lifetime::kRoutine;
+                           execute::IsInside(program, place) &&
+                           program.spaces[place.space].lifetime != ir::Lifetime::kRoutine;
     if (!is_number) continue;
-    std::vector<CellId> word = CellsOf(program, version_.cells, place);
-    for (const CellId cell : word) {
-      std::vector<CellId>& known = word_of[cell];
+    std::vector<execute::CellId> word = execute::CellsOf(program, version_.cells, place);
+    for (const execute::CellId cell : word) {
+      std::vector<execute::CellId>& known = word_of[cell];
       if (known.size() < word.size()) known = word;
     }
   }
-  std::vector<std::vector<TermId>> registers;
+  std::vector<std::vector<terms::TermId>> registers;
   std::vector<bool> taken(version_.cells.count);
-  for (const CellId cell : cells) {
+  for (const execute::CellId cell : cells) {
     if (taken[cell.index] || new_each_time_[cell.index]) continue;
-    std::vector<CellId> word{cell};
-    const Cell what = CellAt(program, version_.cells, cell);
-    if (what.kind == CellKind::kCalls) continue;
-    if (what.kind == CellKind::kBit) {
+    std::vector<execute::CellId> word{cell};
+    const execute::Cell what = execute::CellAt(program, version_.cells, cell);
+    if (what.kind == execute::CellKind::kCalls) continue;
+    if (what.kind == execute::CellKind::kBit) {
       const auto known = word_of.find(cell);
       if (known == word_of.end()) continue;
       word = known->second;
-    } else if (CellWidth(program, what) == 1) {
+    } else if (execute::CellWidth(program, what) == 1) {
       continue;
     }
     registers.emplace_back();
-    for (const CellId one : word) {
+    for (const execute::CellId one : word) {
       taken[one.index] = true;
       registers.back().push_back(relation.VariableOf(one));
     }
@@ -84,30 +86,33 @@ std::vector<std::vector<TermId>> PropertyChecker::RegistersAmong(const std::vect
 bool PropertyChecker::TryCounting(const Property& property, PropertyResult& result) {
   if (Late()) return false;
   Relation& relation = Widest();
-  std::vector<CellId> operands;
+  std::vector<execute::CellId> operands;
   for (const PropertyOperand& operand : property.operands)
     operands.insert(operands.end(), operand.cells.begin(), operand.cells.end());
-  std::vector<CellId> behind = CellsBehind(terms_, relation, operands);
+  std::vector<execute::CellId> behind = CellsBehind(terms_, relation, operands);
   if (behind.size() > kMostNearest) behind.resize(kMostNearest);
   if (invariants_.empty()) FindInvariantsAround(behind);
   Report("counting periods");
   Counters counters(terms_, relation.fast().empty() ? 1 : 2);  // the period, and the fast part
-  const auto after = [&relation](CellId cell) {
-    const TermId next = relation.period()[cell.index];
+  const auto after = [&relation](execute::CellId cell) {
+    const terms::TermId next = relation.period()[cell.index];
     return next.valid() ? next : relation.VariableOf(cell);
   };
-  const TermId bad = terms_.Not(HoldsByCounting(
-      terms_, property, after,
-      [&counters](uint32_t most, const std::function<TermId(TermId)>& next) { return counters.Add(most, next); }));
-  const std::function<std::optional<StateWord>(TermId)> more = [&](TermId variable) { return counters.Find(variable); };
+  const terms::TermId bad = terms_.Not(HoldsByCounting(
+      terms_, property, after, [&counters](uint32_t most, const std::function<terms::TermId(terms::TermId)>& next) {
+        return counters.Add(most, next);
+      }));
+  const std::function<std::optional<StateWord>(terms::TermId)> more = [&](terms::TermId variable) {
+    return counters.Find(variable);
+  };
   ReachQuestion question = QuestionOf(bad, more);
   const bool has_clock = relation.fast().empty();
   if (has_clock) {
     // The time goes on by one period from part to part; elsewhere it may be any, which is soon found out.
-    const TermId now = relation.now();
-    const TermId period = terms_.Const(version_.program->schedule.period_ms, terms_.Width(now));
+    const terms::TermId now = relation.now();
+    const terms::TermId period = terms_.Const(version_.program->schedule.period_ms, terms_.Width(now));
     const StateWord clock{.now = now, .next = {terms_.Add(now, period)}, .start = plain_->FirstTime()};
-    question.state_of = [state_of = question.state_of, clock](TermId variable) {
+    question.state_of = [state_of = question.state_of, clock](terms::TermId variable) {
       return variable == clock.now ? std::optional(clock) : state_of(variable);
     };
   }
@@ -115,18 +120,18 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
                      .solver = *solver_,
                      .counters = counters.variables(),
                      .registers = RegistersAmong(behind),
-                     .now = has_clock ? relation.now() : TermId(),
+                     .now = has_clock ? relation.now() : terms::TermId(),
                      .bits = {},
                      .period_ms = version_.program->schedule.period_ms};
-  std::set<TermId> of_numbers;
-  for (const std::vector<TermId>& number : times.registers) of_numbers.insert(number.begin(), number.end());
-  for (const CellId cell : behind) {
-    const TermId variable = relation.VariableOf(cell);
+  std::set<terms::TermId> of_numbers;
+  for (const std::vector<terms::TermId>& number : times.registers) of_numbers.insert(number.begin(), number.end());
+  for (const execute::CellId cell : behind) {
+    const terms::TermId variable = relation.VariableOf(cell);
     const bool is_bit = terms_.Width(variable) == 1 && !new_each_time_[cell.index];
     const bool is_named = std::ranges::find(operands, cell) != operands.end();
     if (is_bit && (is_named || !of_numbers.contains(variable))) times.bits.push_back(variable);
   }
-  const std::vector<TermId> facts = FindTimeFacts(times);
+  const std::vector<terms::TermId> facts = FindTimeFacts(times);
   question.known.insert(question.known.end(), facts.begin(), facts.end());
   if (!IsNeverReached(question, result)) return false;
   result.verdict = PropertyVerdict::kProved;
@@ -135,4 +140,4 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
   return true;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -6,7 +6,7 @@
 #include "transpiler/prove/properties/reachable.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr uint32_t kShare = 3;  // of the time that is left
@@ -16,26 +16,29 @@ constexpr size_t kMostBadTerms = 250'000;
 /// The values that the cells of a property had behind the last periods, and how many periods there have been.
 class History {
  public:
-  History(Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
+  History(terms::Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
 
   /// `after`: the value behind this period; `back`: 1 for the period before it.
-  TermId Before(CellId cell, TermId after, uint32_t back) { return Row(rows_[cell], after, back, "before"); }
+  terms::TermId Before(execute::CellId cell, terms::TermId after, uint32_t back) {
+    return Row(rows_[cell], after, back, "before");
+  }
   /// Whether there have been so many periods.
-  TermId HaveBeen(uint32_t periods) {
+  terms::TermId HaveBeen(uint32_t periods) {
     return periods == 0 ? terms_.Bit(true) : Row(counted_, terms_.Bit(true), periods, "period before");
   }
-  std::optional<StateWord> Find(TermId variable) const {
+  std::optional<StateWord> Find(terms::TermId variable) const {
     const auto found = words_.find(variable);
     return found == words_.end() ? std::nullopt : std::optional(found->second);
   }
 
  private:
-  TermId Row(std::vector<TermId>& row, TermId after, uint32_t back, const char* name) {
+  terms::TermId Row(std::vector<terms::TermId>& row, terms::TermId after, uint32_t back, const char* name) {
     const uint8_t width = terms_.Width(after);
     while (row.size() < back) {
-      const TermId variable = terms_.Variable(name + (" " + std::to_string(terms_.variable_count())), width);
+      const terms::TermId variable = terms_.Variable(name + (" " + std::to_string(terms_.variable_count())), width);
       // The period is the last part; the others change no history.
-      StateWord word{.now = variable, .next = std::vector<TermId>(parts_, variable), .start = terms_.Const(0, width)};
+      StateWord word{
+          .now = variable, .next = std::vector<terms::TermId>(parts_, variable), .start = terms_.Const(0, width)};
       word.next.back() = row.empty() ? after : row.back();
       words_[variable] = std::move(word);
       row.push_back(variable);
@@ -43,15 +46,15 @@ class History {
     return row[back - 1];
   }
 
-  Terms& terms_;
+  terms::Terms& terms_;
   size_t parts_;
-  std::map<CellId, std::vector<TermId>> rows_;
-  std::vector<TermId> counted_;
-  std::map<TermId, StateWord> words_;
+  std::map<execute::CellId, std::vector<terms::TermId>> rows_;
+  std::vector<terms::TermId> counted_;
+  std::map<terms::TermId, StateWord> words_;
 };
 
 /// What runs in any order, the period itself last.
-std::vector<const std::vector<TermId>*> PartsOf(const Relation& relation) {
+std::vector<const std::vector<terms::TermId>*> PartsOf(const Relation& relation) {
   if (relation.fast().empty()) return {&relation.period()};
   return {&relation.fast(), &relation.period()};
 }
@@ -67,17 +70,18 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   if (window * cells > kMostHistory) return TryCounting(property, result);
   Relation& relation = Widest();
   const size_t parts = PartsOf(relation).size();
-  const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
-  const auto after = [&](CellId cell) {
-    const TermId next = relation.period()[cell.index];
+  const auto before = [&relation](execute::CellId cell) { return relation.VariableOf(cell); };
+  const auto after = [&](execute::CellId cell) {
+    const terms::TermId next = relation.period()[cell.index];
     return next.valid() ? next : before(cell);
   };
   History history(terms_, parts);
-  const TermId violated = terms_.Not(HoldsAfter(terms_, property, window, [&](CellId cell, uint32_t period) {
-    return period == window ? after(cell) : history.Before(cell, after(cell), window - period);
-  }));
-  const TermId bad = terms_.And(violated, history.HaveBeen(window - 1));
-  bool never = IsNeverReached(bad, [&](TermId variable) { return history.Find(variable); }, result);
+  const terms::TermId violated =
+      terms_.Not(HoldsAfter(terms_, property, window, [&](execute::CellId cell, uint32_t period) {
+        return period == window ? after(cell) : history.Before(cell, after(cell), window - period);
+      }));
+  const terms::TermId bad = terms_.And(violated, history.HaveBeen(window - 1));
+  bool never = IsNeverReached(bad, [&](terms::TermId variable) { return history.Find(variable); }, result);
   if (!never && parts > 1 && window == 1 && !Late()) {
     // Fast parts of the same period see the same inputs: looked at with it they say more, and take more time.
     Unrolled whole(terms_, relation, inputs_, Start::kAnywhere, "whole " + std::to_string(terms_.variable_count()));
@@ -93,13 +97,14 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   return true;
 }
 
-bool PropertyChecker::IsNeverReached(TermId bad, const std::function<std::optional<StateWord>(TermId)>& more,
+bool PropertyChecker::IsNeverReached(terms::TermId bad,
+                                     const std::function<std::optional<StateWord>(terms::TermId)>& more,
                                      PropertyResult& result) {
   return IsNeverReached(QuestionOf(bad, more), result);
 }
 
 bool PropertyChecker::IsNeverReached(const ReachQuestion& question, PropertyResult& result) {
-  if (Late() || ConeAboveFunctions(terms_, {&question.bad, 1}).size() > kMostBadTerms) return false;
+  if (Late() || terms::ConeAboveFunctions(terms_, {&question.bad, 1}).size() > kMostBadTerms) return false;
   Report("reachable states");
   const std::optional<FoundFacts> facts = ShowUnreachable(question);
   if (facts) result.invariants = static_cast<uint32_t>(question.known.size() + facts->forbidden.size());
@@ -107,9 +112,10 @@ bool PropertyChecker::IsNeverReached(const ReachQuestion& question, PropertyResu
 }
 
 /// `more` outlives it.
-ReachQuestion PropertyChecker::QuestionOf(TermId bad, const std::function<std::optional<StateWord>(TermId)>& more) {
+ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
+                                          const std::function<std::optional<StateWord>(terms::TermId)>& more) {
   Relation& relation = Widest();
-  const std::vector<const std::vector<TermId>*> parts = PartsOf(relation);
+  const std::vector<const std::vector<terms::TermId>*> parts = PartsOf(relation);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(RestMs() / kShare);
   ReachQuestion question{.terms = terms_,
                          .state_of = {},
@@ -123,21 +129,23 @@ ReachQuestion PropertyChecker::QuestionOf(TermId bad, const std::function<std::o
                                return static_cast<uint32_t>(std::max<int64_t>(0, ms));
                              },
                          .progress = options_.progress};
-  question.state_of = [this, &relation, &more, parts](TermId variable) -> std::optional<StateWord> {
-    const CellId cell = relation.CellOf(variable);
+  question.state_of = [this, &relation, &more, parts](terms::TermId variable) -> std::optional<StateWord> {
+    const execute::CellId cell = relation.CellOf(variable);
     if (!cell.valid()) return more ? more(variable) : std::nullopt;
-    if (new_each_time_[cell.index] || !IsState(version_, cell) || cell.index >= version_.cells.calls) return {};
+    if (new_each_time_[cell.index] || !compare::IsState(version_, cell) || cell.index >= version_.cells.calls)
+      return {};
     StateWord word{.now = variable, .next = {}, .start = plain_->Value(cell, 0)};
-    for (const std::vector<TermId>* part : parts)
+    for (const std::vector<terms::TermId>* part : parts)
       word.next.push_back((*part)[cell.index].valid() ? (*part)[cell.index] : variable);
     return word;
   };
   // They hold behind periods, not between their parts.
   if (parts.size() == 1) {
-    const auto before = [&relation](CellId cell) { return relation.VariableOf(cell); };
-    for (const Invariant& invariant : invariants_) question.known.push_back(ConditionOf(terms_, invariant, before));
+    const auto before = [&relation](execute::CellId cell) { return relation.VariableOf(cell); };
+    for (const compare::Invariant& invariant : invariants_)
+      question.known.push_back(compare::ConditionOf(terms_, invariant, before));
   }
   return question;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -3,63 +3,65 @@
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
-Cone::Cone(const Terms& terms, TermId top)
-    : terms_(terms), top_(top), has_(terms.size()), order_(ConeOf(terms, {&top, 1})) {
-  for (const TermId id : order_) {
+Cone::Cone(const terms::Terms& terms, terms::TermId top)
+    : terms_(terms), top_(top), has_(terms.size()), order_(terms::ConeOf(terms, {&top, 1})) {
+  for (const terms::TermId id : order_) {
     has_[id.index] = true;
-    const Term& term = terms[id];
-    if (term.kind == TermKind::kApply && terms.Info(FunctionId(term.a)).evaluate == nullptr)
+    const terms::Term& term = terms[id];
+    if (term.kind == terms::TermKind::kApply && terms.Info(terms::FunctionId(term.a)).evaluate == nullptr)
       has_unknown_function_ = true;
   }
 }
 
 uint64_t Cone::Evaluate(std::span<const uint64_t> variables) const {
   std::vector<uint64_t> values(has_.size());
-  for (const TermId id : order_) {
-    values[id.index] = EvaluateTerm(
-        terms_, terms_[id], [&values](TermId operand) { return values[operand.index]; },
+  for (const terms::TermId id : order_) {
+    values[id.index] = terms::EvaluateTerm(
+        terms_, terms_[id], [&values](terms::TermId operand) { return values[operand.index]; },
         [variables](uint32_t variable) { return variable < variables.size() ? variables[variable] : 0; });
   }
   return values[top_.index];
 }
 
-std::vector<CellId> CellsIn(const Terms& terms, TermId term, const std::map<CellId, TermId>& variables) {
+std::vector<execute::CellId> CellsIn(const terms::Terms& terms, terms::TermId term,
+                                     const std::map<execute::CellId, terms::TermId>& variables) {
   const Cone cone(terms, term);
-  std::vector<CellId> cells;
+  std::vector<execute::CellId> cells;
   for (const auto& [cell, variable] : variables) {
     if (cone.Has(variable)) cells.push_back(cell);
   }
   return cells;
 }
 
-std::vector<CellId> CellsBehind(const Terms& terms, const Relation& relation, std::span<const CellId> cells) {
+std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const Relation& relation,
+                                         std::span<const execute::CellId> cells) {
   std::vector<bool> seen_terms(terms.size()), seen_cells(relation.period().size());
-  std::vector<CellId> behind;
-  const auto add = [&](CellId cell) {
+  std::vector<execute::CellId> behind;
+  const auto add = [&](execute::CellId cell) {
     if (!cell.valid() || seen_cells[cell.index]) return;
     seen_cells[cell.index] = true;
     behind.push_back(cell);
   };
-  for (const CellId cell : cells) add(cell);
+  for (const execute::CellId cell : cells) add(cell);
   for (size_t at = 0; at < behind.size(); ++at) {
-    std::vector<TermId> open;
-    for (const std::vector<TermId>* const part : {&relation.fast(), &relation.period()}) {
+    std::vector<terms::TermId> open;
+    for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
       if (behind[at].index < part->size() && (*part)[behind[at].index].valid()) {
         open.push_back((*part)[behind[at].index]);
       }
     }
     while (!open.empty()) {
-      const TermId term = open.back();
+      const terms::TermId term = open.back();
       open.pop_back();
       if (seen_terms[term.index]) continue;
       seen_terms[term.index] = true;
-      if (terms[term].kind == TermKind::kVariable) add(relation.CellOf(term));
-      terms.ForEachOperand(terms[term], [&open](TermId operand) { open.push_back(operand); });
+      if (terms[term].kind == terms::TermKind::kVariable) add(relation.CellOf(term));
+      terms.ForEachOperand(terms[term], [&open](terms::TermId operand) { open.push_back(operand); });
     }
   }
   return behind;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -5,14 +5,14 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 /// What some routines, and all that they call, store at fixed addresses and into arrays. An index that may reach all of
 /// a space may reach signals of the host there, and says nothing about them.
 class Stores {
  public:
-  explicit Stores(const Version& version)
+  explicit Stores(const compare::Version& version)
       : version_(version), program_(*version.program), seen_(program_.routines.size()), stored_(version.cells.count) {}
 
   void Routine(ir::RoutineId id) {
@@ -30,8 +30,9 @@ class Stores {
     const ir::Place& place = program_.places[id];
     if (place.is_field()) return;
     const bool is_array = place.indexed && (place.low > 0 || place.high < program_.spaces[place.space].bytes);
-    if (!is_array && !IsInside(program_, place)) return;
-    for (const CellId cell : TouchedCells(program_, version_.cells, place)) stored_[cell.index] = true;
+    if (!is_array && !execute::IsInside(program_, place)) return;
+    for (const execute::CellId cell : execute::TouchedCells(program_, version_.cells, place))
+      stored_[cell.index] = true;
   }
 
   void Region(ir::RegionId region) {
@@ -52,21 +53,21 @@ class Stores {
     if (ir::Info(inst.op).shape == ir::Shape::kCall) Routine(program_.calls[ir::CallId(inst.payload)].routine);
   }
 
-  const Version& version_;
+  const compare::Version& version_;
   const ir::Program& program_;
   std::vector<bool> seen_, stored_;
 };
 
 }  // namespace
 
-bool IsInbox(const Version& version, CellId id) {
+bool IsInbox(const compare::Version& version, execute::CellId id) {
   const ir::StateId inbox = version.program->text_inbox;
   if (!inbox.valid()) return false;
-  const Cell cell = CellAt(*version.program, version.cells, id);
-  return cell.kind == CellKind::kField && cell.state == inbox;
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kField && cell.state == inbox;
 }
 
-std::vector<bool> InputsOf(const Version& version) {
+std::vector<bool> InputsOf(const compare::Version& version) {
   const ir::Program& program = *version.program;
   const ir::Schedule& schedule = program.schedule;
   Stores own(version), of_host(version);
@@ -78,14 +79,14 @@ std::vector<bool> InputsOf(const Version& version) {
   }
   std::vector<bool> inputs(version.cells.count);
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
-    const CellId id(i);
-    const Cell cell = CellAt(program, version.cells, id);
-    if (cell.kind != CellKind::kBit || !IsState(version, id)) continue;
-    const ir::Direction direction = DirectionOf(version, id);
+    const execute::CellId id(i);
+    const execute::Cell cell = execute::CellAt(program, version.cells, id);
+    if (cell.kind != execute::CellKind::kBit || !compare::IsState(version, id)) continue;
+    const ir::Direction direction = compare::DirectionOf(version, id);
     const bool is_open = direction != ir::Direction::kOutput && program.spaces[cell.space].host_visible;
     inputs[i] = direction == ir::Direction::kInput || (is_open && (!own.stored()[i] || of_host.stored()[i]));
   }
   return inputs;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

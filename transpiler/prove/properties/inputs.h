@@ -5,13 +5,13 @@
 
 #include "transpiler/prove/compare/match.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 /// By cell: inputs of the machine; memory that the host may write and that nothing of the period writes; memory that
 /// routines write which the host calls when it likes (signals of an NC), whatever else writes it. What goes out and
 /// nobody writes stays as it is.
-std::vector<bool> InputsOf(const Version& version);
+std::vector<bool> InputsOf(const compare::Version& version);
 /// Whether a cell belongs to the text of the operator that has arrived last.
-bool IsInbox(const Version& version, CellId cell);
+bool IsInbox(const compare::Version& version, execute::CellId cell);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

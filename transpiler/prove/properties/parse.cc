@@ -6,7 +6,7 @@
 #include "transpiler/prove/properties/property.h"
 #include "transpiler/prove/properties/words.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr int kMostNested = 200;
@@ -18,8 +18,8 @@ constexpr std::array<std::string_view, 17> kWords = {"bit",  "and", "or",    "no
 
 class LineParser {
  public:
-  LineParser(const PropertyLine& line, uint32_t number, const PropertySurroundings& surroundings)
-      : words_(line.words), surroundings_(surroundings) {
+  LineParser(const PropertyLine& line, uint32_t number, const PropertyContext& context)
+      : words_(line.words), context_(context) {
     property_.line = number;
     property_.column = line.words.front().column;
     property_.text = line.text;
@@ -90,7 +90,7 @@ class LineParser {
   void CheckFits(const PropertyOperand& operand, int64_t value, const PropertyWord& word);
 
   const std::vector<PropertyWord>& words_;
-  const PropertySurroundings& surroundings_;
+  const PropertyContext& context_;
   size_t at_ = 0;
   int depth_ = 0;
   bool in_list_ = false;
@@ -133,13 +133,13 @@ void LineParser::Parse() {
 uint32_t LineParser::Periods() {
   if (failed()) return 1;
   const PropertyWord number_word = Now();
-  const std::optional<int64_t> number = surroundings_.number(number_word.text);
+  const std::optional<int64_t> number = context_.number(number_word.text);
   if (number_word.quoted || !number) {
     Expected("a number of slow, fast or ms");
     return 1;
   }
   ++at_;
-  const PropertyTiming& timing = surroundings_.timing;
+  const PropertyTiming& timing = context_.timing;
   constexpr int64_t kMost = 1'000'000'000;
   const int64_t count = std::clamp<int64_t>(*number, -1, kMost);
   const std::string unit = Now().text;
@@ -310,7 +310,7 @@ uint32_t LineParser::Range(uint32_t value, const PropertyWord& word) {
 
 std::optional<int64_t> LineParser::Number() {
   if (failed()) return std::nullopt;
-  const std::optional<int64_t> number = Now().quoted || Now().is_end ? std::nullopt : surroundings_.number(Now().text);
+  const std::optional<int64_t> number = Now().quoted || Now().is_end ? std::nullopt : context_.number(Now().text);
   if (!number) {
     Expected("a number");
     return std::nullopt;
@@ -356,9 +356,9 @@ uint32_t LineParser::Value() {
   ++at_;
   const char first = word.text.empty() ? ' ' : word.text[0];
   const bool like_number = !word.quoted && ((first >= '0' && first <= '9') || first == '-' || first == '+');
-  std::optional<int64_t> number = like_number ? surroundings_.number(word.text) : std::nullopt;
+  std::optional<int64_t> number = like_number ? context_.number(word.text) : std::nullopt;
   if (!number) {
-    const std::optional<LocatedOperand> located = surroundings_.locate(word.text);
+    const std::optional<LocatedOperand> located = context_.locate(word.text);
     if (located && std::holds_alternative<PropertyOperand>(*located)) {
       return Operand(std::get<PropertyOperand>(*located));
     }
@@ -366,7 +366,7 @@ uint32_t LineParser::Value() {
       Fail(word, PropertyFault::kNotMemory, {word.text, std::get<std::string>(*located)});
       return 0;
     }
-    if (!word.quoted) number = surroundings_.number(word.text);
+    if (!word.quoted) number = context_.number(word.text);
   }
   if (number) return Add({.kind = ConditionKind::kNumber, .low = *number});
   Fail(word, PropertyFault::kLocation, {word.text});
@@ -397,7 +397,7 @@ void LineParser::CheckFits(const PropertyOperand& operand, int64_t value, const 
 
 }  // namespace
 
-Properties ParseProperties(std::string_view text, const PropertySurroundings& surroundings) {
+Properties ParseProperties(std::string_view text, const PropertyContext& context) {
   Properties result;
   bool any = false;
   for (uint32_t number = 1; !text.empty(); ++number) {
@@ -406,7 +406,7 @@ Properties ParseProperties(std::string_view text, const PropertySurroundings& su
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     if (line.words.size() == 1) continue;
     any = true;
-    LineParser parser(line, number, surroundings);
+    LineParser parser(line, number, context);
     parser.Parse();
     if (parser.error()) {
       result.errors.push_back(std::move(*parser.error()));
@@ -418,4 +418,4 @@ Properties ParseProperties(std::string_view text, const PropertySurroundings& su
   return result;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

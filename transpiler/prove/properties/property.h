@@ -15,14 +15,15 @@
 
 #include "transpiler/prove/execute/cells.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 /// What a location of a property is, in cells of the program.
 struct PropertyOperand {
-  std::string text;           // as the property writes it
-  std::vector<CellId> cells;  // from the least significant bit, or one field; none: always 0, the program has no such
-  uint8_t width = 1;          // of the value, 1 to 64 bits
-  uint8_t low_bit = 0;        // of the cells; with a width of 1 it is one bit of a word
+  std::string text;  // as the property writes it
+  std::vector<execute::CellId>
+      cells;            // from the least significant bit, or one field; none: always 0, the program has no such
+  uint8_t width = 1;    // of the value, 1 to 64 bits
+  uint8_t low_bit = 0;  // of the cells; with a width of 1 it is one bit of a word
   bool is_bit = false;
   bool has_sign = false;  // its value is read as two's complement
 };
@@ -97,7 +98,7 @@ struct PropertyError {
 /// A location that a property may name, or what it is instead: "a text input"; lower case.
 using LocatedOperand = std::variant<PropertyOperand, std::string>;
 
-struct PropertySurroundings {
+struct PropertyContext {
   /// None: the word is no location.
   std::function<std::optional<LocatedOperand>(std::string_view word)> locate;
   /// None: the word is no number.
@@ -116,6 +117,6 @@ struct Properties {
 };
 
 /// One property a line; "#" at the beginning of a line or behind a blank begins a comment.
-Properties ParseProperties(std::string_view text, const PropertySurroundings& surroundings);
+Properties ParseProperties(std::string_view text, const PropertyContext& context);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -9,7 +9,7 @@
 #include "transpiler/prove/solver/bit_solver.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr size_t kMostWords = 1500;          // that count
@@ -31,14 +31,14 @@ enum class Found : uint8_t {
 class Search {
  public:
   /// `words`: those that count.
-  Search(const ReachQuestion& question, BitSolver& bits, const std::vector<StateWord>& words)
+  Search(const ReachQuestion& question, solver::BitSolver& bits, const std::vector<StateWord>& words)
       : question_(question), terms_(question.terms), solver_(bits), words_(words) {
     for (uint32_t i = 0; i < words.size(); ++i) Track(i);
   }
 
   Found Run();
   /// Of kMoreWords.
-  const std::set<TermId>& missing() const { return missing_; }
+  const std::set<terms::TermId>& missing() const { return missing_; }
   /// Of kUnreachable.
   FoundFacts Facts() const;
 
@@ -46,7 +46,7 @@ class Search {
   struct Bit {
     uint32_t word;
     uint8_t bit;
-    TermId now;
+    terms::TermId now;
     std::optional<bool> start;  // none: behind power-on it may be either
   };
   /// A cube from which the bad one can be reached, by way of the obligation `next`.
@@ -54,40 +54,40 @@ class Search {
     uint32_t layer;
     Cube cube;
     size_t next;
-    std::vector<TermId> missing;
+    std::vector<terms::TermId> missing;
   };
 
   void Track(uint32_t word);
   void AddLayer();
   uint32_t Top() const { return static_cast<uint32_t>(layers_.size() - 1); }
-  TermId Now(Literal literal) const { return Signed(bits_[literal / 2].now, literal); }
-  TermId Signed(TermId bit, Literal literal) const { return literal % 2 != 0 ? bit : terms_.Not(bit); }
-  TermId Next(Literal literal, size_t part);
+  terms::TermId Now(Literal literal) const { return Signed(bits_[literal / 2].now, literal); }
+  terms::TermId Signed(terms::TermId bit, Literal literal) const { return literal % 2 != 0 ? bit : terms_.Not(bit); }
+  terms::TermId Next(Literal literal, size_t part);
   bool MeetsStart(const Cube& cube) const;
   Cube AwayFromStart(Cube cube, const Cube& whole) const;
 
   /// Whether all conditions can hold in a state of the layer; the first ones are `conditions`, as needed() counts.
-  Answer Ask(std::vector<TermId> conditions, uint32_t layer);
+  solver::Answer Ask(std::vector<terms::TermId> conditions, uint32_t layer);
   /// Whether a state of the layer that is not in the cube has a successor in it: kNever gives what of it is needed.
-  Answer Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& needed);
+  solver::Answer Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& needed);
   /// From the model of the last question: the bits that are enough for `target`.
-  bool Lift(std::span<const TermId> targets, Obligation& obligation);
-  bool Block(Cube cube, std::vector<TermId> missing);
+  bool Lift(std::span<const terms::TermId> targets, Obligation& obligation);
+  bool Block(Cube cube, std::vector<terms::TermId> missing);
   bool BlockOne(Cube cube, uint32_t layer);
   bool Propagate();
   void Learn(const Cube& cube, uint32_t layer);
   bool IsBlocked(const Cube& cube, uint32_t layer) const;
 
   const ReachQuestion& question_;
-  Terms& terms_;
-  BitSolver& solver_;
+  terms::Terms& terms_;
+  solver::BitSolver& solver_;
   const std::vector<StateWord>& words_;
   std::vector<Bit> bits_;
-  std::map<TermId, uint32_t> first_bit_;   // by variable of a word that counts
-  std::vector<std::vector<Cube>> layers_;  // those that are forbidden up to this layer and no further
-  std::vector<TermId> active_;             // by layer: its facts, and those of higher ones, are assumed
+  std::map<terms::TermId, uint32_t> first_bit_;  // by variable of a word that counts
+  std::vector<std::vector<Cube>> layers_;        // those that are forbidden up to this layer and no further
+  std::vector<terms::TermId> active_;            // by layer: its facts, and those of higher ones, are assumed
   std::vector<Obligation> obligations_;
-  std::set<TermId> missing_;
+  std::set<terms::TermId> missing_;
   bool unknown_ = false;
 };
 
@@ -95,13 +95,13 @@ void Search::Track(uint32_t word) {
   const StateWord& state = words_[word];
   first_bit_[state.now] = static_cast<uint32_t>(bits_.size());
   for (uint8_t bit = 0; bit < terms_.Width(state.now); ++bit) {
-    const TermId at_start = terms_.Extract(state.start, bit, 1);
+    const terms::TermId at_start = terms_.Extract(state.start, bit, 1);
     bits_.push_back({.word = word, .bit = bit, .now = terms_.Extract(state.now, bit, 1), .start = {}});
     if (terms_.IsConst(at_start)) bits_.back().start = terms_.IsTrue(at_start);
   }
 }
 
-TermId Search::Next(Literal literal, size_t part) {
+terms::TermId Search::Next(Literal literal, size_t part) {
   const Bit& bit = bits_[literal / 2];
   return Signed(terms_.Extract(words_[bit.word].next[part], bit.bit, 1), literal);
 }
@@ -133,23 +133,23 @@ void Search::AddLayer() {
   }
 }
 
-Answer Search::Ask(std::vector<TermId> conditions, uint32_t layer) {
+solver::Answer Search::Ask(std::vector<terms::TermId> conditions, uint32_t layer) {
   for (uint32_t i = layer; i <= (layer == 0 ? 0 : Top()); ++i) conditions.push_back(active_[i]);
   const uint32_t rest_ms = question_.rest_ms();
-  const Answer answer = rest_ms == 0 ? Answer::kUnknown : solver_.Check(conditions, rest_ms);
-  unknown_ = unknown_ || answer == Answer::kUnknown;
+  const solver::Answer answer = rest_ms == 0 ? solver::Answer::kUnknown : solver_.Check(conditions, rest_ms);
+  unknown_ = unknown_ || answer == solver::Answer::kUnknown;
   return answer;
 }
 
-Answer Search::Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& needed) {
-  const TermId outside = terms_.Variable("outside " + std::to_string(terms_.variable_count()), 1);
-  TermId clause = terms_.Not(outside);
+solver::Answer Search::Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& needed) {
+  const terms::TermId outside = terms_.Variable("outside " + std::to_string(terms_.variable_count()), 1);
+  terms::TermId clause = terms_.Not(outside);
   for (const Literal literal : cube) clause = terms_.Or(clause, terms_.Not(Now(literal)));
   solver_.Assume(clause);
   std::vector<bool> used(cube.size());
-  Answer answer = Answer::kNever;
+  solver::Answer answer = solver::Answer::kNever;
   for (part = 0; part < question_.parts; ++part) {
-    std::vector<TermId> conditions;
+    std::vector<terms::TermId> conditions;
     bool never = false;
     for (const Literal literal : cube) {
       conditions.push_back(Next(literal, part));
@@ -161,11 +161,11 @@ Answer Search::Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& ne
     if (never) continue;
     conditions.push_back(outside);
     answer = Ask(conditions, layer);
-    if (answer != Answer::kNever) break;
+    if (answer != solver::Answer::kNever) break;
     for (size_t i = 0; i < cube.size(); ++i) used[i] = used[i] || solver_.needed()[i];
   }
   solver_.Assume(terms_.Not(outside));  // it is asked only here; a model stays
-  if (answer != Answer::kNever) return answer;
+  if (answer != solver::Answer::kNever) return answer;
   needed.clear();
   for (size_t i = 0; i < cube.size(); ++i) {
     if (used[i]) needed.push_back(cube[i]);
@@ -174,22 +174,22 @@ Answer Search::Precedes(const Cube& cube, uint32_t layer, size_t& part, Cube& ne
   return answer;
 }
 
-bool Search::Lift(std::span<const TermId> targets, Obligation& obligation) {
+bool Search::Lift(std::span<const terms::TermId> targets, Obligation& obligation) {
   struct Source {
-    TermId is;  // the bit has its value
+    terms::TermId is;  // the bit has its value
     std::optional<Literal> literal;
-    TermId missing;
+    terms::TermId missing;
   };
   std::vector<Source> sources;
-  for (const TermId id : ConeAboveFunctions(terms_, targets)) {
-    const TermKind kind = terms_[id].kind;
-    if (kind != TermKind::kVariable && kind != TermKind::kApply) continue;
+  for (const terms::TermId id : terms::ConeAboveFunctions(terms_, targets)) {
+    const terms::TermKind kind = terms_[id].kind;
+    if (kind != terms::TermKind::kVariable && kind != terms::TermKind::kApply) continue;
     const uint64_t value = solver_.ValueOf(id);
     const auto counted = first_bit_.find(id);
     const bool may_count = counted == first_bit_.end() && question_.state_of(id).has_value();
     for (uint8_t bit = 0; bit < terms_.Width(id); ++bit) {
       const bool one = (value >> bit & 1) != 0;
-      const TermId is = terms_.Extract(id, bit, 1);
+      const terms::TermId is = terms_.Extract(id, bit, 1);
       Source source{.is = one ? is : terms_.Not(is), .literal = {}, .missing = {}};
       if (counted != first_bit_.end()) {
         source.literal = 2 * (counted->second + bit) + (one ? 1 : 0);
@@ -199,15 +199,15 @@ bool Search::Lift(std::span<const TermId> targets, Obligation& obligation) {
       sources.push_back(source);
     }
   }
-  TermId all = terms_.Bit(true);
-  for (const TermId target : targets) all = terms_.And(all, target);
+  terms::TermId all = terms_.Bit(true);
+  for (const terms::TermId target : targets) all = terms_.And(all, target);
   // Twice: what the first answer needs is often more than it has to be.
   for (int round = 0; round < 2; ++round) {
-    std::vector<TermId> conditions;
+    std::vector<terms::TermId> conditions;
     for (const Source& source : sources) conditions.push_back(source.is);
     conditions.push_back(terms_.Not(all));
     const uint32_t rest_ms = question_.rest_ms();
-    if (rest_ms == 0 || solver_.Check(conditions, rest_ms) != Answer::kNever) {
+    if (rest_ms == 0 || solver_.Check(conditions, rest_ms) != solver::Answer::kNever) {
       unknown_ = true;
       return false;
     }
@@ -236,7 +236,7 @@ void Search::Learn(const Cube& cube, uint32_t layer) {
   for (uint32_t i = 1; i <= layer; ++i)
     std::erase_if(layers_[i], [&](const Cube& known) { return Contains(known, cube); });
   layers_[layer].push_back(cube);
-  TermId clause = terms_.Not(active_[layer]);
+  terms::TermId clause = terms_.Not(active_[layer]);
   for (const Literal literal : cube) clause = terms_.Or(clause, terms_.Not(Now(literal)));
   solver_.Assume(clause);
 }
@@ -249,9 +249,9 @@ bool Search::BlockOne(Cube cube, uint32_t layer) {
     Cube smaller = cube;
     smaller.erase(smaller.begin() + static_cast<ptrdiff_t>(i));
     if (!MeetsStart(smaller)) {
-      const Answer answer = Precedes(smaller, layer - 1, part, needed);
-      if (answer == Answer::kUnknown) return false;
-      if (answer == Answer::kNever) {
+      const solver::Answer answer = Precedes(smaller, layer - 1, part, needed);
+      if (answer == solver::Answer::kUnknown) return false;
+      if (answer == solver::Answer::kNever) {
         cube = needed;
         continue;
       }
@@ -259,9 +259,9 @@ bool Search::BlockOne(Cube cube, uint32_t layer) {
     ++i;
   }
   while (layer < Top()) {
-    const Answer answer = Precedes(cube, layer, part, needed);
-    if (answer == Answer::kUnknown) return false;
-    if (answer == Answer::kPossible) break;
+    const solver::Answer answer = Precedes(cube, layer, part, needed);
+    if (answer == solver::Answer::kUnknown) return false;
+    if (answer == solver::Answer::kPossible) break;
     ++layer;
   }
   Learn(cube, layer);
@@ -269,7 +269,7 @@ bool Search::BlockOne(Cube cube, uint32_t layer) {
 }
 
 /// false: the bad states may be reached, or it is not known.
-bool Search::Block(Cube cube, std::vector<TermId> missing) {
+bool Search::Block(Cube cube, std::vector<terms::TermId> missing) {
   obligations_.clear();
   const auto later = [this](size_t a, size_t b) {
     return obligations_[a].layer != obligations_[b].layer ? obligations_[a].layer > obligations_[b].layer : a < b;
@@ -303,16 +303,16 @@ bool Search::Block(Cube cube, std::vector<TermId> missing) {
     size_t part = 0;
     Cube needed;
     switch (Precedes(now, layer - 1, part, needed)) {
-      case Answer::kUnknown:
+      case solver::Answer::kUnknown:
         return false;
-      case Answer::kNever:
+      case solver::Answer::kNever:
         if (!BlockOne(std::move(needed), layer)) return false;
         if (layer < Top())
           add({.layer = layer + 1, .cube = now, .next = obligations_[at].next, .missing = obligations_[at].missing});
         break;
-      case Answer::kPossible: {
+      case solver::Answer::kPossible: {
         Obligation before{.layer = layer - 1, .cube = {}, .next = at, .missing = {}};
-        std::vector<TermId> targets;
+        std::vector<terms::TermId> targets;
         for (const Literal literal : now) targets.push_back(Next(literal, part));
         if (!Lift(targets, before)) return false;
         add(std::move(before));
@@ -331,9 +331,9 @@ bool Search::Propagate() {
     for (const Cube& cube : cubes) {
       size_t part = 0;
       Cube needed;
-      const Answer answer = Precedes(cube, layer, part, needed);
-      if (answer == Answer::kUnknown) return false;
-      if (answer == Answer::kNever) Learn(cube, layer + 1);
+      const solver::Answer answer = Precedes(cube, layer, part, needed);
+      if (answer == solver::Answer::kUnknown) return false;
+      if (answer == solver::Answer::kNever) Learn(cube, layer + 1);
     }
     if (layers_[layer].empty()) return true;
   }
@@ -345,9 +345,9 @@ Found Search::Run() {
   AddLayer();
   while (!unknown_) {
     for (;;) {
-      const Answer answer = Ask({question_.bad}, Top());
-      if (answer == Answer::kNever) break;
-      if (answer == Answer::kUnknown) return Found::kUnknown;
+      const solver::Answer answer = Ask({question_.bad}, Top());
+      if (answer == solver::Answer::kNever) break;
+      if (answer == solver::Answer::kUnknown) return Found::kUnknown;
       Obligation bad{.layer = Top(), .cube = {}, .next = 0, .missing = {}};
       if (!Lift({&question_.bad, 1}, bad)) return Found::kUnknown;
       if (!Block(std::move(bad.cube), std::move(bad.missing)))
@@ -380,10 +380,11 @@ FoundFacts Search::Facts() const {
   return facts;
 }
 
-TermId HoldsOf(Terms& terms, const std::vector<StateBit>& fact, const std::function<TermId(uint32_t word)>& value) {
-  TermId clause = terms.Bit(false);
+terms::TermId HoldsOf(terms::Terms& terms, const std::vector<StateBit>& fact,
+                      const std::function<terms::TermId(uint32_t word)>& value) {
+  terms::TermId clause = terms.Bit(false);
   for (const StateBit& bit : fact) {
-    const TermId is = terms.Extract(value(bit.word), bit.bit, 1);
+    const terms::TermId is = terms.Extract(value(bit.word), bit.bit, 1);
     clause = terms.Or(clause, bit.value ? terms.Not(is) : is);
   }
   return clause;
@@ -391,26 +392,26 @@ TermId HoldsOf(Terms& terms, const std::vector<StateBit>& fact, const std::funct
 
 /// The facts hold behind power-on, every part keeps them, and where they hold nothing is bad.
 bool AreProof(const ReachQuestion& question, const FoundFacts& facts) {
-  Terms& terms = question.terms;
-  const std::unique_ptr<BitSolver> solver = LoadBitSolver(terms);  // it knows nothing of the search
-  std::vector<TermId> conditions = question.known;
-  TermId wrong_at_start = terms.Bit(false);
+  terms::Terms& terms = question.terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);  // it knows nothing of the search
+  std::vector<terms::TermId> conditions = question.known;
+  terms::TermId wrong_at_start = terms.Bit(false);
   for (const std::vector<StateBit>& fact : facts.forbidden) {
     conditions.push_back(HoldsOf(terms, fact, [&](uint32_t word) { return facts.words[word].now; }));
-    const TermId at_start = HoldsOf(terms, fact, [&](uint32_t word) { return facts.words[word].start; });
+    const terms::TermId at_start = HoldsOf(terms, fact, [&](uint32_t word) { return facts.words[word].start; });
     wrong_at_start = terms.Or(wrong_at_start, terms.Not(at_start));
   }
-  const auto never = [&](std::span<const TermId> all) {
+  const auto never = [&](std::span<const terms::TermId> all) {
     const uint32_t rest_ms = question.rest_ms();
-    return rest_ms != 0 && solver->Check(all, rest_ms) == Answer::kNever;
+    return rest_ms != 0 && solver->Check(all, rest_ms) == solver::Answer::kNever;
   };
   if (!terms.IsFalse(wrong_at_start) && !never({&wrong_at_start, 1})) return false;
   conditions.push_back(question.bad);
   if (!never(conditions)) return false;
   for (size_t part = 0; part < question.parts; ++part) {
-    TermId broken = terms.Bit(false);
+    terms::TermId broken = terms.Bit(false);
     for (const std::vector<StateBit>& fact : facts.forbidden) {
-      const TermId kept = HoldsOf(terms, fact, [&](uint32_t word) { return facts.words[word].next[part]; });
+      const terms::TermId kept = HoldsOf(terms, fact, [&](uint32_t word) { return facts.words[word].next[part]; });
       broken = terms.Or(broken, terms.Not(kept));
     }
     conditions.back() = broken;
@@ -422,14 +423,14 @@ bool AreProof(const ReachQuestion& question, const FoundFacts& facts) {
 }  // namespace
 
 std::optional<FoundFacts> ShowUnreachable(const ReachQuestion& question) {
-  const std::unique_ptr<BitSolver> bits = LoadBitSolver(question.terms);
+  const std::unique_ptr<solver::BitSolver> bits = solver::LoadBitSolver(question.terms);
   if (!bits) return std::nullopt;
   std::vector<StateWord> words;
-  for (const TermId id : ConeAboveFunctions(question.terms, {&question.bad, 1})) {
-    if (question.terms[id].kind != TermKind::kVariable) continue;
+  for (const terms::TermId id : terms::ConeAboveFunctions(question.terms, {&question.bad, 1})) {
+    if (question.terms[id].kind != terms::TermKind::kVariable) continue;
     if (std::optional<StateWord> word = question.state_of(id)) words.push_back(std::move(*word));
   }
-  for (const TermId known : question.known) bits->Assume(known);
+  for (const terms::TermId known : question.known) bits->Assume(known);
   for (;;) {
     Search search(question, *bits, words);
     switch (search.Run()) {
@@ -443,9 +444,9 @@ std::optional<FoundFacts> ShowUnreachable(const ReachQuestion& question) {
       case Found::kMoreWords:
         break;
     }
-    for (const TermId variable : search.missing()) words.push_back(*question.state_of(variable));
+    for (const terms::TermId variable : search.missing()) words.push_back(*question.state_of(variable));
     if (words.size() > kMostWords) return std::nullopt;
   }
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

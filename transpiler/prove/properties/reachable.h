@@ -16,13 +16,13 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 /// Something that lives from part to part of a period.
 struct StateWord {
-  TermId now;                // a variable
-  std::vector<TermId> next;  // by part
-  TermId start;              // behind power-on
+  terms::TermId now;                // a variable
+  std::vector<terms::TermId> next;  // by part
+  terms::TermId start;              // behind power-on
 };
 
 /// One bit of a state word, and the value that it has.
@@ -38,12 +38,12 @@ struct FoundFacts {
 };
 
 struct ReachQuestion {
-  Terms& terms;
+  terms::Terms& terms;
   /// What a variable is; none: it is something new in every part.
-  std::function<std::optional<StateWord>(TermId variable)> state_of;
+  std::function<std::optional<StateWord>(terms::TermId variable)> state_of;
   size_t parts = 1;                                       // that take turns in any order
-  TermId bad;                                             // of a state, over the variables
-  std::vector<TermId> known;                              // holds in every reachable state, over the same
+  terms::TermId bad;                                      // of a state, over the variables
+  std::vector<terms::TermId> known;                       // holds in every reachable state, over the same
   std::function<uint32_t()> rest_ms;                      // 0: the time is over
   std::function<void(const std::string& what)> progress;  // may be empty
 };
@@ -51,4 +51,4 @@ struct ReachQuestion {
 /// The facts from which it follows that no reachable state is bad; none: it is not known.
 std::optional<FoundFacts> ShowUnreachable(const ReachQuestion& question);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -7,7 +7,7 @@
 #include "transpiler/prove/properties/answers.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 /// A part that takes more terms would take too much time in every question.
@@ -15,7 +15,8 @@ constexpr uint32_t kSummarizeAfter = 16, kMostTerms = 10'000'000;
 
 }  // namespace
 
-Relation::Relation(Terms& terms, const Version& version, HostAnswers answers, const Relation* other)
+Relation::Relation(terms::Terms& terms, const compare::Version& version, compare::HostAnswers answers,
+                   const Relation* other)
     : terms_(terms),
       version_(version),
       answers_(answers),
@@ -24,55 +25,57 @@ Relation::Relation(Terms& terms, const Version& version, HostAnswers answers, co
     variables_ = other->variables_;
     cells_ = other->cells_;
   }
-  if (HasFastPart(version)) fast_ = Execute(Part::kFast);
-  period_ = Execute(Part::kPeriod);
+  if (compare::HasFastPart(version)) fast_ = Execute(compare::Part::kFast);
+  period_ = Execute(compare::Part::kPeriod);
 }
 
-std::vector<TermId> Relation::Execute(Part part) {
-  std::vector<TermId> after(version_.cells.count);
+std::vector<terms::TermId> Relation::Execute(compare::Part part) {
+  std::vector<terms::TermId> after(version_.cells.count);
   if (!refusal_.empty()) return after;
   const std::map<ir::InstId, ir::PlaceId> fetched = FetchedInputs(version_);
   const std::vector<bool> handshakes = HandshakeCells(version_);
-  Memory memory(terms_, *version_.program, version_.cells,
-                {.initial = [this](CellId cell) { return VariableOf(cell); },
-                 .observe = {},
-                 .now = now_,
-                 .host_answers = answers_ == HostAnswers::kAny,
-                 .fetched =
-                     [&](ir::InstId call) {
-                       const auto place = fetched.find(call);
-                       return place == fetched.end() ? nullptr : &version_.program->places[place->second];
-                     },
-                 .is_exchanged = [&](CellId cell) { return bool{handshakes[cell.index]}; },
-                 .summarize_after = kSummarizeAfter,
-                 .most_terms = kMostTerms});
+  execute::Memory memory(terms_, *version_.program, version_.cells,
+                         {.initial = [this](execute::CellId cell) { return VariableOf(cell); },
+                          .observe = {},
+                          .now = now_,
+                          .host_answers = answers_ == compare::HostAnswers::kAny,
+                          .fetched =
+                              [&](ir::InstId call) {
+                                const auto place = fetched.find(call);
+                                return place == fetched.end() ? nullptr : &version_.program->places[place->second];
+                              },
+                          .is_exchanged = [&](execute::CellId cell) { return bool{handshakes[cell.index]}; },
+                          .summarize_after = kSummarizeAfter,
+                          .most_terms = kMostTerms});
   const ir::Schedule& schedule = version_.program->schedule;
-  refusal_ = prove::Execute(memory, part == Part::kFast ? schedule.fast_only : schedule.period);
+  refusal_ = prove::execute::Execute(memory, part == compare::Part::kFast ? schedule.fast_only : schedule.period);
   for (uint32_t i = 0; i < version_.cells.count; ++i) {
-    if (memory.IsWritten(CellId(i)) && IsState(version_, CellId(i))) after[i] = memory.Read(CellId(i));
+    if (memory.IsWritten(execute::CellId(i)) && compare::IsState(version_, execute::CellId(i)))
+      after[i] = memory.Read(execute::CellId(i));
   }
   return after;
 }
 
-TermId Relation::VariableOf(CellId cell) {
-  TermId& variable = variables_[cell];
+terms::TermId Relation::VariableOf(execute::CellId cell) {
+  terms::TermId& variable = variables_[cell];
   if (!variable.valid()) {
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
-    variable = terms_.Variable(CellName(*version_.program, what), CellWidth(*version_.program, what));
+    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+    variable = terms_.Variable(execute::CellName(*version_.program, what), execute::CellWidth(*version_.program, what));
     cells_[variable] = cell;
   }
   return variable;
 }
 
-CellId Relation::CellOf(TermId variable) const {
+execute::CellId Relation::CellOf(terms::TermId variable) const {
   const auto found = cells_.find(variable);
-  return found == cells_.end() ? CellId() : found->second;
+  return found == cells_.end() ? execute::CellId() : found->second;
 }
 
-bool DependsOnLoop(const Terms& terms, TermId term) {
-  return std::ranges::any_of(ConeOf(terms, {&term, 1}), [&terms](TermId id) {
-    return terms[id].kind == TermKind::kApply && terms.Info(FunctionId(terms[id].a)).name.starts_with(kLoopFunction);
+bool DependsOnLoop(const terms::Terms& terms, terms::TermId term) {
+  return std::ranges::any_of(terms::ConeOf(terms, {&term, 1}), [&terms](terms::TermId id) {
+    return terms[id].kind == terms::TermKind::kApply &&
+           terms.Info(terms::FunctionId(terms[id].a)).name.starts_with(execute::kLoopFunction);
   });
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

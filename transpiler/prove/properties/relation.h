@@ -13,43 +13,44 @@
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 class Relation {
  public:
   /// `terms` and `version` outlive it. What `other`, of the same version, computes alike is the same term; it may be
   /// none.
-  Relation(Terms& terms, const Version& version, HostAnswers answers, const Relation* other = nullptr);
+  Relation(terms::Terms& terms, const compare::Version& version, compare::HostAnswers answers,
+           const Relation* other = nullptr);
 
   /// Not empty: a part cannot be executed, and why.
-  const Refusal& refusal() const { return refusal_; }
-  HostAnswers answers() const { return answers_; }
-  const Version& version() const { return version_; }
+  const execute::Refusal& refusal() const { return refusal_; }
+  compare::HostAnswers answers() const { return answers_; }
+  const compare::Version& version() const { return version_; }
 
   /// By cell, over the variables; none: the cell keeps its value. Of the fast part only where it has a time of its own.
-  const std::vector<TermId>& fast() const { return fast_; }
-  const std::vector<TermId>& period() const { return period_; }
+  const std::vector<terms::TermId>& fast() const { return fast_; }
+  const std::vector<terms::TermId>& period() const { return period_; }
 
   /// What a variable stands for; none: the time, when it is `now`, or not one of this relation.
-  CellId CellOf(TermId variable) const;
+  execute::CellId CellOf(terms::TermId variable) const;
   /// That of a cell before a part.
-  TermId VariableOf(CellId cell);
-  TermId now() const { return now_; }
+  terms::TermId VariableOf(execute::CellId cell);
+  terms::TermId now() const { return now_; }
 
  private:
-  std::vector<TermId> Execute(Part part);
+  std::vector<terms::TermId> Execute(compare::Part part);
 
-  Terms& terms_;
-  const Version& version_;
-  HostAnswers answers_;
-  TermId now_;
-  std::map<CellId, TermId> variables_;
-  std::map<TermId, CellId> cells_;
-  std::vector<TermId> fast_, period_;
-  Refusal refusal_;
+  terms::Terms& terms_;
+  const compare::Version& version_;
+  compare::HostAnswers answers_;
+  terms::TermId now_;
+  std::map<execute::CellId, terms::TermId> variables_;
+  std::map<terms::TermId, execute::CellId> cells_;
+  std::vector<terms::TermId> fast_, period_;
+  execute::Refusal refusal_;
 };
 
 /// Whether a term's value depends on a loop of which only that it is a function is known.
-bool DependsOnLoop(const Terms& terms, TermId term);
+bool DependsOnLoop(const terms::Terms& terms, terms::TermId term);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -7,15 +7,15 @@
 
 #include "transpiler/prove/properties/check.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr size_t kMostStrategies = 64;
 constexpr uint32_t kMostStuckDepth = 12;  // of runs from power-on that are searched for a stuck state
 
-TermId Wanted(Terms& terms, const Property& property, bool wanted, uint32_t period, Unrolled& unrolled) {
-  const auto value = [&unrolled](CellId cell, uint32_t at) { return unrolled.Value(cell, at); };
-  const TermId output = ValueOf(terms, property.operands.front(), period, value);
+terms::TermId Wanted(terms::Terms& terms, const Property& property, bool wanted, uint32_t period, Unrolled& unrolled) {
+  const auto value = [&unrolled](execute::CellId cell, uint32_t at) { return unrolled.Value(cell, at); };
+  const terms::TermId output = ValueOf(terms, property.operands.front(), period, value);
   return wanted ? output : terms.Not(output);
 }
 
@@ -23,18 +23,19 @@ TermId Wanted(Terms& terms, const Property& property, bool wanted, uint32_t peri
 
 /// Whether the strategy makes the output what is wanted, from the state of `from` after `period`; `asked` gets the
 /// cells of that state on which it depends.
-std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from,
-                                               uint32_t period, PropertyResult& result) {
+std::optional<terms::TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy,
+                                                      Unrolled& from, uint32_t period, PropertyResult& result) {
   Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "trial");
   trial.late = [this] { return Late(); };
-  trial.StartFrom([&from, period](CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
-  trial.choose_input = [this, &strategy](CellId cell, uint32_t at, uint32_t part) {
-    const uint8_t width = CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cell));
-    const std::map<CellId, uint64_t>& values = strategy[at - 1][part];
+  trial.StartFrom([&from, period](execute::CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
+  trial.choose_input = [this, &strategy](execute::CellId cell, uint32_t at, uint32_t part) {
+    const uint8_t width =
+        execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cell));
+    const std::map<execute::CellId, uint64_t>& values = strategy[at - 1][part];
     const auto value = values.find(cell);
     return terms_.Const(value == values.end() ? 0 : value->second, width);
   };
-  TermId reached = terms_.Bit(false);
+  terms::TermId reached = terms_.Bit(false);
   for (uint32_t at = 1; at <= search.property.periods; ++at) {
     if (Extend(trial, at, result)) return std::nullopt;
     reached = terms_.Or(reached, Wanted(terms_, search.property, search.wanted, at, trial));
@@ -43,30 +44,32 @@ std::optional<TermId> PropertyChecker::Reached(const StuckSearch& search, const 
 }
 
 /// Adds a strategy that works from this state; kStuck: there is none.
-PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search, const std::map<CellId, uint64_t>& state,
-                                                     uint64_t time, PropertyResult& result) {
+PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
+                                                     const std::map<execute::CellId, uint64_t>& state, uint64_t time,
+                                                     PropertyResult& result) {
   Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "try " + std::to_string(terms_.variable_count()));
   trial.late = [this] { return Late(); };
   trial.StartFrom(
-      [this, &state](CellId cell) {
+      [this, &state](execute::CellId cell) {
         const auto value = state.find(cell);
-        const uint8_t width = CellWidth(*version_.program, CellAt(*version_.program, version_.cells, cell));
+        const uint8_t width =
+            execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cell));
         return terms_.Const(value == state.end() ? 0 : value->second, width);
       },
       terms_.Const(time, 32));
-  TermId reached = terms_.Bit(false);
+  terms::TermId reached = terms_.Bit(false);
   for (uint32_t period = 1; period <= search.property.periods; ++period) {
     if (Extend(trial, period, result)) return Reach::kUnknown;
     reached = terms_.Or(reached, Wanted(terms_, search.property, search.wanted, period, trial));
   }
   switch (Ask({&reached, 1}, RestMs())) {
-    case Answer::kNever:
+    case solver::Answer::kNever:
       search.stuck = state;
       return Reach::kStuck;
-    case Answer::kUnknown:
+    case solver::Answer::kUnknown:
       result.reason = WhyUnknown();
       return Reach::kUnknown;
-    case Answer::kPossible:
+    case solver::Answer::kPossible:
       break;
   }
   Strategy strategy;
@@ -86,24 +89,25 @@ PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search, const 
 }
 
 PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, PropertyResult& result) {
-  std::vector<TermId> conditions;
-  for (const Invariant& invariant : invariants_) {
-    conditions.push_back(ConditionOf(terms_, invariant, [this](CellId cell) { return anywhere_->Value(cell, 0); }));
+  std::vector<terms::TermId> conditions;
+  for (const compare::Invariant& invariant : invariants_) {
+    conditions.push_back(
+        compare::ConditionOf(terms_, invariant, [this](execute::CellId cell) { return anywhere_->Value(cell, 0); }));
   }
   for (size_t tried = 0;;) {
     for (; tried < search.strategies.size(); ++tried) {
-      const std::optional<TermId> reached = Reached(search, search.strategies[tried], *anywhere_, 0, result);
+      const std::optional<terms::TermId> reached = Reached(search, search.strategies[tried], *anywhere_, 0, result);
       if (!reached) return Reach::kUnknown;
       conditions.push_back(terms_.Not(*reached));
     }
     Report("inputs that make it " + std::to_string(search.wanted ? 1 : 0) + ": " + std::to_string(tried));
-    const Answer answer = Ask(conditions, RestMs());
-    if (answer == Answer::kNever) return Reach::kAlways;
-    if (answer == Answer::kUnknown) {
+    const solver::Answer answer = Ask(conditions, RestMs());
+    if (answer == solver::Answer::kNever) return Reach::kAlways;
+    if (answer == solver::Answer::kUnknown) {
       result.reason = WhyUnknown();
       return Reach::kUnknown;
     }
-    std::map<CellId, uint64_t> state;
+    std::map<execute::CellId, uint64_t> state;
     for (const auto& [cell, variable] : anywhere_->start_variables()) state[cell] = solver_->ValueOf(variable);
     const uint64_t time = solver_->ValueOf(anywhere_->TimeAfter(0));
     const Reach found = FindStrategy(search, state, time, result);
@@ -114,34 +118,34 @@ PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, P
 /// The same from the states that runs of so many periods reach; kStuck comes with the run.
 PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result) {
   if (Extend(*plain_, period, result)) return Reach::kUnknown;
-  const Uses uses = UsesOf(version_);
-  std::vector<TermId> conditions;
+  const compare::Uses uses = compare::UsesOf(version_);
+  std::vector<terms::TermId> conditions;
   for (size_t tried = 0;;) {
     for (; tried < search.strategies.size(); ++tried) {
-      const std::optional<TermId> reached = Reached(search, search.strategies[tried], *plain_, period, result);
+      const std::optional<terms::TermId> reached = Reached(search, search.strategies[tried], *plain_, period, result);
       if (!reached) return Reach::kUnknown;
       conditions.push_back(terms_.Not(*reached));
     }
     Report("states after " + std::to_string(period) + " periods: " + std::to_string(tried));
-    const Answer answer = Ask(conditions, RestMs());
-    if (answer == Answer::kNever) return Reach::kAlways;
-    if (answer == Answer::kUnknown) {
+    const solver::Answer answer = Ask(conditions, RestMs());
+    if (answer == solver::Answer::kNever) return Reach::kAlways;
+    if (answer == solver::Answer::kUnknown) {
       result.reason = WhyUnknown();
       return Reach::kUnknown;
     }
-    std::map<CellId, uint64_t> state;
-    TermId same = terms_.Bit(true);
+    std::map<execute::CellId, uint64_t> state;
+    terms::TermId same = terms_.Bit(true);
     for (uint32_t i = 0; i < version_.cells.count; ++i) {
-      const CellId cell(i);
+      const execute::CellId cell(i);
       if (inputs_[i] || !uses.reads[i]) continue;  // the whole state: what else is read decides, too
-      const TermId value = plain_->Value(cell, period);
+      const terms::TermId value = plain_->Value(cell, period);
       state[cell] = solver_->ValueOf(value);
       same = terms_.And(same, terms_.Eq(value, terms_.Const(state[cell], terms_.Width(value))));
     }
     const Reach found = FindStrategy(search, state, terms_.Value(plain_->TimeAfter(period)), result);
     if (found == Reach::kAlways) continue;
     if (found == Reach::kUnknown) return found;
-    if (Ask({&same, 1}, RestMs()) != Answer::kPossible) return Reach::kUnknown;
+    if (Ask({&same, 1}, RestMs()) != solver::Answer::kPossible) return Reach::kUnknown;
     result.run = RunOf(*plain_, same, period);
     return Reach::kStuck;
   }
@@ -152,10 +156,10 @@ bool PropertyChecker::IsNeverStuck(const StuckSearch& search, PropertyResult& re
   Relation& relation = Widest();
   Unrolled from(terms_, relation, inputs_, Start::kAnywhere, "from " + std::to_string(terms_.variable_count()));
   from.late = [this] { return Late(); };
-  from.StartFrom([&relation](CellId cell) { return relation.VariableOf(cell); }, relation.now());
-  TermId bad = terms_.Bit(true);
+  from.StartFrom([&relation](execute::CellId cell) { return relation.VariableOf(cell); }, relation.now());
+  terms::TermId bad = terms_.Bit(true);
   for (const Strategy& strategy : search.strategies) {
-    const std::optional<TermId> reached = Reached(search, strategy, from, 0, result);
+    const std::optional<terms::TermId> reached = Reached(search, strategy, from, 0, result);
     if (!reached) return false;
     bad = terms_.And(bad, terms_.Not(*reached));
   }
@@ -169,7 +173,7 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
     StuckSearch search{.property = property, .wanted = wanted, .strategies = {}, .stuck = {}};
     Reach reach = ReachFromAnywhere(search, result);
     if (reach == Reach::kStuck && invariants_.empty() && !Late()) {
-      std::vector<CellId> cells;
+      std::vector<execute::CellId> cells;
       for (const auto& [cell, value] : search.stuck) {
         if (!inputs_[cell.index]) cells.push_back(cell);
       }
@@ -186,7 +190,7 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
       result.stuck_at = !wanted;
       result.reason = "from there no inputs make it " + std::to_string(wanted ? 1 : 0) + " within " +
                       std::to_string(property.periods) + " periods";
-      Conclude(property, result, TermId(), result);
+      Conclude(property, result, terms::TermId(), result);
       return result;
     }
     if (reach == Reach::kStuck && IsNeverStuck(search, result)) reach = Reach::kAlways;
@@ -203,4 +207,4 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
   return result;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

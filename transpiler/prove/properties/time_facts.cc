@@ -12,7 +12,7 @@
 #include "transpiler/prove/terms/evaluate.h"
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostGuesses = 6000;
@@ -31,7 +31,7 @@ enum class Reading : uint8_t {
 };
 
 struct Register {
-  std::vector<TermId> variables;
+  std::vector<terms::TermId> variables;
   Reading reading = Reading::kValue;
   uint8_t width = 0;
   uint64_t greatest = 0;  // in the runs that were tried
@@ -52,13 +52,13 @@ struct Guess {
   uint32_t of_register = 0, counter = 0;
   uint64_t scale = 1, slack = 0;
   std::optional<uint64_t> limit;  // of kGrows: or the register has come that far
-  std::optional<std::pair<TermId, bool>> unless, also_unless, or_unless;
+  std::optional<std::pair<terms::TermId, bool>> unless, also_unless, or_unless;
 };
 
 /// The numbers of one state, by index of registers, counters and bits.
 struct Sample {
   std::vector<uint64_t> registers, counters;
-  std::map<TermId, uint64_t> bits;
+  std::map<terms::TermId, uint64_t> bits;
 };
 
 bool IsOfRegister(Form form) {
@@ -89,47 +89,48 @@ class Finder {
   explicit Finder(const TimeQuestion& question)
       : question_(question), terms_(question.reach.terms), end_ms_(question.reach.rest_ms() / 2) {}
 
-  std::vector<TermId> Find();
+  std::vector<terms::TermId> Find();
 
  private:
   /// Its value before (part 0) or behind part `part` - 1, or behind power-on.
-  TermId ValueOf(TermId variable, size_t part);
-  TermId NumberOf(const Register& one, size_t part);
-  TermId ConditionOf(const Guess& guess, size_t part);
+  terms::TermId ValueOf(terms::TermId variable, size_t part);
+  terms::TermId NumberOf(const Register& one, size_t part);
+  terms::TermId ConditionOf(const Guess& guess, size_t part);
   bool Late() const { return question_.reach.rest_ms() <= end_ms_; }
   void CloseOver();
   void AddRegisters();
   void AddGuesses();
-  void AddGuessesOfBits(std::span<const std::optional<std::pair<TermId, bool>>> bits, const std::set<uint64_t>& scales);
+  void AddGuessesOfBits(std::span<const std::optional<std::pair<terms::TermId, bool>>> bits,
+                        const std::set<uint64_t>& scales);
   void DropWrongAtStart();
   bool LookForGreatest();
   void DropClocks();
   void KeepStrongest();
   void DropContradicted();
   bool ForEachSample(int runs, const std::function<void(const Sample&)>& visit);
-  Sample SampleOf(const std::map<TermId, uint64_t>& state) const;
+  Sample SampleOf(const std::map<terms::TermId, uint64_t>& state) const;
   bool Prove();
 
   const TimeQuestion& question_;
-  Terms& terms_;
+  terms::Terms& terms_;
   uint32_t end_ms_;
-  std::map<TermId, StateWord> words_;
+  std::map<terms::TermId, StateWord> words_;
   std::vector<Register> registers_;
   std::vector<uint64_t> limits_;
   std::vector<Guess> guesses_;
 };
 
-TermId Finder::ValueOf(TermId variable, size_t part) {
+terms::TermId Finder::ValueOf(terms::TermId variable, size_t part) {
   if (part == 0) return variable;
   const auto word = words_.find(variable);
   if (word == words_.end()) return variable;
   return part == kAtStart ? word->second.start : word->second.next[part - 1];
 }
 
-TermId Finder::NumberOf(const Register& one, size_t part) {
-  TermId number;
-  for (const TermId variable : one.variables) {
-    const TermId value = ValueOf(variable, part);
+terms::TermId Finder::NumberOf(const Register& one, size_t part) {
+  terms::TermId number;
+  for (const terms::TermId variable : one.variables) {
+    const terms::TermId value = ValueOf(variable, part);
     number = number.valid() ? terms_.Concat(value, number) : value;
   }
   switch (one.reading) {
@@ -143,11 +144,11 @@ TermId Finder::NumberOf(const Register& one, size_t part) {
   PLCXX_UNREACHABLE();
 }
 
-TermId Finder::ConditionOf(const Guess& guess, size_t part) {
-  TermId holds = terms_.Bit(false);
+terms::TermId Finder::ConditionOf(const Guess& guess, size_t part) {
+  terms::TermId holds = terms_.Bit(false);
   for (const auto& bit : {guess.unless, guess.also_unless, guess.or_unless}) {
     if (!bit) continue;
-    const TermId value = ValueOf(bit->first, part);
+    const terms::TermId value = ValueOf(bit->first, part);
     holds = terms_.Or(holds, bit->second ? value : terms_.Not(value));
   }
   if (guess.form == Form::kBits) return holds;
@@ -157,7 +158,7 @@ TermId Finder::ConditionOf(const Guess& guess, size_t part) {
     width = static_cast<uint8_t>(std::clamp<int>(bits, kLeastWidth, 64));
   }
   const auto constant = [&](uint64_t value) { return terms_.Const(value, width); };
-  TermId number, count, passed;
+  terms::TermId number, count, passed;
   if (IsOfRegister(guess.form)) number = terms_.Zext(NumberOf(registers_[guess.of_register], part), width);
   if (IsOfCounter(guess.form)) {
     count = terms_.Zext(ValueOf(question_.counters[guess.counter], part), width);
@@ -186,14 +187,14 @@ TermId Finder::ConditionOf(const Guess& guess, size_t part) {
 
 /// All state on which what must not happen depends, in any number of periods.
 void Finder::CloseOver() {
-  std::set<TermId> seen;
-  std::vector<TermId> roots{question_.reach.bad};
+  std::set<terms::TermId> seen;
+  std::vector<terms::TermId> roots{question_.reach.bad};
   roots.insert(roots.end(), question_.counters.begin(), question_.counters.end());
   if (question_.now.valid()) roots.push_back(question_.now);
   while (!roots.empty() && !Late()) {
-    std::vector<TermId> next;
-    for (const TermId id : ConeOf(terms_, roots)) {
-      if (terms_[id].kind != TermKind::kVariable || !seen.insert(id).second) continue;
+    std::vector<terms::TermId> next;
+    for (const terms::TermId id : terms::ConeOf(terms_, roots)) {
+      if (terms_[id].kind != terms::TermKind::kVariable || !seen.insert(id).second) continue;
       const std::optional<StateWord> word = question_.reach.state_of(id);
       if (!word) continue;
       next.insert(next.end(), word->next.begin(), word->next.end());
@@ -205,19 +206,20 @@ void Finder::CloseOver() {
 
 void Finder::AddRegisters() {
   std::set<uint64_t> limits;
-  for (const std::vector<TermId>& variables : question_.registers) {
-    const bool known = std::ranges::all_of(variables, [&](TermId variable) { return words_.contains(variable); });
+  for (const std::vector<terms::TermId>& variables : question_.registers) {
+    const bool known =
+        std::ranges::all_of(variables, [&](terms::TermId variable) { return words_.contains(variable); });
     if (!known || registers_.size() >= kMostRegisters) continue;
-    std::vector<TermId> next;
+    std::vector<terms::TermId> next;
     uint8_t width = 0;
-    for (const TermId variable : variables) {
+    for (const terms::TermId variable : variables) {
       next.push_back(words_[variable].next.back());
       width = static_cast<uint8_t>(width + terms_.Width(variable));
     }
     bool tells_time = false;
-    for (const TermId id : ConeOf(terms_, next)) {
+    for (const terms::TermId id : terms::ConeOf(terms_, next)) {
       tells_time = tells_time || id == question_.now;
-      const uint64_t value = terms_[id].kind == TermKind::kConst ? terms_.Value(id) : 0;
+      const uint64_t value = terms_[id].kind == terms::TermKind::kConst ? terms_.Value(id) : 0;
       if (value > 1 && value < kMostLimit) limits.insert(value);
     }
     registers_.push_back({.variables = variables, .reading = Reading::kValue, .width = width});
@@ -233,7 +235,7 @@ void Finder::AddRegisters() {
 
 /// What a count says about bits alone: it is what the others need where a timer
 /// has come to its end.
-void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<TermId, bool>>> bits,
+void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<terms::TermId, bool>>> bits,
                               const std::set<uint64_t>& scales) {
   std::set<uint64_t> limits(limits_.begin(), limits_.end());
   for (const Register& one : registers_) {
@@ -275,8 +277,8 @@ void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<TermId, bo
 }
 
 void Finder::AddGuesses() {
-  std::vector<std::optional<std::pair<TermId, bool>>> unless{std::nullopt};
-  for (const TermId bit : question_.bits) {
+  std::vector<std::optional<std::pair<terms::TermId, bool>>> unless{std::nullopt};
+  for (const terms::TermId bit : question_.bits) {
     if (unless.size() > 2 * kMostBits || !words_.contains(bit)) continue;
     for (const bool value : {true, false}) unless.emplace_back(std::pair(bit, value));
   }
@@ -316,20 +318,20 @@ void Finder::AddGuesses() {
   if (guesses_.size() > kMostGuesses) guesses_.resize(kMostGuesses);
 }
 
-Sample Finder::SampleOf(const std::map<TermId, uint64_t>& state) const {
+Sample Finder::SampleOf(const std::map<terms::TermId, uint64_t>& state) const {
   Sample sample;
   for (const Register& one : registers_) {
     uint64_t number = 0, shift = 0;
-    for (const TermId variable : one.variables) {
+    for (const terms::TermId variable : one.variables) {
       number |= state.at(variable) << shift;
       shift += terms_.Width(variable);
     }
-    if (one.reading == Reading::kAhead) number = Masked(number - state.at(question_.now), one.width);
-    if (one.reading == Reading::kBehind) number = Masked(state.at(question_.now) - number, one.width);
+    if (one.reading == Reading::kAhead) number = terms::Masked(number - state.at(question_.now), one.width);
+    if (one.reading == Reading::kBehind) number = terms::Masked(state.at(question_.now) - number, one.width);
     sample.registers.push_back(number);
   }
-  for (const TermId counter : question_.counters) sample.counters.push_back(state.at(counter));
-  for (const TermId bit : question_.bits) {
+  for (const terms::TermId counter : question_.counters) sample.counters.push_back(state.at(counter));
+  for (const terms::TermId bit : question_.bits) {
     const auto value = state.find(bit);
     sample.bits[bit] = value == state.end() ? 0 : value->second;
   }
@@ -338,22 +340,22 @@ Sample Finder::SampleOf(const std::map<TermId, uint64_t>& state) const {
 
 /// Runs in which inputs stand for long. false: there is too much to run.
 bool Finder::ForEachSample(int runs, const std::function<void(const Sample&)>& visit) {
-  std::vector<TermId> roots;
+  std::vector<terms::TermId> roots;
   for (const auto& [variable, word] : words_) {
     roots.push_back(variable);
     roots.insert(roots.end(), word.next.begin(), word.next.end());
   }
-  const std::vector<TermId> cone = ConeOf(terms_, roots);
+  const std::vector<terms::TermId> cone = terms::ConeOf(terms_, roots);
   if (cone.size() > kMostSimulatedTerms) return false;
-  std::map<uint32_t, TermId> variables;  // by number
-  for (const TermId id : cone) {
-    if (terms_[id].kind == TermKind::kVariable) variables[terms_[id].a] = id;
+  std::map<uint32_t, terms::TermId> variables;  // by number
+  for (const terms::TermId id : cone) {
+    if (terms_[id].kind == terms::TermKind::kVariable) variables[terms_[id].a] = id;
   }
   std::vector<uint64_t> values(terms_.size()), by_number(terms_.variable_count());
-  const auto value_of = [&values](TermId operand) { return values[operand.index]; };
-  Random random(0x9E3779B97F4A7C15);
+  const auto value_of = [&values](terms::TermId operand) { return values[operand.index]; };
+  terms::Random random(0x9E3779B97F4A7C15);
   for (int run = 0; run < runs && !Late(); ++run) {
-    std::map<TermId, uint64_t> state;
+    std::map<terms::TermId, uint64_t> state;
     for (const auto& [variable, word] : words_)
       state[variable] = terms_.IsConst(word.start) ? terms_.Value(word.start) : 0;
     const uint64_t one_in = uint64_t{4} << (run % 8);
@@ -364,9 +366,9 @@ bool Finder::ForEachSample(int runs, const std::function<void(const Sample&)>& v
       }
       for (size_t part = 0; part < question_.reach.parts; ++part) {
         for (const auto& [variable, value] : state) by_number[terms_[variable].a] = value;
-        for (const TermId id : cone) {
+        for (const terms::TermId id : cone) {
           values[id.index] =
-              EvaluateTerm(terms_, terms_[id], value_of, [&](uint32_t number) { return by_number[number]; });
+              terms::EvaluateTerm(terms_, terms_[id], value_of, [&](uint32_t number) { return by_number[number]; });
         }
         for (auto& [variable, value] : state) value = values[words_.at(variable).next[part].index];
       }
@@ -386,7 +388,7 @@ bool Finder::LookForGreatest() {
 /// A distance from the clock that is sometimes very long says nothing; where it
 /// is short the register is a clock itself.
 void Finder::DropClocks() {
-  std::set<TermId> clocks;
+  std::set<terms::TermId> clocks;
   for (const Register& one : registers_) {
     if (one.reading != Reading::kValue && one.greatest <= kMostPeriodsAway * question_.period_ms)
       clocks.insert(one.variables.front());
@@ -434,11 +436,11 @@ void Finder::KeepStrongest() {
 
 bool Finder::Prove() {
   while (!guesses_.empty()) {
-    std::vector<TermId> conditions = question_.reach.known, fails;
-    TermId any = terms_.Bit(false);
+    std::vector<terms::TermId> conditions = question_.reach.known, fails;
+    terms::TermId any = terms_.Bit(false);
     for (const Guess& guess : guesses_) {
       conditions.push_back(ConditionOf(guess, 0));
-      TermId fails_somewhere = terms_.Bit(false);
+      terms::TermId fails_somewhere = terms_.Bit(false);
       for (size_t part = 1; part <= question_.reach.parts; ++part)
         fails_somewhere = terms_.Or(fails_somewhere, terms_.Not(ConditionOf(guess, part)));
       fails.push_back(fails_somewhere);
@@ -448,9 +450,9 @@ bool Finder::Prove() {
     conditions.push_back(any);
     const uint32_t rest_ms = question_.reach.rest_ms();
     if (rest_ms <= end_ms_) return false;
-    const Answer answer = question_.solver.Check(conditions, rest_ms - end_ms_);
-    if (answer == Answer::kNever) return true;
-    if (answer == Answer::kUnknown) return false;
+    const solver::Answer answer = question_.solver.Check(conditions, rest_ms - end_ms_);
+    if (answer == solver::Answer::kNever) return true;
+    if (answer == solver::Answer::kUnknown) return false;
     std::vector<Guess> kept;
     for (size_t i = 0; i < guesses_.size(); ++i) {
       if (question_.solver.ValueOf(fails[i]) == 0) kept.push_back(guesses_[i]);
@@ -463,12 +465,12 @@ bool Finder::Prove() {
 /// Behind power-on a fact has to hold, too.
 void Finder::DropWrongAtStart() {
   std::erase_if(guesses_, [this](const Guess& guess) {
-    const TermId holds = ConditionOf(guess, kAtStart);
+    const terms::TermId holds = ConditionOf(guess, kAtStart);
     return !terms_.IsConst(holds) || terms_.IsFalse(holds);
   });
 }
 
-std::vector<TermId> Finder::Find() {
+std::vector<terms::TermId> Finder::Find() {
   CloseOver();
   if (Late()) return {};
   AddRegisters();
@@ -479,13 +481,13 @@ std::vector<TermId> Finder::Find() {
   DropContradicted();
   KeepStrongest();
   if (Late() || !Prove()) return {};
-  std::vector<TermId> facts;
+  std::vector<terms::TermId> facts;
   for (const Guess& guess : guesses_) facts.push_back(ConditionOf(guess, 0));
   return facts;
 }
 
 }  // namespace
 
-std::vector<TermId> FindTimeFacts(const TimeQuestion& question) { return Finder(question).Find(); }
+std::vector<terms::TermId> FindTimeFacts(const TimeQuestion& question) { return Finder(question).Find(); }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -14,19 +14,19 @@
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 struct TimeQuestion {
   const ReachQuestion& reach;
-  Solver& solver;
-  std::vector<TermId> counters;  // variables of state words: counts of periods
+  solver::Solver& solver;
+  std::vector<terms::TermId> counters;  // variables of state words: counts of periods
   /// Variables of state words that make a number, from the least significant one; the nearest ones first.
-  std::vector<std::vector<TermId>> registers;
-  TermId now;                // the variable of the time, a state word; none: nothing is known of it
-  std::vector<TermId> bits;  // variables, of width 1, with which a relation may begin or end
+  std::vector<std::vector<terms::TermId>> registers;
+  terms::TermId now;                // the variable of the time, a state word; none: nothing is known of it
+  std::vector<terms::TermId> bits;  // variables, of width 1, with which a relation may begin or end
   uint32_t period_ms = 10;
 };
 
-std::vector<TermId> FindTimeFacts(const TimeQuestion& question);
+std::vector<terms::TermId> FindTimeFacts(const TimeQuestion& question);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

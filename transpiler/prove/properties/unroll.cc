@@ -5,40 +5,41 @@
 
 #include "transpiler/prove/execute/execute.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr uint32_t kCountsPerLook = 4096;  // terms between two looks at the clock
 
 /// The operand whose value may make another one of no account; none: all are needed.
-TermId DecidingOperand(const Term& term) {
-  const bool decides =
-      term.kind == TermKind::kIte || (term.width == 1 && (term.kind == TermKind::kAnd || term.kind == TermKind::kOr));
-  return decides ? TermId(term.a) : TermId();
+terms::TermId DecidingOperand(const terms::Term& term) {
+  const bool decides = term.kind == terms::TermKind::kIte ||
+                       (term.width == 1 && (term.kind == terms::TermKind::kAnd || term.kind == terms::TermKind::kOr));
+  return decides ? terms::TermId(term.a) : terms::TermId();
 }
 
 /// The operand that the term is when its deciding one has this value; none: it is not decided.
-TermId Chosen(const Terms& terms, const Term& term, TermId deciding) {
+terms::TermId Chosen(const terms::Terms& terms, const terms::Term& term, terms::TermId deciding) {
   if (!terms.IsConst(deciding)) return {};
-  if (term.kind == TermKind::kIte) return TermId(terms.IsTrue(deciding) ? term.b : term.c);
-  const bool is_first = terms.IsTrue(deciding) == (term.kind == TermKind::kOr);
-  return TermId(is_first ? term.a : term.b);
+  if (term.kind == terms::TermKind::kIte) return terms::TermId(terms.IsTrue(deciding) ? term.b : term.c);
+  const bool is_first = terms.IsTrue(deciding) == (term.kind == terms::TermKind::kOr);
+  return terms::TermId(is_first ? term.a : term.b);
 }
 
 /// Before power-on nobody has been called, and the host may have any copy of the retentive memory.
-TermId StoredBefore(Terms& terms, const Version& version, CellId id) {
+terms::TermId StoredBefore(terms::Terms& terms, const compare::Version& version, execute::CellId id) {
   const ir::Program& program = *version.program;
-  const Cell cell = CellAt(program, version.cells, id);
+  const execute::Cell cell = execute::CellAt(program, version.cells, id);
   const ir::HostFunctionId load = program.schedule.retentive_load;
-  if (cell.kind != CellKind::kBit || !load.valid()) return terms.Const(0, CellWidth(program, cell));
+  if (cell.kind != execute::CellKind::kBit || !load.valid()) return terms.Const(0, execute::CellWidth(program, cell));
   const std::string& name = program.host_functions[load].name;
-  const TermId calls = CallsAfter(terms, name, terms.Const(0, 64), {});
-  return terms.Extract(ByteFromHost(terms, name, calls, program.spaces[cell.space].name, cell.offset), cell.bit, 1);
+  const terms::TermId calls = execute::CallsAfter(terms, name, terms.Const(0, 64), {});
+  return terms.Extract(execute::ByteFromHost(terms, name, calls, program.spaces[cell.space].name, cell.offset),
+                       cell.bit, 1);
 }
 
 }  // namespace
 
-Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start,
+Unrolled::Unrolled(terms::Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start,
                    std::string name)
     : terms_(terms),
       relation_(relation),
@@ -56,41 +57,42 @@ Unrolled::Unrolled(Terms& terms, const Relation& relation, const std::vector<boo
     time_ = terms.Variable(name_ + " now", 32);
     return;
   }
-  Transition init = RunInit(terms, version_,
-                            {.initial = [&](CellId cell) { return StoredBefore(terms, version_, cell); },
-                             .now = terms.Const(0, 32),
-                             .answers = start == Start::kAnyRetentive ? HostAnswers::kAny : HostAnswers::kNothing,
-                             .outputs = {},
-                             .host_bit = {}});
+  compare::Transition init = compare::RunInit(
+      terms, version_,
+      {.initial = [&](execute::CellId cell) { return StoredBefore(terms, version_, cell); },
+       .now = terms.Const(0, 32),
+       .answers = start == Start::kAnyRetentive ? compare::HostAnswers::kAny : compare::HostAnswers::kNothing,
+       .outputs = {},
+       .host_bit = {}});
   if (refusal_.empty()) refusal_ = std::move(init.refusal);
   initial_ = std::move(init.next);
 }
 
-TermId Unrolled::Input(CellId cell, uint32_t period, uint32_t part) {
+terms::TermId Unrolled::Input(execute::CellId cell, uint32_t period, uint32_t part) {
   if (choose_input) return choose_input(cell, period, part);
-  TermId& variable = inputs_of_[period][part][cell];
+  terms::TermId& variable = inputs_of_[period][part][cell];
   if (!variable.valid()) {
     const std::string when = std::to_string(period) + (part == 0 ? "" : "." + std::to_string(part));
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
-    variable = terms_.Variable(name_ + " " + when + " " + CellName(*version_.program, what),
-                               CellWidth(*version_.program, what));
+    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+    variable = terms_.Variable(name_ + " " + when + " " + execute::CellName(*version_.program, what),
+                               execute::CellWidth(*version_.program, what));
   }
   return variable;
 }
 
-TermId Unrolled::AtStart(CellId cell) {
+terms::TermId Unrolled::AtStart(execute::CellId cell) {
   if (start_ != Start::kAnywhere) return initial_[cell.index];
-  TermId& variable = start_variables_[cell];
+  terms::TermId& variable = start_variables_[cell];
   if (!variable.valid()) {
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
+    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
     variable = choose_start_ ? choose_start_(cell)
-                             : terms_.Variable(name_ + " " + CellName(*version_.program, what),
-                                               CellWidth(*version_.program, what));
+                             : terms_.Variable(name_ + " " + execute::CellName(*version_.program, what),
+                                               execute::CellWidth(*version_.program, what));
   }
   return variable;
 }
 
-TermId Unrolled::Now(uint32_t period, uint32_t part) {
+terms::TermId Unrolled::Now(uint32_t period, uint32_t part) {
   const ir::Schedule& schedule = version_.program->schedule;
   uint64_t passed = uint64_t{period} * schedule.period_ms;
   if (fast_parts_ != 0) {
@@ -98,12 +100,12 @@ TermId Unrolled::Now(uint32_t period, uint32_t part) {
   } else if (!schedule.period_ends_its_time) {
     passed -= schedule.period_ms;
   }
-  const TermId offset = terms_.Const(passed & 0xFFFFFFFF, 32);
+  const terms::TermId offset = terms_.Const(passed & 0xFFFFFFFF, 32);
   return time_.valid() ? terms_.Add(time_, offset) : offset;
 }
 
-TermId Unrolled::TimeAfter(uint32_t period) {
-  const TermId passed = terms_.Const(uint64_t{period} * version_.program->schedule.period_ms & 0xFFFFFFFF, 32);
+terms::TermId Unrolled::TimeAfter(uint32_t period) {
+  const terms::TermId passed = terms_.Const(uint64_t{period} * version_.program->schedule.period_ms & 0xFFFFFFFF, 32);
   return time_.valid() ? terms_.Add(time_, passed) : passed;
 }
 
@@ -123,29 +125,29 @@ Unrolled::Step Unrolled::StepAt(uint32_t step) const {
           .is_fast = fast_parts_ != 0 && !is_slow};
 }
 
-bool Unrolled::IsFresh(CellId cell, const Step& step) const {
+bool Unrolled::IsFresh(execute::CellId cell, const Step& step) const {
   if (!step.has_new_inputs) return false;
   if (inputs_[cell.index]) return true;
   // A text that arrives is an answer of the host, too.
-  return step.part == 0 && relation_.answers() == HostAnswers::kAny && IsInbox(version_, cell);
+  return step.part == 0 && relation_.answers() == compare::HostAnswers::kAny && IsInbox(version_, cell);
 }
 
-void Unrolled::AddTakingBack(CellId cell, const Step& step, TermId& stays) {
+void Unrolled::AddTakingBack(execute::CellId cell, const Step& step, terms::TermId& stays) {
   if (taken_back.empty() || !taken_back[cell.index] || !step.has_new_inputs || step.part != 0) return;
-  TermId& done = takes_back_[step.period][cell];
+  terms::TermId& done = takes_back_[step.period][cell];
   if (!done.valid()) {
-    const Cell what = CellAt(*version_.program, version_.cells, cell);
+    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
     done = terms_.Variable(
-        name_ + " takes back " + std::to_string(step.period) + " " + CellName(*version_.program, what), 1);
+        name_ + " takes back " + std::to_string(step.period) + " " + execute::CellName(*version_.program, what), 1);
   }
   stays = stays.valid() ? terms_.And(stays, terms_.Not(done)) : terms_.Not(done);
 }
 
-Unrolled::Found Unrolled::Follow(CellId cell, uint32_t step) {
-  TermId stays;
+Unrolled::Found Unrolled::Follow(execute::CellId cell, uint32_t step) {
+  terms::TermId stays;
   for (; step > 0; --step) {
     const Step at = StepAt(step);
-    const TermId next = (at.is_fast ? relation_.fast() : relation_.period())[cell.index];
+    const terms::TermId next = (at.is_fast ? relation_.fast() : relation_.period())[cell.index];
     if (next.valid()) return {.instance = {.term = next, .step = step}, .value = {}, .stays = stays};
     if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part), .stays = stays};
     AddTakingBack(cell, at, stays);
@@ -156,10 +158,10 @@ Unrolled::Found Unrolled::Follow(CellId cell, uint32_t step) {
 Unrolled::Found Unrolled::FindVariable(const Instance& variable) {
   const Step at = StepAt(variable.step);
   if (variable.term == relation_.now()) return {.instance = {}, .value = Now(at.period, at.part)};
-  const CellId cell = relation_.CellOf(variable.term);
+  const execute::CellId cell = relation_.CellOf(variable.term);
   PLCXX_CHECK(cell.valid());
   if (IsFresh(cell, at)) return {.instance = {}, .value = Input(cell, at.period, at.part)};
-  TermId stays;
+  terms::TermId stays;
   AddTakingBack(cell, at, stays);
   Found found = Follow(cell, variable.step - 1);
   if (stays.valid()) found.stays = found.stays.valid() ? terms_.And(stays, found.stays) : stays;
@@ -167,22 +169,22 @@ Unrolled::Found Unrolled::FindVariable(const Instance& variable) {
 }
 
 /// Operands first, without recursion: it goes through all periods, and each may be as deep as the program is long.
-TermId Unrolled::Instantiate(const Instance& root) {
+terms::TermId Unrolled::Instantiate(const Instance& root) {
   const auto value_of = [this](const Instance& instance) {
     if (terms_.IsConst(instance.term)) return instance.term;
     const auto found = known_[instance.step].find(instance.term.index);
-    return found == known_[instance.step].end() ? TermId() : found->second;
+    return found == known_[instance.step].end() ? terms::TermId() : found->second;
   };
   std::vector<Instance> open{root};
-  std::vector<TermId> operands;
-  const auto rebuild = [&](const Term& term, uint32_t step) {
+  std::vector<terms::TermId> operands;
+  const auto rebuild = [&](const terms::Term& term, uint32_t step) {
     operands.clear();
     const size_t before = open.size();
-    terms_.ForEachOperand(term, [&](TermId operand) {
+    terms_.ForEachOperand(term, [&](terms::TermId operand) {
       operands.push_back(value_of({.term = operand, .step = step}));
       if (!operands.back().valid()) open.push_back({.term = operand, .step = step});
     });
-    return open.size() == before ? terms_.Rebuild(term, operands) : TermId();
+    return open.size() == before ? terms_.Rebuild(term, operands) : terms::TermId();
   };
   for (uint32_t count = 1; !open.empty(); ++count) {
     if (count % kCountsPerLook == 0 && late && late()) return terms_.Const(0, terms_.Width(root.term));
@@ -191,19 +193,19 @@ TermId Unrolled::Instantiate(const Instance& root) {
       open.pop_back();
       continue;
     }
-    const Term term = terms_[now.term];
-    TermId value;
-    if (term.kind == TermKind::kVariable) {
+    const terms::Term term = terms_[now.term];
+    terms::TermId value;
+    if (term.kind == terms::TermKind::kVariable) {
       const Found found = FindVariable(now);
       value = found.value.valid() ? found.value : value_of(found.instance);
       if (!value.valid()) open.push_back(found.instance);
       if (value.valid() && found.stays.valid()) value = terms_.And(value, found.stays);
-    } else if (const TermId deciding = DecidingOperand(term); deciding.valid()) {
+    } else if (const terms::TermId deciding = DecidingOperand(term); deciding.valid()) {
       // What this decides need not be made: behind power-on many branches are known.
-      const TermId first = value_of({.term = deciding, .step = now.step});
-      const TermId chosen = first.valid() ? Chosen(terms_, term, first) : deciding;
+      const terms::TermId first = value_of({.term = deciding, .step = now.step});
+      const terms::TermId chosen = first.valid() ? Chosen(terms_, term, first) : deciding;
       if (chosen.valid()) {
-        value = first.valid() ? value_of({.term = chosen, .step = now.step}) : TermId();
+        value = first.valid() ? value_of({.term = chosen, .step = now.step}) : terms::TermId();
         if (!value.valid()) open.push_back({.term = chosen, .step = now.step});
       } else {
         value = rebuild(term, now.step);
@@ -218,10 +220,10 @@ TermId Unrolled::Instantiate(const Instance& root) {
   return value_of(root);
 }
 
-TermId Unrolled::Value(CellId cell, uint32_t period) {
+terms::TermId Unrolled::Value(execute::CellId cell, uint32_t period) {
   const Found found = Follow(cell, period * StepsOfPeriod());
-  const TermId value = found.value.valid() ? found.value : Instantiate(found.instance);
+  const terms::TermId value = found.value.valid() ? found.value : Instantiate(found.instance);
   return found.stays.valid() ? terms_.And(value, found.stays) : value;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -19,7 +19,7 @@
 #include "transpiler/prove/properties/relation.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 enum class Start : uint8_t {
   kPowerOn,       // all memory as the program says; at power-on the host answers 0
@@ -30,21 +30,22 @@ enum class Start : uint8_t {
 class Unrolled {
  public:
   /// `name` distinguishes the variables of several. All arguments by reference outlive it.
-  Unrolled(Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start, std::string name);
+  Unrolled(terms::Terms& terms, const Relation& relation, const std::vector<bool>& inputs, Start start,
+           std::string name);
 
   /// One more period.
   void Advance();
   uint32_t periods() const { return static_cast<uint32_t>(inputs_of_.size() - 1); }
   /// Not empty: the program cannot be executed, and why.
-  const Refusal& refusal() const { return refusal_; }
+  const execute::Refusal& refusal() const { return refusal_; }
 
   /// After a period; 0: at the start.
-  TermId Value(CellId cell, uint32_t period);
+  terms::TermId Value(execute::CellId cell, uint32_t period);
   /// The variables of what is free at kAnywhere, as far as they have been asked for; by cell.
-  const std::map<CellId, TermId>& start_variables() const { return start_variables_; }
+  const std::map<execute::CellId, terms::TermId>& start_variables() const { return start_variables_; }
 
   /// The variables of the inputs of a part of a period, as far as they have been asked for; by cell.
-  using Part = std::map<CellId, TermId>;
+  using Part = std::map<execute::CellId, terms::TermId>;
   const std::vector<Part>& parts(uint32_t period) const { return inputs_of_[period]; }
   /// Parts of each period between which inputs may change.
   uint32_t part_count() const { return fast_parts_ == 0 ? 1 : fast_parts_; }
@@ -58,16 +59,16 @@ class Unrolled {
   std::function<bool()> late;
 
   /// Instead of new variables, inputs are what this gives.
-  std::function<TermId(CellId cell, uint32_t period, uint32_t part)> choose_input;
+  std::function<terms::TermId(execute::CellId cell, uint32_t period, uint32_t part)> choose_input;
   /// Of kAnywhere, before the first Value: the start is what this gives, at this time, instead of variables.
-  void StartFrom(std::function<TermId(CellId cell)> start, TermId time) {
+  void StartFrom(std::function<terms::TermId(execute::CellId cell)> start, terms::TermId time) {
     choose_start_ = std::move(start);
     time_ = time;
   }
   /// The time of period 0 at kAnywhere; of others, that of period `period`.
-  TermId TimeAfter(uint32_t period);
+  terms::TermId TimeAfter(uint32_t period);
   /// The time that the first period sees.
-  TermId FirstTime() { return Now(1, 0); }
+  terms::TermId FirstTime() { return Now(1, 0); }
 
  private:
   /// What runs one after the other: step 0 is the start; the fast parts of a period come before its slow one.
@@ -77,43 +78,43 @@ class Unrolled {
   };
   /// A term of the relation with the values that its variables have before a step.
   struct Instance {
-    TermId term;
+    terms::TermId term;
     uint32_t step = 0;
   };
 
   uint32_t StepsOfPeriod() const { return fast_parts_ == 0 ? 1 : fast_parts_ + 1; }
   Step StepAt(uint32_t step) const;
-  bool IsFresh(CellId cell, const Step& step) const;
+  bool IsFresh(execute::CellId cell, const Step& step) const;
   /// The value itself, or none: that of an instance.
   struct Found {
     Instance instance;
-    TermId value;
-    TermId stays = {};  // valid: 0 where the control has taken the bit back since
+    terms::TermId value;
+    terms::TermId stays = {};  // valid: 0 where the control has taken the bit back since
   };
-  Found Follow(CellId cell, uint32_t step);
+  Found Follow(execute::CellId cell, uint32_t step);
   Found FindVariable(const Instance& variable);
-  TermId Instantiate(const Instance& root);
-  TermId Input(CellId cell, uint32_t period, uint32_t part);
+  terms::TermId Instantiate(const Instance& root);
+  terms::TermId Input(execute::CellId cell, uint32_t period, uint32_t part);
   /// Adds what may have happened to the cell before a step to what is found before it.
-  void AddTakingBack(CellId cell, const Step& step, TermId& stays);
-  TermId AtStart(CellId cell);
-  TermId Now(uint32_t period, uint32_t part);
+  void AddTakingBack(execute::CellId cell, const Step& step, terms::TermId& stays);
+  terms::TermId AtStart(execute::CellId cell);
+  terms::TermId Now(uint32_t period, uint32_t part);
 
-  Terms& terms_;
+  terms::Terms& terms_;
   const Relation& relation_;
-  const Version& version_;
+  const compare::Version& version_;
   const std::vector<bool>& inputs_;
   Start start_;
   std::string name_;
-  std::function<TermId(CellId cell)> choose_start_;
+  std::function<terms::TermId(execute::CellId cell)> choose_start_;
   uint32_t fast_parts_ = 0;
-  TermId time_;                                              // at the start of kAnywhere
-  std::vector<TermId> initial_;                              // by cell; but for kAnywhere
-  std::vector<std::vector<Part>> inputs_of_;                 // by period
-  std::vector<Part> takes_back_;                             // by period
-  std::vector<std::unordered_map<uint32_t, TermId>> known_;  // by step, then by term of the relation
-  std::map<CellId, TermId> start_variables_;
-  Refusal refusal_;
+  terms::TermId time_;                                              // at the start of kAnywhere
+  std::vector<terms::TermId> initial_;                              // by cell; but for kAnywhere
+  std::vector<std::vector<Part>> inputs_of_;                        // by period
+  std::vector<Part> takes_back_;                                    // by period
+  std::vector<std::unordered_map<uint32_t, terms::TermId>> known_;  // by step, then by term of the relation
+  std::map<execute::CellId, terms::TermId> start_variables_;
+  execute::Refusal refusal_;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

@@ -1,6 +1,6 @@
 #include "transpiler/prove/properties/words.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\f\v";
@@ -65,4 +65,4 @@ PropertyLine SplitProperty(std::string_view line) {
   return split;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

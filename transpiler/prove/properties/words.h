@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plcxx::prove {
+namespace plcxx::prove::properties {
 
 struct PropertyWord {
   std::string text;     // without quotes
@@ -24,4 +24,4 @@ struct PropertyLine {
 };
 PropertyLine SplitProperty(std::string_view line);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::properties

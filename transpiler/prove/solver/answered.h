@@ -10,7 +10,7 @@
 
 #include "transpiler/prove/solver/solver.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 
 struct Answered {
   Answer answer = Answer::kUnknown;
@@ -23,4 +23,4 @@ struct Answered {
 
 using AnsweredForms = std::unordered_map<std::string, Answered>;  // looked up only
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

@@ -13,7 +13,7 @@
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 
 class BitSolver {
  public:
@@ -23,20 +23,20 @@ class BitSolver {
   virtual ~BitSolver() = default;
 
   /// From now on `condition` (width 1) holds in every question.
-  virtual void Assume(TermId condition) = 0;
+  virtual void Assume(terms::TermId condition) = 0;
   /// Whether all of `conditions` can be 1 at once, within about so many milliseconds.
-  virtual Answer Check(std::span<const TermId> conditions, uint32_t milliseconds) = 0;
+  virtual Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) = 0;
   /// After kNever: by condition of the question, whether the answer needs it.
   virtual const std::vector<bool>& needed() const = 0;
   /// After kPossible: the value of a term there. What the question does not depend on is 0.
-  virtual uint64_t ValueOf(TermId term) = 0;
+  virtual uint64_t ValueOf(terms::TermId term) = 0;
 };
 
 /// None: there is no solver. `terms` outlives it.
-std::unique_ptr<BitSolver> LoadBitSolver(const Terms& terms);
+std::unique_ptr<BitSolver> LoadBitSolver(const terms::Terms& terms);
 
 /// The function of the module that LoadSolver loads, too.
-using MakeBitSolverFunction = BitSolver*(const Terms& terms);
+using MakeBitSolverFunction = BitSolver*(const terms::Terms& terms);
 inline constexpr const char* kMakeBitSolver = "plcxx_make_bit_solver";
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

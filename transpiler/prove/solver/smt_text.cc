@@ -3,7 +3,7 @@
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/terms/cone.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 namespace {
 
 /// A quoted symbol: what SMT-LIB does not allow in one becomes '_'.
@@ -15,102 +15,102 @@ std::string Symbol(const std::string& name, uint32_t number) {
 
 std::string Sort(uint8_t width) { return "(_ BitVec " + std::to_string(width) + ")"; }
 
-const char* OperationName(TermKind kind) {
+const char* OperationName(terms::TermKind kind) {
   switch (kind) {
-    case TermKind::kNot:
+    case terms::TermKind::kNot:
       return "bvnot";
-    case TermKind::kAnd:
+    case terms::TermKind::kAnd:
       return "bvand";
-    case TermKind::kOr:
+    case terms::TermKind::kOr:
       return "bvor";
-    case TermKind::kXor:
+    case terms::TermKind::kXor:
       return "bvxor";
-    case TermKind::kAdd:
+    case terms::TermKind::kAdd:
       return "bvadd";
-    case TermKind::kSub:
+    case terms::TermKind::kSub:
       return "bvsub";
-    case TermKind::kMul:
+    case terms::TermKind::kMul:
       return "bvmul";
-    case TermKind::kUdiv:
+    case terms::TermKind::kUdiv:
       return "bvudiv";
-    case TermKind::kUrem:
+    case terms::TermKind::kUrem:
       return "bvurem";
-    case TermKind::kSdiv:
+    case terms::TermKind::kSdiv:
       return "bvsdiv";
-    case TermKind::kSrem:
+    case terms::TermKind::kSrem:
       return "bvsrem";
-    case TermKind::kShl:
+    case terms::TermKind::kShl:
       return "bvshl";
-    case TermKind::kLshr:
+    case terms::TermKind::kLshr:
       return "bvlshr";
-    case TermKind::kAshr:
+    case terms::TermKind::kAshr:
       return "bvashr";
-    case TermKind::kConcat:
+    case terms::TermKind::kConcat:
       return "concat";
-    case TermKind::kUlt:
+    case terms::TermKind::kUlt:
       return "bvult";
-    case TermKind::kSlt:
+    case terms::TermKind::kSlt:
       return "bvslt";
-    case TermKind::kEq:
-    case TermKind::kIte:
-    case TermKind::kConst:
-    case TermKind::kVariable:
-    case TermKind::kExtract:
-    case TermKind::kApply:
+    case terms::TermKind::kEq:
+    case terms::TermKind::kIte:
+    case terms::TermKind::kConst:
+    case terms::TermKind::kVariable:
+    case terms::TermKind::kExtract:
+    case terms::TermKind::kApply:
       break;
   }
   PLCXX_UNREACHABLE();
 }
 
 /// Of a term that is defined by its own line, its name; constants are spelled.
-std::string Reference(const Terms& terms, TermId id) {
+std::string Reference(const terms::Terms& terms, terms::TermId id) {
   if (terms.IsConst(id)) {
     return "(_ bv" + std::to_string(terms.Value(id)) + " " + std::to_string(terms.Width(id)) + ")";
   }
-  const Term& term = terms[id];
-  if (term.kind == TermKind::kVariable) return Symbol(terms.VariableName(term.a), term.a);
+  const terms::Term& term = terms[id];
+  if (term.kind == terms::TermKind::kVariable) return Symbol(terms.VariableName(term.a), term.a);
   return "t" + std::to_string(id.index);
 }
 
-std::string Definition(const Terms& terms, const Term& term) {
-  const auto reference = [&terms](uint32_t id) { return Reference(terms, TermId(id)); };
+std::string Definition(const terms::Terms& terms, const terms::Term& term) {
+  const auto reference = [&terms](uint32_t id) { return Reference(terms, terms::TermId(id)); };
   const auto as_bit = [](const std::string& condition) { return "(ite " + condition + " (_ bv1 1) (_ bv0 1))"; };
   switch (term.kind) {
-    case TermKind::kNot:
+    case terms::TermKind::kNot:
       return "(bvnot " + reference(term.a) + ")";
-    case TermKind::kIte:
+    case terms::TermKind::kIte:
       return "(ite (= " + reference(term.a) + " (_ bv1 1)) " + reference(term.b) + " " + reference(term.c) + ")";
-    case TermKind::kExtract:
+    case terms::TermKind::kExtract:
       return "((_ extract " + std::to_string(term.b + term.width - 1) + " " + std::to_string(term.b) + ") " +
              reference(term.a) + ")";
-    case TermKind::kApply: {
-      std::string text = "(" + Symbol(terms.Info(FunctionId(term.a)).name, term.a);
-      for (const TermId argument : terms.Arguments(term)) text += " " + Reference(terms, argument);
+    case terms::TermKind::kApply: {
+      std::string text = "(" + Symbol(terms.Info(terms::FunctionId(term.a)).name, term.a);
+      for (const terms::TermId argument : terms.Arguments(term)) text += " " + Reference(terms, argument);
       return text + ")";
     }
-    case TermKind::kEq:
+    case terms::TermKind::kEq:
       return as_bit("(= " + reference(term.a) + " " + reference(term.b) + ")");
-    case TermKind::kUlt:
-    case TermKind::kSlt:
+    case terms::TermKind::kUlt:
+    case terms::TermKind::kSlt:
       return as_bit("(" + std::string(OperationName(term.kind)) + " " + reference(term.a) + " " + reference(term.b) +
                     ")");
-    case TermKind::kAnd:
-    case TermKind::kOr:
-    case TermKind::kXor:
-    case TermKind::kAdd:
-    case TermKind::kSub:
-    case TermKind::kMul:
-    case TermKind::kUdiv:
-    case TermKind::kUrem:
-    case TermKind::kSdiv:
-    case TermKind::kSrem:
-    case TermKind::kShl:
-    case TermKind::kLshr:
-    case TermKind::kAshr:
-    case TermKind::kConcat:
+    case terms::TermKind::kAnd:
+    case terms::TermKind::kOr:
+    case terms::TermKind::kXor:
+    case terms::TermKind::kAdd:
+    case terms::TermKind::kSub:
+    case terms::TermKind::kMul:
+    case terms::TermKind::kUdiv:
+    case terms::TermKind::kUrem:
+    case terms::TermKind::kSdiv:
+    case terms::TermKind::kSrem:
+    case terms::TermKind::kShl:
+    case terms::TermKind::kLshr:
+    case terms::TermKind::kAshr:
+    case terms::TermKind::kConcat:
       return "(" + std::string(OperationName(term.kind)) + " " + reference(term.a) + " " + reference(term.b) + ")";
-    case TermKind::kConst:
-    case TermKind::kVariable:
+    case terms::TermKind::kConst:
+    case terms::TermKind::kVariable:
       break;
   }
   PLCXX_UNREACHABLE();
@@ -118,22 +118,22 @@ std::string Definition(const Terms& terms, const Term& term) {
 
 }  // namespace
 
-std::string SmtText(const Terms& terms, std::span<const TermId> conditions) {
+std::string SmtText(const terms::Terms& terms, std::span<const terms::TermId> conditions) {
   std::string text = "(set-logic QF_UFBV)\n";
   std::vector<bool> declared(terms.function_count());
-  for (const TermId id : ConeOf(terms, conditions)) {
-    const Term& term = terms[id];
-    if (term.kind == TermKind::kConst) continue;
-    if (term.kind == TermKind::kVariable) {
+  for (const terms::TermId id : terms::ConeOf(terms, conditions)) {
+    const terms::Term& term = terms[id];
+    if (term.kind == terms::TermKind::kConst) continue;
+    if (term.kind == terms::TermKind::kVariable) {
       text += "(declare-const " + Symbol(terms.VariableName(term.a), term.a) + " " + Sort(term.width) + ")\n";
       continue;
     }
     // Functions are told apart by their numbers of arguments, too; one name always has one.
-    if (term.kind == TermKind::kApply && !declared[term.a]) {
+    if (term.kind == terms::TermKind::kApply && !declared[term.a]) {
       declared[term.a] = true;
-      text += "(declare-fun " + Symbol(terms.Info(FunctionId(term.a)).name, term.a) + " (";
+      text += "(declare-fun " + Symbol(terms.Info(terms::FunctionId(term.a)).name, term.a) + " (";
       std::string separator;
-      for (const TermId argument : terms.Arguments(term)) {
+      for (const terms::TermId argument : terms.Arguments(term)) {
         text += separator + Sort(terms.Width(argument));
         separator = " ";
       }
@@ -142,10 +142,10 @@ std::string SmtText(const Terms& terms, std::span<const TermId> conditions) {
     text +=
         "(define-fun t" + std::to_string(id.index) + " () " + Sort(term.width) + " " + Definition(terms, term) + ")\n";
   }
-  for (const TermId condition : conditions) {
+  for (const terms::TermId condition : conditions) {
     text += "(assert (= " + Reference(terms, condition) + " (_ bv1 1)))\n";
   }
   return text + "(check-sat)\n";
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

@@ -11,7 +11,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 
 enum class Answer : uint8_t {
   kNever,     // no values of the variables make all conditions 1
@@ -27,14 +27,14 @@ class Solver {
   virtual ~Solver() = default;
 
   /// From now on `condition` (width 1) holds in every question.
-  virtual void Assume(TermId condition) = 0;
+  virtual void Assume(terms::TermId condition) = 0;
   /// Assumptions made between Push and Pop are forgotten at Pop.
   virtual void Push() = 0;
   virtual void Pop() = 0;
   /// Whether all of `conditions` can be 1 at once, within about so many milliseconds.
-  virtual Answer Check(std::span<const TermId> conditions, uint32_t milliseconds) = 0;
+  virtual Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) = 0;
   /// After kPossible: the value of a term there. What the question does not depend on is 0.
-  virtual uint64_t ValueOf(TermId term) = 0;
+  virtual uint64_t ValueOf(terms::TermId term) = 0;
 };
 
 struct LoadedSolver {
@@ -43,15 +43,15 @@ struct LoadedSolver {
 };
 
 /// `terms` outlives the solver.
-LoadedSolver LoadSolver(const Terms& terms);
+LoadedSolver LoadSolver(const terms::Terms& terms);
 
 /// The function of the module.
-using MakeSolverFunction = Solver*(const Terms& terms);
+using MakeSolverFunction = Solver*(const terms::Terms& terms);
 inline constexpr const char* kSolverModule = "plcxx_z3.so";
 inline constexpr const char* kMakeSolver = "plcxx_make_solver";
 
 /// A question as SMT-LIB 2 text (QF_UFBV): declarations of what the conditions depend on, an assertion for each, and
 /// (check-sat). The same question gives the same bytes.
-std::string SmtText(const Terms& terms, std::span<const TermId> conditions);
+std::string SmtText(const terms::Terms& terms, std::span<const terms::TermId> conditions);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

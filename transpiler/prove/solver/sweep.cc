@@ -11,7 +11,7 @@
 #include "transpiler/prove/terms/form.h"
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 namespace {
 
 constexpr int kVectors = 24;
@@ -26,7 +26,7 @@ enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
 class Sweeper {
  public:
-  Sweeper(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits)
+  Sweeper(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits)
       : terms_(terms), solver_(solver), pairs_(pairs), limits_(limits) {}
 
   std::vector<Verdict> Run();
@@ -36,39 +36,39 @@ class Sweeper {
 
   void MarkCones();
   void Simulate();
-  void Refine(TermId one, TermId other, size_t most_terms);
+  void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
-  void SweepTerm(TermId id);
-  Answer Differ(TermId a, TermId b, uint32_t milliseconds);
+  void SweepTerm(terms::TermId id);
+  Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
   bool Late() const { return Clock::now() >= deadline_; }
-  TermId Representative(TermId id) const {
+  terms::TermId Representative(terms::TermId id) const {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
 
-  Terms& terms_;
+  terms::Terms& terms_;
   Solver& solver_;
   std::span<const TermPair> pairs_;
   std::vector<TermPair> open_pairs_;
   size_t refuted_ = 0, refuted_first_ = 0;
   const SweepLimits& limits_;
   Clock::time_point deadline_;
-  std::vector<uint8_t> sides_;  // by TermId
-  std::vector<TermId> cone_;    // of the pairs that are not one term, operands first
+  std::vector<uint8_t> sides_;       // by TermId
+  std::vector<terms::TermId> cone_;  // of the pairs that are not one term, operands first
   std::vector<uint64_t> signatures_, values_;
   std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
-  std::vector<TermId> representative_;
-  std::unordered_map<uint64_t, std::vector<TermId>> classes_;  // looked up only
-  Random random_{0x9E3779B97F4A7C15};
+  std::vector<terms::TermId> representative_;
+  std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
+  terms::Random random_{0x9E3779B97F4A7C15};
 };
 
 void Sweeper::MarkCones() {
   sides_.assign(terms_.size(), kNone);
   for (const Side side : {kSideA, kSideB}) {
-    std::vector<TermId> roots;
+    std::vector<terms::TermId> roots;
     for (const TermPair& pair : pairs_) {
       if (pair.a != pair.b) roots.push_back(side == kSideA ? pair.a : pair.b);
     }
-    for (const TermId id : ConeOf(terms_, roots)) sides_[id.index] |= side;
+    for (const terms::TermId id : terms::ConeOf(terms_, roots)) sides_[id.index] |= side;
   }
   for (uint32_t i = 0; i < sides_.size(); ++i) {
     if (sides_[i] != kNone) cone_.emplace_back(i);
@@ -76,10 +76,10 @@ void Sweeper::MarkCones() {
 }
 
 void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable) {
-  for (const TermId id : cone_) {
-    const Term& term = terms_[id];
-    const uint64_t value = EvaluateTerm(
-        terms_, term, [this](TermId operand) { return values_[operand.index]; },
+  for (const terms::TermId id : cone_) {
+    const terms::Term& term = terms_[id];
+    const uint64_t value = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
         [&](uint32_t number) { return variable(number, term.width); });
     values_[id.index] = value;
     uint64_t& signature = signatures_[id.index];
@@ -112,12 +112,12 @@ void Sweeper::Simulate() {
 
 /// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
 /// compared looks at the signatures as well.
-void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
+void Sweeper::Refine(terms::TermId one, terms::TermId other, size_t most_terms) {
   if (cone_.size() > most_terms) return;
   // What the question did not depend on may be anything.
   std::unordered_map<uint32_t, uint64_t> known;  // by variable; looked up only
-  for (const TermId id : ConeOf(terms_, std::array{one, other})) {
-    if (terms_[id].kind == TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
+  for (const terms::TermId id : terms::ConeOf(terms_, std::array{one, other})) {
+    if (terms_[id].kind == terms::TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
   }
   EvaluateVector([&](uint32_t number, uint8_t width) {
     const auto at = known.find(number);
@@ -125,11 +125,11 @@ void Sweeper::Refine(TermId one, TermId other, size_t most_terms) {
   });
 }
 
-Answer Sweeper::Differ(TermId a, TermId b, uint32_t milliseconds) {
-  const TermId differ = terms_.Ne(a, b);
+Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) {
+  const terms::TermId differ = terms_.Ne(a, b);
   if (terms_.IsFalse(differ)) return Answer::kNever;
   const std::string form =
-      limits_.answered == nullptr ? std::string() : FormOf(terms_, differ, kMostTermsOfForm).value_or("");
+      limits_.answered == nullptr ? std::string() : terms::FormOf(terms_, differ, kMostTermsOfForm).value_or("");
   if (form.empty()) return solver_.Check({&differ, 1}, milliseconds);
   Answered& known = (*limits_.answered)[form];
   // Where it is possible, who asks wants the values, too.
@@ -139,15 +139,15 @@ Answer Sweeper::Differ(TermId a, TermId b, uint32_t milliseconds) {
   return known.answer;
 }
 
-void Sweeper::SweepTerm(TermId id) {
-  const Term term = terms_[id];
-  std::vector<TermId> operands;
+void Sweeper::SweepTerm(terms::TermId id) {
+  const terms::Term term = terms_[id];
+  std::vector<terms::TermId> operands;
   bool changed = false;
-  terms_.ForEachOperand(term, [&](TermId operand) {
+  terms_.ForEachOperand(term, [&](terms::TermId operand) {
     operands.push_back(Representative(operand));
     changed = changed || operands.back() != operand;
   });
-  TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  terms::TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
   // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
   // sides have in common needs no question.
   const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
@@ -158,8 +158,8 @@ void Sweeper::SweepTerm(TermId id) {
       !found && !terms_.IsConst(now) && !Late() && refuted < (first_side ? kMostRefutedFirst : kMostRefuted);
   if (asks) {
     size_t tried = 0;
-    for (const TermId member : std::vector<TermId>(classes_[class_of_[id.index]])) {
-      const TermId other = Representative(member);
+    for (const terms::TermId member : std::vector<terms::TermId>(classes_[class_of_[id.index]])) {
+      const terms::TermId other = Representative(member);
       if (other == now) break;
       // An answer to the question before may have told them apart.
       if (signatures_[member.index] != signatures_[id.index]) continue;
@@ -202,13 +202,13 @@ std::vector<Verdict> Sweeper::Run() {
     MarkCones();
   }
   class_of_ = signatures_;
-  representative_.assign(terms_.size(), TermId());
-  for (const TermId id : cone_) SweepTerm(id);
+  representative_.assign(terms_.size(), terms::TermId());
+  for (const terms::TermId id : cone_) SweepTerm(id);
   size_t done = 0;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].a == pairs_[i].b) continue;
     if (limits_.progress) limits_.progress(++done, open);
-    const TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
+    const terms::TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
     if (a == b) continue;
     // An answer to another pair may show this one, too.
     if (limits_.any_values_count && signatures_[pairs_[i].a.index] != signatures_[pairs_[i].b.index]) {
@@ -226,8 +226,9 @@ std::vector<Verdict> Sweeper::Run() {
 
 }  // namespace
 
-std::vector<Verdict> Compare(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits) {
+std::vector<Verdict> Compare(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs,
+                             const SweepLimits& limits) {
   return Sweeper(terms, solver, pairs, limits).Run();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

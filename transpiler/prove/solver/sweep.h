@@ -15,7 +15,7 @@
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 
 enum class Verdict : uint8_t {
   kEqual,
@@ -24,7 +24,7 @@ enum class Verdict : uint8_t {
 };
 
 struct TermPair {
-  TermId a, b;
+  terms::TermId a, b;
 };
 
 struct SweepLimits {
@@ -39,6 +39,7 @@ struct SweepLimits {
 };
 
 /// A verdict for each pair, under what `solver` assumes.
-std::vector<Verdict> Compare(Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits);
+std::vector<Verdict> Compare(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs,
+                             const SweepLimits& limits);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver

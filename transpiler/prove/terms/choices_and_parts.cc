@@ -4,7 +4,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 /// What Sext has made of it; none: it is something else.
@@ -364,4 +364,4 @@ TermId Terms::ExtractNew(TermId a, uint8_t low, uint8_t width) {
   return Add({TermKind::kExtract, width, a.index, low});
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

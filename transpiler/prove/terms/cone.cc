@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 template <class IsEntered>
@@ -31,4 +31,4 @@ std::vector<TermId> ConeAboveFunctions(const Terms& terms, std::span<const TermI
   return Cone(terms, roots, [](const Term& term) { return term.kind != TermKind::kApply; });
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

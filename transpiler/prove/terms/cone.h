@@ -6,11 +6,11 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// All that the roots are made of, themselves included; ascending, which is operands first.
 std::vector<TermId> ConeOf(const Terms& terms, std::span<const TermId> roots);
 /// The same without what only applications of functions are made of.
 std::vector<TermId> ConeAboveFunctions(const Terms& terms, std::span<const TermId> roots);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

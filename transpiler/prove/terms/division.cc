@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 constexpr uint8_t kMostShift = 62;  // powers of two and what is compared with them stay below 64 bits
@@ -137,4 +137,4 @@ TermId RemainderOfSum(Terms& terms, TermId a, TermId b) {
   return {};
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -7,7 +7,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// x * m >> shift where that is x / d for every x; else none. `product` is the product.
 TermId QuotientOfProduct(Terms& terms, TermId product, uint8_t shift);
@@ -21,4 +21,4 @@ uint8_t WidthOfDivision(uint64_t greatest);
 /// No value of the term is above it: what zeros above, clamps and divisions say of it.
 uint64_t GreatestOf(const Terms& terms, TermId id);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

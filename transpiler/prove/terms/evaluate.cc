@@ -1,6 +1,6 @@
 #include "transpiler/prove/terms/evaluate.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 uint64_t EvaluateBinary(TermKind kind, uint64_t a, uint64_t b, uint8_t width) {
   const int64_t signed_a = AsSigned(a, width), signed_b = AsSigned(b, width);
@@ -79,4 +79,4 @@ uint64_t Evaluate(const Terms& terms, TermId term, std::span<const uint64_t> var
   return EvaluateAll(terms, variables, term)[term.index];
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -7,7 +7,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// The value of one term whose operands have values; `value(TermId)` gives those, and `variable(number)` a variable's.
 template <class Value, class Variable>
@@ -64,4 +64,4 @@ uint64_t EvaluateTerm(const Terms& terms, const Term& term, Value&& value, Varia
   return EvaluateBinary(term.kind, value(TermId(term.a)), value(TermId(term.b)), terms.Width(TermId(term.a)));
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

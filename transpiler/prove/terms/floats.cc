@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 /// What a format is made of: sign, exponent, fraction from the top.
@@ -293,4 +293,4 @@ TermId FloatConst(Terms& terms, double value, uint8_t width) {
   return terms.Const(width == 32 ? ToBits(static_cast<float>(value)) : ToBits(value), width);
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

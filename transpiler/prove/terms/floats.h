@@ -12,7 +12,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// Operands and result are of one format, which their width says.
 TermId FloatAdd(Terms& terms, TermId a, TermId b);
@@ -53,4 +53,4 @@ TermId FloatNarrow(Terms& terms, TermId a);
 /// The number of this format as a term.
 TermId FloatConst(Terms& terms, double value, uint8_t width);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// All that the root is made of, operands first, as kind, width, what the kind needs, and its operands by their place
 /// in this row. A function with a meaning is its name. A variable says no more than its place, where it is met first,
@@ -83,4 +83,4 @@ std::optional<std::string> FormOf(const Terms& terms, TermId root, size_t most_t
   return form;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

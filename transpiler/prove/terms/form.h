@@ -8,10 +8,10 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// Equal for two terms only when the one becomes the other by renaming variables and functions without `evaluate`, each
 /// to one of its own of the same widths. The two may be of different Terms. None: it has more than so many terms.
 std::optional<std::string> FormOf(const Terms& terms, TermId root, size_t most_terms);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 constexpr uint32_t kMostSteps = 60;  // choices in choices
@@ -77,4 +77,4 @@ TermId Gather(Terms& terms, std::span<const TermId> bits) {
   return gatherer.InOrder(bytes.empty() ? bits : std::span<const TermId>(bytes));
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -8,9 +8,9 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// The same as Concat of all of them, `bits` from the least significant one on.
 TermId Gather(Terms& terms, std::span<const TermId> bits);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

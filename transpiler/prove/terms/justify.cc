@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 constexpr uint32_t kMostCost = 1'000'000'000;
@@ -157,4 +157,4 @@ std::vector<Reason> Justification::ReasonsFor(TermId term) const {
   return reasons;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -11,7 +11,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// A variable, or an application of an unknown function, and the bits of it that count.
 struct Reason {
@@ -39,4 +39,4 @@ class Justification {
   std::vector<uint32_t> costs_;  // by TermId: about how many variables fix it
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -9,7 +9,7 @@
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 constexpr size_t kMostBits = 16;
@@ -137,4 +137,4 @@ TermId LookUp(Terms& terms, TermId index, const std::vector<TableElement>& eleme
   return value.valid() ? value : elements.back().value;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -10,7 +10,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 struct TableElement {
   uint64_t index = 0;
@@ -20,4 +20,4 @@ struct TableElement {
 /// `elements` ascending, each index once. `otherwise`: for every other index; none: there is no other.
 TermId LookUp(Terms& terms, TermId index, const std::vector<TableElement>& elements, TermId otherwise);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// Marsaglia's xorshift of 64 bits.
 class Random {
@@ -22,4 +22,4 @@ class Random {
   uint64_t state_;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -6,7 +6,7 @@
 #include "transpiler/prove/terms/evaluate.h"
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 namespace {
 
 constexpr size_t kMostConstants = 4096;
@@ -63,4 +63,4 @@ std::vector<std::vector<uint64_t>> SampleValues(const Terms& terms, std::span<co
   return result;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

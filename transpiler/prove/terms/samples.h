@@ -8,9 +8,9 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 /// By sample, then by root. The same terms give the same values.
 std::vector<std::vector<uint64_t>> SampleValues(const Terms& terms, std::span<const TermId> roots, uint32_t samples);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -6,7 +6,7 @@
 
 #include "transpiler/prove/terms/division.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 namespace {
 
@@ -420,4 +420,4 @@ TermId Terms::Rebuild(const Term& term, std::span<const TermId> operands) {
   PLCXX_UNREACHABLE();
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

@@ -15,7 +15,7 @@
 
 #include "transpiler/support/ids.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::terms {
 
 using TermId = support::Id<struct TermTag>;
 using FunctionId = support::Id<struct TermFunctionTag>;
@@ -243,4 +243,4 @@ constexpr int64_t AsSigned(uint64_t value, uint8_t width) {
 /// What an operation of two operands of `width` bits gives; not for kConcat.
 uint64_t EvaluateBinary(TermKind kind, uint64_t a, uint64_t b, uint8_t width);
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::terms

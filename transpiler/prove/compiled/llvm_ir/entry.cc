@@ -7,7 +7,7 @@
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint32_t kStateObject = 1, kHostObject = 2;
@@ -56,9 +56,9 @@ bool Executor::BindByName(const llvm::Argument& parameter, CodeValue& value) {
     const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(parameter.getType()));
     const uint32_t all = state ? run_.state_bytes : argument.bytes;
     if (bytes > all || *offset > all - bytes) return false;
-    TermId term;
+    terms::TermId term;
     for (uint32_t i = bytes; i-- > 0;) {
-      const TermId byte = ReadSlot(argument.slot + *offset + i);
+      const terms::TermId byte = ReadSlot(argument.slot + *offset + i);
       term = term.valid() ? terms_.Concat(term, byte) : byte;
     }
     value = {.term = terms_.Resize(term, WidthOf(type))};
@@ -99,4 +99,4 @@ CodeOutcome Executor::Run(const llvm::Function& function) {
   return std::move(outcome_);
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -8,7 +8,7 @@
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint32_t kDeepestCall = 200;
@@ -47,7 +47,7 @@ CodeValue Executor::Call(const llvm::Function& function, std::vector<CodeValue> 
   ++depth_;
   Values outer = std::exchange(values_, Values());
   const uint32_t next_slot = next_slot_;
-  const TermId context = context_;
+  const terms::TermId context = context_;
   for (unsigned i = 0; i < function.arg_size(); ++i) values_[function.getArg(i)] = std::move(arguments[i]);
   std::vector<Passage> returns;
   Passage entry;
@@ -59,14 +59,14 @@ CodeValue Executor::Call(const llvm::Function& function, std::vector<CodeValue> 
   context_ = context;
   if (refused()) return type.isVoidTy() ? CodeValue{} : AnyOf(type);
   if (returns.empty()) return give_up("a function never returns: " + function.getName().str());
-  std::vector<TermId> conditions;
+  std::vector<terms::TermId> conditions;
   for (const Passage& passage : returns) conditions.push_back(passage.when);
   Passage back = Join(std::move(returns), conditions);
   slots_ = std::move(back.slots);
   return back.values.empty() ? CodeValue{} : std::move(back.values.front());
 }
 
-CodeValue Executor::Choose(TermId condition, const CodeValue& then, const CodeValue& otherwise) {
+CodeValue Executor::Choose(terms::TermId condition, const CodeValue& then, const CodeValue& otherwise) {
   if (terms_.IsTrue(condition)) return then;
   if (terms_.IsFalse(condition)) return otherwise;
   CodeValue chosen;
@@ -76,9 +76,9 @@ CodeValue Executor::Choose(TermId condition, const CodeValue& then, const CodeVa
   for (const Target& target : then.targets) {
     chosen.targets.push_back({terms_.And(condition, target.when), target.object, target.offset});
   }
-  const TermId not_condition = terms_.Not(condition);
+  const terms::TermId not_condition = terms_.Not(condition);
   for (const Target& target : otherwise.targets) {
-    const TermId when = terms_.And(not_condition, target.when);
+    const terms::TermId when = terms_.And(not_condition, target.when);
     // Two places of one object are one target with a chosen offset.
     const auto same =
         std::ranges::find_if(chosen.targets, [&](const Target& other) { return other.object == target.object; });
@@ -92,7 +92,7 @@ CodeValue Executor::Choose(TermId condition, const CodeValue& then, const CodeVa
   return chosen;
 }
 
-Passage Executor::Join(std::vector<Passage> passages, const std::vector<TermId>& conditions) {
+Passage Executor::Join(std::vector<Passage> passages, const std::vector<terms::TermId>& conditions) {
   Passage joined = std::move(passages.back());
   for (size_t i = passages.size() - 1; i-- > 0;) {
     const Passage& passage = passages[i];
@@ -109,10 +109,10 @@ Passage Executor::Join(std::vector<Passage> passages, const std::vector<TermId>&
   return joined;
 }
 
-void Executor::RunLevel(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving) {
+void Executor::RunLevel(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving) {
   const size_t count = level.nodes.size();
   std::vector<std::vector<Passage>> incoming(count);
-  std::vector<TermId> since_dominator(count), since_head(count);
+  std::vector<terms::TermId> since_dominator(count), since_head(count);
   incoming.front().push_back(std::move(entry));
   for (uint32_t i = 0; i < count && !refused(); ++i) {
     const FlowNode& node = level.nodes[i];
@@ -122,10 +122,10 @@ void Executor::RunLevel(const FlowLevel& level, Passage entry, TermId context, s
       since_dominator[i] = since_head[i] = terms_.Bit(true);
     } else {
       if (incoming[i].empty()) continue;
-      std::vector<TermId> conditions;
-      TermId any = terms_.Bit(false);
+      std::vector<terms::TermId> conditions;
+      terms::TermId any = terms_.Bit(false);
       for (const Passage& passage : incoming[i]) {
-        TermId when = passage.when;
+        terms::TermId when = passage.when;
         for (uint32_t at = passage.node; at != node.dominator; at = level.nodes[at].dominator)
           when = terms_.And(since_dominator[at], when);
         conditions.push_back(when);
@@ -136,7 +136,7 @@ void Executor::RunLevel(const FlowLevel& level, Passage entry, TermId context, s
       here = Join(std::move(incoming[i]), conditions);
     }
     std::vector<Passage> passages;
-    const TermId when_here = terms_.And(context, since_head[i]);
+    const terms::TermId when_here = terms_.And(context, since_head[i]);
     if (node.loop != nullptr) {
       RunLoop(*node.loop, std::move(here), when_here, passages);
     } else {
@@ -174,7 +174,7 @@ void Executor::RunBlock(const llvm::BasicBlock& block, Passage entry, std::vecto
         Leave(block, branch->getSuccessor(0), terms_.Bit(true), leaving);
         return;
       }
-      const TermId condition = TermOf(branch->getCondition());
+      const terms::TermId condition = TermOf(branch->getCondition());
       Leave(block, branch->getSuccessor(0), condition, leaving);
       Leave(block, branch->getSuccessor(1), terms_.Not(condition), leaving);
     } else if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&inst)) {
@@ -195,7 +195,7 @@ void Executor::RunBlock(const llvm::BasicBlock& block, Passage entry, std::vecto
   }
 }
 
-void Executor::Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, TermId when,
+void Executor::Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, terms::TermId when,
                      std::vector<Passage>& leaving) {
   if (terms_.IsFalse(when)) return;
   Passage passage;
@@ -214,14 +214,14 @@ void Executor::Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, T
 }
 
 void Executor::LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage>& leaving) {
-  const TermId selector = TermOf(choice.getCondition());
+  const terms::TermId selector = TermOf(choice.getCondition());
   struct Way {
     const llvm::BasicBlock* to;
-    TermId when;
+    terms::TermId when;
   };
   std::vector<Way> ways;
-  TermId any = terms_.Bit(false);
-  const auto add = [&](const llvm::BasicBlock* to, TermId when) {
+  terms::TermId any = terms_.Bit(false);
+  const auto add = [&](const llvm::BasicBlock* to, terms::TermId when) {
     const auto same = std::ranges::find_if(ways, [to](const Way& way) { return way.to == to; });
     if (same == ways.end()) {
       ways.push_back({to, when});
@@ -231,7 +231,7 @@ void Executor::LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage
   };
   for (const auto& one : choice.cases()) {
     const uint64_t value = one.getCaseValue()->getValue().getZExtValue();
-    const TermId when = terms_.Eq(selector, terms_.Const(value, terms_.Width(selector)));
+    const terms::TermId when = terms_.Eq(selector, terms_.Const(value, terms_.Width(selector)));
     add(one.getCaseSuccessor(), when);
     any = terms_.Or(any, when);
   }
@@ -239,4 +239,4 @@ void Executor::LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage
   for (const Way& way : ways) Leave(*choice.getParent(), way.to, way.when, leaving);
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

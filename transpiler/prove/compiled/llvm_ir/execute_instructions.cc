@@ -7,7 +7,7 @@
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 #include "transpiler/prove/terms/floats.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 
 bool Executor::Check(const llvm::Instruction& inst) {
   if (terms_.size() - first_term_ > run_.most_terms)
@@ -29,9 +29,9 @@ bool Executor::Check(const llvm::Instruction& inst) {
   return !refused();
 }
 
-void Executor::Require(TermId never, const char* text) {
-  const TermId condition = terms_.And(context_, never);
-  if (!terms_.IsFalse(condition)) outcome_.obligations.push_back({condition, text, surroundings_.Given()});
+void Executor::Require(terms::TermId never, const char* text) {
+  const terms::TermId condition = terms_.And(context_, never);
+  if (!terms_.IsFalse(condition)) outcome_.obligations.push_back({condition, text, environment_.Given()});
 }
 
 void Executor::ExecuteInst(const llvm::Instruction& inst) {
@@ -49,7 +49,7 @@ void Executor::ExecuteInst(const llvm::Instruction& inst) {
       return;
     }
     const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(store->getValueOperand()->getType()));
-    const TermId value = terms_.Zext(TermOf(store->getValueOperand()), static_cast<uint8_t>(8 * bytes));
+    const terms::TermId value = terms_.Zext(TermOf(store->getValueOperand()), static_cast<uint8_t>(8 * bytes));
     Store(ValueOf(store->getPointerOperand()).targets, 0, value);
     return;
   }
@@ -67,7 +67,8 @@ CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
   if (const auto* select = llvm::dyn_cast<llvm::SelectInst>(&inst))
     return Choose(TermOf(select->getCondition()), ValueOf(select->getTrueValue()), ValueOf(select->getFalseValue()));
   if (llvm::isa<llvm::FreezeInst>(inst)) return ValueOf(inst.getOperand(0));
-  if (inst.getOpcode() == llvm::Instruction::FNeg) return {.term = FloatNegate(terms_, TermOf(inst.getOperand(0)))};
+  if (inst.getOpcode() == llvm::Instruction::FNeg)
+    return {.term = terms::FloatNegate(terms_, TermOf(inst.getOperand(0)))};
   if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&inst)) {
     const llvm::Type& type = *load->getType();
     if (type.isPointerTy() || type.isStructTy()) {
@@ -100,18 +101,18 @@ CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
   return AnyOf(*inst.getType());
 }
 
-TermId Executor::ShiftWithin(TermId shifted, TermId amount, uint8_t width) {
+terms::TermId Executor::ShiftWithin(terms::TermId shifted, terms::TermId amount, uint8_t width) {
   if (ranges_.Of(amount).high < width) return shifted;
   return terms_.Ite(terms_.Ult(amount, terms_.Const(width, width)), shifted, Undefined(width));
 }
 
-TermId Executor::Divide(const llvm::BinaryOperator& inst, TermId a, TermId b) {
+terms::TermId Executor::Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b) {
   const uint8_t width = terms_.Width(a);
   Require(terms_.Eq(b, terms_.Const(0, width)), "a division by zero");
   const bool has_sign = inst.getOpcode() == llvm::Instruction::SDiv || inst.getOpcode() == llvm::Instruction::SRem;
   if (has_sign) {
-    const TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
-    const TermId minus_one = terms_.Eq(b, terms_.Const(Masked(~uint64_t{0}, width), width));
+    const terms::TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
+    const terms::TermId minus_one = terms_.Eq(b, terms_.Const(terms::Masked(~uint64_t{0}, width), width));
     Require(terms_.And(least, minus_one), "a division that overflows");
   }
   switch (inst.getOpcode()) {
@@ -126,8 +127,8 @@ TermId Executor::Divide(const llvm::BinaryOperator& inst, TermId a, TermId b) {
   }
 }
 
-TermId Executor::EvaluateBinaryOperator(const llvm::BinaryOperator& inst) {
-  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+terms::TermId Executor::EvaluateBinaryOperator(const llvm::BinaryOperator& inst) {
+  const terms::TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
   const uint8_t width = terms_.Width(a);
   switch (inst.getOpcode()) {
     case llvm::Instruction::Add:
@@ -154,26 +155,26 @@ TermId Executor::EvaluateBinaryOperator(const llvm::BinaryOperator& inst) {
     case llvm::Instruction::AShr:
       return ShiftWithin(terms_.Ashr(a, b), b, width);
     case llvm::Instruction::FAdd:
-      return FloatAdd(terms_, a, b);
+      return terms::FloatAdd(terms_, a, b);
     case llvm::Instruction::FSub:
-      return FloatSub(terms_, a, b);
+      return terms::FloatSub(terms_, a, b);
     case llvm::Instruction::FMul:
-      return FloatMul(terms_, a, b);
+      return terms::FloatMul(terms_, a, b);
     case llvm::Instruction::FDiv:
-      return FloatDiv(terms_, a, b);
+      return terms::FloatDiv(terms_, a, b);
     default:
       Refuse(std::string("instruction '") + inst.getOpcodeName() + "'");
       return Undefined(width);
   }
 }
 
-TermId Executor::ComparePointers(const llvm::ICmpInst& inst) {
+terms::TermId Executor::ComparePointers(const llvm::ICmpInst& inst) {
   const CodeValue a = ValueOf(inst.getOperand(0)), b = ValueOf(inst.getOperand(1));
   if (!inst.isEquality()) {
     Refuse("instruction 'icmp' of pointers by their order");
     return terms_.Bit(false);
   }
-  TermId equal = terms_.Bit(false);
+  terms::TermId equal = terms_.Bit(false);
   for (const Target& one : a.targets) {
     for (const Target& other : b.targets) {
       if (one.object != other.object) continue;
@@ -183,9 +184,9 @@ TermId Executor::ComparePointers(const llvm::ICmpInst& inst) {
   return inst.getPredicate() == llvm::CmpInst::ICMP_EQ ? equal : terms_.Not(equal);
 }
 
-TermId Executor::Compare(const llvm::ICmpInst& inst) {
+terms::TermId Executor::Compare(const llvm::ICmpInst& inst) {
   if (inst.getOperand(0)->getType()->isPointerTy()) return ComparePointers(inst);
-  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  const terms::TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
   switch (inst.getPredicate()) {
     case llvm::CmpInst::ICMP_EQ:
       return terms_.Eq(a, b);
@@ -213,40 +214,40 @@ TermId Executor::Compare(const llvm::ICmpInst& inst) {
   }
 }
 
-TermId Executor::CompareFloats(const llvm::FCmpInst& inst) {
-  const TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
-  const auto unordered = [&] { return terms_.Or(FloatIsNan(terms_, a), FloatIsNan(terms_, b)); };
+terms::TermId Executor::CompareFloats(const llvm::FCmpInst& inst) {
+  const terms::TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  const auto unordered = [&] { return terms_.Or(terms::FloatIsNan(terms_, a), terms::FloatIsNan(terms_, b)); };
   switch (inst.getPredicate()) {
     case llvm::CmpInst::FCMP_FALSE:
       return terms_.Bit(false);
     case llvm::CmpInst::FCMP_OEQ:
-      return FloatEqual(terms_, a, b);
+      return terms::FloatEqual(terms_, a, b);
     case llvm::CmpInst::FCMP_OGT:
-      return FloatLess(terms_, b, a);
+      return terms::FloatLess(terms_, b, a);
     case llvm::CmpInst::FCMP_OGE:
-      return FloatLessEqual(terms_, b, a);
+      return terms::FloatLessEqual(terms_, b, a);
     case llvm::CmpInst::FCMP_OLT:
-      return FloatLess(terms_, a, b);
+      return terms::FloatLess(terms_, a, b);
     case llvm::CmpInst::FCMP_OLE:
-      return FloatLessEqual(terms_, a, b);
+      return terms::FloatLessEqual(terms_, a, b);
     case llvm::CmpInst::FCMP_ONE:
-      return terms_.And(terms_.Not(FloatEqual(terms_, a, b)), terms_.Not(unordered()));
+      return terms_.And(terms_.Not(terms::FloatEqual(terms_, a, b)), terms_.Not(unordered()));
     case llvm::CmpInst::FCMP_ORD:
       return terms_.Not(unordered());
     case llvm::CmpInst::FCMP_UNO:
       return unordered();
     case llvm::CmpInst::FCMP_UEQ:
-      return terms_.Or(FloatEqual(terms_, a, b), unordered());
+      return terms_.Or(terms::FloatEqual(terms_, a, b), unordered());
     case llvm::CmpInst::FCMP_UGT:
-      return terms_.Not(FloatLessEqual(terms_, a, b));
+      return terms_.Not(terms::FloatLessEqual(terms_, a, b));
     case llvm::CmpInst::FCMP_UGE:
-      return terms_.Not(FloatLess(terms_, a, b));
+      return terms_.Not(terms::FloatLess(terms_, a, b));
     case llvm::CmpInst::FCMP_ULT:
-      return terms_.Not(FloatLessEqual(terms_, b, a));
+      return terms_.Not(terms::FloatLessEqual(terms_, b, a));
     case llvm::CmpInst::FCMP_ULE:
-      return terms_.Not(FloatLess(terms_, b, a));
+      return terms_.Not(terms::FloatLess(terms_, b, a));
     case llvm::CmpInst::FCMP_UNE:
-      return terms_.Not(FloatEqual(terms_, a, b));
+      return terms_.Not(terms::FloatEqual(terms_, a, b));
     case llvm::CmpInst::FCMP_TRUE:
       return terms_.Bit(true);
     default:
@@ -255,13 +256,13 @@ TermId Executor::CompareFloats(const llvm::FCmpInst& inst) {
   }
 }
 
-TermId Executor::Convert(const llvm::CastInst& inst) {
+terms::TermId Executor::Convert(const llvm::CastInst& inst) {
   const uint8_t width = WidthOf(*inst.getType());
   if (inst.getSrcTy()->isPointerTy() || inst.getDestTy()->isPointerTy()) {
     Refuse(std::string("instruction '") + inst.getOpcodeName() + "' of a pointer");
     return Undefined(width);
   }
-  const TermId a = TermOf(inst.getOperand(0));
+  const terms::TermId a = TermOf(inst.getOperand(0));
   switch (inst.getOpcode()) {
     case llvm::Instruction::Trunc:
       return terms_.Extract(a, 0, width);
@@ -272,17 +273,17 @@ TermId Executor::Convert(const llvm::CastInst& inst) {
     case llvm::Instruction::BitCast:
       return a;
     case llvm::Instruction::SIToFP:
-      return FloatFromSigned(terms_, a, width);
+      return terms::FloatFromSigned(terms_, a, width);
     case llvm::Instruction::UIToFP:
-      return FloatFromUnsigned(terms_, a, width);
+      return terms::FloatFromUnsigned(terms_, a, width);
     case llvm::Instruction::FPToSI:
-      return FloatToSigned(terms_, a, width);
+      return terms::FloatToSigned(terms_, a, width);
     case llvm::Instruction::FPToUI:
-      return FloatToUnsigned(terms_, a, width);
+      return terms::FloatToUnsigned(terms_, a, width);
     case llvm::Instruction::FPExt:
-      return FloatWiden(terms_, a);
+      return terms::FloatWiden(terms_, a);
     case llvm::Instruction::FPTrunc:
-      return FloatNarrow(terms_, a);
+      return terms::FloatNarrow(terms_, a);
     default:
       Refuse(std::string("instruction '") + inst.getOpcodeName() + "'");
       return Undefined(width);
@@ -297,9 +298,9 @@ CodeValue Executor::ElementPointer(const llvm::GetElementPtrInst& inst) {
     Refuse("instruction 'getelementptr' of a type whose size is not known");
     return pointer;
   }
-  TermId offset = terms_.Const(constant.getZExtValue(), 64);
+  terms::TermId offset = terms_.Const(constant.getZExtValue(), 64);
   for (const auto& [index, scale] : indices) {
-    const TermId wide = terms_.Sext(TermOf(index), 64);
+    const terms::TermId wide = terms_.Sext(TermOf(index), 64);
     offset = terms_.Add(offset, terms_.Mul(wide, terms_.Const(scale.getZExtValue(), 64)));
   }
   for (Target& target : pointer.targets) target.offset = terms_.Add(target.offset, offset);
@@ -319,10 +320,10 @@ CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
     return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
   }
   const std::string& name = flows_.NameOf(*callee);
-  if (callee->isDeclaration() || surroundings_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
+  if (callee->isDeclaration() || environment_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
   std::vector<CodeValue> arguments;
   for (const llvm::Use& argument : call.args()) arguments.push_back(ValueOf(argument));
   return Call(*callee, std::move(arguments));
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -7,7 +7,7 @@
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 #include "transpiler/prove/terms/floats.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint64_t kLongestTransfer = 1 << 16;
@@ -18,10 +18,10 @@ constexpr uint64_t kLongestTransfer = 1 << 16;
 class HostMemory : public CodeMemory {
  public:
   explicit HostMemory(Executor& executor) : executor_(executor) {}
-  TermId Read(uint32_t slot) override { return executor_.ReadSlot(slot); }
-  void Write(uint32_t slot, TermId value) override { executor_.slots_.Set(slot, value); }
-  TermId When() const override { return executor_.context_; }
-  void Require(TermId never, const char* text) override { executor_.Require(never, text); }
+  terms::TermId Read(uint32_t slot) override { return executor_.ReadSlot(slot); }
+  void Write(uint32_t slot, terms::TermId value) override { executor_.slots_.Set(slot, value); }
+  terms::TermId When() const override { return executor_.context_; }
+  void Require(terms::TermId never, const char* text) override { executor_.Require(never, text); }
 
  private:
   Executor& executor_;
@@ -57,8 +57,8 @@ CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Func
   if (refused()) return type.isVoidTy() ? CodeValue{} : AnyOf(type);
   HostMemory memory(*this);
   std::string refusal;
-  const TermId result =
-      surroundings_.CallHost(memory, {.function = name, .arguments = arguments, .result_width = width}, refusal);
+  const terms::TermId result =
+      environment_.CallHost(memory, {.function = name, .arguments = arguments, .result_width = width}, refusal);
   if (!refusal.empty()) Refuse(std::move(refusal));
   if (type.isVoidTy()) return {};
   return {.term = result.valid() && terms_.Width(result) == width ? result : Undefined(width)};
@@ -99,29 +99,29 @@ void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
   const uint64_t bytes = length->getZExtValue();
   const std::vector<Target> to = ValueOf(call.getRawDest()).targets;
   if (const auto* set = llvm::dyn_cast<llvm::MemSetInst>(&call)) {
-    const TermId value = TermOf(set->getValue());
+    const terms::TermId value = TermOf(set->getValue());
     for (uint64_t i = 0; i < bytes && !refused(); ++i) Store(to, i, value);
     return;
   }
   const std::vector<Target> from = ValueOf(llvm::cast<llvm::MemTransferInst>(call).getRawSource()).targets;
   // All is read before anything is written, so that the two may overlap.
-  std::vector<TermId> values;
+  std::vector<terms::TermId> values;
   for (uint64_t i = 0; i < bytes && !refused(); ++i) values.push_back(Load(from, i, 1));
   for (uint64_t i = 0; i < values.size() && !refused(); ++i) Store(to, i, values[i]);
 }
 
 CodeValue Executor::WithOverflow(const llvm::WithOverflowInst& call) {
-  const TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
+  const terms::TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
   const uint8_t width = terms_.Width(a);
   const auto wide_width = static_cast<uint8_t>(call.getBinaryOp() == llvm::Instruction::Mul ? 2 * width : width + 1);
   if (wide_width > 64) {
     Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
     return AnyOf(*call.getType());
   }
-  const auto widen = [&](TermId term) {
+  const auto widen = [&](terms::TermId term) {
     return call.isSigned() ? terms_.Sext(term, wide_width) : terms_.Zext(term, wide_width);
   };
-  const auto compute = [&](TermId x, TermId y) {
+  const auto compute = [&](terms::TermId x, terms::TermId y) {
     switch (call.getBinaryOp()) {
       case llvm::Instruction::Add:
         return terms_.Add(x, y);
@@ -131,13 +131,13 @@ CodeValue Executor::WithOverflow(const llvm::WithOverflowInst& call) {
         return terms_.Mul(x, y);
     }
   };
-  const TermId result = compute(a, b);
-  const TermId exact = compute(widen(a), widen(b));
+  const terms::TermId result = compute(a, b);
+  const terms::TermId exact = compute(widen(a), widen(b));
   return {.parts = {{.term = result}, {.term = terms_.Ne(exact, widen(result))}}};
 }
 
-TermId Executor::Saturated(const llvm::SaturatingInst& call) {
-  const TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
+terms::TermId Executor::Saturated(const llvm::SaturatingInst& call) {
+  const terms::TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
   const uint8_t width = terms_.Width(a);
   const bool adds = call.getBinaryOp() == llvm::Instruction::Add;
   const bool known = adds || call.getBinaryOp() == llvm::Instruction::Sub;
@@ -145,29 +145,29 @@ TermId Executor::Saturated(const llvm::SaturatingInst& call) {
     Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
     return Undefined(width);
   }
-  const TermId result = adds ? terms_.Add(a, b) : terms_.Sub(a, b);
+  const terms::TermId result = adds ? terms_.Add(a, b) : terms_.Sub(a, b);
   if (!call.isSigned()) {
-    return adds ? terms_.Ite(terms_.Ult(result, a), terms_.Const(Masked(~uint64_t{0}, width), width), result)
+    return adds ? terms_.Ite(terms_.Ult(result, a), terms_.Const(terms::Masked(~uint64_t{0}, width), width), result)
                 : terms_.Ite(terms_.Ult(a, b), terms_.Const(0, width), result);
   }
-  const auto sign = [&](TermId term) { return terms_.Extract(term, static_cast<uint8_t>(width - 1), 1); };
-  const TermId apart = terms_.Xor(sign(a), sign(b));
-  const TermId overflow = terms_.And(adds ? terms_.Not(apart) : apart, terms_.Xor(sign(a), sign(result)));
-  const TermId least = terms_.Const(uint64_t{1} << (width - 1), width);
+  const auto sign = [&](terms::TermId term) { return terms_.Extract(term, static_cast<uint8_t>(width - 1), 1); };
+  const terms::TermId apart = terms_.Xor(sign(a), sign(b));
+  const terms::TermId overflow = terms_.And(adds ? terms_.Not(apart) : apart, terms_.Xor(sign(a), sign(result)));
+  const terms::TermId least = terms_.Const(uint64_t{1} << (width - 1), width);
   return terms_.Ite(overflow, terms_.Ite(sign(a), least, terms_.Not(least)), result);
 }
 
-TermId Executor::CountBits(const llvm::IntrinsicInst& call, TermId a) {
+terms::TermId Executor::CountBits(const llvm::IntrinsicInst& call, terms::TermId a) {
   const uint8_t width = terms_.Width(a);
   const auto bit = [&](uint8_t number) { return terms_.Extract(a, number, 1); };
   if (call.getIntrinsicID() == llvm::Intrinsic::ctpop) {
-    TermId sum = terms_.Const(0, width);
+    terms::TermId sum = terms_.Const(0, width);
     for (uint8_t i = 0; i < width; ++i) sum = terms_.Add(sum, terms_.Zext(bit(i), width));
     return sum;
   }
   const bool leading = call.getIntrinsicID() == llvm::Intrinsic::ctlz;
   const bool zero_is_undefined = llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne();
-  TermId count = zero_is_undefined ? Undefined(width) : terms_.Const(width, width);
+  terms::TermId count = zero_is_undefined ? Undefined(width) : terms_.Const(width, width);
   for (uint8_t i = 0; i < width; ++i) {
     // The last one asked about counts: the bit that stands nearest to where counting begins.
     const auto number = static_cast<uint8_t>(leading ? i : width - 1 - i);
@@ -176,21 +176,21 @@ TermId Executor::CountBits(const llvm::IntrinsicInst& call, TermId a) {
   return count;
 }
 
-TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
-  const TermId a = TermOf(call.getArgOperand(0));
+terms::TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
+  const terms::TermId a = TermOf(call.getArgOperand(0));
   const uint8_t width = terms_.Width(a);
   const auto b = [&] { return TermOf(call.getArgOperand(1)); };
   const uint8_t result_width = WidthOf(*call.getType());
-  const auto three_way = [&](TermId less, TermId greater) {
-    return terms_.Ite(less, terms_.Const(Masked(~uint64_t{0}, result_width), result_width),
+  const auto three_way = [&](terms::TermId less, terms::TermId greater) {
+    return terms_.Ite(less, terms_.Const(terms::Masked(~uint64_t{0}, result_width), result_width),
                       terms_.Zext(greater, result_width));
   };
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::abs: {
-      const TermId negative = terms_.Extract(a, static_cast<uint8_t>(width - 1), 1);
-      const TermId value = terms_.Ite(negative, terms_.Neg(a), a);
+      const terms::TermId negative = terms_.Extract(a, static_cast<uint8_t>(width - 1), 1);
+      const terms::TermId value = terms_.Ite(negative, terms_.Neg(a), a);
       if (!llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne()) return value;
-      const TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
+      const terms::TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
       return terms_.Ite(least, Undefined(width), value);
     }
     case llvm::Intrinsic::smax:
@@ -210,22 +210,22 @@ TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
     case llvm::Intrinsic::cttz:
       return CountBits(call, a);
     case llvm::Intrinsic::bswap: {
-      TermId swapped = terms_.Extract(a, 0, 8);
+      terms::TermId swapped = terms_.Extract(a, 0, 8);
       for (uint8_t i = 8; i < width; i = static_cast<uint8_t>(i + 8))
         swapped = terms_.Concat(swapped, terms_.Extract(a, i, 8));
       return swapped;
     }
     case llvm::Intrinsic::bitreverse: {
-      TermId reversed = terms_.Extract(a, 0, 1);
+      terms::TermId reversed = terms_.Extract(a, 0, 1);
       for (uint8_t i = 1; i < width; ++i) reversed = terms_.Concat(reversed, terms_.Extract(a, i, 1));
       return reversed;
     }
     case llvm::Intrinsic::fshl:
     case llvm::Intrinsic::fshr: {
       const bool left = call.getIntrinsicID() == llvm::Intrinsic::fshl;
-      const TermId all = terms_.Const(width, width);
-      const TermId by = terms_.Urem(TermOf(call.getArgOperand(2)), all);
-      const TermId rest = terms_.Sub(all, by);
+      const terms::TermId all = terms_.Const(width, width);
+      const terms::TermId by = terms_.Urem(TermOf(call.getArgOperand(2)), all);
+      const terms::TermId rest = terms_.Sub(all, by);
       // A shift by the whole width gives 0 here, as it has to.
       return left ? terms_.Or(terms_.Shl(a, by), terms_.Lshr(b(), rest))
                   : terms_.Or(terms_.Shl(a, rest), terms_.Lshr(b(), by));
@@ -236,29 +236,29 @@ TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
   }
 }
 
-TermId Executor::FloatIntrinsic(const llvm::IntrinsicInst& call) {
-  const TermId a = TermOf(call.getArgOperand(0));
+terms::TermId Executor::FloatIntrinsic(const llvm::IntrinsicInst& call) {
+  const terms::TermId a = TermOf(call.getArgOperand(0));
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::fabs:
-      return FloatAbs(terms_, a);
+      return terms::FloatAbs(terms_, a);
     case llvm::Intrinsic::copysign:
-      return FloatCopySign(terms_, a, TermOf(call.getArgOperand(1)));
+      return terms::FloatCopySign(terms_, a, TermOf(call.getArgOperand(1)));
     case llvm::Intrinsic::sqrt:
-      return FloatSqrt(terms_, a);
+      return terms::FloatSqrt(terms_, a);
     case llvm::Intrinsic::floor:
-      return FloatFloor(terms_, a);
+      return terms::FloatFloor(terms_, a);
     case llvm::Intrinsic::ceil:
-      return FloatCeil(terms_, a);
+      return terms::FloatCeil(terms_, a);
     case llvm::Intrinsic::trunc:
-      return FloatTrunc(terms_, a);
+      return terms::FloatTrunc(terms_, a);
     case llvm::Intrinsic::rint:
     case llvm::Intrinsic::nearbyint:
     case llvm::Intrinsic::roundeven:
-      return FloatRint(terms_, a);
+      return terms::FloatRint(terms_, a);
     default:
       Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
       return Undefined(WidthOf(*call.getType()));
   }
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -5,14 +5,14 @@
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr size_t kMostHeads = 16;  // of one loop that are looked at
 
 }  // namespace
 
-void Executor::RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving) {
+void Executor::RunLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving) {
   if (run_.loops != CodeRun::Loops::kAtHeads || sampling_ != 0) {
     UnrollLoop(level, std::move(entry), context, leaving, nullptr);
     return;
@@ -20,7 +20,7 @@ void Executor::RunLoop(const FlowLevel& level, Passage entry, TermId context, st
   // The first rounds: if they are all, there is no more to be done.
   LoopState state;
   if (!FindItems(*level.nodes.front().block, state)) return;
-  const TermId left_out = std::exchange(outcome_.left_out, terms_.Bit(false));
+  const terms::TermId left_out = std::exchange(outcome_.left_out, terms_.Bit(false));
   const size_t obligations = outcome_.obligations.size();
   std::vector<Passage> ways;
   ++sampling_;
@@ -37,11 +37,11 @@ void Executor::RunLoop(const FlowLevel& level, Passage entry, TermId context, st
   RunByHead(level, entry, context, state, leaving);
 }
 
-std::optional<Passage> Executor::JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages, TermId active,
-                                             std::vector<Passage>& leaving) {
+std::optional<Passage> Executor::JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages,
+                                             terms::TermId active, std::vector<Passage>& leaving) {
   std::vector<Passage> again;
-  std::vector<TermId> conditions;
-  TermId any = terms_.Bit(false);
+  std::vector<terms::TermId> conditions;
+  terms::TermId any = terms_.Bit(false);
   for (Passage& passage : passages) {
     if (passage.to == head) {
       conditions.push_back(passage.when);
@@ -58,11 +58,11 @@ std::optional<Passage> Executor::JoinRepeats(const llvm::BasicBlock* head, std::
   return next;
 }
 
-void Executor::UnrollLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving,
+void Executor::UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving,
                           LoopState* state) {
   const llvm::BasicBlock* head = level.nodes.front().block;
   const bool limited = run_.loops != CodeRun::Loops::kUnrolled;
-  TermId active = terms_.Bit(true);
+  terms::TermId active = terms_.Bit(true);
   Passage next = std::move(entry);
   uint32_t unknown = 0;
   for (uint32_t round = 0;; ++round) {
@@ -75,7 +75,7 @@ void Executor::UnrollLoop(const FlowLevel& level, Passage entry, TermId context,
       Refuse("a loop may go round more than " + std::to_string(run_.most_rounds) + " times");
       return;
     }
-    const TermId when = terms_.And(context, active);
+    const terms::TermId when = terms_.And(context, active);
     if (state != nullptr && state->heads.size() < kMostHeads)
       state->heads.emplace_back(terms_.And(when, terms_.Not(outcome_.left_out)), next);
     std::vector<Passage> passages;
@@ -114,8 +114,8 @@ void Executor::AddSlots(const Slots& a, const Slots& b, LoopState& state) {
   });
 }
 
-std::vector<TermId> Executor::ItemsOf(const Passage& passage, const LoopState& state) {
-  std::vector<TermId> values;
+std::vector<terms::TermId> Executor::ItemsOf(const Passage& passage, const LoopState& state) {
+  std::vector<terms::TermId> values;
   for (size_t i = 0; i < state.phis.size(); ++i) {
     const CodeValue& value = passage.values[i];
     if (!state.phis[i]->getType()->isPointerTy()) {
@@ -134,7 +134,7 @@ std::vector<TermId> Executor::ItemsOf(const Passage& passage, const LoopState& s
   return values;
 }
 
-void Executor::RunByHead(const FlowLevel& level, const Passage& entry, TermId context, LoopState& state,
+void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::TermId context, LoopState& state,
                          std::vector<Passage>& leaving) {
   const llvm::BasicBlock* head = level.nodes.front().block;
   for (size_t i = 0; i < state.phis.size(); ++i) {
@@ -144,13 +144,13 @@ void Executor::RunByHead(const FlowLevel& level, const Passage& entry, TermId co
   for (const auto& [when, passage] : state.heads) AddSlots(entry.slots, passage.slots, state);
   const std::string name = flows_.NameOf(*head->getParent()) + ", " + head->getName().str();
   const size_t obligations = outcome_.obligations.size();
-  surroundings_.OpenLoop();
+  environment_.OpenLoop();
   for (;;) {
     CodeLoop loop{.name = name, .items = state.items, .entry = {context, ItemsOf(entry, state)}, .samples = {}};
     for (size_t i = 1; i < state.heads.size(); ++i)
       loop.samples.push_back({state.heads[i].first, ItemsOf(state.heads[i].second, state)});
     if (refused()) return;
-    const std::vector<TermId> values = surroundings_.AtHead(loop);
+    const std::vector<terms::TermId> values = environment_.AtHead(loop);
     if (values.size() != state.items.size()) {
       Refuse("a loop of which nobody knows how often it goes round: " + name);
       return;
@@ -175,11 +175,11 @@ void Executor::RunByHead(const FlowLevel& level, const Passage& entry, TermId co
       outcome_.obligations.resize(obligations);
       continue;
     }
-    const TermId again = next ? next->when : terms_.Bit(false);
-    surroundings_.CloseLoop(again, next ? ItemsOf(*next, state) : values);
+    const terms::TermId again = next ? next->when : terms_.Bit(false);
+    environment_.CloseLoop(again, next ? ItemsOf(*next, state) : values);
     for (Passage& passage : ways) leaving.push_back(std::move(passage));
     return;
   }
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -5,7 +5,7 @@
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 #include "transpiler/prove/terms/look_up.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint64_t kMostPlaces = 1 << 14;  // that one access may reach
@@ -13,11 +13,11 @@ constexpr uint64_t kLargestLocal = 1 << 20;
 
 }  // namespace
 
-TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
-  const TermId value = slots.At(slot);
+terms::TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
+  const terms::TermId value = slots.At(slot);
   if (value.valid()) return value;
   if (slot >= initial_.size()) return Undefined(8);
-  if (!initial_[slot].valid()) initial_[slot] = surroundings_.Initial(slot);
+  if (!initial_[slot].valid()) initial_[slot] = environment_.Initial(slot);
   return initial_[slot];
 }
 
@@ -27,11 +27,11 @@ uint32_t Executor::NewLocal(uint64_t bytes) {
     bytes = 0;
   }
   objects_.push_back({.kind = ObjectKind::kLocal, .first_slot = next_slot_, .bytes = bytes});
-  for (uint64_t i = 0; i < bytes; ++i) slots_.Set(next_slot_++, TermId());
+  for (uint64_t i = 0; i < bytes; ++i) slots_.Set(next_slot_++, terms::TermId());
   return static_cast<uint32_t>(objects_.size() - 1);
 }
 
-Executor::Reach Executor::ReachOf(const Object& object, TermId offset, uint32_t bytes) {
+Executor::Reach Executor::ReachOf(const Object& object, terms::TermId offset, uint32_t bytes) {
   const ValueRange range = ranges_.Of(offset);
   Reach reach;
   if (object.bytes < bytes || range.low > object.bytes - bytes) {
@@ -50,10 +50,10 @@ Executor::Reach Executor::ReachOf(const Object& object, TermId offset, uint32_t 
   return reach;
 }
 
-TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
-  TermId value;
+terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
+  terms::TermId value;
   for (uint32_t i = 0; i < bytes; ++i) {
-    TermId byte;
+    terms::TermId byte;
     if (object.kind == ObjectKind::kConstant) {
       const int16_t known = object.values[offset + i];
       byte = known < 0 ? Undefined(8) : terms_.Const(static_cast<uint64_t>(known), 8);
@@ -65,7 +65,7 @@ TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
   return value;
 }
 
-TermId Executor::LoadFrom(uint32_t number, TermId offset, uint32_t bytes) {
+terms::TermId Executor::LoadFrom(uint32_t number, terms::TermId offset, uint32_t bytes) {
   const auto width = static_cast<uint8_t>(8 * bytes);
   const Object& object = objects_[number];
   if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) {
@@ -74,33 +74,33 @@ TermId Executor::LoadFrom(uint32_t number, TermId offset, uint32_t bytes) {
   }
   const Reach reach = ReachOf(object, offset, bytes);
   if (reach.none) return Undefined(width);
-  std::vector<TableElement> elements;
+  std::vector<terms::TableElement> elements;
   for (uint64_t at = reach.low; at <= reach.high; at += reach.step) {
     if (at == reach.high || !terms_.IsFalse(terms_.Eq(offset, terms_.Const(at, 64))))
       elements.push_back({at, LoadAt(object, at, bytes)});
   }
-  return LookUp(terms_, offset, elements, reach.beyond ? Undefined(width) : TermId());
+  return terms::LookUp(terms_, offset, elements, reach.beyond ? Undefined(width) : terms::TermId());
 }
 
-TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
-  TermId value;
+terms::TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
+  terms::TermId value;
   for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
-    const TermId offset = at == 0 ? target->offset : terms_.Add(target->offset, terms_.Const(at, 64));
-    const TermId here = LoadFrom(target->object, offset, bytes);
+    const terms::TermId offset = at == 0 ? target->offset : terms_.Add(target->offset, terms_.Const(at, 64));
+    const terms::TermId here = LoadFrom(target->object, offset, bytes);
     value = value.valid() ? terms_.Ite(target->when, here, value) : here;
   }
   return value;
 }
 
-void Executor::StoreAt(TermId when, const Object& object, uint64_t offset, TermId value) {
+void Executor::StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value) {
   for (uint32_t i = 0; i < terms_.Width(value) / 8U; ++i) {
     const uint32_t slot = object.first_slot + static_cast<uint32_t>(offset) + i;
-    const TermId byte = terms_.Extract(value, static_cast<uint8_t>(8 * i), 8);
+    const terms::TermId byte = terms_.Extract(value, static_cast<uint8_t>(8 * i), 8);
     slots_.Set(slot, terms_.IsTrue(when) ? byte : terms_.Ite(when, byte, ReadSlot(slot)));
   }
 }
 
-void Executor::StoreTo(TermId when, uint32_t number, TermId offset, TermId value) {
+void Executor::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset, terms::TermId value) {
   const Object& object = objects_[number];
   if (object.kind != ObjectKind::kState && object.kind != ObjectKind::kLocal) {
     Refuse("a write to memory that is neither State nor a local");
@@ -114,7 +114,7 @@ void Executor::StoreTo(TermId when, uint32_t number, TermId offset, TermId value
     return;
   }
   if (reach.beyond) {
-    const TermId outside =
+    const terms::TermId outside =
         terms_.Or(terms_.Ult(terms_.Const(reach.high, 64), offset), terms_.Ult(offset, terms_.Const(reach.low, 64)));
     Require(terms_.And(when, outside), kOutside);
   }
@@ -122,11 +122,11 @@ void Executor::StoreTo(TermId when, uint32_t number, TermId offset, TermId value
     StoreAt(terms_.And(when, terms_.Eq(offset, terms_.Const(at, 64))), object, at, value);
 }
 
-void Executor::Store(const std::vector<Target>& targets, uint64_t at, TermId value) {
+void Executor::Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value) {
   for (const Target& target : targets) {
-    const TermId offset = at == 0 ? target.offset : terms_.Add(target.offset, terms_.Const(at, 64));
+    const terms::TermId offset = at == 0 ? target.offset : terms_.Add(target.offset, terms_.Const(at, 64));
     StoreTo(target.when, target.object, offset, value);
   }
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

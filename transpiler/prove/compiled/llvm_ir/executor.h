@@ -27,17 +27,17 @@
 #include "transpiler/prove/compiled/llvm_ir/slots.h"
 #include "transpiler/prove/compiled/llvm_ir/value_range.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 
 /// One of the places that a pointer may point to; the conditions of all exclude each other.
 struct Target {
-  TermId when;
+  terms::TermId when;
   uint32_t object = 0;
-  TermId offset;  // 64 bits, two's complement
+  terms::TermId offset;  // 64 bits, two's complement
 };
 
 struct CodeValue {
-  TermId term;                   // of integers and floats; these as their bits
+  terms::TermId term;            // of integers and floats; these as their bits
   std::vector<Target> targets;   // of pointers
   std::vector<CodeValue> parts;  // of structs
 };
@@ -55,7 +55,7 @@ struct Passage {
   const llvm::BasicBlock* from = nullptr;
   const llvm::BasicBlock* to = nullptr;  // none: the function returns
   uint32_t node = 0;                     // of the level, from which it comes
-  TermId when;                           // since that node, or since the level's head where it leaves the level
+  terms::TermId when;                    // since that node, or since the level's head where it leaves the level
   Slots slots;
   std::vector<CodeValue> values;  // for the phis of `to`, or the result
 };
@@ -80,7 +80,7 @@ class FlowCache {
 
 class Executor {
  public:
-  Executor(const llvm::Module& module, FlowCache& flows, Terms& terms, CodeSurroundings& surroundings,
+  Executor(const llvm::Module& module, FlowCache& flows, terms::Terms& terms, CodeEnvironment& environment,
            const CodeRun& run);
 
   CodeOutcome Run(const llvm::Function& function);
@@ -96,13 +96,14 @@ class Executor {
 
   // Flow (execute_flow.cc).
   CodeValue Call(const llvm::Function& function, std::vector<CodeValue> arguments);
-  void RunLevel(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
+  void RunLevel(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving);
   void RunBlock(const llvm::BasicBlock& block, Passage entry, std::vector<Passage>& leaving);
-  void Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, TermId when, std::vector<Passage>& leaving);
+  void Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, terms::TermId when,
+             std::vector<Passage>& leaving);
   void LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage>& leaving);
   /// One passage for several; `conditions` of them are since one node, and one of them holds.
-  Passage Join(std::vector<Passage> passages, const std::vector<TermId>& conditions);
-  CodeValue Choose(TermId condition, const CodeValue& then, const CodeValue& otherwise);
+  Passage Join(std::vector<Passage> passages, const std::vector<terms::TermId>& conditions);
+  CodeValue Choose(terms::TermId condition, const CodeValue& then, const CodeValue& otherwise);
 
   // Loops (execute_loops.cc).
   /// One that is not unrolled: what is at its heads.
@@ -110,27 +111,27 @@ class Executor {
     std::vector<CodeLoop::Item> items;
     std::vector<const llvm::PHINode*> phis;  // of the items in front
     std::vector<uint32_t> objects;           // of phis that are pointers, else 0
-    std::vector<std::pair<TermId, Passage>> heads;
+    std::vector<std::pair<terms::TermId, Passage>> heads;
   };
-  void RunLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving);
+  void RunLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving);
   /// Whether it is whole: nothing was left out.
-  void UnrollLoop(const FlowLevel& level, Passage entry, TermId context, std::vector<Passage>& leaving,
+  void UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving,
                   LoopState* state);
-  void RunByHead(const FlowLevel& level, const Passage& entry, TermId context, LoopState& state,
+  void RunByHead(const FlowLevel& level, const Passage& entry, terms::TermId context, LoopState& state,
                  std::vector<Passage>& leaving);
   /// Those that go back to the head as one, the others to `leaving`; none goes back: no passage.
-  std::optional<Passage> JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages, TermId active,
+  std::optional<Passage> JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages, terms::TermId active,
                                      std::vector<Passage>& leaving);
   bool FindItems(const llvm::BasicBlock& head, LoopState& state);
   void AddSlots(const Slots& a, const Slots& b, LoopState& state);
-  std::vector<TermId> ItemsOf(const Passage& passage, const LoopState& state);
+  std::vector<terms::TermId> ItemsOf(const Passage& passage, const LoopState& state);
 
   // Values (values.cc).
   CodeValue ValueOf(const llvm::Value* value);
   CodeValue ConstantOf(const llvm::Constant& constant);
   CodeValue AnyOf(const llvm::Type& type);
-  TermId TermOf(const llvm::Value* value) { return ValueOf(value).term; }
-  TermId Undefined(uint8_t width);
+  terms::TermId TermOf(const llvm::Value* value) { return ValueOf(value).term; }
+  terms::TermId Undefined(uint8_t width);
   CodeValue PointerTo(uint32_t object, uint64_t offset = 0);
   uint32_t ObjectOf(const llvm::GlobalVariable& global);
   uint8_t WidthOf(const llvm::Type& type) const;
@@ -140,40 +141,40 @@ class Executor {
   void ExecuteInst(const llvm::Instruction& inst);
   bool Check(const llvm::Instruction& inst);
   CodeValue Evaluate(const llvm::Instruction& inst);
-  TermId EvaluateBinaryOperator(const llvm::BinaryOperator& inst);
-  TermId ShiftWithin(TermId shifted, TermId amount, uint8_t width);
-  TermId Divide(const llvm::BinaryOperator& inst, TermId a, TermId b);
-  TermId Compare(const llvm::ICmpInst& inst);
-  TermId ComparePointers(const llvm::ICmpInst& inst);
-  TermId CompareFloats(const llvm::FCmpInst& inst);
-  TermId Convert(const llvm::CastInst& inst);
+  terms::TermId EvaluateBinaryOperator(const llvm::BinaryOperator& inst);
+  terms::TermId ShiftWithin(terms::TermId shifted, terms::TermId amount, uint8_t width);
+  terms::TermId Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b);
+  terms::TermId Compare(const llvm::ICmpInst& inst);
+  terms::TermId ComparePointers(const llvm::ICmpInst& inst);
+  terms::TermId CompareFloats(const llvm::FCmpInst& inst);
+  terms::TermId Convert(const llvm::CastInst& inst);
   CodeValue ElementPointer(const llvm::GetElementPtrInst& inst);
   CodeValue ExecuteCall(const llvm::CallInst& call);
   CodeValue ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name);
   CodeValue ExecuteIntrinsic(const llvm::IntrinsicInst& call);
-  TermId IntegerIntrinsic(const llvm::IntrinsicInst& call);
-  TermId CountBits(const llvm::IntrinsicInst& call, TermId a);
-  TermId FloatIntrinsic(const llvm::IntrinsicInst& call);
+  terms::TermId IntegerIntrinsic(const llvm::IntrinsicInst& call);
+  terms::TermId CountBits(const llvm::IntrinsicInst& call, terms::TermId a);
+  terms::TermId FloatIntrinsic(const llvm::IntrinsicInst& call);
   CodeValue WithOverflow(const llvm::WithOverflowInst& call);
-  TermId Saturated(const llvm::SaturatingInst& call);
+  terms::TermId Saturated(const llvm::SaturatingInst& call);
   void ExecuteMemoryTransfer(const llvm::MemIntrinsic& call);
-  void Require(TermId never, const char* text);
+  void Require(terms::TermId never, const char* text);
 
   // Memory (execute_memory.cc).
-  TermId ReadSlot(uint32_t slot) { return ReadSlot(slots_, slot); }
-  TermId ReadSlot(const Slots& slots, uint32_t slot);
-  TermId Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes);
-  TermId LoadFrom(uint32_t object, TermId offset, uint32_t bytes);
-  TermId LoadAt(const Object& object, uint64_t offset, uint32_t bytes);
-  void Store(const std::vector<Target>& targets, uint64_t at, TermId value);
-  void StoreTo(TermId when, uint32_t object, TermId offset, TermId value);
-  void StoreAt(TermId when, const Object& object, uint64_t offset, TermId value);
+  terms::TermId ReadSlot(uint32_t slot) { return ReadSlot(slots_, slot); }
+  terms::TermId ReadSlot(const Slots& slots, uint32_t slot);
+  terms::TermId Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes);
+  terms::TermId LoadFrom(uint32_t object, terms::TermId offset, uint32_t bytes);
+  terms::TermId LoadAt(const Object& object, uint64_t offset, uint32_t bytes);
+  void Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value);
+  void StoreTo(terms::TermId when, uint32_t object, terms::TermId offset, terms::TermId value);
+  void StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value);
   /// The offsets in an object at which an access of `bytes` bytes can be.
   struct Reach {
     uint64_t low = 0, high = 0, step = 1;
     bool none = false, beyond = false;  // beyond: it may be elsewhere, too
   };
-  Reach ReachOf(const Object& object, TermId offset, uint32_t bytes);
+  Reach ReachOf(const Object& object, terms::TermId offset, uint32_t bytes);
   uint32_t NewLocal(uint64_t bytes);
 
   void Refuse(std::string reason);
@@ -182,8 +183,8 @@ class Executor {
   const llvm::Module& module_;
   const llvm::DataLayout& layout_;
   FlowCache& flows_;
-  Terms& terms_;
-  CodeSurroundings& surroundings_;
+  terms::Terms& terms_;
+  CodeEnvironment& environment_;
   const CodeRun& run_;
   ValueRanges ranges_;
   CodeOutcome outcome_;
@@ -191,18 +192,18 @@ class Executor {
 
   std::vector<Object> objects_;
   std::unordered_map<const llvm::GlobalVariable*, uint32_t> globals_;  // looked up only
-  std::vector<TermId> initial_;                                        // by slot
+  std::vector<terms::TermId> initial_;                                 // by slot
   uint32_t next_slot_;
   uint32_t depth_ = 0;
 
   // Of the function and block that executes.
   Values values_;
   Slots slots_;
-  TermId context_;         // when it comes here at all
+  terms::TermId context_;  // when it comes here at all
   uint32_t sampling_ = 0;  // loops around this point whose first rounds are looked at
 };
 
 /// Of a constant as it lies in memory.
 std::vector<int16_t> BytesOf(const llvm::Constant& constant, const llvm::DataLayout& layout);
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
@@ -186,4 +186,4 @@ std::unique_ptr<FlowLevel> MakeFlow(const llvm::Function& function, const llvm::
   return LevelBuilder(function, loops).Build(nullptr);
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 
 struct FlowLevel;
 
@@ -33,4 +33,4 @@ struct FlowLevel {
 /// Empty when the function has cycles that are no loops.
 std::unique_ptr<FlowLevel> MakeFlow(const llvm::Function& function, const llvm::LoopInfo& loops);
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -13,7 +13,7 @@
 #include "transpiler/prove/compiled/compiled_code.h"
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 /// What a loop computes leaves it by phis only, so that each way out has its own values.
@@ -52,10 +52,10 @@ class Code : public CompiledCode {
     return code;
   }
 
-  CodeOutcome Execute(Terms& terms, CodeSurroundings& surroundings, const CodeRun& run) override {
+  CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) override {
     const auto found = functions_.find(run.function);
     if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
-    return Executor(*module_, flows_, terms, surroundings, run).Run(*found->second);
+    return Executor(*module_, flows_, terms, environment, run).Run(*found->second);
   }
 
   std::optional<std::vector<std::string>> Parameters(const std::string& function) const override {
@@ -74,9 +74,9 @@ class Code : public CompiledCode {
 };
 
 }  // namespace
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir
 
-extern "C" [[gnu::visibility("default")]] plcxx::prove::CompiledCode* plcxx_read_code(
+extern "C" [[gnu::visibility("default")]] plcxx::prove::compiled::CompiledCode* plcxx_read_code(
     std::span<const std::string> bitcode, std::string& reason) {
-  return plcxx::prove::llvm_ir::Code::Read(bitcode, reason).release();
+  return plcxx::prove::compiled::llvm_ir::Code::Read(bitcode, reason).release();
 }

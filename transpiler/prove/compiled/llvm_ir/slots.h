@@ -9,18 +9,18 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 
 class Slots {
  public:
   static constexpr uint32_t kPage = 64;
 
   /// None: nothing has written it.
-  TermId At(uint32_t slot) const {
+  terms::TermId At(uint32_t slot) const {
     const uint32_t page = slot / kPage;
-    return page < pages_.size() && pages_[page] != nullptr ? (*pages_[page])[slot % kPage] : TermId();
+    return page < pages_.size() && pages_[page] != nullptr ? (*pages_[page])[slot % kPage] : terms::TermId();
   }
-  void Set(uint32_t slot, TermId value);
+  void Set(uint32_t slot, terms::TermId value);
 
   /// Calls `visit(slot)` for each slot that may differ between the two.
   template <class Visit>
@@ -36,13 +36,13 @@ class Slots {
   }
 
  private:
-  using Page = std::array<TermId, kPage>;
+  using Page = std::array<terms::TermId, kPage>;
   const Page* PageAt(size_t page) const { return page < pages_.size() ? pages_[page].get() : nullptr; }
 
   std::vector<std::shared_ptr<Page>> pages_;
 };
 
-inline void Slots::Set(uint32_t slot, TermId value) {
+inline void Slots::Set(uint32_t slot, terms::TermId value) {
   const uint32_t page = slot / kPage;
   if (page >= pages_.size()) pages_.resize(page + 1);
   if (pages_[page] == nullptr) {
@@ -53,4 +53,4 @@ inline void Slots::Set(uint32_t slot, TermId value) {
   (*pages_[page])[slot % kPage] = value;
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

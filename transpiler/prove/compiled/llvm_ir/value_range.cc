@@ -4,10 +4,10 @@
 #include <bit>
 #include <numeric>
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
-uint64_t Ones(uint8_t width) { return Masked(~uint64_t{0}, width); }
+uint64_t Ones(uint8_t width) { return terms::Masked(~uint64_t{0}, width); }
 
 ValueRange All(uint8_t width, uint64_t step = 1) {
   const uint64_t ones = Ones(width);
@@ -25,7 +25,7 @@ uint64_t PowerIn(ValueRange range) {
 
 }  // namespace
 
-ValueRange ValueRanges::Of(TermId id) {
+ValueRange ValueRanges::Of(terms::TermId id) {
   const auto found = known_.find(id.index);
   if (found != known_.end()) return found->second;
   ValueRange range = Compute(terms_[id]);
@@ -34,7 +34,7 @@ ValueRange ValueRanges::Of(TermId id) {
   return range;
 }
 
-ValueRange ValueRanges::OfProduct(const Term& term, ValueRange a, ValueRange b) const {
+ValueRange ValueRanges::OfProduct(const terms::Term& term, ValueRange a, ValueRange b) const {
   if (b.step != 0) std::swap(a, b);
   if (b.step == 0 && MulFits(a.high, b.low, term.width)) return {a.low * b.low, a.high * b.low, a.step * b.low};
   // It may wrap: powers of two stay, because they divide the modulus.
@@ -42,7 +42,7 @@ ValueRange ValueRanges::OfProduct(const Term& term, ValueRange a, ValueRange b) 
   return All(term.width, std::countl_zero(pa) <= 63 - std::countl_zero(pb) ? 1 : pa * pb);
 }
 
-ValueRange ValueRanges::OfMask(const Term& term, ValueRange a, ValueRange b) const {
+ValueRange ValueRanges::OfMask(const terms::Term& term, ValueRange a, ValueRange b) const {
   if (b.step != 0) std::swap(a, b);
   if (b.step != 0) return {0, std::min(a.high, b.high), 1};
   const uint64_t mask = b.low;
@@ -56,77 +56,77 @@ ValueRange ValueRanges::OfMask(const Term& term, ValueRange a, ValueRange b) con
   return {0, std::min(mask, a.high) / step * step, step > Ones(term.width) ? 0 : step};
 }
 
-ValueRange ValueRanges::Compute(const Term& term) {
-  const auto a = [&] { return Of(TermId(term.a)); };
-  const auto b = [&] { return Of(TermId(term.b)); };
+ValueRange ValueRanges::Compute(const terms::Term& term) {
+  const auto a = [&] { return Of(terms::TermId(term.a)); };
+  const auto b = [&] { return Of(terms::TermId(term.b)); };
   switch (term.kind) {
-    case TermKind::kConst: {
+    case terms::TermKind::kConst: {
       const uint64_t value = (uint64_t{term.b} << 32) | term.a;
       return {value, value, 0};
     }
-    case TermKind::kAdd: {
+    case terms::TermKind::kAdd: {
       const ValueRange x = a(), y = b();
       if (AddFits(x.high, y.high, term.width)) return {x.low + y.low, x.high + y.high, std::gcd(x.step, y.step)};
       // Minus a constant, of what is never less.
       for (const auto& [one, other] : {std::pair(x, y), std::pair(y, x)}) {
-        const uint64_t minus = Masked(~other.low + 1, term.width);
+        const uint64_t minus = terms::Masked(~other.low + 1, term.width);
         if (other.step == 0 && one.low >= minus) return {one.low - minus, one.high - minus, one.step};
       }
       return All(term.width, std::min(PowerIn(x), PowerIn(y)));
     }
-    case TermKind::kMul:
+    case terms::TermKind::kMul:
       return OfProduct(term, a(), b());
-    case TermKind::kShl: {
+    case terms::TermKind::kShl: {
       const ValueRange by = b();
       if (by.step == 0 && by.low < 64) return OfProduct(term, a(), {uint64_t{1} << by.low, uint64_t{1} << by.low, 0});
       return All(term.width);
     }
-    case TermKind::kLshr: {
+    case terms::TermKind::kLshr: {
       const ValueRange x = a(), by = b();
       return by.step == 0 && by.low < 64 ? ValueRange{x.low >> by.low, x.high >> by.low, 1} : ValueRange{0, x.high, 1};
     }
-    case TermKind::kAnd:
+    case terms::TermKind::kAnd:
       return OfMask(term, a(), b());
-    case TermKind::kUdiv: {
+    case terms::TermKind::kUdiv: {
       const ValueRange by = b();
       return by.low != 0 ? ValueRange{0, a().high / by.low, 1} : All(term.width);
     }
-    case TermKind::kUrem: {
+    case terms::TermKind::kUrem: {
       const ValueRange by = b();
       return by.low != 0 ? ValueRange{0, std::min(a().high, by.high - 1), 1} : All(term.width);
     }
-    case TermKind::kIte: {
-      const ValueRange x = b(), y = Of(TermId(term.c));
+    case terms::TermKind::kIte: {
+      const ValueRange x = b(), y = Of(terms::TermId(term.c));
       const uint64_t apart = x.low > y.low ? x.low - y.low : y.low - x.low;
       const uint64_t step = std::gcd(std::gcd(x.step, y.step), apart);
       return {std::min(x.low, y.low), std::max(x.high, y.high), step};
     }
-    case TermKind::kConcat: {
+    case terms::TermKind::kConcat: {
       const ValueRange high = a(), low = b();
-      const uint8_t by = terms_.Width(TermId(term.b));
+      const uint8_t by = terms_.Width(terms::TermId(term.b));
       if (high.step == 0 && high.low == 0) return low;
       return {(high.low << by) + low.low, (high.high << by) + low.high, std::gcd(high.step << by, low.step)};
     }
-    case TermKind::kExtract: {
+    case terms::TermKind::kExtract: {
       const ValueRange x = a();
       if (term.b == 0 && x.high <= Ones(term.width)) return x;
       return term.b == 0 ? All(term.width, std::min(PowerIn(x), Ones(term.width))) : All(term.width);
     }
-    case TermKind::kVariable:
-    case TermKind::kNot:
-    case TermKind::kOr:
-    case TermKind::kXor:
-    case TermKind::kSub:
-    case TermKind::kSdiv:
-    case TermKind::kSrem:
-    case TermKind::kAshr:
-    case TermKind::kEq:
-    case TermKind::kUlt:
-    case TermKind::kSlt:
-    case TermKind::kApply:
+    case terms::TermKind::kVariable:
+    case terms::TermKind::kNot:
+    case terms::TermKind::kOr:
+    case terms::TermKind::kXor:
+    case terms::TermKind::kSub:
+    case terms::TermKind::kSdiv:
+    case terms::TermKind::kSrem:
+    case terms::TermKind::kAshr:
+    case terms::TermKind::kEq:
+    case terms::TermKind::kUlt:
+    case terms::TermKind::kSlt:
+    case terms::TermKind::kApply:
       break;
   }
   return All(term.width);
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

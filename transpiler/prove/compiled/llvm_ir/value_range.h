@@ -6,7 +6,7 @@
 
 #include "transpiler/prove/terms/terms.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 
 /// low, low + step, ..., high, as unsigned numbers; step 0: one value.
 struct ValueRange {
@@ -15,16 +15,16 @@ struct ValueRange {
 
 class ValueRanges {
  public:
-  explicit ValueRanges(const Terms& terms) : terms_(terms) {}
-  ValueRange Of(TermId term);
+  explicit ValueRanges(const terms::Terms& terms) : terms_(terms) {}
+  ValueRange Of(terms::TermId term);
 
  private:
-  ValueRange Compute(const Term& term);
-  ValueRange OfProduct(const Term& term, ValueRange a, ValueRange b) const;
-  ValueRange OfMask(const Term& term, ValueRange a, ValueRange b) const;
+  ValueRange Compute(const terms::Term& term);
+  ValueRange OfProduct(const terms::Term& term, ValueRange a, ValueRange b) const;
+  ValueRange OfMask(const terms::Term& term, ValueRange a, ValueRange b) const;
 
-  const Terms& terms_;
+  const terms::Terms& terms_;
   std::unordered_map<uint32_t, ValueRange> known_;  // looked up only
 };
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -7,7 +7,7 @@
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
 
-namespace plcxx::prove::llvm_ir {
+namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint32_t kNullObject = 0;
@@ -51,13 +51,13 @@ std::vector<int16_t> BytesOf(const llvm::Constant& constant, const llvm::DataLay
   return bytes;
 }
 
-Executor::Executor(const llvm::Module& module, FlowCache& flows, Terms& terms, CodeSurroundings& surroundings,
+Executor::Executor(const llvm::Module& module, FlowCache& flows, terms::Terms& terms, CodeEnvironment& environment,
                    const CodeRun& run)
     : module_(module),
       layout_(module.getDataLayout()),
       flows_(flows),
       terms_(terms),
-      surroundings_(surroundings),
+      environment_(environment),
       run_(run),
       ranges_(terms),
       first_term_(terms.size()),
@@ -84,7 +84,7 @@ uint8_t Executor::WidthOf(const llvm::Type& type) const {
   return static_cast<uint8_t>(type.isIntegerTy() ? type.getIntegerBitWidth() : type.isFloatTy() ? 32U : 64U);
 }
 
-TermId Executor::Undefined(uint8_t width) {
+terms::TermId Executor::Undefined(uint8_t width) {
   return terms_.Variable("undefined " + std::to_string(terms_.variable_count()), width);
 }
 
@@ -152,4 +152,4 @@ CodeValue Executor::ValueOf(const llvm::Value* value) {
   return AnyOf(*value->getType());
 }
 
-}  // namespace plcxx::prove::llvm_ir
+}  // namespace plcxx::prove::compiled::llvm_ir

@@ -9,7 +9,7 @@
 #include "transpiler/prove/solver/bit_solver.h"
 #include "transpiler/prove/solver/z3/translation.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 namespace {
 
 /// "Finite domains": bits only, incremental, with assumptions.
@@ -17,15 +17,15 @@ constexpr const char* kLogic = "QF_FD";
 
 class Z3BitSolver : public BitSolver {
  public:
-  explicit Z3BitSolver(const Terms& terms) : solver_(context_, kLogic), translation_(context_, terms) {
+  explicit Z3BitSolver(const terms::Terms& terms) : solver_(context_, kLogic), translation_(context_, terms) {
     z3::params parameters(context_);
     parameters.set("core.minimize", false);
     solver_.set(parameters);
   }
 
-  void Assume(TermId condition) override { solver_.add(translation_.Holds(condition)); }
+  void Assume(terms::TermId condition) override { solver_.add(translation_.Holds(condition)); }
 
-  Answer Check(std::span<const TermId> conditions, uint32_t milliseconds) override {
+  Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) override {
     model_.reset();
     needed_.assign(conditions.size(), false);
     try {
@@ -58,7 +58,7 @@ class Z3BitSolver : public BitSolver {
 
   const std::vector<bool>& needed() const override { return needed_; }
 
-  uint64_t ValueOf(TermId term) override {
+  uint64_t ValueOf(terms::TermId term) override {
     PLCXX_CHECK(model_ != nullptr);
     const z3::expr value = model_->eval(translation_.Translate(term), true);
     uint64_t number = 0;
@@ -68,7 +68,7 @@ class Z3BitSolver : public BitSolver {
 
  private:
   /// A name for the condition: only names and their negations can be assumptions.
-  z3::expr LiteralOf(TermId condition) {
+  z3::expr LiteralOf(terms::TermId condition) {
     const auto found = literals_.find(condition.index);
     if (found != literals_.end()) return found->second;
     const z3::expr literal = context_.bool_const(("p" + std::to_string(condition.index)).c_str());
@@ -86,9 +86,9 @@ class Z3BitSolver : public BitSolver {
 };
 
 }  // namespace
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver
 
-extern "C" __attribute__((visibility("default"))) plcxx::prove::BitSolver* plcxx_make_bit_solver(
-    const plcxx::prove::Terms& terms) {
-  return new plcxx::prove::Z3BitSolver(terms);
+extern "C" __attribute__((visibility("default"))) plcxx::prove::solver::BitSolver* plcxx_make_bit_solver(
+    const plcxx::prove::terms::Terms& terms) {
+  return new plcxx::prove::solver::Z3BitSolver(terms);
 }

@@ -14,15 +14,15 @@
 #include "transpiler/prove/solver/solver.h"
 #include "transpiler/prove/solver/z3/translation.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::solver {
 namespace {
 
 class Z3Solver : public Solver {
  public:
-  explicit Z3Solver(const Terms& terms)
+  explicit Z3Solver(const terms::Terms& terms)
       : terms_(terms), bits_(context_, "QF_BV"), general_(context_), translation_(context_, terms) {}
 
-  void Assume(TermId condition) override {
+  void Assume(terms::TermId condition) override {
     const z3::expr holds = translation_.Holds(condition);
     bits_.add(holds);
     general_.add(holds);
@@ -40,11 +40,11 @@ class Z3Solver : public Solver {
     assumed_applies_.pop_back();
   }
 
-  Answer Check(std::span<const TermId> conditions, uint32_t milliseconds) override {
+  Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) override {
     model_.reset();
     z3::expr_vector holds(context_);
     bool applies = assumed_applies_.back();
-    for (const TermId condition : conditions) {
+    for (const terms::TermId condition : conditions) {
       holds.push_back(translation_.Holds(condition));
       applies = applies || translation_.Applies(condition);
     }
@@ -62,7 +62,7 @@ class Z3Solver : public Solver {
     return applies && answer != Answer::kNever ? ask(general_, true) : answer;
   }
 
-  uint64_t ValueOf(TermId term) override {
+  uint64_t ValueOf(terms::TermId term) override {
     PLCXX_CHECK(model_ != nullptr);
     const z3::expr value = model_->eval(translation_.Translate(term), true);
     uint64_t number = 0;
@@ -87,25 +87,25 @@ class Z3Solver : public Solver {
   }
 
   /// Tells `solver` what the variables are that stand for functions in these conditions.
-  void Define(z3::solver& solver, std::span<const TermId> conditions) {
-    std::vector<TermId> open;
+  void Define(z3::solver& solver, std::span<const terms::TermId> conditions) {
+    std::vector<terms::TermId> open;
     std::unordered_set<uint32_t> seen;
-    const auto add = [&](TermId id) {
+    const auto add = [&](terms::TermId id) {
       if (translation_.Applies(id) && seen.insert(id.index).second) open.push_back(id);
     };
-    for (const TermId condition : conditions) add(condition);
+    for (const terms::TermId condition : conditions) add(condition);
     while (!open.empty()) {
-      const Term& term = terms_[open.back()];
-      if (term.kind == TermKind::kApply) solver.add(translation_.Translate(open.back()) == Applied(term));
+      const terms::Term& term = terms_[open.back()];
+      if (term.kind == terms::TermKind::kApply) solver.add(translation_.Translate(open.back()) == Applied(term));
       open.pop_back();
       terms_.ForEachOperand(term, add);
     }
   }
 
-  z3::expr Applied(const Term& term) {
+  z3::expr Applied(const terms::Term& term) {
     z3::sort_vector domain(context_);
     z3::expr_vector arguments(context_);
-    for (const TermId argument : terms_.Arguments(term)) {
+    for (const terms::TermId argument : terms_.Arguments(term)) {
       domain.push_back(context_.bv_sort(terms_.Width(argument)));
       arguments.push_back(translation_.Translate(argument));
     }
@@ -114,7 +114,7 @@ class Z3Solver : public Solver {
     return function(arguments);
   }
 
-  const Terms& terms_;
+  const terms::Terms& terms_;
   z3::context context_;
   z3::solver bits_, general_;
   Translation translation_;
@@ -123,9 +123,9 @@ class Z3Solver : public Solver {
 };
 
 }  // namespace
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::solver
 
-extern "C" __attribute__((visibility("default"))) plcxx::prove::Solver* plcxx_make_solver(
-    const plcxx::prove::Terms& terms) {
-  return new plcxx::prove::Z3Solver(terms);
+extern "C" __attribute__((visibility("default"))) plcxx::prove::solver::Solver* plcxx_make_solver(
+    const plcxx::prove::terms::Terms& terms) {
+  return new plcxx::prove::solver::Z3Solver(terms);
 }

@@ -1,8 +1,8 @@
-#include "transpiler/prove/compiled/host_surroundings.h"
+#include "transpiler/prove/compiled/host_environment.h"
 
 #include "transpiler/prove/meaning/meaning.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 namespace {
 
 bool GetsRetentive(ir::HostAccess access) {
@@ -11,25 +11,26 @@ bool GetsRetentive(ir::HostAccess access) {
 
 }  // namespace
 
-TermId HavingSeen(Terms& terms, const std::string& function, TermId calls, std::span<const TermId> bytes) {
-  std::vector<TermId> arguments{calls};
+terms::TermId HavingSeen(terms::Terms& terms, const std::string& function, terms::TermId calls,
+                         std::span<const terms::TermId> bytes) {
+  std::vector<terms::TermId> arguments{calls};
   arguments.insert(arguments.end(), bytes.begin(), bytes.end());
   return terms.Apply(terms.Function("seen by " + function, 64), arguments);
 }
 
-TermId StoredByte(Terms& terms, const std::string& space, uint32_t offset) {
-  const TermId at = terms.Const(offset, 32);
+terms::TermId StoredByte(terms::Terms& terms, const std::string& space, uint32_t offset) {
+  const terms::TermId at = terms.Const(offset, 32);
   return terms.Apply(terms.Function("stored " + space, 8), {&at, 1});
 }
 
-void HostSurroundings::WriteState(CodeMemory& memory, const ir::HostFunction& host, TermId calls) {
+void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& host, terms::TermId calls) {
   const ir::Program& program = *emittable_.program;
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
       const emit::ByteStorage& stored = emittable_.layout.bytes[s][offset];
-      if (!HostWrites(program, host.access, space, offset)) continue;
-      const TermId byte = ByteFromHost(terms_, host.name, calls, program.spaces[space].name, offset);
+      if (!execute::HostWrites(program, host.access, space, offset)) continue;
+      const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, program.spaces[space].name, offset);
       if (stored.whole.storage != emit::Storage::kNone) {
         memory.Write(stored.whole.offset, byte);
         continue;
@@ -42,12 +43,13 @@ void HostSurroundings::WriteState(CodeMemory& memory, const ir::HostFunction& ho
   }
 }
 
-void HostSurroundings::WriteRetentive(CodeMemory& memory, uint32_t slot, const ir::HostFunction& host, TermId calls) {
+void HostEnvironment::WriteRetentive(CodeMemory& memory, uint32_t slot, const ir::HostFunction& host,
+                                     terms::TermId calls) {
   const ir::Program& program = *emittable_.program;
-  const TermId hash = terms_.Const(image_.layout_hash(), 32);
+  const terms::TermId hash = terms_.Const(image_.layout_hash(), 32);
   // Without a copy, as at the first power-on, it leaves alone what it is given.
-  const TermId has_copy = HasCopy(terms_, host.name, calls);
-  const auto write = [&](uint32_t at, TermId byte) {
+  const terms::TermId has_copy = execute::HasCopy(terms_, host.name, calls);
+  const auto write = [&](uint32_t at, terms::TermId byte) {
     const uint32_t place = slot + at - image_.retentive_begin();
     memory.Write(place, terms_.Ite(has_copy, byte, memory.Read(place)));
   };
@@ -57,13 +59,13 @@ void HostSurroundings::WriteRetentive(CodeMemory& memory, uint32_t slot, const i
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
-      if (HostWrites(program, host.access, space, offset))
+      if (execute::HostWrites(program, host.access, space, offset))
         write(emittable_.layout.bytes[s][offset].whole.offset, StoredByte(terms_, program.spaces[space].name, offset));
     }
   }
 }
 
-TermId HostSurroundings::CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) {
+terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) {
   const ir::Program& program = *emittable_.program;
   const std::string prefix = emittable_.namespace_name + "::";
   ir::HostFunctionId id;
@@ -88,14 +90,14 @@ TermId HostSurroundings::CallHost(CodeMemory& memory, const HostRequest& request
     fits = fits && memory_argument != nullptr && (GetsRetentive(host.access) || memory_argument->slot == 0);
     slot = memory_argument != nullptr ? memory_argument->slot : 0;
   }
-  std::vector<TermId> values;
+  std::vector<terms::TermId> values;
   for (const ir::Parameter& parameter : host.parameters) {
     const HostArgument* argument = take(Kind::kValue);
-    fits = fits && argument != nullptr && terms_.Width(argument->value) == WidthOf(parameter.type);
+    fits = fits && argument != nullptr && terms_.Width(argument->value) == meaning::WidthOf(parameter.type);
     if (argument != nullptr) values.push_back(argument->value);
   }
   const HostArgument* out = host.out.name.empty() ? nullptr : take(Kind::kMemory);
-  const uint8_t width = host.result == ir::Type::kNone ? uint8_t{0} : WidthOf(host.result);
+  const uint8_t width = host.result == ir::Type::kNone ? uint8_t{0} : meaning::WidthOf(host.result);
   fits = fits && (host.out.name.empty() || out != nullptr) && next == request.arguments.size() &&
          width == request.result_width;
   if (!fits) {
@@ -105,19 +107,19 @@ TermId HostSurroundings::CallHost(CodeMemory& memory, const HostRequest& request
   if (id == program.schedule.now) return now_;
 
   const uint32_t counter = image_.size() + id.index;
-  TermId calls = CallsAfter(terms_, host.name, memory.Read(counter), values);
+  terms::TermId calls = execute::CallsAfter(terms_, host.name, memory.Read(counter), values);
   memory.Write(counter, calls);
   if (out != nullptr) {
-    const uint8_t out_width = WidthOf(host.out.type);
-    const TermId answer =
-        terms_.Zext(SecondAnswerOf(terms_, host.name, calls, out_width), out_width < 8 ? uint8_t{8} : out_width);
-    const TermId gives = GivesSecond(terms_, host.name, calls);
+    const uint8_t out_width = meaning::WidthOf(host.out.type);
+    const terms::TermId answer = terms_.Zext(execute::SecondAnswerOf(terms_, host.name, calls, out_width),
+                                             out_width < 8 ? uint8_t{8} : out_width);
+    const terms::TermId gives = execute::GivesSecond(terms_, host.name, calls);
     for (uint32_t i = 0; i < terms_.Width(answer) / 8U; ++i) {
-      const TermId byte = terms_.Extract(answer, static_cast<uint8_t>(8 * i), 8);
+      const terms::TermId byte = terms_.Extract(answer, static_cast<uint8_t>(8 * i), 8);
       memory.Write(out->slot + i, terms_.Ite(gives, byte, memory.Read(out->slot + i)));
     }
   }
-  const TermId result = width == 0 ? TermId() : AnswerOf(terms_, host.name, calls, width);
+  const terms::TermId result = width == 0 ? terms::TermId() : execute::AnswerOf(terms_, host.name, calls, width);
   switch (host.access) {
     case ir::HostAccess::kNone:
       break;
@@ -126,7 +128,7 @@ TermId HostSurroundings::CallHost(CodeMemory& memory, const HostRequest& request
       const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
       const uint32_t begin = retentive ? image_.retentive_begin() : 0;
       const uint32_t end = retentive ? image_.retentive_end() : image_.size();
-      std::vector<TermId> bytes;
+      std::vector<terms::TermId> bytes;
       for (uint32_t at = begin; at < end; ++at) {
         if (image_[at].kind != ByteKind::kNothing) bytes.push_back(memory.Read(slot + at - begin));
       }
@@ -143,4 +145,4 @@ TermId HostSurroundings::CallHost(CodeMemory& memory, const HostRequest& request
   return result;
 }
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

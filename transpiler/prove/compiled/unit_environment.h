@@ -9,23 +9,25 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/prove/compiled/host_surroundings.h"
+#include "transpiler/prove/compiled/host_environment.h"
 #include "transpiler/prove/compiled/loop_relation.h"
 #include "transpiler/prove/compiled/verified_program.h"
 
-namespace plcxx::prove {
+namespace plcxx::prove::compiled {
 
 /// The calls that are replaced while one function is executed, on either side.
-class Replaced : public ReplacedParts {
+class Replaced : public execute::ReplacedParts {
  public:
-  Replaced(const VerifiedProgram& program, TermId hash, CallLog log)
+  Replaced(const VerifiedProgram& program, terms::TermId hash, CallLog log)
       : program_(program), hash_(hash), log_(std::move(log)) {}
 
-  std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, TermId when) override {
+  std::optional<std::vector<execute::CellChange>> Call(execute::Memory& memory, ir::RoutineId routine,
+                                                       terms::TermId when) override {
     const ReplacedCall* call = Of(program_.units.of_routines[routine.index]);
     return call == nullptr ? std::nullopt : std::optional(call->OnCells(memory, hash_, when, log_));
   }
-  std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at, TermId when) override {
+  std::optional<std::vector<execute::CellChange>> Part(execute::Memory& memory, ir::RegionId region, uint32_t& at,
+                                                       terms::TermId when) override {
     const UnitId unit = program_.units.At(program_.emittable, region, at);
     const ReplacedCall* call = Of(unit);
     if (call == nullptr) return std::nullopt;
@@ -44,16 +46,16 @@ class Replaced : public ReplacedParts {
   const ReplacedCall* Of(UnitId unit) const { return unit.valid() ? program_.calls[unit.index].get() : nullptr; }
 
   const VerifiedProgram& program_;
-  TermId hash_;
+  terms::TermId hash_;
   CallLog log_;
 };
 
 /// The host, the functions that are replaced, and loops; there need not be any of these.
-class Surroundings : public HostSurroundings {
+class UnitEnvironment : public HostEnvironment {
  public:
-  Surroundings(Terms& terms, const VerifiedProgram& program, TermId now, Replaced* replaced, LoopRelation* loops,
-               std::function<TermId(uint32_t slot)> initial)
-      : HostSurroundings(terms, program.emittable, program.image, now, std::move(initial)),
+  UnitEnvironment(terms::Terms& terms, const VerifiedProgram& program, terms::TermId now, Replaced* replaced,
+                  LoopRelation* loops, std::function<terms::TermId(uint32_t slot)> initial)
+      : HostEnvironment(terms, program.emittable, program.image, now, std::move(initial)),
         terms_(terms),
         replaced_(replaced),
         loops_(loops) {}
@@ -61,20 +63,22 @@ class Surroundings : public HostSurroundings {
   bool Replaces(std::string_view function) const override {
     return replaced_ != nullptr && replaced_->OfFunction(function) != nullptr;
   }
-  TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
+  terms::TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override {
     const ReplacedCall* call = replaced_ == nullptr ? nullptr : replaced_->OfFunction(request.function);
     if (call != nullptr) return call->OnCode(terms_, memory, request, replaced_->log(), refusal);
-    return HostSurroundings::CallHost(memory, request, refusal);
+    return HostEnvironment::CallHost(memory, request, refusal);
   }
   void OpenLoop() override { loops_->OpenInCode(); }
-  std::vector<TermId> AtHead(const CodeLoop& loop) override { return loops_->AtHeadInCode(loop); }
-  void CloseLoop(TermId again, std::span<const TermId> values) override { loops_->CloseInCode(again, values); }
-  TermId Given() override { return loops_ == nullptr ? TermId() : loops_->given_in_code(); }
+  std::vector<terms::TermId> AtHead(const CodeLoop& loop) override { return loops_->AtHeadInCode(loop); }
+  void CloseLoop(terms::TermId again, std::span<const terms::TermId> values) override {
+    loops_->CloseInCode(again, values);
+  }
+  terms::TermId Given() override { return loops_ == nullptr ? terms::TermId() : loops_->given_in_code(); }
 
  private:
-  Terms& terms_;
+  terms::Terms& terms_;
   Replaced* replaced_;
   LoopRelation* loops_;
 };
 
-}  // namespace plcxx::prove
+}  // namespace plcxx::prove::compiled

@@ -1,0 +1,247 @@
+#include "tests/policy/namespaces.h"
+
+#include <cctype>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace plcxx::policy {
+namespace {
+
+struct Token {
+  std::string text;
+  size_t line = 0;
+};
+
+bool IsWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// The end of a string or character literal that begins at `at`.
+size_t EndOfLiteral(const std::string& text, size_t at) {
+  const bool raw = text[at] == '"' && at > 0 && text[at - 1] == 'R';
+  if (raw) {
+    const size_t open = text.find('(', at);
+    const std::string close = ")" + text.substr(at + 1, open - at - 1) + "\"";
+    const size_t end = text.find(close, open);
+    return end == std::string::npos ? text.size() : end + close.size();
+  }
+  const char quote = text[at];
+  for (size_t i = at + 1; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ++i;
+    } else if (text[i] == quote) {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+/// Words and single signs; "::" is one sign. Comments, literals and preprocessor lines are left out.
+std::vector<Token> TokensOf(const std::string& text) {
+  std::vector<Token> tokens;
+  size_t line = 1;
+  bool line_begins = true;
+  const auto skip_to = [&](size_t& at, size_t end) {
+    for (; at < end && at < text.size(); ++at) line += text[at] == '\n' ? 1 : 0;
+  };
+  for (size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (c == '\n') {
+      line_begins = true;
+      skip_to(at, at + 1);
+    } else if (c == ' ' || c == '\t' || c == '\r') {
+      ++at;
+    } else if (text.compare(at, 2, "//") == 0) {
+      skip_to(at, text.find('\n', at));
+    } else if (text.compare(at, 2, "/*") == 0) {
+      skip_to(at, text.find("*/", at) + 2);
+    } else if (c == '#' && line_begins) {
+      size_t end = text.find('\n', at);
+      while (end != std::string::npos && text[end - 1] == '\\') end = text.find('\n', end + 1);
+      skip_to(at, end);
+    } else if (c == '"' || (c == '\'' && (at == 0 || !IsWord(text[at - 1])))) {  // 1'000 is a number
+      line_begins = false;
+      skip_to(at, EndOfLiteral(text, at));
+    } else if (IsWord(c)) {
+      line_begins = false;
+      const size_t begin = at;
+      while (at < text.size() && IsWord(text[at])) ++at;
+      tokens.push_back({text.substr(begin, at - begin), line});
+    } else {
+      line_begins = false;
+      const size_t length = text.compare(at, 2, "::") == 0 ? 2 : 1;
+      tokens.push_back({text.substr(at, length), line});
+      at += length;
+    }
+  }
+  return tokens;
+}
+
+enum class Scope : uint8_t { kNamespace, kNameless, kOther };
+
+struct Definition {
+  std::string name;  // "plcxx::prove::Version"
+  std::string place;
+};
+
+struct FileNames {
+  std::vector<Definition> types;
+  std::set<std::string> namespaces;  // those with a name that hold anything
+};
+
+/// Follows the braces of one file.
+class NameReader {
+ public:
+  NameReader(const std::string& file, std::vector<Token> tokens) : file_(file), tokens_(std::move(tokens)) {}
+
+  FileNames Read() {
+    for (at_ = 0; at_ < tokens_.size();) {
+      const std::string& word = tokens_[at_].text;
+      if (word == "namespace") {
+        Namespace();
+      } else if (AtNamespaceScope() && (word == "class" || word == "struct" || word == "union" || word == "enum")) {
+        Type();
+      } else if (word == "{") {
+        NoteUse();
+        Open(Scope::kOther, {});
+      } else if (word == "}") {
+        if (!scopes_.empty()) scopes_.pop_back();
+        ++at_;
+      } else {
+        NoteUse();
+        ++at_;
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  struct Level {
+    Scope scope;
+    std::string name;
+  };
+
+  bool AtNamespaceScope() const {
+    return std::ranges::all_of(scopes_, [](const Level& level) { return level.scope == Scope::kNamespace; });
+  }
+  std::string Qualified() const {
+    std::string name;
+    for (const Level& level : scopes_) {
+      if (level.scope == Scope::kNamespace) name += (name.empty() ? "" : "::") + level.name;
+    }
+    return name;
+  }
+  void NoteUse() {
+    if (!scopes_.empty() && scopes_.back().scope == Scope::kNamespace) found_.namespaces.insert(Qualified());
+  }
+  void Open(Scope scope, std::string name) {
+    scopes_.push_back({scope, std::move(name)});
+    ++at_;
+  }
+
+  /// `namespace a::b {`, `namespace {`; an alias opens nothing.
+  void Namespace() {
+    std::string name;
+    for (++at_; at_ < tokens_.size() && tokens_[at_].text != "{" && tokens_[at_].text != ";"; ++at_) {
+      if (tokens_[at_].text == "=") return;
+      name += tokens_[at_].text;
+    }
+    if (at_ < tokens_.size() && tokens_[at_].text == "{")
+      Open(name.empty() ? Scope::kNameless : Scope::kNamespace, name);
+  }
+
+  /// `struct Name ... {` defines, `struct Name;` and `struct Name* function(` do not.
+  void Type() {
+    const bool in_template = at_ > 0 && (tokens_[at_ - 1].text == "<" || tokens_[at_ - 1].text == ",");
+    const size_t line = tokens_[at_].line;
+    std::string name;
+    for (++at_; at_ < tokens_.size(); ++at_) {
+      const std::string& text = tokens_[at_].text;
+      if (text == "class" || text == "struct" || text == "alignas" || text == "[" || text == "]" ||
+          text == "nodiscard") {
+        continue;
+      }
+      if (!IsWord(text.front())) break;
+      if (text != "final") name = text;
+    }
+    if (in_template || name.empty()) return;
+    if (at_ < tokens_.size() && tokens_[at_].text == "<") return;  // a specialization is another type
+    while (at_ < tokens_.size() && tokens_[at_].text != "{" && tokens_[at_].text != ";" && tokens_[at_].text != "(" &&
+           tokens_[at_].text != "=" && tokens_[at_].text != ")" && tokens_[at_].text != "}") {
+      ++at_;
+    }
+    if (at_ == tokens_.size() || tokens_[at_].text != "{") return;
+    NoteUse();
+    found_.types.push_back({Qualified() + "::" + name, Place(file_, line)});
+    Open(Scope::kOther, {});
+  }
+
+  const std::string& file_;
+  std::vector<Token> tokens_;
+  size_t at_ = 0;
+  std::vector<Level> scopes_;
+  FileNames found_;
+};
+
+FileNames NamesOf(const std::string& root, const std::string& file) {
+  return NameReader(file, TokensOf(ReadFile(root + "/" + file))).Read();
+}
+
+std::string FolderOf(const std::string& file) { return file.substr(0, file.rfind('/')); }
+
+}  // namespace
+
+Findings CheckDefinedOnce(const std::string& root) {
+  std::map<std::string, std::string> places;
+  Findings findings;
+  for (const std::string& file : FilesBelow(root, "transpiler", {".cc", ".h"})) {
+    for (const Definition& type : NamesOf(root, file).types) {
+      const auto [first, is_new] = places.emplace(type.name, type.place);
+      if (!is_new) findings.push_back(type.place + type.name + " is also defined at " + first->second);
+    }
+  }
+  if (places.empty()) findings.emplace_back("no type is defined anywhere: the rule looks at nothing");
+  return findings;
+}
+
+Findings CheckFolderNamespaces(const std::string& root) {
+  Findings findings;
+  std::map<std::string, std::string> rows;      // folder: namespace
+  std::map<std::string, std::string> owner_of;  // namespace: folder
+  for (const std::string& line : Lines(ReadFile(root + "/tests/policy/namespaces.txt"))) {
+    const std::vector<std::string> words = Words(line);
+    if (words.empty() || words.front().starts_with('#')) continue;
+    if (words.size() != 2) {
+      findings.push_back("namespaces.txt: '" + line + "' is no row");
+      continue;
+    }
+    rows.emplace(words[0], words[1]);
+    const auto [owner, is_new] = owner_of.emplace(words[1], words[0]);
+    if (!is_new) findings.push_back("namespaces.txt: " + owner->second + " and " + words[0] + " share " + words[1]);
+  }
+  std::set<std::string> used;
+  for (const std::string& file : FilesBelow(root, "transpiler", {".cc", ".h"})) {
+    const std::set<std::string> names = NamesOf(root, file).namespaces;
+    if (names.empty()) continue;  // main, or nothing but inclusions
+    auto row = rows.end();
+    for (std::string folder = FolderOf(file); row == rows.end() && folder.find('/') != std::string::npos;
+         folder = FolderOf(folder)) {
+      row = rows.find(folder);
+    }
+    if (row == rows.end()) {
+      findings.push_back(file + ": its folder has no row in namespaces.txt");
+      continue;
+    }
+    used.insert(row->first);
+    for (const std::string& name : names) {
+      // Parts of a folder's own namespace, and of other people's libraries.
+      if (name == row->second || name.starts_with(row->second + "::") || !name.starts_with("plcxx")) continue;
+      findings.push_back(file + ": opens " + name + ", not " + row->second);
+    }
+  }
+  for (const auto& [folder, name] : rows) {
+    if (!used.contains(folder)) findings.push_back("namespaces.txt: nothing in " + folder);
+  }
+  return findings;
+}
+
+}  // namespace plcxx::policy
