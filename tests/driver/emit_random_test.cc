@@ -231,7 +231,7 @@ class Writer {
     std::string line = "repeat " + target.label + condition;
     if (Below(2) == 0) return Line(line);
     Line(line + " refused {");
-    const Scope scope(known_);
+    const Scope scope(*this);
     if (Below(2) == 0) Call();
     if (Below(2) == 0) Line("exit " + targets_[Below(static_cast<uint32_t>(targets_.size()))].label);
     if (Below(3) == 0) Region(1, depth + 1);
@@ -240,7 +240,7 @@ class Writer {
 
   /// Where the block ends anyway; a value of the statement that it follows.
   void LeaveLast(const std::string& label) {
-    const Scope scope(known_);
+    const Scope scope(*this);
     Marker();
     Line("exit " + label + " if " + NewBit());
   }
@@ -258,7 +258,7 @@ class Writer {
   }
 
   void Nested(uint32_t depth) {
-    const Scope scope(known_);
+    const Scope scope(*this);
     // Sometimes with something of the outer statement in front.
     if (Below(4) == 0) Below(2) == 0 ? Store() : Leave(depth);
     Region(1 + Below(4), depth + 1);
@@ -290,7 +290,7 @@ class Writer {
         Line("loop " + label + " guard " + std::to_string(1 + Below(4)) + " {");
         if (Below(2) == 0) {
           Line("condition {");
-          const Scope scope(known_);
+          const Scope scope(*this);
           NewBit();
           Line("}");
         }
@@ -299,7 +299,7 @@ class Writer {
         Line("}");
         if (Below(2) == 0) {
           Line("exhausted {");
-          const Scope scope(known_);
+          const Scope scope(*this);
           Call();
           Line("}");
         }
@@ -334,7 +334,7 @@ class Writer {
   }
 
   void Region(uint32_t statements, uint32_t depth) {
-    const Scope scope(known_);
+    const Scope scope(*this);
     for (uint32_t i = 0; i < statements; ++i) {
       Marker();
       for (uint32_t k = 0; k <= Below(2); ++k) {
@@ -352,17 +352,18 @@ class Writer {
     }
   }
 
-  /// What is computed in a region is known in it alone.
+  /// What is computed in a region is known in it alone; behind another statement nothing is known.
   class Scope {
    public:
-    explicit Scope(std::vector<std::string>& known) : known_(known), before_(known) {}
-    ~Scope() { known_ = before_; }
+    explicit Scope(Writer& writer) : writer_(writer), statement_(writer.statement_), known_(writer.known_) {}
+    ~Scope() { writer_.known_ = writer_.statement_ == statement_ ? known_ : std::vector<std::string>{}; }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
    private:
-    std::vector<std::string>& known_;
-    const std::vector<std::string> before_;
+    Writer& writer_;
+    const uint32_t statement_;
+    const std::vector<std::string> known_;
   };
 
   std::mt19937& random_;
