@@ -34,6 +34,21 @@ place rounds i32 r[4]
 place got i32 r[8]
 host fault (kind : i8 = (LOW, HIGH), index : i32)
 host nc_read (width : i8) -> bit out value : i32
+host port (at : i8) -> bit
+state C5 decade_counter
+state C6 decade_counter
+place count5 i16 field C5 value
+place count6 i16 field C6 value
+place gone bit r[12].0
+routine Gone subroutine -> bit gone {
+  stmt s1
+  %0 = load x
+  %1 = const i8 7
+  %2 = ult.i8 %0 %1
+  store gone %2
+  %3 = add.i8 %0 %1
+  store x %3
+}
 )";
 
 /// Writes the body of one routine. Values are numbered through, so that none is used twice by mistake.
@@ -63,7 +78,28 @@ class Writer {
     return names[Below(kCount)];
   }
 
+  /// A step or a call, for its value or for none.
+  std::string Effect() {
+    const uint32_t what = Below(4);
+    const std::string operand = what < 2 ? Bit() : what == 2 ? Word8() : "", value = New();
+    if (what < 2) {
+      Line(value + " = step." + (what == 0 ? "count_up C5 " : "count_down C6 ") + operand);
+    } else {
+      Line(value + (what == 2 ? " = host port (" + operand + ")" : " = call Gone ()"));
+    }
+    return value;
+  }
+
+  /// Now and then one that the statement has already.
   std::string Bit() {
+    if (!known_.empty() && Below(6) == 0) return known_[Below(static_cast<uint32_t>(known_.size()))];
+    return NewBit();
+  }
+  std::string NewBit() {
+    known_.push_back(Below(6) == 0 ? Effect() : PureBit());
+    return known_.back();
+  }
+  std::string PureBit() {
     static constexpr const char* kBits[] = {"a", "b", "c", "d", "fb", "s"};
     const std::string value = New();
     switch (Below(6)) {
@@ -164,6 +200,10 @@ class Writer {
   }
 
   void Call() {
+    if (Below(4) == 0) {
+      Effect();
+      return;
+    }
     if (!callees_.empty() && Below(2) == 0) {
       Line("call " + callees_[Below(static_cast<uint32_t>(callees_.size()))] + " ()");
       return;
@@ -191,10 +231,25 @@ class Writer {
     std::string line = "repeat " + target.label + condition;
     if (Below(2) == 0) return Line(line);
     Line(line + " refused {");
+    const Scope scope(*this);
     if (Below(2) == 0) Call();
     if (Below(2) == 0) Line("exit " + targets_[Below(static_cast<uint32_t>(targets_.size()))].label);
     if (Below(3) == 0) Region(1, depth + 1);
     Line("}");
+  }
+
+  /// Where the block ends anyway; a value of the statement that it follows.
+  void LeaveLast(const std::string& label) {
+    const Scope scope(*this);
+    Marker();
+    Line("exit " + label + " if " + NewBit());
+  }
+
+  void Marker() {
+    known_.clear();  // no value lives on
+    char name[16];
+    std::snprintf(name, sizeof name, "s%x", ++statement_);
+    Line("stmt " + std::string(name));
   }
 
   std::string Enter(bool budget) {
@@ -203,6 +258,7 @@ class Writer {
   }
 
   void Nested(uint32_t depth) {
+    const Scope scope(*this);
     // Sometimes with something of the outer statement in front.
     if (Below(4) == 0) Below(2) == 0 ? Store() : Leave(depth);
     Region(1 + Below(4), depth + 1);
@@ -216,6 +272,7 @@ class Writer {
         Line("block " + label + " {");
         if (Below(3) == 0) Line("exit " + label + " if " + early);
         Nested(depth);
+        if (Below(3) == 0) LeaveLast(label);
         Line("}");
         targets_.pop_back();
         break;
@@ -233,7 +290,8 @@ class Writer {
         Line("loop " + label + " guard " + std::to_string(1 + Below(4)) + " {");
         if (Below(2) == 0) {
           Line("condition {");
-          Bit();
+          const Scope scope(*this);
+          NewBit();
           Line("}");
         }
         Line("body {");
@@ -241,6 +299,7 @@ class Writer {
         Line("}");
         if (Below(2) == 0) {
           Line("exhausted {");
+          const Scope scope(*this);
           Call();
           Line("}");
         }
@@ -275,10 +334,9 @@ class Writer {
   }
 
   void Region(uint32_t statements, uint32_t depth) {
+    const Scope scope(*this);
     for (uint32_t i = 0; i < statements; ++i) {
-      char name[16];
-      std::snprintf(name, sizeof name, "s%x", ++statement_);
-      Line("stmt " + std::string(name));
+      Marker();
       for (uint32_t k = 0; k <= Below(2); ++k) {
         const uint32_t what = Below(12);
         if (what < 6) {
@@ -294,6 +352,20 @@ class Writer {
     }
   }
 
+  /// What is computed in a region is known in it alone; behind another statement nothing is known.
+  class Scope {
+   public:
+    explicit Scope(Writer& writer) : writer_(writer), statement_(writer.statement_), known_(writer.known_) {}
+    ~Scope() { writer_.known_ = writer_.statement_ == statement_ ? known_ : std::vector<std::string>{}; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Writer& writer_;
+    const uint32_t statement_;
+    const std::vector<std::string> known_;
+  };
+
   std::mt19937& random_;
   uint32_t statement_;
   std::vector<std::string> callees_;
@@ -301,13 +373,14 @@ class Writer {
   uint32_t value_ = 0;
   uint32_t label_ = 0;
   std::vector<Target> targets_;
+  std::vector<std::string> known_;  // bits that the statement has computed
 };
 
 std::string RandomProgram(uint32_t seed, const std::vector<uint32_t>& sizes) {
   std::mt19937 random(seed);
   std::string text(kRandomMemory);
   std::vector<std::string> names;
-  uint32_t statement = 1;
+  uint32_t statement = 2;
   std::string routines;
   for (size_t i = 0; i < sizes.size(); ++i) {
     Writer writer(random, statement, names);

@@ -33,7 +33,9 @@ class EmittedProgram {
  public:
   /// `inputs`: names of places that are written before each period. The program needs a schedule with a period.
   EmittedProgram(std::string_view text, std::vector<std::string> inputs, uint32_t seed = 1)
-      : program_(ir::ReadOrDie(text)), inputs_(std::move(inputs)) {
+      : EmittedProgram(ir::ReadOrDie(text), std::move(inputs), seed) {}
+  EmittedProgram(ir::Program program, std::vector<std::string> inputs, uint32_t seed)
+      : program_(std::move(program)), inputs_(std::move(inputs)) {
     AddInit();
     for (const std::string& finding : ir::Verify(program_, ir::Stage::kStructured)) ADD_FAILURE() << finding;
     std::mt19937_64 random(seed);

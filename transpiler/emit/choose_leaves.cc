@@ -69,7 +69,6 @@ struct Chooser {
   bool Binds(const Way& way) const;
   const Around& TargetOf(const ir::Inst& inst) const;
   std::string LabelFor(std::string_view prefix, RegionId region, uint32_t from, uint32_t stop);
-  bool HasLocals(RegionId region) const;
 };
 
 End With(Way way, const End& next) {
@@ -174,18 +173,6 @@ void Chooser::Switch(InstId id, const End& next) {
   breakables.pop_back();
 }
 
-/// Whether the list declares locals that a goto out of its middle would jump over.
-bool Chooser::HasLocals(RegionId region) const {
-  for (const InstId id : program.regions[region].insts) {
-    if (emittable.local_value[id.index]) return true;
-    if (program[id].op != ir::OpKind::kBlock) continue;
-    const auto landing = emittable.landings.find(id.index);
-    const bool braces = landing != emittable.landings.end() && landing->second.braces;
-    if (!braces && HasLocals(RegionId(program[id].a))) return true;
-  }
-  return false;
-}
-
 void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
   const ir::Inst& inst = program[id];
   switch (inst.op) {
@@ -200,10 +187,6 @@ void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
       }
       behind.pop_back();
       around.pop_back();
-      const auto landing = emittable.landings.find(id.index);
-      if (inst.op == ir::OpKind::kBlock && landing != emittable.landings.end()) {
-        landing->second.braces = !landing->second.behind.empty() && HasLocals(RegionId(inst.a));
-      }
       return;
     }
     case ir::OpKind::kSwitch:
@@ -258,6 +241,29 @@ void Chooser::Function(std::initializer_list<RegionId> regions) {
   }
 }
 
+/// Whether the list declares locals that a goto out of its middle would jump over.
+bool HasLocals(const Emittable& emittable, RegionId region) {
+  const ir::Program& program = *emittable.program;
+  for (const InstId id : program.regions[region].insts) {
+    if (emittable.forms[id.index] == Form::kLocal) return true;
+    if (program[id].op != ir::OpKind::kBlock) continue;
+    const auto landing = emittable.landings.find(id.index);
+    const bool braces = landing != emittable.landings.end() && landing->second.braces;
+    if (!braces && HasLocals(emittable, RegionId(program[id].a))) return true;
+  }
+  return false;
+}
+
+void BracesIn(Emittable& emittable, RegionId region) {
+  const ir::Program& program = *emittable.program;
+  for (const InstId id : program.regions[region].insts) {
+    for (const RegionId owned : ir::OwnedRegions(program, program[id])) BracesIn(emittable, owned);
+    const auto landing = emittable.landings.find(id.index);
+    if (program[id].op != ir::OpKind::kBlock || landing == emittable.landings.end()) continue;
+    landing->second.braces = !landing->second.behind.empty() && HasLocals(emittable, RegionId(program[id].a));
+  }
+}
+
 }  // namespace
 
 bool IsEffect(const Emittable& emittable, ir::InstId id) {
@@ -303,6 +309,15 @@ void ChooseLeaves(Emittable& emittable) {
   chooser.cut_from = {};
   for (const ir::Routine& routine : program.routines)
     chooser.Function({routine.prologue, routine.body, routine.epilogue});
+}
+
+void PlaceBraces(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  for (const ir::Routine& routine : program.routines) {
+    for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+      if (region.valid()) BracesIn(emittable, region);
+    }
+  }
 }
 
 }  // namespace plcxx::emit

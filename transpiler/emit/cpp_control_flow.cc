@@ -9,7 +9,7 @@
 namespace plcxx::emit {
 namespace {
 
-std::string Bracketed(const Spelling& spelling) {
+Text Bracketed(const Spelling& spelling) {
   return spelling.precedence <= ir::Precedence::kUnary ? spelling.text : "(" + spelling.text + ")";
 }
 
@@ -17,8 +17,8 @@ ir::IfOrigin OriginOf(const ir::Inst& inst) { return static_cast<ir::IfOrigin>(i
 
 }  // namespace
 
-std::string PartPrinter::Condition(const ir::Inst& inst) {
-  const Spelling condition = Spell(emittable_, local_names_, ir::ValueId(inst.a));
+Text PartPrinter::Condition(const ir::Inst& inst) const {
+  const Spelling condition = Spell(emittable_, ir::ValueId(inst.a));
   if (!debug() || !statement_.valid()) return condition.text;
   const bool head = program_.statements[statement_].opens_block;
   switch (head ? ir::IfOrigin::kSource : OriginOf(inst)) {
@@ -42,7 +42,7 @@ ir::InstId PartPrinter::ChainedIf(ir::RegionId otherwise, ir::StatementId& state
     if (other.op == ir::OpKind::kStatement && i == 0) {
       statement = ir::StatementId(other.payload);
     } else if (IsEffect(emittable_, insts[i]) || other.op == ir::OpKind::kStatement ||
-               emittable_.local_value[insts[i].index]) {
+               emittable_.forms[insts[i].index] == Form::kLocal) {
       return {};
     }
   }
@@ -54,11 +54,11 @@ ir::InstId PartPrinter::ChainedIf(ir::RegionId otherwise, ir::StatementId& state
   return last;
 }
 
-void PartPrinter::If(const ir::Inst& first) {
+void PartPrinter::If(ir::InstId id) {
   const ir::StatementId outer = statement_;
   const bool outer_switched = switched_;
-  const ir::Inst* inst = &first;
-  std::string head = "if (" + Condition(*inst) + ") {";
+  const ir::Inst* inst = &program_[id];
+  Text head = Spelled("if (" + Condition(*inst) + ") {", id);
   for (;;) {
     Line(std::move(head));
     ++indent_;
@@ -87,11 +87,10 @@ void PartPrinter::If(const ir::Inst& first) {
     const ir::Inst& condition = program_[ir::ValueId(inst->a)];
     const bool always =
         condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
-    head = always && !debug() ? "else {" : "else if (" + Condition(*inst) + ") {";
+    head = Spelled(always && !debug() ? "else {" : "else if (" + Condition(*inst) + ") {", chained);
     if (!statement.valid()) {
       out_.pop_back();  // no comment between: "} else if"
-      head.insert(0, " ");
-      head.insert(0, "}");
+      head = "} " + head;
       out_.resize(out_.rfind('\n') + 1);
     }
   }
@@ -108,8 +107,9 @@ bool PartPrinter::EndsElsewhere(ir::RegionId region) const {
   return emittable_.leaves.at(insts.back().index) != Leave::kFallsThrough;
 }
 
-void PartPrinter::Switch(const ir::Inst& inst) {
-  Line("switch (" + Value(inst.a) + ") {");
+void PartPrinter::Switch(ir::InstId id) {
+  const ir::Inst& inst = program_[id];
+  Line(Spelled("switch (" + Value(inst.a) + ") {", id));
   ++indent_;
   for (const ir::SwitchCase& arm : program_.switches[ir::SwitchId(inst.payload)].cases) {
     if (arm.values.empty()) {
@@ -163,63 +163,70 @@ bool PartPrinter::IsSpelledAsOne(ir::RegionId region) const {
   return std::all_of(insts.begin(), insts.end(), [this](ir::InstId id) {
     const ir::Shape shape = ir::Info(program_[id].op).shape;
     const bool value = shape == ir::Shape::kConst || shape == ir::Shape::kPure || shape == ir::Shape::kLoad;
-    return value && !emittable_.local_value[id.index];
+    return value && emittable_.forms[id.index] != Form::kLocal;
   });
 }
 
 /// "i = Add16(i, 1)"; empty: the loop has no step.
-std::string PartPrinter::Step(ir::RegionId region) {
+Text PartPrinter::Step(ir::RegionId region) const {
   if (!region.valid() || program_.regions[region].insts.empty()) return "";
-  const ir::Inst& store = program_[program_.regions[region].insts.back()];
-  const Spelling target = SpellPlace(emittable_, local_names_, ir::PlaceId(store.payload), ir::ValueId(store.b));
-  return target.text + " = " + Value(store.a);
+  const ir::InstId id = program_.regions[region].insts.back();
+  const ir::Inst& store = program_[id];
+  const Spelling target = SpellPlace(emittable_, ir::PlaceId(store.payload), ir::ValueId(store.b));
+  return Spelled(target.text + " = " + Value(store.a), id);
+}
+
+void PartPrinter::BudgetLoop(const ir::Loop& loop, const Landing& labels) {
+  Line("for (;;) {");
+  ++indent_;
+  Label(labels.again);
+  RegionBody(loop.body);
+  if (debug() || !EndsByLeaving(loop.body)) Line("break;");
+  --indent_;
+  Line("}");
+  Label(labels.behind);
+}
+
+Spelling PartPrinter::LoopCondition(const ir::Loop& loop, ir::StatementId statement) const {
+  const Spelling spelled = Spell(emittable_, program_.regions[loop.condition].insts.back());
+  if (!debug() || !statement.valid()) return spelled;
+  return Spelling{"(" + On(statement) + " & " + Bracketed(spelled) + ")", ir::Precedence::kPrimary};
+}
+
+/// `condition` is empty where it has lines of its own.
+Text PartPrinter::LoopHead(const ir::Loop& loop, const std::string& counter, const Text& condition) const {
+  const Text step = Step(loop.step);
+  const Text between = condition.chars.empty() ? condition : " " + condition;
+  // A proven loop ends by itself: nobody counts its iterations.
+  if (!counter.empty()) {
+    return "for (uint32_t " + counter + " = 0;" + between + "; ++" + counter + (step.chars.empty() ? "" : ", ") + step +
+           ") {";
+  }
+  if (!step.chars.empty()) return "for (;" + between + "; " + step + ") {";
+  return condition.chars.empty() ? "for (;;) {" : "while (" + condition + ") {";
 }
 
 void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
-  loops_.emplace_back(inst.payload);
+  loops_.push_back({out_.size(), ir::LoopId(inst.payload)});
+  spelled_.Add(Spelled("", id));
   const auto landing = emittable_.landings.find(id.index);
   const Landing none;
   const Landing& labels = landing == emittable_.landings.end() ? none : landing->second;
   if (loop.kind == ir::LoopBound::kBudget) {
-    Line("for (;;) {");
-    ++indent_;
-    Label(labels.again);
-    RegionBody(loop.body);
-    if (debug() || !EndsByLeaving(loop.body)) Line("break;");
-    --indent_;
-    Line("}");
-    Label(labels.behind);
+    BudgetLoop(loop, labels);
     return;
   }
-  const std::string round = "round" + (loop_depth_ == 0 ? "" : std::to_string(loop_depth_ + 1));
   const ir::StatementId statement = statement_;
-  ++loop_depth_;
-  // A proven loop ends by itself: nobody counts its rounds.
-  const bool counts = loop.kind == ir::LoopBound::kGuard;
-  const std::string step = Step(loop.step);
   const bool in_head = loop.condition.valid() && IsSpelledAsOne(loop.condition);
-  const auto condition = [&] {
-    const Spelling spelled = Spell(emittable_, local_names_, program_.regions[loop.condition].insts.back());
-    if (!debug() || !statement.valid()) return spelled;
-    return Spelling{"(m.on(" + std::to_string(statement.index) + ") & " + Bracketed(spelled) + ")",
-                    ir::Precedence::kPrimary};
-  };
-  const std::string head = in_head ? " " + condition().text : "";
-  if (counts) {
-    Line("for (uint32_t " + round + " = 0;" + head + "; ++" + round + (step.empty() ? "" : ", ") + step + ") {");
-  } else if (step.empty()) {
-    Line(in_head ? "while (" + condition().text + ") {" : "for (;;) {");
-  } else {
-    Line("for (;" + head + "; " + step + ") {");
-  }
+  Line(LoopHead(loop, labels.counter, in_head ? LoopCondition(loop, statement).text : Text()));
   ++indent_;
   if (loop.condition.valid() && !in_head) {
     Range(loop.condition, 0, static_cast<uint32_t>(program_.regions[loop.condition].insts.size()));
-    Line("if (!" + Bracketed(condition()) + ") break;");
+    Line("if (!" + Bracketed(LoopCondition(loop, statement)) + ") break;");
   }
   if (loop.kind == ir::LoopBound::kGuard) {
-    Line("if (" + round + " == " + std::to_string(loop.bound) + ") {");
+    Line("if (" + labels.counter + " == " + std::to_string(loop.bound) + ") {");
     ++indent_;
     if (loop.exhausted.valid()) RegionBody(loop.exhausted);
     Line("break;");
@@ -230,10 +237,10 @@ void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   --indent_;
   Line("}");
   Label(labels.behind);
-  --loop_depth_;
 }
 
 void PartPrinter::Block(ir::InstId id, const ir::Inst& inst) {
+  spelled_.Add(Spelled("", id));  // its braces and label, where it has any
   const auto landing = emittable_.landings.find(id.index);
   const bool braces = landing != emittable_.landings.end() && landing->second.braces;
   if (braces) {
@@ -253,7 +260,7 @@ std::string PartPrinter::Departure(ir::InstId id) const {
   const Leave leave = emittable_.leaves.at(id.index);
   switch (leave) {
     case Leave::kFallsThrough:
-      return "";
+      break;  // has no text
     case Leave::kReturn:
       return return_;
     case Leave::kBreak:
@@ -271,20 +278,19 @@ std::string PartPrinter::Departure(ir::InstId id) const {
 
 void PartPrinter::Exit(ir::InstId id, const ir::Inst& inst) {
   const std::string departure = Departure(id);
-  if (departure.empty()) return;
-  Line(ir::ValueId(inst.a).valid() ? "if (" + Value(inst.a) + ") " + departure : departure);
+  Line(Spelled(ir::ValueId(inst.a).valid() ? "if (" + Value(inst.a) + ") " + departure : departure, id));
 }
 
 void PartPrinter::Repeat(ir::InstId id, const ir::Inst& inst) {
   const ir::PlaceId budget = program_.loops[ir::LoopId(program_[ir::InstId(inst.payload)].payload)].budget;
-  const std::string left = SpellPlace(emittable_, local_names_, budget, {}).text;
+  const std::string left = SpellPlace(emittable_, budget, {}).text.chars;
   const bool local = emittable_.layout.places[budget.index].storage == Storage::kLocal;
   const bool conditional = ir::ValueId(inst.a).valid();
   if (conditional) {
     Line("if (" + Value(inst.a) + ") {");
     ++indent_;
   }
-  Line("if (" + left + " != 0) {");
+  Line(Spelled("if (" + left + " != 0) {", id));
   ++indent_;
   Line(local ? "--" + left + ";" : left + " = " + left + " - 1;");
   Line(Departure(id));

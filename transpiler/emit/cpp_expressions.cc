@@ -67,17 +67,17 @@ std::optional<int64_t> SignedConstant(const ir::Program& program, ir::ValueId va
   return read;
 }
 
-Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, const ir::Inst& inst) {
+Spelling SpellPure(const Emittable& emittable, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
   // "{0}" alone: the conversion is C++'s own.
-  if (info.spelling == "{0}") return Spell(emittable, local_names, ir::ValueId(inst.a));
+  if (info.spelling == "{0}") return Spell(emittable, ir::ValueId(inst.a));
   if (IsForegone(*emittable.program, inst)) {
-    return {std::string(info.function) + "(" + Spell(emittable, local_names, ir::ValueId(inst.a)).text + ", " +
-                Spell(emittable, local_names, ir::ValueId(inst.b)).text + ")",
+    return {Text(info.function) + "(" + Spell(emittable, ir::ValueId(inst.a)).text + ", " +
+                Spell(emittable, ir::ValueId(inst.b)).text + ")",
             Precedence::kPrimary};
   }
-  std::string out;
+  Text out;
   const std::string_view pattern = info.spelling;
   const bool operation = info.precedence != Precedence::kPrimary;
   for (size_t i = 0; i < pattern.size(); ++i) {
@@ -93,21 +93,18 @@ Spelling SpellPure(const Emittable& emittable, const LocalNames& local_names, co
     }
     if (pattern[i] == '{') {
       const auto operand = static_cast<uint32_t>(pattern[i + 1] - '0');
-      Spelling inner = Spell(emittable, local_names, ir::ValueId(words[operand]));
+      Spelling inner = Spell(emittable, ir::ValueId(words[operand]));
       // A choice binds loosest; compilers ask whether its condition was meant to be all that stands before it.
       const bool condition = operand == 0 && pattern.starts_with("({0} ?") && inner.precedence >= Precedence::kAnd;
-      if (condition || (operation && NeedsBrackets(inner.precedence, info.precedence, operand == 0))) {
-        out += '(';
-        out += inner.text;
-        out += ')';
-      } else {
-        out += inner.text;
-      }
+      const bool brackets = condition || (operation && NeedsBrackets(inner.precedence, info.precedence, operand == 0));
+      if (brackets) out.chars += '(';
+      out += inner.text;
+      if (brackets) out.chars += ')';
       i += 2;
     } else if (operation && pattern[i] == ' ' && i + 1 < pattern.size() && pattern[i + 1] != '{') {
-      out += kBreak;  // before an operator
+      out.chars += kBreak;  // before an operator
     } else {
-      out += pattern[i];
+      out.chars += pattern[i];
     }
   }
   return {std::move(out), info.precedence};
@@ -153,21 +150,21 @@ std::string ElementName(const Emittable& emittable, Storage storage, uint32_t in
   return emittable.element_names.at({storage, first}) + " + " + std::to_string(index - first);
 }
 
-Spelling SpellPlace(const Emittable& emittable, const LocalNames& local_names, ir::PlaceId place, ir::ValueId index) {
+Spelling SpellPlace(const Emittable& emittable, ir::PlaceId place, ir::ValueId index) {
   const std::string& name = emittable.place_names[place.index];
   if (emittable.layout.places[place.index].storage == Storage::kLocal) return {name, Precedence::kPrimary};
   const std::vector<bool>& shared = emittable.options.shared;
   if (!shared.empty() && shared[place.index]) return {"plcxx::Once(m[" + name + "])", Precedence::kPrimary};
   if (!emittable.program->places[place].indexed) return {"m[" + name + "]", Precedence::kPrimary};
-  return {"m[At(" + name + ", " + Spell(emittable, local_names, index).text + ")]", Precedence::kPrimary};
+  return {"m[At(" + name + ", " + Spell(emittable, index).text + ")]", Precedence::kPrimary};
 }
 
-Spelling Spell(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value) {
-  if (emittable.local_value[value.index]) return {local_names.at(value.index), Precedence::kPrimary};
-  return SpellDefinition(emittable, local_names, value);
+Spelling Spell(const Emittable& emittable, ir::ValueId value) {
+  if (emittable.forms[value.index] == Form::kLocal) return {emittable.value_names[value.index], Precedence::kPrimary};
+  return SpellDefinition(emittable, value);
 }
 
-Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_names, ir::ValueId value) {
+Spelling SpellDefinition(const Emittable& emittable, ir::ValueId value) {
   const ir::Program& program = *emittable.program;
   const ir::Inst& inst = program[value];
   const ir::OpInfo& info = ir::Info(inst.op);
@@ -175,28 +172,28 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
     case ir::Shape::kConst:
       return SpellConstant(inst);
     case ir::Shape::kPure:
-      return SpellPure(emittable, local_names, inst);
+      return SpellPure(emittable, inst);
     case ir::Shape::kLoad:
-      return SpellPlace(emittable, local_names, ir::PlaceId(inst.payload), ir::ValueId(inst.a));
+      return SpellPlace(emittable, ir::PlaceId(inst.payload), ir::ValueId(inst.a));
     case ir::Shape::kStep: {
-      std::string out;
+      Text out;
       const uint32_t words[] = {inst.a, inst.b, inst.c};
       for (size_t i = 0; i < info.spelling.size(); ++i) {
         if (info.spelling[i] != '{') {
-          out += info.spelling[i];
+          out.chars += info.spelling[i];
           continue;
         }
         const char what = info.spelling[i + 1];
-        out += what == 's' ? "m[" + emittable.state_names[inst.payload] + "]"
-                           : Spell(emittable, local_names, ir::ValueId(words[what - '0'])).text;
+        out += what == 's' ? Text("m[" + emittable.state_names[inst.payload] + "]")
+                           : Spell(emittable, ir::ValueId(words[what - '0'])).text;
         i += 2;
       }
-      return {std::move(out), Precedence::kPrimary};
+      return {Spelled(std::move(out), value), Precedence::kPrimary};
     }
     case ir::Shape::kHostCall: {
       const ir::Call& call = program.calls[ir::CallId(inst.payload)];
       const ir::HostFunction& function = program.host_functions[call.host];
-      std::string out = function.name + "(host";
+      Text out(function.name + "(host");
       if (function.access == ir::HostAccess::kReadsState || function.access == ir::HostAccess::kWritesState)
         out += ", m";
       if (function.access == ir::HostAccess::kReadsRetentive) out += ", m.retentive";
@@ -208,22 +205,22 @@ Spelling SpellDefinition(const Emittable& emittable, const LocalNames& local_nam
           out += function.name + "_" + parameter.name + "::" + parameter.enumerators.at(ir::ConstantValue(argument));
         } else if (!parameter.enumerators.empty()) {
           out += "static_cast<" + function.name + "_" + parameter.name + ">(" +
-                 Spell(emittable, local_names, call.arguments[i]).text + ")";
+                 Spell(emittable, call.arguments[i]).text + ")";
         } else {
-          out += Spell(emittable, local_names, call.arguments[i]).text;
+          out += Spell(emittable, call.arguments[i]).text;
         }
       }
-      if (call.out.valid()) out += ", " + SpellPlace(emittable, local_names, call.out, {}).text;
-      return {out + ")", Precedence::kPrimary};
+      if (call.out.valid()) out += ", " + SpellPlace(emittable, call.out, {}).text;
+      return {Spelled(std::move(out) + ")", value), Precedence::kPrimary};
     }
     case ir::Shape::kCall: {
       const ir::Call& call = program.calls[ir::CallId(inst.payload)];
-      std::string out = emittable.routine_names[call.routine.index] + "(m";
-      for (const ir::ValueId argument : call.arguments) out += ", " + Spell(emittable, local_names, argument).text;
+      Text out(emittable.routine_names[call.routine.index] + "(m");
+      for (const ir::ValueId argument : call.arguments) out += ", " + Spell(emittable, argument).text;
       for (const ir::PlaceId place : emittable.routine_locals[call.routine.index].shared) {
         out += ", " + emittable.place_names[place.index];
       }
-      return {out + ", host)", Precedence::kPrimary};
+      return {Spelled(std::move(out) + ", host)", value), Precedence::kPrimary};
     }
     case ir::Shape::kStore:
     case ir::Shape::kText:

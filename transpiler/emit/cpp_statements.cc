@@ -35,8 +35,10 @@ void PartPrinter::Comment(std::string_view text) {
 }
 
 /// Writes a line; a long one is broken before operators.
-void PartPrinter::Line(std::string text) {
+void PartPrinter::Line(Text line_of) {
   Own();
+  spelled_.Add(line_of);
+  std::string& text = line_of.chars;
   const size_t margin = static_cast<size_t>(indent_) * 2;
   if (margin + text.size() <= kLineWidth) {
     std::replace(text.begin(), text.end(), kBreak, ' ');
@@ -82,34 +84,16 @@ void PartPrinter::StatementComments(const ir::Statement& statement) {
   if (text.empty() && !statement.subject.empty()) Comment(statement.subject);
 }
 
-/// "t417": a number of three digits that the statement's own text says, so that an edit renames no other one's locals;
-/// where that is taken, the next one. What is no statement of the source counts from 1.
-std::string PartPrinter::NextLocalName() {
-  constexpr uint32_t kFirst = 100;
-  constexpr uint32_t kNumbers = 900;
-  uint32_t number = statement_.valid() ? kFirst + program_.statements[statement_].id % kNumbers : 1;
-  while (!numbers_.insert(number).second) ++number;
-  return "t" + std::to_string(number);
-}
-
 void PartPrinter::Local(ir::InstId id) {
-  const ir::Inst& inst = program_[id];
-  std::string& name = local_names_[id.index];
-  name = NextLocalName();
-  std::string value = SpellDefinition(emittable_, local_names_, id).text;
-  const std::string type(ir::CppName(inst.type));
-  if (Switchable() && HasEffect(id)) value = On() + " ? " + value + " : " + type + "{}";
-  Line("const " + type + " " + name + " = " + value + ";");
+  Text value = SpellDefinition(emittable_, id).text;
+  const std::string type(ir::CppName(program_[id].type));
+  if (Switchable() && !value.effects.empty()) value = On() + " ? " + value + " : " + type + "{}";
+  Line("const " + type + " " + emittable_.value_names[id.index] + " = " + value + ";");
 }
 
-/// Whether computing a value, as it is spelled, steps an instance or calls something.
-bool PartPrinter::HasEffect(ir::ValueId value) const {
-  const ir::Inst& inst = program_[value];
-  if (IsEffect(emittable_, value)) return true;
-  const std::vector<ir::ValueId> used = ir::UsedValues(program_, inst);
-  return std::any_of(used.begin(), used.end(), [this](ir::ValueId operand) {
-    return !emittable_.local_value[operand.index] && HasEffect(operand);
-  });
+std::string PartPrinter::On(ir::StatementId statement) const {
+  PLCXX_CHECK(uses_state_);
+  return "m.on(" + std::to_string(statement.index) + ")";
 }
 
 bool PartPrinter::Switchable() const {
@@ -118,49 +102,52 @@ bool PartPrinter::Switchable() const {
   return !statement.opens_block && !statement.closes_block;
 }
 
+/// The copy is taken over only when it has this program's layout.
+void PartPrinter::LoadRetentive(ir::InstId id) {
+  const std::string& name = program_.host_functions[program_.calls[ir::CallId(program_[id].payload)].host].name;
+  Line("Retentive copy{};");
+  Line(Spelled(name + "(host, copy);", id));
+  Line("if (copy.layout == kRetentiveLayout) m.retentive = copy;");
+}
+
+void PartPrinter::Store(ir::InstId id) {
+  const ir::Inst& inst = program_[id];
+  const Text target = SpellPlace(emittable_, ir::PlaceId(inst.payload), ir::ValueId(inst.b)).text;
+  const Text value = Value(inst.a);
+  // Of a variable of its own, `i = i;` is a warning of some compilers; a signal's is a call of an operator.
+  const bool same = value.chars == target.chars && emittable_.layout.places[inst.payload].storage == Storage::kLocal;
+  Line(Spelled(same ? "static_cast<void>(" + value + ");" : target + " = " + value + ";", id));
+}
+
+/// An instruction that has lines of its own.
 void PartPrinter::Effect(ir::InstId id) {
   const ir::Inst& inst = program_[id];
   switch (ir::Info(inst.op).shape) {
-    case ir::Shape::kPure:
-    case ir::Shape::kLoad:
-    case ir::Shape::kConst:
-      return;  // spelled where it is used
     case ir::Shape::kStep:
     case ir::Shape::kCall:
     case ir::Shape::kHostCall: {
       const bool loads_retentive = inst.op == ir::OpKind::kHostCall &&
                                    program_.host_functions[program_.calls[ir::CallId(inst.payload)].host].access ==
                                        ir::HostAccess::kWritesRetentive;
-      if (loads_retentive) {
-        const std::string& name = program_.host_functions[program_.calls[ir::CallId(inst.payload)].host].name;
-        Line("Retentive copy{};");
-        Line(name + "(host, copy);");
-        Line("if (copy.layout == kRetentiveLayout) m.retentive = copy;");
-        return;
-      }
-      Line(Spell(emittable_, local_names_, id).text + ";");
+      if (loads_retentive) return LoadRetentive(id);
+      Line(SpellDefinition(emittable_, id).text + ";");
       return;
     }
-    case ir::Shape::kStore: {
-      const Spelling target = SpellPlace(emittable_, local_names_, ir::PlaceId(inst.payload), ir::ValueId(inst.b));
-      const std::string value = Value(inst.a);
-      // Of a variable of its own, `i = i;` is a warning of some compilers; a signal's is a call of an operator.
-      Line(value == target.text && emittable_.layout.places[inst.payload].storage == Storage::kLocal
-               ? "static_cast<void>(" + value + ");"
-               : target.text + " = " + value + ";");
+    case ir::Shape::kStore:
+      Store(id);
       return;
-    }
     case ir::Shape::kText: {
       const std::string literal = CppString(program_.texts[ir::TextId(inst.b)]);
-      Line("UpdateText(m[" + emittable_.state_names[inst.payload] + "], m[" + emittable_.state_names[inst.a] + "], " +
-           literal + ");");
+      Line(Spelled("UpdateText(m[" + emittable_.state_names[inst.payload] + "], m[" + emittable_.state_names[inst.a] +
+                       "], " + literal + ");",
+                   id));
       return;
     }
     case ir::Shape::kIf:
-      If(inst);
+      If(id);
       return;
     case ir::Shape::kSwitch:
-      Switch(inst);
+      Switch(id);
       return;
     case ir::Shape::kLoop:
       Loop(id, inst);
@@ -174,6 +161,9 @@ void PartPrinter::Effect(ir::InstId id) {
     case ir::Shape::kRepeat:
       Repeat(id, inst);
       return;
+    case ir::Shape::kPure:
+    case ir::Shape::kLoad:
+    case ir::Shape::kConst:
     case ir::Shape::kStatement:
     case ir::Shape::kJump:
     case ir::Shape::kLabel:
@@ -183,26 +173,17 @@ void PartPrinter::Effect(ir::InstId id) {
 }
 
 void PartPrinter::Inst(ir::InstId id) {
-  if (emittable_.local_value[id.index]) {
-    Local(id);
-  } else {
-    Effect(id);
+  switch (emittable_.forms[id.index]) {
+    case Form::kNowhere:
+    case Form::kInside:
+      return;
+    case Form::kLocal:
+      Local(id);
+      return;
+    case Form::kLine:
+      Effect(id);
+      return;
   }
-}
-
-/// A step whose result a later instruction spells is not a line of its own.
-bool PartPrinter::SpelledLater(ir::RegionId region, uint32_t at, uint32_t end) const {
-  const auto& insts = program_.regions[region].insts;
-  const ir::Inst& inst = program_[insts[at]];
-  const ir::Shape shape = ir::Info(inst.op).shape;
-  const bool has_value = inst.type != ir::Type::kNone &&
-                         (shape == ir::Shape::kStep || shape == ir::Shape::kCall || shape == ir::Shape::kHostCall);
-  if (!has_value || emittable_.local_value[insts[at].index]) return false;
-  for (uint32_t k = at + 1; k < end; ++k) {
-    const std::vector<ir::ValueId> used = ir::UsedValues(program_, program_[insts[k]]);
-    if (std::find(used.begin(), used.end(), insts[at]) != used.end()) return true;
-  }
-  return false;
 }
 
 /// Whether switching the statement off leaves other statements in its regions on: they were put there by a jump.
@@ -228,11 +209,11 @@ void PartPrinter::OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end)
     Line("}");
   };
   for (uint32_t i = begin; i < end; ++i) {
-    if (SpelledLater(region, i, end)) continue;
-    if (emittable_.local_value[insts[i].index] || HoldsOthers(program_[insts[i]])) {
+    const Form form = emittable_.forms[insts[i].index];
+    if (form == Form::kLocal || (form == Form::kLine && HoldsOthers(program_[insts[i]]))) {
       close();
       Inst(insts[i]);
-    } else if (IsEffect(emittable_, insts[i])) {
+    } else if (form == Form::kLine) {
       if (!switched_) {
         Line("if (" + On() + ") {");
         ++indent_;
@@ -257,9 +238,7 @@ void PartPrinter::Stretch(ir::RegionId region, uint32_t begin, uint32_t end) {
     ++indent_;
     switched_ = true;
   }
-  for (uint32_t i = begin; i < end; ++i) {
-    if (!SpelledLater(region, i, end)) Inst(insts[i]);
-  }
+  for (uint32_t i = begin; i < end; ++i) Inst(insts[i]);
   if (switchable) {
     switched_ = false;
     --indent_;
@@ -289,23 +268,14 @@ void PartPrinter::Range(ir::RegionId region, uint32_t begin, uint32_t end) {
 }
 
 void PartPrinter::RegionBody(ir::RegionId region) {
-  uint32_t at = 0;  // printed so far
-  const auto in_place = [this, region, &at](uint32_t end) {
-    if (at < end) Range(region, at, end);
-  };
-  for (const uint32_t index : emittable_.region_chunks[region.index]) {
-    const Chunk& chunk = emittable_.chunks[index];
-    in_place(chunk.begin);
-    at = chunk.end;
-    if (chunk.part == part_) {
-      Line(chunk.name + "(" + Arguments(chunk.locals) + ");");
+  for (const Piece& piece : PiecesOf(emittable_, region)) {
+    if (piece.chunk == Piece::kInPlace) {
+      Range(region, piece.begin, piece.end);
       continue;
     }
-    const auto run = std::find_if(emittable_.runs.begin(), emittable_.runs.end(),
-                                  [index](const ChunkRun& other) { return other.chunks.front() == index; });
-    if (run != emittable_.runs.end()) Line(run->name + "(" + Arguments(run->locals) + ");");
+    const ChunkCall call = CallOf(emittable_, piece.chunk, part_);
+    if (!call.name.empty()) Line(call.name + "(" + Arguments(*call.locals) + ");");
   }
-  in_place(static_cast<uint32_t>(program_.regions[region].insts.size()));
 }
 
 }  // namespace plcxx::emit

@@ -33,15 +33,31 @@ struct EmitOptions {
 };
 inline constexpr uint32_t kMostParts = 64;
 
+/// How the text of its function says what an instruction does.
+enum class Form : uint8_t {
+  kNowhere,  // not at all: a value that nothing asks for, a way out that leads to what follows anyway
+  kInside,   // inside the line of what uses it; of an instruction with an effect there is one such line
+  kLocal,    // a named const on a line of its own
+  kLine,     // lines of its own
+};
+
+/// What a function gets from its caller; what its text does not use has no name in its head.
+struct Parameter {
+  std::string type;  // "bool&"
+  std::string name;
+  bool used = false;
+};
+
 /// The named locals of a function, each list in the order of the places.
 struct Locals {
   struct Declared {
     ir::PlaceId place;
     bool read = false;  // a compiler would report a local that is only written
   };
-  std::vector<Declared> declared;   // of its own
-  std::vector<ir::PlaceId> shared;  // of its caller, by reference
-  std::vector<ir::PlaceId> values;  // parameters, by value
+  std::vector<Declared> declared;     // of its own
+  std::vector<ir::PlaceId> shared;    // of its caller, by reference
+  std::vector<ir::PlaceId> values;    // parameters, by value
+  std::vector<Parameter> parameters;  // all that the function gets, in the order of its head
 };
 
 /// A function of its own for a stretch of statements: small functions compile in linear time and stay in cache.
@@ -79,6 +95,7 @@ enum class Leave : uint8_t { kFallsThrough, kReturn, kBreak, kContinue, kGoto };
 struct Landing {
   std::string behind;   // label behind it; empty: nothing goes there by goto
   std::string again;    // label at a loop's head, likewise
+  std::string counter;  // local that counts the iterations of a guarded loop
   bool braces = false;  // of a block: around locals that a goto would jump over
 };
 
@@ -93,9 +110,10 @@ struct Emittable {
   /// By Storage (of arrays that are not retentive) and index: the name of the element. Of a stretch the first byte
   /// always has one.
   std::map<std::pair<Storage, uint32_t>, std::string> element_names;
-  std::vector<bool> local_value;       // by InstId: computed into a named const before its use
-  std::vector<Locals> routine_locals;  // by RoutineId
-  std::vector<Chunk> chunks;           // nested ones before the ones that call them
+  std::vector<Form> forms;               // by InstId
+  std::vector<std::string> value_names;  // by InstId: of those of Form::kLocal
+  std::vector<Locals> routine_locals;    // by RoutineId
+  std::vector<Chunk> chunks;             // nested ones before the ones that call them
   /// By RegionId: what of the region was cut out, ascending; the rest is printed in place.
   std::vector<std::vector<uint32_t>> region_chunks;
   std::vector<Part> parts;
@@ -121,6 +139,10 @@ void CutChunks(Emittable& emittable);
 void CutParts(Emittable& emittable);
 void ShareLocals(Emittable& emittable);
 void ChooseLeaves(Emittable& emittable);
+void PlaceEffects(Emittable& emittable);
+void PlaceBraces(Emittable& emittable);
+void NameLocals(Emittable& emittable);
+void FindUsedParameters(Emittable& emittable);
 
 /// A comparison whose outcome the ranges of its operands decide, so that compilers warn of its operator.
 bool IsForegone(const ir::Program& program, const ir::Inst& inst);

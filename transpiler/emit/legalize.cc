@@ -1,11 +1,7 @@
 #include <algorithm>
-#include <map>
-#include <numeric>
-#include <unordered_set>
 
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
-#include "transpiler/emit/names.h"
 #include "transpiler/ir/builder.h"
 
 namespace plcxx::emit {
@@ -58,89 +54,6 @@ void FindUsedFunctions(Emittable& emittable) {
 
 }  // namespace
 
-void NamePlaces(Emittable& emittable) {
-  const ir::Program& program = *emittable.program;
-  NameTable names;
-  for (const ir::Table& table : program.tables) {
-    names.Allocate(table.name, "");
-    names.Allocate(table.name + "_row", "");
-  }
-  for (const ir::HostFunction& function : program.host_functions) {
-    names.Reserve(function.name);
-    for (const ir::Parameter& parameter : function.parameters) names.Reserve(function.name + "_" + parameter.name);
-  }
-  // A subroutine's name is the source's; the others are the generated code's own.
-  for (const ir::Routine& routine : program.routines) {
-    if (routine.kind != ir::RoutineKind::kSubroutine) names.Reserve(routine.name);
-  }
-  for (const ir::Routine& routine : program.routines) {
-    const bool own = routine.kind == ir::RoutineKind::kSubroutine;
-    emittable.routine_names.push_back(own ? names.Allocate(routine.name, "routine") : routine.name);
-  }
-  emittable.namespace_name = SafeIdentifier(emittable.options.name);
-  names.Reserve(emittable.namespace_name);
-  // In the order of the addresses, not of first use: a statement inserted above must not rename what follows.
-  std::vector<uint32_t> order(program.places.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&program](uint32_t left, uint32_t right) {
-    const ir::Place& a = program.places[ir::PlaceId(left)];
-    const ir::Place& b = program.places[ir::PlaceId(right)];
-    return std::tuple(a.state.index, a.field, a.space.index, a.offset, a.bit, a.address, a.name) <
-           std::tuple(b.state.index, b.field, b.space.index, b.offset, b.bit, b.address, b.name);
-  });
-  // Locals come before all, for they are not to hide any name. A parameter has the name that the routine says.
-  emittable.place_names.resize(program.places.size());
-  const auto is_local = [&emittable](uint32_t i) { return emittable.layout.places[i].storage == Storage::kLocal; };
-  const auto is_own = [&program](uint32_t i) {
-    const ir::Place& place = program.places[ir::PlaceId(i)];
-    return !place.is_field() && program.spaces[place.space].own;
-  };
-  for (const ir::Routine& routine : program.routines) {
-    for (size_t i = 0; i < routine.parameters.size(); ++i) {
-      if (is_own(routine.parameter_places[i].index)) continue;
-      emittable.place_names[routine.parameter_places[i].index] = routine.parameters[i].name;
-      names.Reserve(routine.parameters[i].name);
-    }
-  }
-  for (const uint32_t i : order) {
-    if (is_local(i) && !is_own(i) && emittable.place_names[i].empty()) {
-      emittable.place_names[i] = names.Allocate(program.places[ir::PlaceId(i)].name, "local");
-    }
-  }
-  // Names that a user did not choose come first: an address keeps its own spelling even beside an odd symbol.
-  for (const bool symbols : {false, true}) {
-    for (const uint32_t i : order) {
-      const ir::Place& place = program.places[ir::PlaceId(i)];
-      const bool is_symbol = !place.address.empty() && place.address != place.name;
-      if (is_symbol != symbols || emittable.layout.places[i].storage == Storage::kNone || is_local(i)) continue;
-      emittable.place_names[i] = names.Allocate(place.name, is_symbol ? place.address : "");
-    }
-  }
-  for (uint32_t i = 0; i < program.places.size(); ++i) {
-    const PlaceStorage& stored = emittable.layout.places[i];
-    const bool element = stored.storage == Storage::kBit || stored.storage == Storage::kByte || IsWord(stored.storage);
-    if (!element || emittable.place_names[i].empty()) continue;
-    std::string& name = emittable.element_names[{stored.storage, stored.index}];
-    if (name.empty() || emittable.place_names[i] < name) name = emittable.place_names[i];
-  }
-  for (const Stretch& stretch : emittable.layout.stretches) {
-    std::string& name = emittable.element_names[{Storage::kByte, stretch.index}];
-    const std::string address = program.spaces[stretch.space].name + "_" + std::to_string(stretch.begin);
-    if (name.empty()) name = names.Allocate(address, "byte");
-  }
-  // An instance whose own name is the name of its signal ("P6") gives way: the signal is what statements name.
-  for (const ir::StateInstance& state : program.states) {
-    emittable.state_names.push_back(names.Allocate(state.name, "state"));
-  }
-  // Behind all names of the file, none of which such a local may hide. A space is one function's.
-  std::map<uint32_t, std::unordered_set<std::string>> functions;
-  for (const uint32_t i : order) {
-    if (!is_local(i) || !is_own(i)) continue;
-    const ir::Place& place = program.places[ir::PlaceId(i)];
-    emittable.place_names[i] = names.AllocateIn(functions[place.space.index], place.name);
-  }
-}
-
 std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour) {
   std::vector<ir::InstId> insts;
   for (const ir::Routine& routine : program.routines) {
@@ -165,6 +78,10 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   CutParts(emittable);
   ShareLocals(emittable);   // after CutChunks: chunks get them, too
   ChooseLeaves(emittable);  // after CutChunks: what ends a function decides what `return` leaves
+  PlaceEffects(emittable);  // after ChooseLeaves: a way out that needs no text asks for no value
+  PlaceBraces(emittable);   // after PlaceEffects: around the locals
+  FindUsedParameters(emittable);
+  NameLocals(emittable);  // after FindUsedParameters: no local has a parameter's name
   return emittable;
 }
 
@@ -203,7 +120,7 @@ std::string Print(const Emittable& emittable) {
            emittable.options.name + emittable.parts[chunk.part].suffix + ".cpp\n";
   }
   for (uint32_t i = 0; i < program.insts.size(); ++i) {
-    if (emittable.local_value[i]) out += "local %" + std::to_string(i) + "\n";
+    if (emittable.forms[i] == Form::kLocal) out += "local %" + std::to_string(i) + "\n";
   }
   return out;
 }

@@ -105,10 +105,14 @@ std::string NameTable::Allocate(std::string_view name, std::string_view address)
   return unique;
 }
 
-std::string NameTable::AllocateIn(std::unordered_set<std::string>& function, std::string_view name) const {
+std::string NameTable::AllocateIn(const std::vector<FunctionNames*>& functions, std::string_view name) const {
   const auto take = [&](const std::string& candidate) {
     if (IsLocalName(candidate) || IsStdintName(candidate) || taken_.contains(candidate)) return false;
-    return function.insert(candidate).second;
+    for (const FunctionNames* names : functions) {
+      if (names->contains(candidate)) return false;
+    }
+    for (FunctionNames* names : functions) names->insert(candidate);
+    return true;
   };
   const std::string candidate = SafeIdentifier(name);
   if (take(candidate)) return candidate;

@@ -9,11 +9,14 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 namespace plcxx::emit {
 
 /// The rule without the look at other names.
 std::string SafeIdentifier(std::string_view name);
+
+using FunctionNames = std::unordered_set<std::string>;
 
 class NameTable {
  public:
@@ -22,8 +25,8 @@ class NameTable {
   void Reserve(std::string_view name) { taken_.emplace(name); }
   /// A free identifier for `name`; `address` tells two of the same name apart.
   std::string Allocate(std::string_view name, std::string_view address);
-  /// The same for a name that only one function knows: it is free there, and in the file, but others may have it.
-  std::string AllocateIn(std::unordered_set<std::string>& function, std::string_view name) const;
+  /// The same for a name that only these functions know: it is free there, and in the file, but others may have it.
+  std::string AllocateIn(const std::vector<FunctionNames*>& functions, std::string_view name) const;
 
  private:
   std::unordered_set<std::string> taken_;

@@ -4,10 +4,8 @@
 // owns regions and what leaves them; cpp_initial.cc the values at power-on.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "transpiler/emit/cpp_printer.h"
@@ -23,9 +21,9 @@ class PartPrinter {
       : emittable_(emittable), program_(*emittable.program), sources_(sources), part_(part) {}
 
   std::string Run();
-  /// Behind Run: the loops with their lines.
-  std::vector<PrintedLoop> FindLoops(std::string_view text) const;
-  std::vector<LineOwner> FindOwners(std::string_view text) const;
+  /// Behind Run: the loops and owners with their lines.
+  std::vector<PrintedLoop> LoopsIn(std::string_view text) const;
+  std::vector<LineOwner> OwnersIn(std::string_view text) const;
   const LocalNames& locals() const { return local_names_; }
 
  private:
@@ -34,21 +32,15 @@ class PartPrinter {
   void Using();
   bool IsPrinted(ir::RoutineId id) const;
   std::vector<bool> CalledSubroutines() const;
-  void ForEachHere(ir::RegionId region, uint32_t begin, uint32_t end,
-                   const std::function<void(ir::InstId)>& visit) const;
-  void ForEachInPlace(ir::RegionId region, const std::function<void(ir::InstId)>& visit) const;
   void Declarations(const std::vector<bool>& called);
   void Routines(const std::vector<bool>& called);
   std::string Linkage(ir::RoutineId id, const std::vector<bool>& called) const;
   void Routine(ir::RoutineId id, const std::vector<bool>& called);
   void PrintChunk(const Chunk& chunk);
   void Runs();
-  /// "State& m", "uint8_t slice", "bool& s", "Host& host"; and as a function of the same locals passes them on.
-  std::vector<std::string> Parameters(const Locals& locals) const;
   std::string Arguments(const Locals& locals) const;
   std::string Prototype(const std::string& head, const Locals& locals) const;
-  /// Opens a function; its head is written at the end and leaves out the names that its body does not use.
-  void OpenFunction(const std::string& head, std::vector<std::string> parameters);
+  void OpenFunction(const std::string& head, const Locals& locals, std::vector<Piece> pieces);
   void CloseFunction();
 
   // cpp_initial.cc
@@ -63,31 +55,34 @@ class PartPrinter {
   /// The debug flavour's: of a statement that may be switched off while others in its regions are not.
   void OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end);
   bool HoldsOthers(const ir::Inst& inst) const;
-  bool HasEffect(ir::ValueId value) const;
-  bool SpelledLater(ir::RegionId region, uint32_t at, uint32_t end) const;
   void Inst(ir::InstId id);
   void Effect(ir::InstId id);
+  void Store(ir::InstId id);
+  void LoadRetentive(ir::InstId id);
   void Local(ir::InstId id);
-  std::string NextLocalName();
   void StatementComments(const ir::Statement& statement);
-  void Line(std::string text);
+  void Line(Text text);
   void Comment(std::string_view text);
   /// What follows in the text is the current statement's.
   void Own() { Own(statement_); }
   void Own(ir::StatementId statement);
-  std::string Value(uint32_t word) { return Spell(emittable_, local_names_, ir::ValueId(word)).text; }
-  std::string On() const { return "m.on(" + std::to_string(statement_.index) + ")"; }
+  Text Value(uint32_t word) const { return Spell(emittable_, ir::ValueId(word)).text; }
+  std::string On() const { return On(statement_); }
+  std::string On(ir::StatementId statement) const;
 
   // cpp_control_flow.cc
-  void If(const ir::Inst& inst);
+  void If(ir::InstId id);
   /// The instruction that makes a chain of an else arm: an If whose condition needs no line of its own; or none.
   ir::InstId ChainedIf(ir::RegionId otherwise, ir::StatementId& statement) const;
   /// A condition, switched off together with its statement in the debug flavour.
-  std::string Condition(const ir::Inst& inst);
-  void Switch(const ir::Inst& inst);
+  Text Condition(const ir::Inst& inst) const;
+  void Switch(ir::InstId id);
   bool EndsElsewhere(ir::RegionId region) const;
   void Loop(ir::InstId id, const ir::Inst& inst);
-  std::string Step(ir::RegionId region);
+  Spelling LoopCondition(const ir::Loop& loop, ir::StatementId statement) const;
+  Text LoopHead(const ir::Loop& loop, const std::string& counter, const Text& condition) const;
+  void BudgetLoop(const ir::Loop& loop, const Landing& labels);
+  Text Step(ir::RegionId region) const;
   bool IsSpelledAsOne(ir::RegionId region) const;
   void Block(ir::InstId id, const ir::Inst& inst);
   void Exit(ir::InstId id, const ir::Inst& inst);
@@ -105,17 +100,20 @@ class PartPrinter {
   const source::SourceManager& sources_;
   uint32_t part_;
   std::string out_;
-  std::string function_head_;            // of the function being printed
-  std::vector<std::string> parameters_;  // "State& m"
-  std::string return_;                   // "return;"
+  std::vector<Piece> function_;  // being printed
+  bool uses_state_ = false;      // it has a parameter of that name
+  SpelledEffects spelled_;       // by it
+  std::string return_;           // "return;"
   size_t body_begin_ = 0;
   int indent_ = 0;
-  int loop_depth_ = 0;
-  std::unordered_set<uint32_t> numbers_;  // of the function's locals
-  LocalNames local_names_;                // by InstId
-  ir::StatementId statement_;             // the one being printed
-  std::vector<ir::LoopId> loops_;         // printed so far
-  bool switched_ = false;                 // inside of its `if (m.on(...))`
+  LocalNames local_names_;     // of the functions printed so far
+  ir::StatementId statement_;  // the one being printed
+  struct LoopHeadAt {
+    size_t offset = 0;
+    ir::LoopId loop;
+  };
+  std::vector<LoopHeadAt> loops_;  // printed so far
+  bool switched_ = false;          // inside of its `if (m.on(...))`
   struct Owner {
     size_t offset = 0;
     ir::StatementId statement;

@@ -3,7 +3,8 @@
 //   %1 = load a; store a, x; store b, %1   ->   const bool t1 = a; a = x; b = t1
 //
 // All others are spelled inside the expression that uses them. A value may be spelled there when it is used once, in
-// its own region, and nothing between its computation and its use could change what it reads.
+// its own region, and nothing between its computation and its use could change what it reads. (PlaceEffects decides the
+// rest: whether anything asks for a value, and where what has an effect is spelled.)
 
 #include "transpiler/emit/emittable.h"
 #include "transpiler/ir/builder.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct Temporaries {
   const ir::Program& program;
-  std::vector<bool>& local;
+  std::vector<Form>& forms;
   std::vector<uint8_t> uses;    // by InstId, saturating
   std::vector<uint32_t> epoch;  // by InstId: effects executed before it
   std::vector<bool> reads;      // by InstId: its inline spelling reads memory or steps an instance
@@ -23,6 +24,7 @@ struct Temporaries {
   void Region(ir::RegionId region);
   void Consume(ir::ValueId value, bool only_unary, uint32_t at);
   void MakeLocal(ir::ValueId value);
+  bool IsLocal(ir::ValueId value) const { return forms[value.index] == Form::kLocal; }
 };
 
 void Temporaries::CountUses() {
@@ -36,8 +38,8 @@ void Temporaries::CountUses() {
 
 /// A local is spelled where it is computed, and what it is made of inside it.
 void Temporaries::MakeLocal(ir::ValueId value) {
-  if (local[value.index]) return;
-  local[value.index] = true;
+  if (IsLocal(value)) return;
+  forms[value.index] = Form::kLocal;
   const ir::Inst& inst = program[value];
   const ir::Shape shape = ir::Info(inst.op).shape;
   if (shape != ir::Shape::kPure && shape != ir::Shape::kLoad) return;  // its operands were consumed when it was met
@@ -49,7 +51,7 @@ void Temporaries::MakeLocal(ir::ValueId value) {
 /// `value` is about to be spelled inside an instruction that runs at the epoch `at`.
 void Temporaries::Consume(ir::ValueId value, bool only_unary, uint32_t at) {
   const ir::Inst& inst = program[value];
-  if (local[value.index] || inst.op == ir::OpKind::kConst || inst.op == ir::OpKind::kPoison) return;
+  if (IsLocal(value) || inst.op == ir::OpKind::kConst || inst.op == ir::OpKind::kPoison) return;
   const ir::Shape shape = ir::Info(inst.op).shape;
   const bool step = shape != ir::Shape::kPure && shape != ir::Shape::kLoad;
   const bool stale = reads[value.index] && epoch[value.index] != at;
@@ -81,7 +83,7 @@ void Temporaries::Region(ir::RegionId region) {
         for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
           const bool stale = reads[operand.index] && epoch[operand.index] != now;
           if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst)) MakeLocal(operand);
-          if (!local[operand.index] && reads[operand.index]) reads[id.index] = true;
+          if (!IsLocal(operand) && reads[operand.index]) reads[id.index] = true;
         }
         break;
       }
@@ -121,9 +123,9 @@ void Temporaries::Region(ir::RegionId region) {
 void PlaceTemporaries(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const size_t count = program.insts.size();
-  emittable.local_value.assign(count, false);
+  emittable.forms.assign(count, Form::kNowhere);
   Temporaries temporaries{
-      program, emittable.local_value, {}, std::vector<uint32_t>(count, 0), std::vector<bool>(count, false)};
+      program, emittable.forms, {}, std::vector<uint32_t>(count, 0), std::vector<bool>(count, false)};
   temporaries.CountUses();
   for (const ir::Routine& routine : program.routines) {
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {

@@ -1,0 +1,162 @@
+// Decides where the text says each instruction: on lines of its own, inside another line, as a named const, nowhere.
+//
+//   %1 = call S; exit @1 if %1   ->   if (S(m, host)) return;       one line spells both
+//   %1 = call S; %2 = load a;    ->   const bool t1 = S(m, host);   what the local reads is read behind the call
+//   exit @1 if %1; store b, %2 ...    const bool t2 = m[a]; ...
+//   %1 = call S; exit @1 if %1   ->   S(m, host);                   where @1 ends here and the exit leads nowhere else
+//
+// An effect happens where its text is. So it is spelled inside another line only when that line is the next one behind
+// it; and when no line asks for its value, it is a line itself. The lists are read backwards: who asks is known first.
+
+#include <ranges>
+
+#include "transpiler/emit/emittable.h"
+#include "transpiler/ir/builder.h"
+#include "transpiler/ir/uses.h"
+
+namespace plcxx::emit {
+namespace {
+
+using ir::Inst;
+using ir::InstId;
+
+struct EffectPlacer {
+  Emittable& emittable;
+  const ir::Program& program;
+  std::vector<InstId> asks;  // by InstId: the line that the value is spelled in; none: nothing asks for it
+  InstId next;               // the next line of the text
+
+  void Region(ir::RegionId region);
+  void Place(InstId id);
+  void Value(InstId id);
+  void Result(InstId id);
+  void Line(InstId id, Form form);
+  void Ask(InstId user, InstId line);
+  void Loop(InstId id);
+  void Step(ir::RegionId region, InstId loop);
+};
+
+/// What `user` is computed from is spelled in `line`.
+void EffectPlacer::Ask(InstId user, InstId line) {
+  ir::ForEachUse(program, program[user], [&](uint32_t word) { asks[word] = line; });
+}
+
+void EffectPlacer::Line(InstId id, Form form) {
+  emittable.forms[id.index] = form;
+  Ask(id, id);
+  next = id;
+}
+
+/// A value without effect.
+void EffectPlacer::Value(InstId id) {
+  Form& form = emittable.forms[id.index];
+  if (!asks[id.index].valid()) {
+    form = Form::kNowhere;
+  } else if (form == Form::kLocal) {
+    Line(id, form);
+  } else {
+    form = Form::kInside;
+    Ask(id, asks[id.index]);
+  }
+}
+
+/// What may have an effect and a value.
+void EffectPlacer::Result(InstId id) {
+  Form& form = emittable.forms[id.index];
+  if (!asks[id.index].valid()) {
+    Line(id, Form::kLine);
+  } else if (form == Form::kLocal || asks[id.index] != next) {
+    Line(id, Form::kLocal);
+  } else {
+    form = Form::kInside;
+    Ask(id, asks[id.index]);
+  }
+}
+
+/// All of it is in the head of the loop: a value that is used twice is spelled twice there.
+void EffectPlacer::Step(ir::RegionId region, InstId loop) {
+  if (!region.valid()) return;
+  for (const InstId id : program.regions[region].insts) {
+    const bool store = ir::Info(program[id].op).shape == ir::Shape::kStore;
+    emittable.forms[id.index] = store ? Form::kLine : Form::kInside;
+    Ask(id, loop);
+  }
+}
+
+void EffectPlacer::Loop(InstId id) {
+  const ir::Loop& loop = program.loops[ir::LoopId(program[id].payload)];
+  Region(loop.body);
+  Region(loop.exhausted);
+  if (loop.condition.valid()) {
+    // The loop itself asks for the last value, in its head or on the line behind the others.
+    asks[program.regions[loop.condition].insts.back().index] = id;
+    next = id;
+    Region(loop.condition);
+  }
+  Line(id, Form::kLine);
+  Step(loop.step, id);
+}
+
+void EffectPlacer::Place(InstId id) {
+  const Inst& inst = program[id];
+  switch (ir::Info(inst.op).shape) {
+    case ir::Shape::kConst:
+      emittable.forms[id.index] = Form::kInside;
+      return;
+    case ir::Shape::kStatement:
+      emittable.forms[id.index] = Form::kLine;
+      return;
+    case ir::Shape::kPure:
+    case ir::Shape::kLoad:
+      Value(id);
+      return;
+    case ir::Shape::kStep:
+    case ir::Shape::kCall:
+    case ir::Shape::kHostCall:
+      Result(id);
+      return;
+    case ir::Shape::kExit:
+      if (emittable.leaves.at(id.index) == Leave::kFallsThrough) {
+        emittable.forms[id.index] = Form::kNowhere;
+        return;
+      }
+      Line(id, Form::kLine);
+      return;
+    case ir::Shape::kLoop:
+      Loop(id);
+      return;
+    case ir::Shape::kBlock:  // has no line that does anything
+      emittable.forms[id.index] = Form::kLine;
+      Region(ir::RegionId(inst.a));
+      return;
+    case ir::Shape::kStore:
+    case ir::Shape::kText:
+    case ir::Shape::kIf:
+    case ir::Shape::kSwitch:
+    case ir::Shape::kRepeat:
+      for (const ir::RegionId owned : std::views::reverse(ir::OwnedRegions(program, inst))) Region(owned);
+      Line(id, Form::kLine);
+      return;
+    case ir::Shape::kJump:
+    case ir::Shape::kLabel:
+      return;  // structured programs have none
+  }
+}
+
+void EffectPlacer::Region(ir::RegionId region) {
+  if (!region.valid()) return;
+  for (const InstId id : std::views::reverse(program.regions[region].insts)) Place(id);
+}
+
+}  // namespace
+
+void PlaceEffects(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  EffectPlacer placer{
+      .emittable = emittable, .program = program, .asks = std::vector<InstId>(program.insts.size()), .next = {}};
+  for (const ir::Routine& routine : program.routines) {
+    for (const ir::RegionId region : {routine.epilogue, routine.body, routine.prologue}) placer.Region(region);
+  }
+}
+
+}  // namespace plcxx::emit
