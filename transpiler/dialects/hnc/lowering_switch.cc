@@ -39,6 +39,7 @@ uint64_t RawValue(int64_t value, const Type& type) {
 /// Which statement holds which, and which hold labels.
 void Lowering::FindLabels(const Function& function) {
   parents_.clear();
+  order_.clear();
   has_label_.clear();
   flat_.clear();
   goto_labels_.clear();
@@ -46,6 +47,7 @@ void Lowering::FindLabels(const Function& function) {
   goto_budgets_.clear();
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
+    order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
     for (const StatementId child : statement.body) parents_[child.index] = id;
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
@@ -149,7 +151,7 @@ void Lowering::SwitchStatement(const Statement& statement) {
     }
     if (is_default) arm.values.clear();
     Flow entered = before;
-    if (cell && chosen && !is_default) entered.Learn(*cell, *chosen);
+    if (cell && chosen && !is_default) entered.Narrow(*cell, *chosen);
     const bool fallen = flow_.reachable;
     if (fallen) {
       flow_.JoinWith(entered);
@@ -344,16 +346,19 @@ void Lowering::PrepareBackJump(const Statement& label, const std::vector<Stateme
       } else if (unit_.statements[test].then != back) {
         round.push_back(unit_.statements[test].then);
       }
-      proof = Prove(
-          {.condition = unit_.statements[test].expression, .step = {}, .body = round, .tests_first = in_front == 0});
+      proof = Prove({.condition = unit_.statements[test].expression,
+                     .step = {},
+                     .body = round,
+                     .tests_first = in_front == 0,
+                     .is_statement = false});
       // The test may come before the first change: one round more at most.
-      if (proof && (in_front == 0 || round.size() > in_front)) ++proof->rounds;
+      if (proof && (in_front == 0 || round.size() > in_front)) ++proof->count.iterations;
     }
     if (!proof) {
       diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,
                           "nothing shows that the jump back to '" + unit_.labels[label.label].name + "' ends");
     } else {
-      rounds = proof->rounds;
+      rounds = proof->count.iterations;
       CheckRounds(jump.keyword, rounds);
     }
   } else {
