@@ -223,8 +223,7 @@ bool Lowering::IsJumpedOver(StatementId place, const LoopShape& loop) const {
 bool Lowering::GoesToInnerLoop(StatementId id, const LoopShape& loop) const {
   if (!loop.is_statement) return true;
   for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
-    const StatementKind kind = unit_.statements[at].kind;
-    if (kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor) {
+    if (IsLoop(unit_.statements[at].kind)) {
       return std::ranges::find(loop.body, unit_.statements[at].then) == loop.body.end();
     }
   }
@@ -374,7 +373,7 @@ std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loo
       continue;
     }
     const Bounds all = BoundsOf(type);
-    const std::optional<Bounds> known = flow_.Find(cell);
+    const std::optional<Bounds> known = loop.enters_elsewhere ? std::nullopt : flow_.Find(cell);
     const Bounds entered = known && known->Within(all) ? *known : all;
     const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
     Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;

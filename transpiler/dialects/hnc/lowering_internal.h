@@ -61,6 +61,10 @@ struct PointerPlaces {
   ir::PlaceId offset, object;
 };
 
+constexpr bool IsLoop(StatementKind kind) {
+  return kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor;
+}
+
 inline constexpr uint32_t kNullOffset = 0x80000000;
 inline constexpr uint32_t kMostTargets = 16;
 
@@ -234,7 +238,7 @@ class Lowering {
   void RefineComparison(const Expr& expr, bool holds);
   std::optional<Cell> CellOfRead(ExprId id) const;
 
-  // --- switch and goto (lowering_switch.cc) ---
+  // --- switch and jumps (lowering_switch.cc) ---
   void SwitchStatement(const Statement& statement);
   Value ConvertSelector(ExprId id);
   void FlatSwitch(const Statement& statement, const Value& selector);
@@ -245,9 +249,19 @@ class Lowering {
   StatementId ParentOf(StatementId id) const;
   /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
   bool IsBefore(StatementId a, StatementId b) const { return order_.at(a.index) < order_.at(b.index); }
+
+  // --- goto (lowering_goto.cc) ---
   void Goto(const Statement& statement);
   uint32_t GotoLabel(LabelId id);
   void LabelStatement(const Statement& statement, bool last);
+  /// Statements of a function by their order.
+  struct Span {
+    uint32_t first = 0, last = 0;
+    bool Holds(uint32_t order) const { return first <= order && order <= last; }
+  };
+  Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
+  bool IsEnteredElsewhere(const Span& span) const;
+  bool HasChoiceAround(StatementId label) const;
   void PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps);
 
   // --- loops (lowering_loops.cc, loop_bounds.cc) ---
@@ -256,7 +270,8 @@ class Lowering {
     ExprId condition, step;
     std::vector<StatementId> body;
     bool tests_first = true;
-    bool is_statement = true;  // 0: a label and the goto back to it
+    bool is_statement = true;       // 0: a label and the goto back to it
+    bool enters_elsewhere = false;  // not only at its beginning
   };
   void LoopStatement(const Statement& statement);
   void Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue);

@@ -82,8 +82,7 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
 bool Lowering::Continues(StatementId id, StatementId outer) const {
   if (unit_.statements[id].kind != StatementKind::kContinue) return false;
   for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
-    const StatementKind kind = unit_.statements[at].kind;
-    if (kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor) return false;
+    if (IsLoop(unit_.statements[at].kind)) return false;
     if (at == outer) break;
   }
   return true;
