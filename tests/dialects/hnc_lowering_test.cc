@@ -168,5 +168,31 @@ TEST(HncLowering, LocationsByName) {
   }
 }
 
+/// A program in which structures, unions and bit-fields are declared, initialised, passed and used.
+constexpr std::string_view kRecords = R"(#include "plc.h"
+struct axis { int a, b[2]; unsigned run : 1, : 0, dir : 2; } f = { 1, { 2, 3 }, 1, 2 };
+union { unsigned u; long l; struct axis in; } w;
+struct axis g[2];
+struct axis h(struct axis x) { x.b[1]++; return x; }
+void init() { plc1_time = 16; plc2_time = 16; }
+void plc1() { struct axis *p = &g[1]; p->a += f.b[X[0] & 1]; g[0] = h(*p); w.in.dir = f.run ? 2 : f.dir--; w.l = h(f).a; }
+void plc2() { }
+)";
+
+TEST(HncLowering, ASlipInARecordIsAnErrorAndNoCrash) {
+  const size_t begin = kRecords.find("struct"), end = kRecords.find("void init");
+  for (size_t at = begin; at < end; ++at) {
+    for (const std::string_view slip : {"", "|", "in "}) {
+      std::string text(kRecords);
+      text.replace(at, slip.empty() ? 1 : 0, slip);
+      LoweredProgram lowered;
+      LowerInto(lowered, text);
+    }
+  }
+  LoweredProgram lowered;
+  LowerInto(lowered, std::string(kRecords));
+  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << testing::PrintToString(lowered.Reported());
+}
+
 }  // namespace
 }  // namespace plcxx::hnc

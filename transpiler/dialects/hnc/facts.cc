@@ -10,6 +10,7 @@ Facts::Facts(const Unit& unit, const Objects& objects) : unit_(unit), objects_(o
   targets_.resize(unit.variables.size());
   result_targets_.resize(unit.functions.size());
   writes_.resize(unit.functions.size());
+  stores_.resize(unit.functions.size());
   callees_.resize(unit.functions.size());
   parts_.resize(unit.functions.size());
   in_memory_.resize(unit.variables.size());
@@ -24,6 +25,7 @@ Facts::Facts(const Unit& unit, const Objects& objects) : unit_(unit), objects_(o
   FindMemory();
   FindTargets();
   FindWrites();
+  FindStores();
 }
 
 std::optional<int64_t> Facts::ConstantOf(ExprId id) const {
@@ -330,6 +332,65 @@ void Facts::FindWrites() {
       for (const FunctionId callee : callees_[i]) grown = writes_[i].Add(writes_[callee.index]) || grown;
     }
   }
+}
+
+/// Functions that store into more places than this are looked at by objects only.
+constexpr size_t kMaxCells = 64;
+
+bool Facts::Stores::Add(const Stores& other) {
+  const size_t before = cells.size();
+  bool grown = objects.Add(other.objects);
+  for (const Cell& cell : other.cells) {
+    if (!objects.Has(cell.object)) cells.insert(cell);
+  }
+  grown = grown || cells.size() > before;
+  if (cells.size() > kMaxCells) {
+    for (const Cell& cell : cells) objects.Add(cell.object);
+    cells.clear();
+  }
+  return grown;
+}
+
+std::optional<Cell> Facts::CellOfStore(const Expr& store) const {
+  const bool stores =
+      store.kind == ExprKind::kAssign || store.kind == ExprKind::kCompoundAssign || store.kind == ExprKind::kIncrement;
+  if (!stores) return std::nullopt;
+  const std::optional<StaticAddress> at = AddressOf(store.a);
+  const Type& type = unit_.TypeOf(store.a);
+  if (!at || type.kind == TypeKind::kPointer) return std::nullopt;  // what a pointer takes is the lowering's matter
+  return Cell{at->object, at->offset, std::max(1u, type.size)};
+}
+
+void Facts::FindStores() {
+  for (const FunctionId id : unit_.definitions) {
+    Stores& stores = stores_[id.index];
+    ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+      const Expr& expr = unit_.expressions[part];
+      if (const std::optional<Cell> cell = CellOfStore(expr)) {
+        stores.Add({.cells = {*cell}, .objects = {}});
+      } else if (expr.kind != ExprKind::kCall) {
+        stores.objects.Add(WritesOf(expr));
+      } else if (expr.function.valid() && unit_.functions[expr.function].system) {
+        stores.objects.Add(SystemWrites(expr));
+      }
+    });
+  }
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (uint32_t i = 0; i < unit_.functions.size(); ++i) {
+      for (const FunctionId callee : callees_[i]) grown = stores_[i].Add(stores_[callee.index]) || grown;
+    }
+  }
+}
+
+bool Facts::MayChange(const Expr& expr, const Cell& cell) const {
+  if (const std::optional<Cell> stored = CellOfStore(expr)) return stored->Overlaps(cell);
+  if (expr.kind != ExprKind::kCall) return WritesOf(expr).Has(cell.object);
+  if (!expr.function.valid()) return false;
+  if (unit_.functions[expr.function].system && SystemWrites(expr).Has(cell.object)) return true;
+  const Stores& stores = stores_[expr.function.index];
+  return stores.objects.Has(cell.object) ||
+         std::ranges::any_of(stores.cells, [&cell](const Cell& stored) { return stored.Overlaps(cell); });
 }
 
 std::optional<StaticAddress> Facts::Moved(const std::optional<StaticAddress>& base, ExprId index, TypeId element,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -48,6 +49,9 @@ class Facts {
   /// Objects that the expression itself stores into, calls included; parts of it are not looked at.
   ObjectSet WritesOf(const Expr& expr) const;
 
+  /// Whether the expression itself, calls included, may store into bytes of the cell.
+  bool MayChange(const Expr& expr, const Cell& cell) const;
+
   const std::vector<Registration>& registrations() const { return registrations_; }
   /// Whether the variable has bytes in memory: its address is taken, or it is no scalar.
   bool IsInMemory(VariableId variable) const { return in_memory_[variable.index]; }
@@ -59,6 +63,9 @@ class Facts {
   void FindMemory();
   void FindTargets();
   void FindWrites();
+  void FindStores();
+  /// The cell of a store at a constant place.
+  std::optional<Cell> CellOfStore(const Expr& store) const;
   ObjectSet SystemWrites(const Expr& call) const;
   std::optional<int64_t> ConstantOf(ExprId id) const;
   std::optional<StaticAddress> Moved(const std::optional<StaticAddress>& base, ExprId index, TypeId element,
@@ -69,6 +76,13 @@ class Facts {
   std::vector<ObjectSet> targets_;         // by VariableId
   std::vector<ObjectSet> result_targets_;  // by FunctionId
   std::vector<ObjectSet> writes_;          // by FunctionId
+  /// What a call may change, finer: single cells, and objects of which any byte may be meant.
+  struct Stores {
+    std::set<Cell> cells;
+    ObjectSet objects;
+    bool Add(const Stores& other);
+  };
+  std::vector<Stores> stores_;  // by FunctionId
   std::vector<std::vector<FunctionId>> callees_;
   std::vector<uint8_t> parts_;
   std::vector<bool> in_memory_;

@@ -4,99 +4,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/dialects/hnc/loop_counts.h"
 #include "transpiler/dialects/hnc/lowering_internal.h"
 
 namespace plcxx::hnc {
 
 namespace {
 
-constexpr int64_t kMostCounted = 10'000'001;  // rounds that are counted out; more are refused anyway
-
 struct Relation {
   ExprId counter;  // the lvalue
   ExprId limit;    // none: 0
   BinaryOp op = BinaryOp::kNotEqual;
-  ExprId change;                // the condition itself changes the counter
-  bool changes_before = false;  // ++n, --n: the value after the change is compared
-  bool loses_sign = false;      // the counter is converted to an unsigned type of its width
+  ExprId change;                    // the condition itself changes the counter
+  bool changes_before = false;      // ++n, --n: the value after the change is compared
+  std::vector<Bounds> conversions;  // the types that it is converted to before it is compared
 };
-
-BinaryOp Turned(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::kLess:
-      return BinaryOp::kGreater;
-    case BinaryOp::kGreater:
-      return BinaryOp::kLess;
-    case BinaryOp::kLessEqual:
-      return BinaryOp::kGreaterEqual;
-    case BinaryOp::kGreaterEqual:
-      return BinaryOp::kLessEqual;
-    default:
-      return op;
-  }
-}
-
-bool Holds(BinaryOp op, int64_t a, int64_t b) {
-  switch (op) {
-    case BinaryOp::kLess:
-      return a < b;
-    case BinaryOp::kGreater:
-      return a > b;
-    case BinaryOp::kLessEqual:
-      return a <= b;
-    case BinaryOp::kGreaterEqual:
-      return a >= b;
-    case BinaryOp::kEqual:
-      return a == b;
-    default:
-      return a != b;
-  }
-}
-
-int64_t Wrap(int64_t value, const Bounds& type) {
-  const int64_t count = type.high - type.low + 1;
-  int64_t rest = (value - type.low) % count;
-  if (rest < 0) rest += count;
-  return type.low + rest;
-}
-
-int64_t CeilDivide(int64_t a, int64_t b) { return a <= 0 ? 0 : (a + b - 1) / b; }
-
-/// Rounds of a counter that begins with `start` and is tested before each round; none: not shown to end.
-std::optional<int64_t> CountRounds(BinaryOp op, const Bounds& start, const Bounds& limit, int64_t step,
-                                   const Bounds& type, bool wraps) {
-  switch (op) {
-    case BinaryOp::kLess:
-      if (step > 0 && limit.high - 1 + step <= type.high) return CeilDivide(limit.high - start.low, step);
-      break;
-    case BinaryOp::kLessEqual:
-      if (step > 0 && limit.high + step <= type.high) return CeilDivide(limit.high - start.low + 1, step);
-      break;
-    case BinaryOp::kGreater:
-      if (step < 0 && limit.low + 1 + step >= type.low) return CeilDivide(start.high - limit.low, -step);
-      break;
-    case BinaryOp::kGreaterEqual:
-      if (step < 0 && limit.low + step >= type.low) return CeilDivide(start.high - limit.low + 1, -step);
-      break;
-    default:
-      break;
-  }
-  if (start.IsOne() && limit.IsOne()) {
-    int64_t value = start.low;
-    for (int64_t rounds = 0; rounds < kMostCounted; ++rounds) {
-      if (!Holds(op, value, limit.low)) return rounds;
-      if (!wraps && !type.Holds(value + step)) return std::nullopt;
-      value = Wrap(value + step, type);
-    }
-    return std::nullopt;
-  }
-  if (op == BinaryOp::kNotEqual && (step == 1 || step == -1)) {
-    if (step > 0 && start.high <= limit.low) return limit.high - start.low;
-    if (step < 0 && start.low >= limit.high) return start.high - limit.low;
-    return type.high - type.low + 1;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -107,7 +29,7 @@ static bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
     const Type& from = unit.TypeOf(unit.expressions[id].a);
     const Type& to = unit.TypeOf(id);
     if (!IsInteger(from) || !IsInteger(to) || to.bits < from.bits) return false;
-    if (from.is_signed && !to.is_signed) relation.loses_sign = true;
+    relation.conversions.insert(relation.conversions.begin(), BoundsOf(to));
     id = unit.expressions[id].a;
   }
   if (!id.valid()) return false;
@@ -135,8 +57,9 @@ Bounds Lowering::BoundsOfExpr(ExprId id) {
     case ExprKind::kLoad: {
       const std::optional<StaticAddress> at = facts_.AddressOf(expr.a);
       if (!at) return all;
+      // The same bytes may have been looked at through a type with the other sign.
       const std::optional<Bounds> known = flow_.Find(Cell{at->object, at->offset, type.size});
-      return known ? Meet(*known, all).value_or(all) : all;
+      return known && known->Within(all) ? *known : all;
     }
     case ExprKind::kConvert: {
       if (!IsInteger(unit_.TypeOf(expr.a))) return all;
@@ -170,10 +93,6 @@ Bounds Lowering::BoundsOfExpr(ExprId id) {
     case ExprKind::kAnd:
     case ExprKind::kOr:
       return {0, 1};
-    case ExprKind::kComma:
-      return BoundsOfExpr(expr.b);
-    case ExprKind::kAssign:
-      return BoundsOfExpr(expr.b);
     case ExprKind::kCall: {
       const auto known = bounds_of_results_.find(expr.function.index);
       return known == bounds_of_results_.end() ? all : known->second;
@@ -181,6 +100,17 @@ Bounds Lowering::BoundsOfExpr(ExprId id) {
     default:
       return all;
   }
+}
+
+/// What conversions that keep the low `bits` are made of.
+ExprId Lowering::Unwidened(ExprId id, uint32_t bits) const {
+  while (ExprAt(id).kind == ExprKind::kConvert) {
+    const Type& to = unit_.TypeOf(id);
+    const Type& from = unit_.TypeOf(ExprAt(id).a);
+    if (!IsInteger(to) || !IsInteger(from) || to.bits < bits || from.bits < bits) break;
+    id = ExprAt(id).a;
+  }
+  return id;
 }
 
 /// The constant by which an expression changes the cell; none: otherwise, or not at all.
@@ -198,17 +128,16 @@ std::optional<int64_t> Lowering::StepOf(const Expr& expr, const StaticAddress& c
       return std::nullopt;
     }
     case ExprKind::kAssign: {
-      ExprId id = expr.b;
-      while (ExprAt(id).kind == ExprKind::kConvert) id = ExprAt(id).a;
+      const ExprId id = Unwidened(expr.b, TypeAt(expr.type).bits);
       const Expr& sum = ExprAt(id);
       const bool minus = sum.kind == ExprKind::kBinary && sum.binary == BinaryOp::kSubtract;
       if (!minus && (sum.kind != ExprKind::kBinary || sum.binary != BinaryOp::kAdd)) return std::nullopt;
       for (const bool turned : {false, true}) {
         if (minus && turned) break;
-        ExprId read = turned ? sum.b : sum.a;
+        const ExprId read = Unwidened(turned ? sum.b : sum.a, TypeAt(expr.type).bits);
         const Expr& step = ExprAt(turned ? sum.a : sum.b);
-        while (ExprAt(read).kind == ExprKind::kConvert) read = ExprAt(read).a;
         if (ExprAt(read).kind != ExprKind::kLoad || facts_.AddressOf(ExprAt(read).a) != counter) continue;
+        if (TypeAt(ExprAt(read).type).bits != TypeAt(expr.type).bits) continue;
         if (!step.constant || !IsInteger(TypeAt(step.type))) continue;
         return minus ? -step.constant->integer : step.constant->integer;
       }
@@ -237,10 +166,10 @@ bool Lowering::IsUnconditional(ExprId change, ExprId root) const {
   return false;
 }
 
-/// Whether the change is executed in every round that comes to the next test.
+/// Whether the change is executed exactly once in each iteration that comes to the next test.
 bool Lowering::IsInEveryRound(ExprId change, const LoopShape& loop) const {
   if (loop.step.valid() && IsUnconditional(change, loop.step)) return true;
-  // Statements one after the other, before anything that could go on with the next round.
+  // Statements one after the other.
   std::vector<StatementId> list(loop.body.rbegin(), loop.body.rend());
   while (!list.empty()) {
     const StatementId id = list.back();
@@ -251,30 +180,70 @@ bool Lowering::IsInEveryRound(ExprId change, const LoopShape& loop) const {
       list.insert(list.end(), statement.body.rbegin(), statement.body.rend());
       continue;
     }
-    bool found = false, continues = false;
-    ForEachStatement(unit_, id, [&](StatementId part) {
-      const StatementKind kind = unit_.statements[part].kind;
-      if (kind == StatementKind::kContinue || kind == StatementKind::kGoto) continues = true;
-      if (kind == StatementKind::kLabel) found = true;
-    });
-    if (found) return false;  // jumped over
+    if (statement.kind == StatementKind::kLabel) {
+      list.push_back(statement.then);
+      continue;
+    }
     const bool plain = statement.kind == StatementKind::kExpression;
     const bool head = statement.kind == StatementKind::kIf || statement.kind == StatementKind::kSwitch;
-    if (plain || head) found = IsUnconditional(change, statement.expression);
-    if (statement.kind == StatementKind::kFor)
-      found = statement.first.valid() && IsUnconditional(change, statement.first);
-    if (found) return true;
-    if (continues) return false;
+    const bool first = statement.kind == StatementKind::kFor && statement.first.valid();
+    if (((plain || head) && IsUnconditional(change, statement.expression)) ||
+        (first && IsUnconditional(change, statement.first))) {
+      return !IsJumpedOver(id, loop);
+    }
   }
   return false;
 }
 
+/// Whether a jump inside of an iteration leads over the place, or back in front of it: `continue` of this loop, `goto`.
+bool Lowering::IsJumpedOver(StatementId place, const LoopShape& loop) const {
+  bool over = false;
+  const auto is_inside = [&](StatementId id) {
+    for (StatementId at = id; at.valid(); at = ParentOf(at)) {
+      if (std::ranges::find(loop.body, at) != loop.body.end()) return true;
+    }
+    return false;
+  };
+  for (const StatementId part : loop.body) {
+    if (!part.valid()) continue;
+    ForEachStatement(unit_, part, [&](StatementId id) {
+      const Statement& jump = unit_.statements[id];
+      const bool in_front = IsBefore(id, place);
+      if (jump.kind == StatementKind::kContinue) over = over || (in_front && !GoesToInnerLoop(id, loop));
+      if (jump.kind != StatementKind::kGoto || !jump.label.valid()) return;
+      const Label& label = unit_.labels[jump.label];
+      const bool leads_in_front = label.statement == place || IsBefore(label.statement, place);
+      if (is_inside(label.statement)) over = over || in_front != leads_in_front;
+    });
+  }
+  return over;
+}
+
+/// Whether the `continue` belongs to a loop in the body. One of a loop around a label and its goto leaves both.
+bool Lowering::GoesToInnerLoop(StatementId id, const LoopShape& loop) const {
+  if (!loop.is_statement) return true;
+  for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
+    if (IsLoop(unit_.statements[at].kind)) {
+      return std::ranges::find(loop.body, unit_.statements[at].then) == loop.body.end();
+    }
+  }
+  return false;
+}
+
+void Lowering::WhyUnbounded(ProofStep step, std::string why) {
+  if (why_unbounded_.empty() || step > failed_at_) {
+    failed_at_ = step;
+    why_unbounded_ = std::move(why);
+  }
+}
+
 std::optional<LoopProof> Lowering::Prove(const LoopShape& loop) {
-  why_unbounded_ = "its condition does not compare a counter with a limit";
+  why_unbounded_.clear();
   if (!loop.condition.valid()) {
-    why_unbounded_ = "it has no condition";
+    WhyUnbounded(ProofStep::kNothing, "it has no condition");
     return std::nullopt;
   }
+  WhyUnbounded(ProofStep::kNothing, "its condition does not compare a counter with a limit");
   // Everything that is executed in a round.
   std::vector<ExprId> parts;
   const auto collect = [&](ExprId id) { parts.push_back(id); };
@@ -299,45 +268,37 @@ std::optional<LoopProof> Lowering::Prove(const LoopShape& loop) {
   std::optional<LoopProof> best;
   for (size_t i = conjuncts.size(); i-- > 0;) {
     const std::optional<LoopProof> proof = ProveBy(conjuncts[i], loop, parts, declared);
-    if (proof && (!best || proof->rounds < best->rounds)) best = proof;
+    if (proof && (!best || proof->count.iterations < best->count.iterations)) best = proof;
   }
   return best;
 }
 
-/// How often the cell is stored into, and the only store; more than one, or one that is not plain: none.
-std::optional<ExprId> Lowering::OnlyStore(const StaticAddress& counter, uint32_t size,
-                                          const std::vector<ExprId>& parts) {
+/// The only store into the cell; more than one, or one that is not plain: none.
+std::optional<ExprId> Lowering::OnlyStore(const Cell& cell, const std::vector<ExprId>& parts) {
   std::optional<ExprId> only;
-  const Cell cell{counter.object, counter.offset, size};
   for (const ExprId id : parts) {
     const Expr& expr = ExprAt(id);
+    if (!facts_.MayChange(expr, cell)) continue;
     const bool stores =
         expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign || expr.kind == ExprKind::kIncrement;
-    if (stores) {
-      const std::optional<StaticAddress> at = facts_.AddressOf(expr.a);
-      if (at && at->object != counter.object) continue;
-      if (at) {
-        const Cell other{at->object, at->offset, std::max(1u, TypeAt(ExprAt(expr.a).type).size)};
-        if (!cell.Overlaps(other)) continue;
-        if (*at != counter || TypeAt(ExprAt(expr.a).type).size != size) {
-          why_unbounded_ = "its counter is changed in part";
-          return std::nullopt;
-        }
-        if (only) {
-          why_unbounded_ = "its counter is changed in two places";
-          return std::nullopt;
-        }
-        only = id;
-        continue;
-      }
-    }
-    if (facts_.WritesOf(expr).Has(counter.object)) {
-      why_unbounded_ = expr.kind == ExprKind::kCall ? "a function that it calls may change its counter"
-                                                    : "a store through a pointer or an index may change its counter";
+    const std::optional<StaticAddress> at = stores ? facts_.AddressOf(expr.a) : std::nullopt;
+    if (!at) {
+      WhyUnbounded(ProofStep::kChange, expr.kind == ExprKind::kCall
+                                           ? "a function that it calls may change its counter"
+                                           : "a store through a pointer or an index may change its counter");
       return std::nullopt;
     }
+    if (Cell{at->object, at->offset, TypeAt(ExprAt(expr.a).type).size} != cell) {
+      WhyUnbounded(ProofStep::kChange, "its counter is changed in part");
+      return std::nullopt;
+    }
+    if (only) {
+      WhyUnbounded(ProofStep::kChange, "its counter is changed in two places");
+      return std::nullopt;
+    }
+    only = id;
   }
-  if (!only) why_unbounded_ = "nothing in it changes its counter";
+  if (!only) WhyUnbounded(ProofStep::kCounter, "nothing in it changes its counter");
   return only;
 }
 
@@ -355,16 +316,11 @@ bool Lowering::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const
     const ObjectSet read = facts_.ObjectsOf(expr.a);
     for (const ExprId part : parts) {
       const Expr& store = ExprAt(part);
-      const bool stores = store.kind == ExprKind::kAssign || store.kind == ExprKind::kCompoundAssign ||
-                          store.kind == ExprKind::kIncrement;
-      const std::optional<StaticAddress> to = stores ? facts_.AddressOf(store.a) : std::nullopt;
-      if (at && to) {
-        const Cell a{at->object, at->offset, std::max(1u, TypeAt(expr.type).size)};
-        const Cell b{to->object, to->offset, std::max(1u, TypeAt(ExprAt(store.a).type).size)};
-        unchanged = unchanged && !a.Overlaps(b);
-        continue;
+      if (at) {
+        unchanged = unchanged && !facts_.MayChange(store, {at->object, at->offset, TypeAt(expr.type).size});
+      } else {
+        for (const ObjectId object : facts_.WritesOf(store).objects) unchanged = unchanged && !read.Has(object);
       }
-      for (const ObjectId object : facts_.WritesOf(store).objects) unchanged = unchanged && !read.Has(object);
     }
   });
   return unchanged;
@@ -372,22 +328,25 @@ bool Lowering::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const
 
 std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
                                            const ObjectSet& declared) {
-  std::vector<Relation> candidates;
   ExprId root = conjunct;
+  bool negated = false;
+  while (ExprAt(root).kind == ExprKind::kUnary && ExprAt(root).unary == UnaryOp::kNot) {
+    negated = !negated;
+    root = ExprAt(root).a;
+  }
   const Expr& expr = ExprAt(root);
   const bool compares = expr.kind == ExprKind::kBinary && expr.binary >= BinaryOp::kLess &&
                         expr.binary <= BinaryOp::kNotEqual && IsInteger(unit_.TypeOf(expr.a));
+  std::vector<Relation> candidates;
+  const auto add = [&](ExprId side, ExprId limit, BinaryOp op) {
+    Relation relation{.counter = {}, .limit = limit, .op = negated ? Negated(op) : op, .change = {}, .conversions = {}};
+    if (FindCounter(unit_, side, relation)) candidates.push_back(relation);
+  };
   if (compares) {
-    for (const bool turned : {false, true}) {
-      Relation relation{.counter = {},
-                        .limit = turned ? expr.a : expr.b,
-                        .op = turned ? Turned(expr.binary) : expr.binary,
-                        .change = {}};
-      if (FindCounter(unit_, turned ? expr.b : expr.a, relation)) candidates.push_back(relation);
-    }
+    add(expr.a, expr.b, expr.binary);
+    add(expr.b, expr.a, Turned(expr.binary));
   } else {
-    Relation relation;
-    if (FindCounter(unit_, root, relation)) candidates.push_back(relation);
+    add(root, {}, BinaryOp::kNotEqual);
   }
   for (const Relation& relation : candidates) {
     const std::optional<StaticAddress> counter = facts_.AddressOf(relation.counter);
@@ -396,51 +355,45 @@ std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loo
     const bool field = lvalue.kind == ExprKind::kMember &&
                        unit_.records[TypeAt(ExprAt(lvalue.a).type).record].members[lvalue.member].is_bit_field;
     if (!counter || field || !IsInteger(type)) continue;
-    const std::optional<ExprId> store = OnlyStore(*counter, type.size, parts);
+    const Cell cell{counter->object, counter->offset, type.size};
+    const std::optional<ExprId> store = OnlyStore(cell, parts);
     if (!store || declared.Has(counter->object)) continue;
     const std::optional<int64_t> step = StepOf(ExprAt(*store), *counter);
     if (!step || *step == 0) {
-      why_unbounded_ = "its counter does not change by a constant";
+      WhyUnbounded(ProofStep::kChange, "its counter does not change by a constant");
       continue;
     }
     const bool in_condition = relation.change.valid();
     if (in_condition ? *store != relation.change : !IsInEveryRound(*store, loop)) {
-      why_unbounded_ = "its counter is not changed on every path";
+      WhyUnbounded(ProofStep::kChange, "its counter is not changed on every path");
       continue;
     }
     if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
-      why_unbounded_ = "its limit changes in the loop";
+      WhyUnbounded(ProofStep::kLimit, "its limit changes in the loop");
       continue;
     }
     const Bounds all = BoundsOf(type);
-    Bounds start = flow_.Find(Cell{counter->object, counter->offset, type.size}).value_or(all);
-    if (relation.loses_sign && start.low < 0) {
-      why_unbounded_ = "its counter may be negative and is compared without a sign";
-      continue;
-    }
+    const std::optional<Bounds> known = loop.enters_elsewhere ? std::nullopt : flow_.Find(cell);
+    const Bounds entered = known && known->Within(all) ? *known : all;
     const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
-    if (moved) {
-      start = {start.low + *step, start.high + *step};
-      if (!start.Within(all)) start = all;
-    }
-    const Bounds limit = relation.limit.valid() ? BoundsOfExpr(relation.limit) : Bounds{0, 0};
-    std::optional<int64_t> rounds = CountRounds(relation.op, start, limit, *step, all, !type.is_signed);
-    if (!rounds) {
-      why_unbounded_ = "its counter may step over the end of its type before the condition fails";
+    Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;
+    if (!start.Within(all)) start = entered.IsOne() ? Wrapped(start, all) : all;
+    std::optional<LoopCount> count =
+        Count({.op = relation.op,
+               .start = start,
+               .limit = relation.limit.valid() ? BoundsOfExpr(relation.limit) : Bounds{0, 0},
+               .step = *step,
+               .type = all,
+               .wraps = !type.is_signed,
+               .conversions = relation.conversions});
+    if (!count) {
+      WhyUnbounded(ProofStep::kRange, "its counter may step over the end of its type before the condition fails");
       continue;
     }
-    if (!loop.tests_first) ++*rounds;  // the first round is not tested
-    LoopProof proof{.rounds = static_cast<uint64_t>(*rounds), .counter = {}, .in_body = {}};
-    proof.counter = Cell{counter->object, counter->offset, type.size};
-    if (!in_condition) {
-      const bool up = relation.op == BinaryOp::kLess || relation.op == BinaryOp::kLessEqual;
-      const bool down = relation.op == BinaryOp::kGreater || relation.op == BinaryOp::kGreaterEqual;
-      if (loop.tests_first && up) proof.in_body = Bounds{start.low, std::max(start.high, limit.high)};
-      if (loop.tests_first && down) proof.in_body = Bounds{std::min(start.low, limit.low), start.high};
-      const bool counts_up = relation.op == BinaryOp::kNotEqual && *step > 0 && start.high <= limit.low;
-      const bool counts_down = relation.op == BinaryOp::kNotEqual && *step < 0 && start.low >= limit.high;
-      if (loop.tests_first && counts_up) proof.in_body = Bounds{start.low, limit.high};
-      if (loop.tests_first && counts_down) proof.in_body = Bounds{limit.low, start.high};
+    LoopProof proof{.count = *count, .counter = cell, .knows_values = !in_condition};
+    if (!loop.tests_first) {  // the first iteration is not tested
+      ++proof.count.iterations;
+      proof.count.in_body = Join(count->in_body.value_or(entered), entered);
     }
     return proof;
   }

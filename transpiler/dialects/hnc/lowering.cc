@@ -170,8 +170,8 @@ void Lowering::LowerFunction(FunctionId id) {
   const ir::RegionId region = routine.body;
   builder_.SetRange(function.range);
   builder_.SetRegion(prologue);
-  BeginLocals(function);
   program_.routines[routines_[id.index]].prologue = prologue;
+  BeginLocals(function);
   builder_.SetRegion(region);
   Lower(function.body, true);
   const bool falls_off = flow_.reachable;

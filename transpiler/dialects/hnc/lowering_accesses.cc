@@ -162,7 +162,13 @@ Value Lowering::Load(const Lvalue& lvalue) {
     }
     return value;
   }
-  return Make(LoadAt(lvalue.address, IrType(lvalue.type), lvalue.expr), lvalue.type);
+  Value value = Make(LoadAt(lvalue.address, IrType(lvalue.type), lvalue.expr), lvalue.type);
+  const std::optional<Cell> cell = CellOf(lvalue);
+  if (cell && IsInteger(type)) {
+    const std::optional<Bounds> known = flow_.FindTested(*cell);
+    if (known && known->Within(value.bounds)) value.bounds = *known;
+  }
+  return value;
 }
 
 /// What was known of the bytes is no longer; what is known of the value is.
@@ -175,7 +181,8 @@ void Lowering::NoteStore(const Lvalue& lvalue, const Value& value) {
   }
   flow_.Forget(*cell);
   const Type& type = TypeAt(lvalue.type);
-  if (IsInteger(type) && value.bounds != BoundsOf(type)) flow_.Learn(*cell, value.bounds);
+  if (!IsInteger(type) || value.bounds == BoundsOf(type)) return;
+  flow_.Learn(*cell, value.bounds, lvalue.local.valid() ? Origin::kTested : Origin::kStored);
 }
 
 void Lowering::Store(const Lvalue& lvalue, const Value& value) {

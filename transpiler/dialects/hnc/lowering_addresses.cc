@@ -255,7 +255,7 @@ void Lowering::StorePointer(VariableId id, const Address& value) {
   const Bounds bounds = constant ? Bounds{value.base, value.base}
                                  : Bounds{value.base + value.stride * value.index_bounds.low,
                                           value.base + value.stride * value.index_bounds.high};
-  if (!value.is_null && bounds.Within(kAnyOffset)) flow_.Learn(cell, bounds);
+  if (!value.is_null && bounds.Within(kAnyOffset)) flow_.Learn(cell, bounds, Origin::kTested);
 }
 
 ValueId Lowering::OffsetOf(const Address& address) {

@@ -17,6 +17,7 @@
 
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/hnc/facts.h"
+#include "transpiler/dialects/hnc/loop_counts.h"
 #include "transpiler/dialects/hnc/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
 #include "transpiler/dialects/hnc/ranges.h"
@@ -60,6 +61,10 @@ struct PointerPlaces {
   ir::PlaceId offset, object;
 };
 
+constexpr bool IsLoop(StatementKind kind) {
+  return kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor;
+}
+
 inline constexpr uint32_t kNullOffset = 0x80000000;
 inline constexpr uint32_t kMostTargets = 16;
 
@@ -68,10 +73,13 @@ enum class Fault : uint8_t { kDivision = 1, kIndex = 2, kLoop = 3 };
 
 /// What is known of a loop that ends (6.6).
 struct LoopProof {
-  uint64_t rounds = 0;
-  std::optional<Cell> counter;  // what it counts in, and the counter's bounds in the body
-  std::optional<Bounds> in_body;
+  LoopCount count;
+  Cell counter;
+  bool knows_values = false;  // `count` has the counter's values; else its condition changes it
 };
+
+/// How far a proof came: of several candidates the one that came furthest says why there is none.
+enum class ProofStep : uint8_t { kNothing, kCounter, kChange, kLimit, kRange };
 
 /// Which functions are lowered: what no part reaches is checked, but no part of the program (4.1).
 enum class Scope : uint8_t { kAll, kReached };
@@ -230,7 +238,7 @@ class Lowering {
   void RefineComparison(const Expr& expr, bool holds);
   std::optional<Cell> CellOfRead(ExprId id) const;
 
-  // --- switch and goto (lowering_switch.cc) ---
+  // --- switch and jumps (lowering_switch.cc) ---
   void SwitchStatement(const Statement& statement);
   Value ConvertSelector(ExprId id);
   void FlatSwitch(const Statement& statement, const Value& selector);
@@ -239,9 +247,21 @@ class Lowering {
   void FindLabels(const Function& function);
   void CheckJumps(const Function& function);
   StatementId ParentOf(StatementId id) const;
+  /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
+  bool IsBefore(StatementId a, StatementId b) const { return order_.at(a.index) < order_.at(b.index); }
+
+  // --- goto (lowering_goto.cc) ---
   void Goto(const Statement& statement);
   uint32_t GotoLabel(LabelId id);
   void LabelStatement(const Statement& statement, bool last);
+  /// Statements of a function by their order.
+  struct Span {
+    uint32_t first = 0, last = 0;
+    bool Holds(uint32_t order) const { return first <= order && order <= last; }
+  };
+  Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
+  bool IsEnteredElsewhere(const Span& span) const;
+  bool HasChoiceAround(StatementId label) const;
   void PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps);
 
   // --- loops (lowering_loops.cc, loop_bounds.cc) ---
@@ -250,14 +270,17 @@ class Lowering {
     ExprId condition, step;
     std::vector<StatementId> body;
     bool tests_first = true;
+    bool is_statement = true;       // 0: a label and the goto back to it
+    bool enters_elsewhere = false;  // not only at its beginning
   };
   void LoopStatement(const Statement& statement);
   void Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue);
   void ConditionRegion(ExprId id, ir::RegionId region);
+  Flow RefineWaysOut(ExprId condition, bool counts);
   bool IsSingleStore(ir::RegionId region) const;
   bool IsLocalObject(ObjectId object) const;
   bool GoesOn(StatementId id, bool& continues) const;
-  bool GoesRound(StatementId id, StatementId outer) const;
+  bool Continues(StatementId id, StatementId outer) const;
   std::optional<bool> ConstantCondition(ExprId id) const;
   void ForgetWrites(StatementId id);
   void ForgetWritesOf(ExprId id);
@@ -265,10 +288,14 @@ class Lowering {
   std::optional<LoopProof> Prove(const LoopShape& loop);
   std::optional<LoopProof> ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
                                    const ObjectSet& declared);
-  std::optional<ExprId> OnlyStore(const StaticAddress& counter, uint32_t size, const std::vector<ExprId>& parts);
+  void WhyUnbounded(ProofStep step, std::string why);
+  std::optional<ExprId> OnlyStore(const Cell& cell, const std::vector<ExprId>& parts);
+  ExprId Unwidened(ExprId id, uint32_t bits) const;
   std::optional<int64_t> StepOf(const Expr& expr, const StaticAddress& counter) const;
   bool IsUnconditional(ExprId change, ExprId root) const;
   bool IsInEveryRound(ExprId change, const LoopShape& loop) const;
+  bool IsJumpedOver(StatementId place, const LoopShape& loop) const;
+  bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
   Bounds BoundsOfExpr(ExprId id);
 
@@ -401,10 +428,12 @@ class Lowering {
   std::unordered_map<uint32_t, ir::PlaceId> goto_budgets_;  // by LabelId
   std::unordered_set<uint32_t> has_label_;                  // by StatementId: a label or case stands in it
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
+  std::unordered_map<uint32_t, uint32_t> order_;            // by StatementId
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back
   std::unordered_map<uint32_t, bool> annotated_labels_;
   bool index_is_checked_ = false;  // by the load in front of the store of `+=` and `++`: one access, one fault
   std::string why_unbounded_;
+  ProofStep failed_at_ = ProofStep::kNothing;
   MacroUseId marked_macro_;    // whose text the last marker shows
   uint32_t statement_id_ = 0;  // for faults
   source::Range statement_range_;

@@ -60,8 +60,7 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
     case StatementKind::kBreak:
       return false;
     case StatementKind::kGoto:
-      // Forward, out of the loop: the label stands behind it.
-      if (unit_.labels[statement.label].range.begin < statement.range.begin) continues = true;
+      // Out of the loop, or to a label in it, behind which all is looked at as well.
       return false;
     case StatementKind::kContinue:
       continues = true;
@@ -74,21 +73,16 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
     case StatementKind::kLabel:
       return GoesOn(statement.then, continues);
     default:
-      ForEachStatement(unit_, id, [&](StatementId part) { continues = continues || GoesRound(part, id); });
+      ForEachStatement(unit_, id, [&](StatementId part) { continues = continues || Continues(part, id); });
       return true;
   }
 }
 
-/// Whether a statement in `outer` is a jump back, or a `continue` that belongs to a loop around `outer`.
-bool Lowering::GoesRound(StatementId id, StatementId outer) const {
-  const Statement& statement = unit_.statements[id];
-  if (statement.kind == StatementKind::kGoto) {
-    return statement.label.valid() && unit_.labels[statement.label].range.begin < statement.range.begin;
-  }
-  if (statement.kind != StatementKind::kContinue) return false;
+/// Whether a statement in `outer` is a `continue` that belongs to a loop around `outer`.
+bool Lowering::Continues(StatementId id, StatementId outer) const {
+  if (unit_.statements[id].kind != StatementKind::kContinue) return false;
   for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
-    const StatementKind kind = unit_.statements[at].kind;
-    if (kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor) return false;
+    if (IsLoop(unit_.statements[at].kind)) return false;
     if (at == outer) break;
   }
   return true;
@@ -155,6 +149,18 @@ bool Lowering::IsSingleStore(ir::RegionId region) const {
   return !insts.empty();
 }
 
+/// What is known behind a loop whose condition has just been evaluated; here, what is known where it holds. A loop that
+/// counts its iterations is also left while its condition holds.
+Flow Lowering::RefineWaysOut(ExprId condition, bool counts) {
+  const Flow evaluated = flow_;
+  Refine(condition, false);
+  Flow behind = flow_;
+  flow_ = evaluated;
+  Refine(condition, true);
+  if (counts) behind.JoinWith(flow_);
+  return behind;
+}
+
 void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue) {
   const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
   std::optional<LoopProof> proof;
@@ -166,11 +172,11 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
     if (!proof) diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, why_unbounded_);
   }
   const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
-                                                : proof              ? proof->rounds
+                                                : proof              ? proof->count.iterations
                                                                      : 1);
   if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds);
   // A counter in memory may be forced from outside: then the rounds are counted all the same.
-  const bool counts = statement.loop_bound || (proof && proof->counter && !IsLocalObject(proof->counter->object));
+  const bool counts = statement.loop_bound || (proof && !IsLocalObject(proof->counter.object));
   ir::Loop loop{.kind = counts ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
                 .bound = rounds,
                 .budget = {},
@@ -182,19 +188,19 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
   ForgetWrites(statement.then);
   if (statement.expression.valid()) ForEachExpr(unit_, statement.expression, [&](ExprId id) { ForgetWritesOf(id); });
   if (is_for && statement.step.valid()) ForEachExpr(unit_, statement.step, [&](ExprId id) { ForgetWritesOf(id); });
+  const Origin origin = counts ? Origin::kStored : Origin::kTested;
+  const LoopCount* values = proof && proof->knows_values ? &proof->count : nullptr;
   Flow at_end = flow_;
   if (statement.expression.valid() && !is_do) {
     loop.condition = builder_.NewRegion();
-    if (proof && proof->counter && proof->in_body) flow_.Learn(*proof->counter, *proof->in_body);
+    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
     ConditionRegion(statement.expression, loop.condition);
-    at_end = flow_;
-    const Flow head = flow_;
-    Refine(statement.expression, false);
-    at_end = flow_;
-    flow_ = head;
-    Refine(statement.expression, true);
-  } else if (proof && proof->counter && proof->in_body) {
-    flow_.Learn(*proof->counter, *proof->in_body);
+    at_end = RefineWaysOut(statement.expression, counts);
+  }
+  if (values != nullptr && values->in_body) {
+    const std::optional<Bounds> known = flow_.Find(proof->counter);
+    const std::optional<Bounds> both = known ? Meet(*known, *values->in_body) : values->in_body;
+    if (both) flow_.Narrow(proof->counter, *both);
   }
   const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
   builder_.SetRegion(loop.body);
@@ -216,11 +222,9 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
     builder_.SetRegion(loop.body);
   } else if (is_do && flow_.reachable) {
     MarkText(statement.close, SubjectOf(statement), false);
+    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
     again = Condition(statement.expression);
-    const Flow head = flow_;
-    Refine(statement.expression, false);
-    at_end = flow_;
-    flow_ = head;
+    at_end = RefineWaysOut(statement.expression, counts);
   } else if (is_do) {
     at_end.reachable = false;
   }

@@ -502,7 +502,7 @@ void Lowering::RefineComparison(const Expr& expr, bool holds) {
       default:
         break;
     }
-    if (bounds.low <= bounds.high && bounds != now) flow_.Learn(*cell, bounds);
+    if (bounds.low <= bounds.high && bounds != now) flow_.Narrow(*cell, bounds);
   }
 }
 
@@ -542,9 +542,9 @@ void Lowering::Refine(ExprId condition, bool holds) {
         if (!cell) break;
         Bounds bounds = BoundsOfExpr(id);
         if (!holds && bounds.Holds(0)) {
-          flow_.Learn(*cell, {0, 0});
+          flow_.Narrow(*cell, {0, 0});
         } else if (holds && bounds.low == 0 && bounds.high > 0) {
-          flow_.Learn(*cell, {1, bounds.high});
+          flow_.Narrow(*cell, {1, bounds.high});
         }
         break;
       }

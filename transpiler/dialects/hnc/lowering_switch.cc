@@ -1,4 +1,4 @@
-// Switches and gotos (specification 6.6, 6.7). A switch whose labels stand in its body is one of the IR; one with
+// Switches (specification 6.7). A switch whose labels stand in its body is one of the IR; one with
 // labels deeper inside, and an if that a goto leads into, become jumps in the list around them.
 
 #include <algorithm>
@@ -12,9 +12,6 @@ using ir::ValueId;
 
 namespace {
 
-bool IsLoop(StatementKind kind) {
-  return kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor;
-}
 bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
 
 std::string_view WordOf(StatementKind kind) {
@@ -39,6 +36,7 @@ uint64_t RawValue(int64_t value, const Type& type) {
 /// Which statement holds which, and which hold labels.
 void Lowering::FindLabels(const Function& function) {
   parents_.clear();
+  order_.clear();
   has_label_.clear();
   flat_.clear();
   goto_labels_.clear();
@@ -46,6 +44,7 @@ void Lowering::FindLabels(const Function& function) {
   goto_budgets_.clear();
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
+    order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
     for (const StatementId child : statement.body) parents_[child.index] = id;
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
@@ -149,7 +148,7 @@ void Lowering::SwitchStatement(const Statement& statement) {
     }
     if (is_default) arm.values.clear();
     Flow entered = before;
-    if (cell && chosen && !is_default) entered.Learn(*cell, *chosen);
+    if (cell && chosen && !is_default) entered.Narrow(*cell, *chosen);
     const bool fallen = flow_.reachable;
     if (fallen) {
       flow_.JoinWith(entered);
@@ -278,108 +277,6 @@ void Lowering::FlatSwitch(const Statement& statement, const Value& selector) {
   Lower(statement.then, false);
   around_.pop_back();
   PlaceLabel(end);
-}
-
-void Lowering::LabelStatement(const Statement& statement, bool last) {
-  const Label& label = unit_.labels[statement.label];
-  if (label.used) {
-    const uint32_t number = GotoLabel(statement.label);
-    // A way back leads here: what it changes is not known, and its rounds are counted from here on.
-    std::vector<StatementId> back;
-    ForEachStatement(unit_, function_->body, [&](StatementId id) {
-      const Statement& jump = unit_.statements[id];
-      if (jump.kind == StatementKind::kGoto && jump.label == statement.label && jump.range.begin >= label.range.begin) {
-        back.push_back(id);
-      }
-    });
-    PlaceLabel(number);
-    if (!back.empty() && flow_.reachable) {
-      PrepareBackJump(statement, back);
-      builder_.Label(number);
-      placed_labels_.insert(statement.label.index);
-    }
-  }
-  Lower(statement.then, last);
-}
-
-uint32_t Lowering::GotoLabel(LabelId id) {
-  const auto [found, added] = goto_labels_.emplace(id.index, 0);
-  if (added) found->second = NewLabel();
-  return found->second;
-}
-
-/// Bounds the rounds of a label with jumps back to it; refused where neither a proof nor an annotation does.
-void Lowering::PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps) {
-  const StatementId back = jumps.back();
-  const Statement& jump = unit_.statements[jumps.front()];
-  uint64_t rounds = label.loop_bound ? label.loop_bound->rounds : 0;
-  const bool annotated = rounds != 0;
-  // Everything between the label and the jump may have been executed.
-  std::vector<StatementId> body;
-  const StatementId self = unit_.labels[label.label].statement;
-  const StatementId list = ParentOf(self);
-  bool inside = false;
-  StatementId guard = back;
-  while (guard.valid() && ParentOf(guard) != list) guard = ParentOf(guard);
-  if (list.valid()) {
-    for (const StatementId id : unit_.statements[list].body) {
-      inside = inside || id == self;
-      if (inside) body.push_back(id == self ? label.then : id);
-      if (id == guard) break;
-    }
-  }
-  if (!annotated) {
-    std::optional<LoopProof> proof;
-    // `label: A; if (c) { B; goto label; }` goes round as long as c holds; a second way back would not ask for c.
-    const StatementId test = guard == self ? label.then : guard;
-    const bool is_if = test.valid() && test != back && unit_.statements[test].kind == StatementKind::kIf &&
-                       !unit_.statements[test].otherwise.valid();
-    if (is_if && jumps.size() == 1) {
-      std::vector<StatementId> round = body;
-      round.pop_back();
-      const size_t in_front = round.size();
-      const Statement& then = unit_.statements[unit_.statements[test].then];
-      if (then.kind == StatementKind::kCompound && !then.body.empty() && then.body.back() == back) {
-        round.insert(round.end(), then.body.begin(), then.body.end() - 1);
-      } else if (unit_.statements[test].then != back) {
-        round.push_back(unit_.statements[test].then);
-      }
-      proof = Prove(
-          {.condition = unit_.statements[test].expression, .step = {}, .body = round, .tests_first = in_front == 0});
-      // The test may come before the first change: one round more at most.
-      if (proof && (in_front == 0 || round.size() > in_front)) ++proof->rounds;
-    }
-    if (!proof) {
-      diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,
-                          "nothing shows that the jump back to '" + unit_.labels[label.label].name + "' ends");
-    } else {
-      rounds = proof->rounds;
-      CheckRounds(jump.keyword, rounds);
-    }
-  } else {
-    CheckRounds(jump.keyword, rounds);
-  }
-  for (const StatementId id : body) ForgetWrites(id);
-  const ir::PlaceId budget = AddLocal("rounds_left", ir::Type::kI32);
-  goto_budgets_[label.label.index] = budget;
-  annotated_labels_[label.label.index] = annotated;
-  builder_.Store(budget, Long(static_cast<uint32_t>(rounds == 0 ? 0 : rounds - 1)));
-}
-
-void Lowering::Goto(const Statement& statement) {
-  if (!statement.label.valid()) return;
-  if (!placed_labels_.contains(statement.label.index)) {
-    JumpTo(GotoLabel(statement.label));
-    return;
-  }
-  const ir::RegionId outside = builder_.region(), refused = builder_.NewRegion();
-  builder_.SetRegion(refused);
-  const bool annotated = annotated_labels_[statement.label.index];
-  if (annotated) RecordFault(Fault::kLoop);
-  builder_.SetRegion(outside);
-  builder_.JumpBack(GotoLabel(statement.label), {}, goto_budgets_[statement.label.index], refused);
-  // Refused, it goes on behind itself.
-  if (!annotated) flow_.reachable = false;
 }
 
 }  // namespace plcxx::hnc

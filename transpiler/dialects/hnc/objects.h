@@ -45,6 +45,17 @@ struct StaticAddress {
   bool operator==(const StaticAddress&) const = default;
 };
 
+/// A scalar at a constant place: what a fact is about.
+struct Cell {
+  ObjectId object;
+  int64_t offset = 0;
+  uint32_t size = 0;
+  auto operator<=>(const Cell&) const = default;
+  bool Overlaps(const Cell& other) const {
+    return object == other.object && offset < other.offset + other.size && other.offset < offset + size;
+  }
+};
+
 class Objects {
  public:
   explicit Objects(const Unit& unit);

@@ -23,6 +23,10 @@ Bounds Corners(const Bounds& a, const Bounds& b, int64_t (*apply)(int64_t, int64
   return {*std::ranges::min_element(corners), *std::ranges::max_element(corners)};
 }
 
+/// The product of two factors up to this is one that an int64_t holds; that of two double words without sign is not.
+constexpr int64_t kMaxFactor = int64_t{1} << 31;
+int64_t Magnitude(const Bounds& bounds) { return std::max(std::abs(bounds.low), std::abs(bounds.high)); }
+
 /// The least number of all ones that is not below `value`.
 int64_t Ones(int64_t value) {
   int64_t ones = 0;
@@ -46,6 +50,7 @@ std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const
     case BinaryOp::kSubtract:
       return Bounds{a.low - b.high, a.high - b.low};
     case BinaryOp::kMultiply:
+      if (Magnitude(a) > kMaxFactor || Magnitude(b) > kMaxFactor) return std::nullopt;
       return Corners(a, b, [](int64_t x, int64_t y) { return x * y; });
     case BinaryOp::kDivide:
       if (b.Holds(0)) return std::nullopt;
@@ -87,12 +92,23 @@ std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const
 std::optional<Bounds> Flow::Find(const Cell& cell) const {
   const auto found = facts_.find(cell);
   if (found == facts_.end()) return std::nullopt;
-  return found->second;
+  return found->second.bounds;
 }
 
-void Flow::Learn(const Cell& cell, const Bounds& bounds) {
+std::optional<Bounds> Flow::FindTested(const Cell& cell) const {
+  const auto found = facts_.find(cell);
+  if (found == facts_.end() || found->second.origin != Origin::kTested) return std::nullopt;
+  return found->second.bounds;
+}
+
+void Flow::Learn(const Cell& cell, const Bounds& bounds, Origin origin) {
   if (facts_.size() >= kMostFacts && !facts_.contains(cell)) facts_.clear();
-  facts_.insert_or_assign(cell, bounds);
+  facts_.insert_or_assign(cell, Fact{bounds, origin});
+}
+
+void Flow::Narrow(const Cell& cell, const Bounds& bounds) {
+  const auto found = facts_.find(cell);
+  Learn(cell, bounds, found == facts_.end() ? Origin::kTested : found->second.origin);
 }
 
 void Flow::Forget(const Cell& cell) {
@@ -115,7 +131,8 @@ void Flow::JoinWith(const Flow& other) {
       fact = facts_.erase(fact);
       continue;
     }
-    fact->second = Join(fact->second, found->second);
+    fact->second.bounds = Join(fact->second.bounds, found->second.bounds);
+    fact->second.origin = std::max(fact->second.origin, found->second.origin);
     ++fact;
   }
   if (!critical) critical = other.critical;

@@ -29,16 +29,9 @@ std::optional<Bounds> Meet(const Bounds& a, const Bounds& b);
 /// Of an operation whose operands have these bounds, before it wraps; none: any value.
 std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type);
 
-/// A scalar at a constant place: what a fact is about.
-struct Cell {
-  ObjectId object;
-  int64_t offset = 0;
-  uint32_t size = 0;
-  auto operator<=>(const Cell&) const = default;
-  bool Overlaps(const Cell& other) const {
-    return object == other.object && offset < other.offset + other.size && other.offset < offset + size;
-  }
-};
+/// Where a fact about a cell comes from. What has been stored into memory need not be there: it may be forced from
+/// outside.
+enum class Origin : uint8_t { kTested, kStored };
 
 /// What is known at one place of a function. Facts are few: a long function forgets old ones.
 class Flow {
@@ -47,7 +40,11 @@ class Flow {
   std::optional<source::Range> critical;  // the `asm cli` that no `asm sti` has ended on some way here
 
   std::optional<Bounds> Find(const Cell& cell) const;
-  void Learn(const Cell& cell, const Bounds& bounds);
+  /// Only what holds however memory is forced.
+  std::optional<Bounds> FindTested(const Cell& cell) const;
+  void Learn(const Cell& cell, const Bounds& bounds, Origin origin);
+  /// Narrows what is known; what it was narrowed from decides where it comes from.
+  void Narrow(const Cell& cell, const Bounds& bounds);
   void Forget(const Cell& cell);
   void Forget(ObjectId object);
   void ForgetAll() { facts_.clear(); }
@@ -59,7 +56,11 @@ class Flow {
 
  private:
   static constexpr size_t kMostFacts = 48;
-  std::map<Cell, Bounds> facts_;
+  struct Fact {
+    Bounds bounds;
+    Origin origin = Origin::kTested;
+  };
+  std::map<Cell, Fact> facts_;
 };
 
 }  // namespace plcxx::hnc

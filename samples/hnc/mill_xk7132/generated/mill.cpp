@@ -814,12 +814,7 @@ static void spindle(State& m, Host& host) noexcept {
         // dac = (long) spindle_speed * speed_percent() / 100 * DAC_FULL / top_speed;
         const uint32_t t422 = SignExtend16To32(m[spindle_speed]);
         const uint16_t t423 = speed_percent(m, host);
-        const uint32_t t424 = Mul32(SignedDiv32(Mul32(t422, t423), 100), 4095);
-        const uint32_t t425 = SignExtend16To32(m[top_speed]);
-        if (t425 == 0) {
-          record_fault(m, 1, 0x20A46D02, host);
-        }
-        dac = SignedDiv32(t424, t425);
+        dac = SignedDiv32(Mul32(SignedDiv32(Mul32(t422, t423), 100), 4095), m[top_speed]);
       }
       // if (dac > DAC_FULL)
       if (S32(dac) > 4095) {

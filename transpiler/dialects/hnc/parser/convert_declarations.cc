@@ -202,6 +202,7 @@ void Converter::Flatten(const clang::Expr* init, clang::QualType type, uint32_t 
   const RecordId id = RecordOf(record->getDecl());
   const std::vector<Member> members = unit_.records[id].members;  // converting may add records
   const bool is_union = unit_.records[id].is_union;
+  if (members.empty()) return;  // it has an error
   unsigned next = 0;
   for (const clang::FieldDecl* field : record->getDecl()->getDefinition()->fields()) {
     if (field->isUnnamedBitField()) continue;

@@ -264,7 +264,10 @@ ExprId Converter::MemberAccess(const clang::MemberExpr* expr) {
     object.a = result.a;
     result.a = unit_.expressions.Add(std::move(object));
   }
-  return unit_.expressions.Add(std::move(result));
+  // A record with an error in it has no members, and what asks for one has no address.
+  const Type& record = unit_.types[unit_.expressions[result.a].type];
+  const bool known = record.kind == TypeKind::kRecord && result.member < unit_.records[record.record].members.size();
+  return known ? unit_.expressions.Add(std::move(result)) : Poison(expr);
 }
 
 ExprId Converter::Conditional(const clang::ConditionalOperator* expr) {

@@ -106,7 +106,10 @@ RecordId Converter::RecordOf(const clang::RecordDecl* any) {
   result.range = NameOf(record);
   const RecordId id = unit_.records.Add(std::move(result));
   records_.emplace(record, id);
-  if (definition != nullptr && !definition->isInvalidDecl()) FillMembers(definition, id);
+  const bool sound =
+      definition != nullptr && !definition->isInvalidDecl() &&
+      std::ranges::none_of(definition->fields(), [](const auto* field) { return field->isInvalidDecl(); });
+  if (sound) FillMembers(definition, id);
   return id;
 }
 
