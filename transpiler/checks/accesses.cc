@@ -137,6 +137,7 @@ BitSpan BitNumbering::Of(const ir::Place& place) const {
     const uint32_t first = fields_[place.state.index] + place.field;
     return {first, first + 1};
   }
+  PLCXX_CHECK(place.space.valid());  // what a control keeps beside memory has no bits here
   const uint32_t first = base_[place.space.index] + place.offset * 8;
   if (place.indexed) return {base_[place.space.index] + place.low * 8, base_[place.space.index] + place.high * 8};
   if (place.type == ir::Type::kBit) return {first + place.bit, first + place.bit + 1};

@@ -86,10 +86,20 @@ UsesByBits CollectUses(const ir::Program& program) {
   return uses;
 }
 
+/// The place of an address. What the control holds beside memory (an output of the machine) has no place of its own:
+/// it is the one of the program with this address, if there is one.
+const ir::Place* PlaceOf(const ir::Program& program, const dialects::Location& location, const std::string& address) {
+  if (location.place.is_field() || location.place.space.valid()) return &location.place;
+  const auto found = std::ranges::find(program.places, address, &ir::Place::address);
+  return found == program.places.end() ? nullptr : &*found;
+}
+
 const Uses* UsesOf(const Compilation& compilation, const UsesByBits& uses, const std::string& address) {
   const auto location = compilation.dialect->locate(compilation.program, address);
   if (!location || location->absent || location->text_input) return nullptr;
-  const checks::BitSpan span = checks::BitNumbering(compilation.program).Of(location->place);
+  const ir::Place* place = PlaceOf(compilation.program, *location, address);
+  if (place == nullptr) return nullptr;
+  const checks::BitSpan span = checks::BitNumbering(compilation.program).Of(*place);
   const auto found = uses.find({span.first, span.last});
   return found == uses.end() ? nullptr : &found->second;
 }

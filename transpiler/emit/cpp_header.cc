@@ -5,6 +5,7 @@
 
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/source/decode.h"
 
 namespace plcxx::emit {
 namespace {
@@ -108,14 +109,16 @@ void HeaderPrinter::HostFunctions() {
 
 void HeaderPrinter::Entries() {
   out_ += "// The partitions, and what the control does around them.\n";
-  for (const ir::Routine& routine : program_.routines) {
+  for (uint32_t i = 0; i < program_.routines.size(); ++i) {
+    const ir::Routine& routine = program_.routines[ir::RoutineId(i)];
+    const std::string& name = emittable_.routine_names[i];
     if (SharesLocals(routine.kind) || (routine.simulation_only && !debug())) continue;
     if (!routine.comment.empty()) out_ += "/// " + CommentText(routine.comment) + "\n";
     if (routine.sliced) {
-      out_ += "inline constexpr uint8_t k" + std::string("Slices_") + routine.name + " = " +
-              std::to_string(routine.slices) + ";\n";
+      out_ +=
+          "inline constexpr uint8_t k" + std::string("Slices_") + name + " = " + std::to_string(routine.slices) + ";\n";
     }
-    out_ += std::string(ir::CppName(routine.result)) + " " + routine.name + "(State& m";
+    out_ += std::string(ir::CppName(routine.result)) + " " + name + "(State& m";
     for (const ir::Parameter& parameter : routine.parameters) {
       out_ += ", " + std::string(ir::CppName(parameter.type)) + " " + parameter.name;
     }
@@ -134,10 +137,16 @@ void HeaderPrinter::Entries() {
 
 void HeaderPrinter::Texts(std::string_view name, std::string_view comment, const std::vector<ir::MessageText>& texts) {
   if (texts.empty()) return;
-  out_ += "// " + std::string(comment) + "\ninline constexpr plcxx::DisplayText " + std::string(name) + "[] = {\n";
+  const bool is_utf8 = program_.text_encoding == source::Encoding::kUtf8;
+  const auto literal = [&](const std::string& text) {
+    return is_utf8 ? CppString(text) : CppBytes(source::EncodeEightBit(text, program_.text_encoding));
+  };
+  out_ += "// " + std::string(comment);
+  if (!is_utf8) out_ += " Encoding: " + std::string(source::Name(program_.text_encoding)) + ".";
+  out_ += "\ninline constexpr plcxx::DisplayText " + std::string(name) + "[] = {\n";
   for (const ir::MessageText& text : texts) {
-    out_ += "    {" + std::to_string(text.number) + ", " + std::to_string(text.colour) + ", " + CppString(text.text) +
-            "},\n";
+    out_ +=
+        "    {" + std::to_string(text.number) + ", " + std::to_string(text.colour) + ", " + literal(text.text) + "},\n";
   }
   out_ += "};\n\n";
 }

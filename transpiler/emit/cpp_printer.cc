@@ -49,6 +49,20 @@ std::string CppString(std::string_view text) {
   return out + "\"";
 }
 
+std::string CppBytes(std::string_view bytes) {
+  std::string out;
+  for (const char c : CppString(bytes)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      out += c;
+      continue;
+    }
+    out += '\\';  // three digits of 8 end by themselves, whatever follows
+    for (const int shift : {6, 3, 0}) out += static_cast<char>('0' + (byte >> shift & 7));
+  }
+  return out;
+}
+
 std::vector<OutputFile> PrintCpp(const Emittable& emittable, const source::SourceManager& sources) {
   const std::string& name = emittable.options.name;
   std::vector<OutputFile> files;

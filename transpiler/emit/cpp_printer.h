@@ -57,6 +57,8 @@ std::string CommentText(std::string_view text);
 
 /// A C++ string literal of a text without control characters.
 std::string CppString(std::string_view text);
+/// The same for bytes that are no UTF-8: what is not ASCII is an octal escape.
+std::string CppBytes(std::string_view bytes);
 
 // The pieces of PrintCpp, one file each.
 std::string PrintHeader(const Emittable& emittable);

@@ -48,13 +48,23 @@ void NamePlaces(Emittable& emittable) {
     names.Reserve(function.name);
     for (const ir::Parameter& parameter : function.parameters) names.Reserve(function.name + "_" + parameter.name);
   }
-  // A subroutine's name is the source's; the others are the generated code's own.
-  for (const ir::Routine& routine : program.routines) {
-    if (routine.kind != ir::RoutineKind::kSubroutine) names.Reserve(routine.name);
+  // The names of subroutines, and of what the host is to call, are the source's; the others are the generated code's.
+  const auto is_of_source = [](const ir::Routine& routine) {
+    return routine.kind == ir::RoutineKind::kSubroutine || routine.kind == ir::RoutineKind::kInterrupt;
+  };
+  emittable.routine_names.resize(program.routines.size());
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+    if (is_of_source(routine)) continue;
+    names.Reserve(routine.name);
+    emittable.routine_names[i] = routine.name;
   }
-  for (const ir::Routine& routine : program.routines) {
-    const bool own = routine.kind == ir::RoutineKind::kSubroutine;
-    emittable.routine_names.push_back(own ? names.Allocate(routine.name, "routine") : routine.name);
+  // What the host calls is first, so that no subroutine changes an exported name.
+  for (const auto kind : {ir::RoutineKind::kInterrupt, ir::RoutineKind::kSubroutine}) {
+    for (uint32_t i = 0; i < program.routines.size(); ++i) {
+      const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+      if (routine.kind == kind) emittable.routine_names[i] = names.Allocate(routine.name, "routine");
+    }
   }
   emittable.namespace_name = SafeIdentifier(emittable.options.name);
   names.Reserve(emittable.namespace_name);

@@ -185,6 +185,9 @@ void Printer::PrintSchedule() {
            Decimal(bits.first_number) + " count " + Decimal(bits.count) + '\n';
   }
   for (const MessageWord& word : program.message_words) out += "message_word " + PlaceName(word.place) + '\n';
+  if (program.text_encoding != source::Encoding::kUtf8) {
+    out += "text_encoding " + Quoted(source::Name(program.text_encoding)) + '\n';
+  }
   PrintMessages(out, "message", program.messages);
   PrintMessages(out, "menu_text", program.menu_texts);
   for (const Table& table : program.tables) PrintTable(out, table);

@@ -265,6 +265,7 @@ struct Program {
 
   Schedule schedule;
   StateId text_inbox;  // where the operator's texts arrive; none when the program compares none
+  source::Encoding text_encoding = source::Encoding::kUtf8;  // of messages and menu texts in generated code
   std::vector<MessageText> messages;
   std::vector<MessageText> menu_texts;
   std::vector<MessageBits> message_bits;

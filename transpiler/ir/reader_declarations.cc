@@ -237,6 +237,11 @@ void Reader::ReadDeclaration(std::string_view keyword) {
     ReadMessageBits(*this);
   } else if (keyword == "message_word") {
     program.message_words.push_back({Known(places, "place")});
+  } else if (keyword == "text_encoding") {
+    const std::string name = Name();
+    const std::optional<source::Encoding> encoding = source::EncodingByName(name);
+    if (!encoding) return Fail("unknown encoding '" + name + "'");
+    program.text_encoding = *encoding;
   } else if (keyword == "message") {
     ReadMessage(*this, program.messages);
   } else if (keyword == "menu_text") {

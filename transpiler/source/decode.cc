@@ -2,8 +2,11 @@
 
 #include <unicode/ucnv.h>
 
+#include <algorithm>
 #include <cstring>
 #include <span>
+
+#include "transpiler/source/characters.h"
 
 namespace plcxx::source {
 namespace {
@@ -149,6 +152,23 @@ Decoded DecodeEightBit(std::string_view bytes, Encoding encoding) {
     decoded.text += utf8[index];
   }
   return decoded;
+}
+
+std::string EncodeEightBit(std::string_view utf8, Encoding encoding) {
+  const std::array<char16_t, 128>& upper = UpperHalf(encoding);
+  std::string bytes;
+  for (size_t at = 0; at < utf8.size();) {
+    const CodePoint character = FirstCodePoint(utf8.substr(at));
+    at += character.length;
+    if (character.value < 0x80) {
+      bytes += static_cast<char>(character.value);
+      continue;
+    }
+    const auto found = std::ranges::find(upper, character.value);
+    const bool known = found != upper.end() && *found != kReplacement;
+    bytes += known ? static_cast<char>(0x80 + (found - upper.begin())) : '?';
+  }
+  return bytes;
 }
 
 const std::array<char16_t, 128>& UpperHalf(Encoding encoding) {

@@ -39,6 +39,8 @@ Decoded DecodeEightBit(std::string_view bytes, Encoding encoding);
 /// Every byte that does not belong to a character of GB18030 becomes one U+FFFD; an ASCII byte is never swallowed.
 Decoded DecodeGb18030(std::string_view bytes);
 
+/// The bytes of an 8-bit encoding for a text; '?' for what it cannot hold.
+std::string EncodeEightBit(std::string_view utf8, Encoding encoding);
 /// The bytes of GB18030 for a text; '?' for what it cannot hold and for U+FFFD.
 std::string EncodeGb18030(std::string_view utf8);
 /// How many bytes of GB18030 a text took that DecodeGb18030 gave; a U+FFFD stood for one.

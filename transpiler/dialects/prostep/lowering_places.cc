@@ -142,6 +142,7 @@ void Lowering::ForEachPart(uint32_t behind, uint32_t bytes, Visit&& visit) {
     const bool is_last = part.first + part.bytes == BytesOf(Space::kD);
     const uint32_t low = part.first == 0 ? behind : 0;
     const uint32_t high = part.bytes - (is_last ? bytes - 1 - behind : 0);
+    if (low >= high) continue;  // one byte at an end of D: no access lies in it with this byte
     std::string name = "DB_from_" + std::to_string(part.first);
     if (bytes > 1) name += behind == 0 ? "_low" : "_high";
     visit(IndexedPlace(part.space, Type::kI8, std::move(name), low, high), part.first);

@@ -23,6 +23,8 @@ constexpr Operand Flag(uint32_t first_byte, uint32_t index) {
 void Lowering::Messages() {
   program_.message_bits.push_back(
       {.space = memory_[SpaceKey::kF], .offset = kFirstMessageByte, .first_number = 1, .count = kMessages});
+  const bool as_mazovia = settings_.text_encoding == TextEncoding::kMazovia;
+  program_.text_encoding = as_mazovia ? source::Encoding::kMazovia : source::Encoding::kUtf8;
   for (const Text& text : tree_.messages) program_.messages.push_back({.number = text.number, .text = text.text});
   for (const Text& text : tree_.menu_texts) program_.menu_texts.push_back({.number = text.number, .text = text.text});
 }

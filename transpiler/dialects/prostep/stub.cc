@@ -16,6 +16,7 @@ class Stub final : public dialects::ControlStub {
  public:
   Stub(const ir::Program& program, uint32_t axes) : memory_(program), axes_(memory_, axes) {}
 
+  void PowerOff() override;
   void PowerOn(dialects::ImagePort& image) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort&) override;
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
@@ -33,10 +34,14 @@ class Stub final : public dialects::ControlStub {
   dialects::ImagePort* image_ = nullptr;  // from the first power-on on; it lives as long as the scenario
 };
 
-/// What the machine holds stays: inputs, and what the extra cards were told last. The latches are cleared (4.3).
+/// What the machine holds stays: inputs, and what the extra cards were told last. The latches are cleared before PM 0
+/// runs, which may write them (4.3).
+void Stub::PowerOff() {
+  for (uint32_t port = 0; port < kMostOutputBytes; ++port) outputs_[port] = 0;
+}
+
 void Stub::PowerOn(dialects::ImagePort& image) {
   image_ = &image;
-  for (uint32_t port = 0; port < kMostOutputBytes; ++port) outputs_[port] = 0;
   last_tick_ms_ = now_ms_ = 0;
   axes_.PowerOn();
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/subprogram_groups.h"
 
 namespace plcxx::technol {
 namespace {
@@ -85,15 +86,19 @@ void Lowering::FindStretches(Body& body) const {
     });
     if (crosses) return;
   }
+  bool into_last_case = false;
   for (const InstructionId id : body.instructions) {
     flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
-      body.tail_goes_back |= edge == Edge::kJump && body.tail && id >= *body.tail && to < *body.tail;
+      if (edge != Edge::kJump || !body.tail || id < *body.tail || to >= *body.tail) return;
+      body.tail_goes_back = true;
+      into_last_case |= to >= body.entries.back();  // which the tail, part of the same stretch, is outside of
     });
   }
-  body.stretches_are_cases = true;
+  body.stretches_are_cases = !into_last_case;
+  if (into_last_case) body.tail.reset();
 }
 
-/// Modules and mechanisms, then the subprograms: those that share an instruction are one routine.
+/// Modules and mechanisms, then the subprograms.
 void Lowering::FindBodies() {
   for (const Root& root : flow_.roots()) {
     Body body{.unit = root.unit};
@@ -103,36 +108,16 @@ void Lowering::FindBodies() {
       if (own && flow_.IsReached(InstructionId(i))) body.instructions.push_back(InstructionId(i));
     }
     FindStretches(body);
+    body_of_unit_[root.unit.index] = static_cast<uint32_t>(bodies_.size());
     bodies_.push_back(std::move(body));
   }
   body_of_subprogram_.resize(flow_.subprograms().size());
-  const size_t first = bodies_.size();
-  for (uint32_t k = 0; k < flow_.subprograms().size(); ++k) {
-    if (!flow_.IsReached(flow_.EntryOf(k))) continue;
-    std::vector<bool> seen(tree_.instructions.size());
-    Body body{.unit = {}, .subprograms = {k}, .instructions = {}, .level = flow_.subprograms()[k].level};
-    flow_.CollectFrom(flow_.EntryOf(k), seen, body.instructions);
-    for (size_t other = first; other < bodies_.size();) {
-      const Body& joined = bodies_[other];
-      const bool shares = std::any_of(joined.instructions.begin(), joined.instructions.end(),
-                                      [&](InstructionId id) { return seen[id.index]; });
-      if (!shares) {
-        ++other;
-        continue;
-      }
-      body.subprograms.insert(body.subprograms.end(), joined.subprograms.begin(), joined.subprograms.end());
-      body.instructions.insert(body.instructions.end(), joined.instructions.begin(), joined.instructions.end());
-      body.level = std::max(body.level, joined.level);
-      bodies_.erase(bodies_.begin() + static_cast<ptrdiff_t>(other));
-    }
-    std::sort(body.instructions.begin(), body.instructions.end());
-    body.instructions.erase(std::unique(body.instructions.begin(), body.instructions.end()), body.instructions.end());
-    std::sort(body.subprograms.begin(), body.subprograms.end(),
-              [&](uint32_t a, uint32_t b) { return flow_.EntryOf(a) < flow_.EntryOf(b); });
-    bodies_.push_back(std::move(body));
-  }
-  for (uint32_t i = static_cast<uint32_t>(first); i < bodies_.size(); ++i) {
-    for (const uint32_t k : bodies_[i].subprograms) body_of_subprogram_[k] = i;
+  for (SubprogramGroup& group : GroupSubprograms(flow_)) {
+    for (const uint32_t k : group.subprograms) body_of_subprogram_[k] = static_cast<uint32_t>(bodies_.size());
+    bodies_.push_back({.unit = {},
+                       .subprograms = std::move(group.subprograms),
+                       .instructions = std::move(group.instructions),
+                       .level = group.level});
   }
 }
 
@@ -169,10 +154,45 @@ void Lowering::FindLeaving() {
   }
 }
 
+/// MECH_INIT, and with mech-clear=abort what clears the bit.
+void Lowering::FindStopping() {
+  const auto add = [](std::vector<UnitId>& stops, UnitId mechanism) {
+    const auto at = std::ranges::lower_bound(stops, mechanism);
+    if (at != stops.end() && *at == mechanism) return false;
+    stops.insert(at, mechanism);
+    return true;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Body& body : bodies_) {
+      for (const InstructionId id : body.instructions) {
+        const Instruction& instruction = tree_.instructions[id];
+        if (instruction.op == Op::kCall) {
+          const Body& callee = bodies_[body_of_subprogram_[*flow_.CalleeOf(instruction)]];
+          body.stopped_by_callee |= body.unit.valid() && MayStop(callee, body.unit);
+          if (body.unit.valid()) continue;
+          for (const UnitId mechanism : callee.stops) changed |= add(body.stops, mechanism);
+        }
+        if (body.unit.valid()) continue;
+        if (const UnitId stopped = StoppedBy(instruction); stopped.valid()) changed |= add(body.stops, stopped);
+      }
+    }
+  }
+}
+
+UnitId Lowering::StoppedBy(const Instruction& instruction) const {
+  if (instruction.op == Op::kMechInit) return tree_.OperandOf(instruction, 0).mechanism;
+  const bool writes = instruction.op == Op::kWr || instruction.op == Op::kFl || instruction.op == Op::kFl1 ||
+                      instruction.op == Op::kFl0;
+  if (settings_.mech_clear != MechClear::kAbort || !writes) return {};
+  const Operand& bit = tree_.OperandOf(instruction, instruction.operands.count - 1);
+  const bool sets = instruction.op != Op::kWr && tree_.OperandOf(instruction, 0).value != 0;
+  return bit.is_activation_bit() && !sets ? bit.mechanism : UnitId();
+}
+
 const Body* Lowering::BodyOfMechanism(UnitId mechanism) const {
-  const auto found =
-      std::find_if(bodies_.begin(), bodies_.end(), [mechanism](const Body& body) { return body.unit == mechanism; });
-  return found == bodies_.end() ? nullptr : &*found;
+  const auto found = body_of_unit_.find(mechanism.index);
+  return found == body_of_unit_.end() ? nullptr : &bodies_[found->second];
 }
 
 const Body* Lowering::BodyOfModule(ModuleKind kind) const {
@@ -186,6 +206,7 @@ ir::Program Lowering::Run() {
   FindWideRegisters();
   FindBodies();
   FindLeaving();
+  FindStopping();
   AddHostFunctions();
   AddScheduleRoutines();
   AddBodyRoutines();

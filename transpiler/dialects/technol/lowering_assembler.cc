@@ -50,7 +50,8 @@ void Lowering::Assemble(const Instruction& instruction) {
       return Negate(instruction);
     case Op::kNot: {
       const Operand& target = tree_.OperandOf(instruction, 0);
-      return Write(target, Pure(kNot.At(target.width), {Read(target)}));
+      const Reach reach = ReachOfTarget(target);
+      return WriteAt(target, reach, Pure(kNot.At(target.width), {ReadAt(target, reach)}));
     }
     case Op::kShl:
     case Op::kShr:
@@ -122,8 +123,8 @@ void Lowering::AddOrSubtract(const Instruction& instruction) {
     UndefineFlags(kFlags & ~kZf);  // 0 is what SUB r,r leaves in them
     return Flag(kZf, [&] { return builder_.Bit(1); });
   }
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId left = ReadAt(target, reach);
   const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
   const ByWidth& row = adds ? kAdd : kSub;
   ValueId result = Pure(row.At(width), {left, right});
@@ -131,13 +132,7 @@ void Lowering::AddOrSubtract(const Instruction& instruction) {
     const ValueId carry = Pure(OpKind::kWiden1To32, {FlagValue(kCf)});
     result = Pure(row.At(width), {result, ToWidth(carry, width)});
   }
-  if (instruction.op != Op::kCmp) {
-    if (reach.place.valid()) {
-      builder_.Store(reach.place, result, reach.index);
-    } else {
-      WriteRegister(target.reg, result);
-    }
-  }
+  if (instruction.op != Op::kCmp) WriteAt(target, reach, result);
   Flag(kCf, [&] {
     if (carries) return Pure((adds ? kCarry : kBorrow).At(width), {left, right, result});
     if (adds) return Pure(OpKind::kLess32, {ToWidth(result, 32), ToWidth(left, 32)});
@@ -157,20 +152,14 @@ void Lowering::Logic(const Instruction& instruction) {
     result = Constant(0, width);
     WriteRegister(target.reg, result);
   } else {
-    const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-    const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+    const Reach reach = ReachOfTarget(target);
+    const ValueId left = ReadAt(target, reach);
     const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
     const ByWidth& row = instruction.op == Op::kAsmOr ? kOr : instruction.op == Op::kAsmXor ? kXor : kAnd;
     // TEST AX,AX and OR AX,AX ask for the value as it is.
     const bool same = left == right && instruction.op != Op::kAsmXor;
     result = same ? left : Pure(row.At(width), {left, right});
-    if (instruction.op != Op::kTest && !same) {
-      if (reach.place.valid()) {
-        builder_.Store(reach.place, result, reach.index);
-      } else {
-        WriteRegister(target.reg, result);
-      }
-    }
+    if (instruction.op != Op::kTest && !same) WriteAt(target, reach, result);
   }
   UndefineFlags(kCf | kOf);  // both are 0
   ResultFlags(result, width);
@@ -181,15 +170,11 @@ void Lowering::Increment(const Instruction& instruction) {
   const Operand& target = tree_.OperandOf(instruction, 0);
   const uint32_t width = target.width;
   const bool up = instruction.op == Op::kInc;
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId left = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId left = ReadAt(target, reach);
   const ValueId one = Constant(1, width);
   const ValueId result = Pure((up ? kAdd : kSub).At(width), {left, one});
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   Flag(kOf, [&] { return Pure((up ? kAddOverflow : kSubOverflow).At(width), {left, one, result}); });
   Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {ToWidth(left, 8), Byte(1), ToWidth(result, 8)}); });
   ResultFlags(result, width);
@@ -198,15 +183,11 @@ void Lowering::Increment(const Instruction& instruction) {
 void Lowering::Negate(const Instruction& instruction) {
   const Operand& target = tree_.OperandOf(instruction, 0);
   const uint32_t width = target.width;
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId value = ReadAt(target, reach);
   const ValueId zero = Constant(0, width);
   const ValueId result = Pure(kSub.At(width), {zero, value});
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   Flag(kCf, [&] { return Not(IsZero(value, width)); });
   Flag(kOf, [&] { return Pure(kSubOverflow.At(width), {zero, value, result}); });
   Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {Byte(0), ToWidth(value, 8), ToWidth(result, 8)}); });

@@ -20,9 +20,7 @@ void Lowering::WriteBit(const Operand& operand, ValueId value) {
   if (!operand.is_activation_bit() || settings_.mech_clear != MechClear::kAbort) return;
   const auto rewind = [&] {
     Rewind(operand.mechanism);
-    if (operand.mechanism != body_->unit) return;
-    end_is_used_ = true;
-    builder_.Jump(kEndLabel);
+    LeaveStopped(operand.mechanism);
   };
   const std::optional<uint64_t> known = KnownValue(value);
   if (known) {
@@ -100,13 +98,19 @@ void Lowering::Call(const Instruction& instruction) {
     while (body.subprograms[entry] != callee) ++entry;
     arguments.push_back(Byte(entry));
   }
+  const bool may_be_stopped = body_->stopped_by_callee && MayStop(body, body_->unit);
+  if (may_be_stopped) builder_.Store(StoppedPlace(body_->unit), builder_.Bit(0));
   const ValueId left = builder_.CallRoutine(body.routine, std::move(arguments));
   ForgetAll();
-  if (!body.leaves) return;
+  if (body.leaves && body_->unit.valid()) {
+    end_is_used_ = true;
+    builder_.Jump(kEndLabel, left);
+  } else if (body.leaves) {
+    When(left, [&] { LeaveAll(); });  // the caller's own caller asks, too
+  }
+  if (!may_be_stopped) return;
   end_is_used_ = true;
-  if (body_->unit.valid()) return builder_.Jump(kEndLabel, left);
-  // The caller's own caller asks, too.
-  When(left, [&] { LeaveAll(); });
+  builder_.Jump(kEndLabel, builder_.Load(StoppedPlace(body_->unit)));
 }
 
 void Lowering::Return() {

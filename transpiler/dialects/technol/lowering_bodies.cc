@@ -239,8 +239,6 @@ void Lowering::CallMechanism(const Body& body) {
     builder_.Store(rounds, builder_.Load(own));
   };
   When(builder_.Load(ActivationPlace(body.unit)), run);
-  // A subprogram that it has called may have cleared it.
-  if (settings_.mech_clear == MechClear::kAbort && body.calls) RewindIfCleared(body.unit);
 }
 
 void Lowering::Dispatch(const Instruction& instruction) {

@@ -19,17 +19,20 @@ struct Body {
   /// Where a pass or a jump may go on, in source order; their steps count from 1, 0 is the beginning. Waiting points,
   /// and what jumps back to across one of these.
   std::vector<InstructionId> entries;
-  bool goes_back = false;  // a jump leads back across an entry: the choice of the entry stands in a loop
-  /// The stretches between entries are the cases of one `switch`, each running on into the next one; what stands from
-  /// `tail` on is behind it. Not where a jump leads forward into a stretch other than the next one.
+  bool goes_back = false;  // a jump leads back across an entry: the choice of the entry is in a loop
+  /// The stretches between entries are the cases of one `switch`, each running on into the next one; what comes from
+  /// `tail` on is after it. Not where a jump leads forward into a stretch other than the next one, or from the tail
+  /// back into the last case.
   bool stretches_are_cases = false;
   std::optional<InstructionId> tail;
-  bool tail_goes_back = false;  // to an entry
-  ir::PlaceId entry;            // which subprogram is called, where there are several
-  bool calls = false;           // subprograms, with which it shares its registers
-  bool leaves = false;          // may leave all routines at once, by a refused jump or a trap
-  bool loops = false;           // it, or what it calls, jumps backward
-  uint32_t level = 0;           // of subprograms: as Subprogram::level
+  bool tail_goes_back = false;     // to an entry
+  ir::PlaceId entry;               // which subprogram is called, where there are several
+  bool calls = false;              // subprograms, with which it shares its registers
+  bool leaves = false;             // may leave all routines at once, by a refused jump or a trap
+  bool loops = false;              // it, or what it calls, jumps backward
+  std::vector<UnitId> stops;       // subprograms: the mechanisms that they, or what they call, may stop; sorted
+  bool stopped_by_callee = false;  // a mechanism: by a subprogram that it calls
+  uint32_t level = 0;              // of subprograms: greater than that of each caller
 
   /// 0 up to the first entry; the number of the last entry at or before the instruction.
   size_t StretchOf(InstructionId id) const {

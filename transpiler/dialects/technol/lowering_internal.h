@@ -67,6 +67,13 @@ class Lowering {
   void FindStretches(Body& body) const;
   void FindEntries(Body& body) const;
   void FindLeaving();
+  void FindStopping();
+  /// The mechanism that the instruction may stop.
+  UnitId StoppedBy(const Instruction& instruction) const;
+  /// May a call of the subprograms stop the mechanism?
+  static bool MayStop(const Body& subprograms, UnitId mechanism) {
+    return std::ranges::binary_search(subprograms.stops, mechanism);
+  }
   void AddBodyRoutines();
   void LowerBody(Body& body);
   void BeginBody(Body& body);
@@ -118,6 +125,9 @@ class Lowering {
   void Leave(InstructionId resume);
   ir::ValueId TimerLimit(const Operand& operand);
   void InitMechanism(const Instruction& instruction);
+  void LeaveStopped(UnitId mechanism);
+  /// Has a subprogram stopped the mechanism?
+  ir::PlaceId StoppedPlace(UnitId mechanism);
   /// Step and automatic timers are 0; the bit is not touched.
   void Rewind(UnitId unit);
   void RewindIfCleared(UnitId unit);
@@ -224,6 +234,12 @@ class Lowering {
     ir::ValueId index;
   };
   Reach ReachOf(const Operand& operand);
+  /// Of what an instruction reads and writes: reached, and reported, once. A register has no place.
+  Reach ReachOfTarget(const Operand& operand) {
+    return operand.kind == OperandKind::kMemory ? ReachOf(operand) : Reach{};
+  }
+  ir::ValueId ReadAt(const Operand& operand, const Reach& reach);
+  void WriteAt(const Operand& operand, const Reach& reach, ir::ValueId value);
   /// The values that an i32, read as signed, can have.
   struct Bounds32 {
     int64_t low = -0x80000000LL, high = 0x7FFFFFFFLL;
@@ -280,6 +296,7 @@ class Lowering {
   Memory memory_;
 
   std::vector<Body> bodies_;
+  std::unordered_map<uint32_t, uint32_t> body_of_unit_;
   std::vector<uint32_t> body_of_subprogram_;       // by Flow's numbers
   Body* body_ = nullptr;                           // the one being lowered
   InstructionId now_;                              // the instruction being lowered

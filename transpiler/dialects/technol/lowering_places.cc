@@ -205,6 +205,15 @@ void Lowering::Write(const Operand& operand, ValueId value) {
   builder_.Store(reach.place, value, reach.index);
 }
 
+ValueId Lowering::ReadAt(const Operand& operand, const Reach& reach) {
+  return reach.place.valid() ? builder_.Load(reach.place, reach.index) : ReadRegister(operand.reg);
+}
+
+void Lowering::WriteAt(const Operand& operand, const Reach& reach, ValueId value) {
+  if (!reach.place.valid()) return WriteRegister(operand.reg, value);
+  builder_.Store(reach.place, value, reach.index);
+}
+
 ir::PlaceId Lowering::AddLocal(std::string name, Type type) {
   const uint32_t offset = kFirstLocal + 4 * local_count_++;
   return program_.places.Add({.name = std::move(name),

@@ -46,14 +46,10 @@ void Lowering::ShiftByConstant(const Instruction& instruction, uint32_t count) {
   const Operand& target = tree_.OperandOf(instruction, 0);
   const uint32_t width = target.width;
   const Op op = instruction.op;
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId value = ReadAt(target, reach);
   const ValueId result = Shifted(op, value, Number(count), width);
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   const auto out = [&] {
     if (IsLeft(op)) {
       if (count > width) return builder_.Bit(0);
@@ -78,14 +74,10 @@ void Lowering::ShiftByCl(const Instruction& instruction) {
   const Operand& target = tree_.OperandOf(instruction, 0);
   const uint32_t width = target.width;
   const ValueId count = Pure(OpKind::kAnd32, {ToWidth(ReadRegister(Register::kCl), 32), Number(kCountMask)});
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId value = ReadAt(target, reach);
   const ValueId result = Shifted(instruction.op, value, count, width);
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   KeepUnless(kCf, count, [&] { return ShiftedOut(instruction.op, value, count, width); });
   KeepUnless(kZf, count, [&] { return IsZero(result, width); });
   KeepUnless(kSf, count, [&] { return Sign(result, width); });
@@ -100,17 +92,13 @@ void Lowering::Rotate(const Instruction& instruction) {
   if (fixed && bits == 0) return;
   const ValueId count =
       fixed ? Number(bits) : Pure(OpKind::kAnd32, {ToWidth(ReadRegister(Register::kCl), 32), Number(kCountMask)});
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId value = ReadAt(target, reach);
   const OpKind row = width == 8    ? (left ? OpKind::kRotateLeft8 : OpKind::kRotateRight8)
                      : width == 16 ? (left ? OpKind::kRotateLeft16 : OpKind::kRotateRight16)
                                    : (left ? OpKind::kRotateLeft32 : OpKind::kRotateRight32);
   const ValueId result = Pure(row, {value, count});
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   const auto out = [&] {
     return left ? Pure(OpKind::kTestBit32, {ToWidth(result, 32), Number(0)}) : Sign(result, width);
   };
@@ -140,8 +128,8 @@ void Lowering::RotateWithCarry(const Instruction& instruction) {
     if (!left) count = Pure(OpKind::kSub32, {Number(turns), count});
   }
   const ValueId carry = FlagValue(kCf);
-  const Reach reach = target.kind == OperandKind::kMemory ? ReachOf(target) : Reach{};
-  const ValueId value = reach.place.valid() ? builder_.Load(reach.place, reach.index) : Read(target);
+  const Reach reach = ReachOfTarget(target);
+  const ValueId value = ReadAt(target, reach);
   const OpKind rotate = width == 8    ? OpKind::kRotateCarryLeft8
                         : width == 16 ? OpKind::kRotateCarryLeft16
                                       : OpKind::kRotateCarryLeft32;
@@ -149,11 +137,7 @@ void Lowering::RotateWithCarry(const Instruction& instruction) {
                      : width == 16 ? OpKind::kCarryAfterRotate16
                                    : OpKind::kCarryAfterRotate32;
   const ValueId result = Pure(rotate, {value, carry, count});
-  if (reach.place.valid()) {
-    builder_.Store(reach.place, result, reach.index);
-  } else {
-    WriteRegister(target.reg, result);
-  }
+  WriteAt(target, reach, result);
   const auto carry_behind = [&] { return Pure(out, {value, carry, count}); };
   Flag(kCf, carry_behind);  // a count of 0 leaves it as it was
   if (!fixed || bits != 1) return;

@@ -148,10 +148,25 @@ void Lowering::EndMechanism(UnitId unit) {
 void Lowering::InitMechanism(const Instruction& instruction) {
   const UnitId mechanism = tree_.OperandOf(instruction, 0).mechanism;
   EndMechanism(mechanism);
-  if (mechanism != body_->unit) return;
-  end_is_used_ = true;
-  builder_.Jump(kEndLabel);
-  ForgetAll();
+  LeaveStopped(mechanism);
+  if (mechanism == body_->unit) ForgetAll();
+}
+
+/// A mechanism that stops itself is left at once. A subprogram runs to its end, so that one that stops everything does,
+/// and the mechanism that has called it is left then (6.7, 7.1).
+void Lowering::LeaveStopped(UnitId mechanism) {
+  if (mechanism == body_->unit) {
+    end_is_used_ = true;
+    return builder_.Jump(kEndLabel);
+  }
+  const Body* stopped = BodyOfMechanism(mechanism);
+  if (!body_->unit.valid() && stopped != nullptr && stopped->stopped_by_callee) {
+    builder_.Store(StoppedPlace(mechanism), builder_.Bit(1));
+  }
+}
+
+ir::PlaceId Lowering::StoppedPlace(UnitId mechanism) {
+  return Local(tree_.units[mechanism].name + "_stopped", Type::kBit);
 }
 
 }  // namespace plcxx::technol
