@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ class AddressSpace {
   uint32_t size() const { return static_cast<uint32_t>(bytes_.size()); }
   uint8_t operator[](uint32_t offset) const { return bytes_.at(offset); }
   const std::vector<uint8_t>& bytes() const { return bytes_; }
+  uint8_t forced(uint32_t offset) const { return forced_.at(offset); }
 
   /// The bits of `mask` become those of `value`.
   void Write(uint32_t offset, uint8_t mask, uint8_t value) {
@@ -53,6 +55,14 @@ struct Answer {
   std::optional<uint64_t> out;
 };
 
+/// What the specification leaves to the tool, so that a reference takes it from the program: by the position of a
+/// statement's first character (source::Range::begin).
+struct Choices {
+  std::map<uint32_t, uint32_t> statement_ids;
+  std::map<uint32_t, uint32_t> slices;  // of the statements outside of blocks; empty: one slice
+  uint32_t slice_count = 1;
+};
+
 /// Makes a host call by the function's name in the specification; arguments as raw bits.
 using HostCalls = std::function<Answer(std::string_view function, const std::vector<uint64_t>& arguments)>;
 
@@ -62,6 +72,9 @@ class Reference {
   virtual ~Reference() = default;
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;
+
+  /// Before anything runs.
+  virtual void Take(const Choices& /*choices*/) {}
 
   // As sim::Engine has them.
   virtual void PowerOn() = 0;

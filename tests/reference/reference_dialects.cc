@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "tests/reference/nc110_reference.h"
+
 namespace plcxx::reference {
 namespace {
 
-constexpr std::array<ReferenceDialect, 0> kDialects = {};
+constexpr std::array kDialects = {
+    ReferenceDialect{.name = "nc110", .make = MakeNc110, .generate = RandomNc110, .unsupported_scenarios = 0},
+};
 
 }  // namespace
 

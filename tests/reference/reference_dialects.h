@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <ostream>
 #include <span>
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct ReferenceDialect {
   /// Golden scenarios and samples that the reference passes over. May only become smaller.
   uint32_t unsupported_scenarios = 0;
 };
+
+/// For messages of tests.
+inline void PrintTo(const ReferenceDialect& dialect, std::ostream* out) { *out << dialect.name; }
 
 std::span<const ReferenceDialect> ReferenceDialects();
 /// None: there is none.

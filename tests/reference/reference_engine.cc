@@ -1,14 +1,42 @@
 #include "tests/reference/reference_engine.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "transpiler/ir/slices.h"
+
 namespace plcxx::reference {
+namespace {
+
+Choices ChoicesOf(const ir::Program& program) {
+  Choices choices;
+  for (const ir::Statement& statement : program.statements) {
+    choices.statement_ids[statement.range.begin] = statement.id;
+  }
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RoutineId routine(i);
+    if (!program.routines[routine].sliced) continue;
+    choices.slice_count = program.routines[routine].slices;
+    for (const ir::SlicePiece& piece : ir::SlicePieces(program, routine)) {
+      for (const ir::InstId id : program.regions[piece.region].insts) {
+        const ir::Inst& inst = program[id];
+        if (inst.op != ir::OpKind::kStatement) continue;
+        choices.slices[program.statements[ir::StatementId(inst.payload)].range.begin] =
+            static_cast<uint32_t>(piece.slice);
+      }
+    }
+  }
+  return choices;
+}
+
+}  // namespace
 
 ReferenceEngine::ReferenceEngine(const ir::Program& program, sim::Simulator& beside, const Make& make)
     : program_(program), beside_(beside) {
   reference_ = make(
       [this](std::string_view function, const std::vector<uint64_t>& arguments) { return Call(function, arguments); });
+  reference_->Take(ChoicesOf(program));
   size_t at = 0;
   const std::vector<AddressSpace>& memories = reference_->memories();
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {

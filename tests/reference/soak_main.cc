@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include "tests/reference/compiled_runs.h"
@@ -138,6 +139,24 @@ class Soak {
   Clock::time_point begun_ = Clock::now();
 };
 
+/// Scenario files instead of random programs: a disagreement that was saved, seen again.
+int RunScenarios(const std::vector<std::string>& paths) {
+  int disagree = 0;
+  for (const std::string& path : paths) {
+    const auto read = plcxx::driver::ReadScenario(path);
+    const auto* const scenario = std::get_if<plcxx::driver::Scenario>(&read);
+    if (scenario == nullptr) throw std::invalid_argument(path + " is no scenario");
+    auto compilation = plcxx::driver::Compile(plcxx::driver::RequestOf(*scenario, {}));
+    const ReferenceDialect* dialect =
+        compilation.dialect == nullptr ? nullptr : FindReference(compilation.dialect->name);
+    if (dialect == nullptr) throw std::invalid_argument(path + ": its dialect has no reference");
+    const RunResult result = RunBeside(*scenario, compilation, *dialect);
+    std::cout << (result.text.empty() ? path + ": both agree" : result.text) << "\n";
+    disagree |= result.outcome == Outcome::kAgrees ? 0 : 1;
+  }
+  return disagree;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -152,10 +171,12 @@ int main(int argc, char** argv) {
   app.add_option("--compiled-every", wanted.compiled_every, "one program in N also as generated C++; 0: none");
   app.add_option("--compiler", wanted.compilers, "with its flags: 'g++ -O2'");
   app.add_option("--save", wanted.save, "the folder for what disagrees");
+  std::vector<std::string> scenarios;
+  app.add_option("scenarios", scenarios, "these instead of random programs");
   CLI11_PARSE(app, argc, argv);
   if (wanted.programs == 0 && wanted.hours == 0) wanted.programs = 200;
   try {
-    return Soak(wanted).Run();
+    return scenarios.empty() ? Soak(wanted).Run() : RunScenarios(scenarios);
   } catch (const std::exception& fault) {
     std::cerr << fault.what() << "\n";
     return 2;
