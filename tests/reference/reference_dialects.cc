@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "tests/reference/host50_reference.h"
 #include "tests/reference/nc110_reference.h"
 
 namespace plcxx::reference {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::array kDialects = {
     ReferenceDialect{.name = "nc110", .make = MakeNc110, .generate = RandomNc110, .unsupported_scenarios = 0},
+    ReferenceDialect{.name = "host50", .make = MakeHost50, .generate = RandomHost50, .unsupported_scenarios = 0},
 };
 
 }  // namespace
