@@ -72,6 +72,7 @@ class Host50 : public Reference {
     fast_ = FindSection(tree_, SectionKind::kFast);
     slow_ = FindSection(tree_, SectionKind::kSlow);
     if (slow_.valid()) Weigh();
+    for (uint32_t i = 0; i < tree_.instructions.size(); ++i) WatchAlarms(InstructionId(i));
   }
 
   // 4.3
@@ -107,7 +108,7 @@ class Host50 : public Reference {
     Call("write_outputs");
     for (uint32_t i = 0; i < alarms_.size(); ++i) {
       const bool on = image_.Bit(Area::kQ, 400 + i);
-      if (on != alarms_[i]) Call("alarm", {i, on ? 1u : 0u});
+      if (on != alarms_[i] && watched_alarms_[i]) Call("alarm", {i, on ? 1u : 0u});
       alarms_[i] = on;
     }
     ++tick_;
@@ -213,6 +214,18 @@ class Host50 : public Reference {
                             : section.kind == SectionKind::kSlow ? static_cast<uint32_t>(-1)
                                                                  : section.number;
     Call("fault", {static_cast<uint64_t>(fault), number, network.number});
+  }
+
+  /// 8: only what the program writes of %Q400..499 needs the call; nobody else writes %Q but who tries things out.
+  void WatchAlarms(InstructionId id) {
+    const Op op = tree_.instructions[id].op;
+    const bool coil = op == Op::kOut || op == Op::kOuti || op == Op::kSet || op == Op::kRst;
+    if (!coil && op != Op::kWtob) return;
+    const Address target = OperandOf(id, coil ? 0 : 1).address;
+    const uint32_t count = coil ? 1 : OperandOf(id, 2).bits;
+    for (uint32_t number = target.number; target.area == Area::kQ && number < target.number + count; ++number) {
+      if (number >= 400 && number < 500) watched_alarms_[number - 400] = true;
+    }
   }
 
   // --- the rung machine (6.1) ---
@@ -685,6 +698,7 @@ class Host50 : public Reference {
   uint32_t tick_ = 0, period_ = 1;
   uint32_t next_network_ = 0, backward_ = 0;  // SLICED: where SLOW goes on, its jumps in this pass
   bool slow_ended_ = false;
+  std::array<bool, 100> watched_alarms_{};
 };
 
 }  // namespace
