@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "tests/reference/host50_elements.h"
-#include "tests/reference/host50_image.h"
-#include "transpiler/dialects/host50/parser.h"
+#include "tests/reference/host50_machine.h"
 #include "transpiler/dialects/host50/syntax.h"
 
 namespace plcxx::reference {
@@ -26,34 +25,6 @@ using namespace host50_elements;  // section 7
 constexpr uint32_t kMostBackwardJumps = 10'000;
 enum class Fault : uint8_t { kJumpLoop, kRotRange, kAxisRange };
 
-float FloatOf(uint32_t bits) { return std::bit_cast<float>(bits); }
-uint32_t BitsOf(float value) { return std::bit_cast<uint32_t>(value); }
-
-/// An int32 or a binary32.
-struct Value {
-  bool is_float = false;
-  int32_t whole = 0;
-  float real = 0;
-
-  float AsFloat() const { return is_float ? real : static_cast<float>(whole); }
-};
-Value Whole(int32_t value) { return {.whole = value}; }
-Value Real(float value) { return {.is_float = true, .real = value}; }
-
-template <class Number>
-bool Related(ExprKind relation, Number a, Number b) {
-  if (relation == ExprKind::kGreater) return a > b;
-  if (relation == ExprKind::kLess) return a < b;
-  if (relation == ExprKind::kGreaterEqual) return a >= b;
-  if (relation == ExprKind::kLessEqual) return a <= b;
-  if (relation == ExprKind::kEqual) return a == b;
-  return a != b;
-}
-bool Compare(ExprKind relation, const Value& a, const Value& b) {
-  if (a.is_float || b.is_float) return Related(relation, a.AsFloat(), b.AsFloat());
-  return Related(relation, a.whole, b.whole);
-}
-
 /// What an axis block has sent (6.8).
 struct AxisState {
   bool active = false;
@@ -61,12 +32,9 @@ struct AxisState {
   std::array<uint32_t, 3> sent{};  // method, position, speed
 };
 
-class Host50 : public Reference {
+class Host50 : public Host50Machine {
  public:
-  Host50(dialects::Request& request, HostCalls host)
-      : Reference(std::move(host)),
-        tree_(Parse(*request.sources, request.files, request.options, *request.diagnostics)),
-        image_(memories_, tree_.settings.channels) {
+  Host50(dialects::Request& request, HostCalls host) : Host50Machine(request, std::move(host)) {
     edges_.resize(tree_.instructions.size());
     results_.resize(tree_.instructions.size());
     fast_ = FindSection(tree_, SectionKind::kFast);
@@ -427,7 +395,7 @@ class Host50 : public Reference {
       Report(Fault::kRotRange, instruction.network);
       return;
     }
-    Store(OperandOf(id, 3), Whole(rotation->result));
+    Store(OperandOf(id, 3), {.whole = rotation->result});
     rung.acc = rotation->forward == (tree_.settings.rotq == RotQOption::kForward);
   }
 
@@ -496,64 +464,6 @@ class Host50 : public Reference {
     }
   }
 
-  void RunBlock(InstructionId id, Op op) {
-    const auto whole = [&](uint32_t i) { return Number(OperandOf(id, i)).whole; };
-    const auto real = [&](uint32_t i) { return Number(OperandOf(id, i)).AsFloat(); };
-    const auto store = [&](uint32_t i, Value value) { Store(OperandOf(id, i), value); };
-    const auto bits = [&](uint32_t i) { return static_cast<uint32_t>(whole(i)); };
-    switch (op) {
-      case Op::kAddw:
-        return store(2, Whole(Wrap(int64_t{whole(0)} + whole(1))));
-      case Op::kSubw:
-        return store(2, Whole(Wrap(int64_t{whole(0)} - whole(1))));
-      case Op::kMulw:
-        return store(2, Whole(Wrap(int64_t{whole(0)} * whole(1))));
-      case Op::kDivw:
-        return store(2, Whole(Divide(whole(0), whole(1))));
-      case Op::kWand:
-        return store(2, Whole(static_cast<int32_t>(bits(0) & bits(1))));
-      case Op::kWor:
-        return store(2, Whole(static_cast<int32_t>(bits(0) | bits(1))));
-      case Op::kWxor:
-        return store(2, Whole(static_cast<int32_t>(bits(0) ^ bits(1))));
-      case Op::kAddf:
-        return store(2, Real(real(0) + real(1)));
-      case Op::kSubf:
-        return store(2, Real(real(0) - real(1)));
-      case Op::kMulf:
-        return store(2, Real(real(0) * real(1)));
-      case Op::kDivf:
-        return store(2, Real(Divide(real(0), real(1))));
-      case Op::kNeg:
-        return store(0, Negated(Number(OperandOf(id, 0))));
-      case Op::kMov:
-      case Op::kFtow:
-      case Op::kWtof:
-        return store(1, Number(OperandOf(id, 0)));
-      case Op::kBtow: {
-        const Address field = OperandOf(id, 0).address;
-        const uint32_t count = OperandOf(id, 2).bits;
-        uint64_t value = 0;
-        for (uint32_t i = 0; i < count; ++i) {
-          value |= uint64_t{image_.Bit(field.area, field.number + i)} << i;
-        }
-        if (tree_.settings.btow == BtowOption::kKeep) value |= uint64_t{bits(1)} >> count << count;
-        return store(1, Whole(static_cast<int32_t>(static_cast<uint32_t>(value))));
-      }
-      case Op::kWtob: {
-        const Address field = OperandOf(id, 1).address;
-        const uint32_t count = OperandOf(id, 2).bits, value = bits(0);
-        for (uint32_t i = 0; i < count; ++i) image_.SetBit(field.area, field.number + i, (value >> i & 1) != 0);
-        return;
-      }
-      case Op::kOprt:
-        return store(0, Evaluate(OperandOf(id, 1).expr));
-      default:
-        Unsupported("instruction " + std::string(Info(op).name));
-        return;
-    }
-  }
-
   /// 6.8
   void RunAxis(InstructionId id, const Instruction& instruction, bool acc) {
     AxisState& state = axes_[id.index];
@@ -574,14 +484,14 @@ class Host50 : public Reference {
     std::array<uint32_t, 3> wanted{};
     float speed = 0;
     if (op == Op::kHome || op == Op::kPosa || op == Op::kPosm) {
-      const Value second = Number(OperandOf(id, 1));
+      const Host50Value second = Number(OperandOf(id, 1));
       wanted[op == Op::kHome ? 0 : 1] =
-          op == Op::kHome ? static_cast<uint32_t>(second.whole) : BitsOf(second.AsFloat());
+          op == Op::kHome ? static_cast<uint32_t>(second.whole) : std::bit_cast<uint32_t>(second.AsFloat());
       speed = Number(OperandOf(id, 2)).AsFloat();
     } else {
       speed = Number(OperandOf(id, 1)).AsFloat();
     }
-    wanted[2] = BitsOf(op == Op::kVeln ? -speed : speed);
+    wanted[2] = std::bit_cast<uint32_t>(op == Op::kVeln ? -speed : speed);
     image_.SetBit(Area::kQ, 1000 + i, true);
     image_.SetBit(Area::kQ, 1020 + i, op == Op::kPosa || op == Op::kPosm);
     image_.SetBit(Area::kQ, 1030 + i, op == Op::kPosa);
@@ -594,102 +504,8 @@ class Host50 : public Reference {
     state.active = true;
   }
 
-  // --- operands, expressions (3, 6.6) ---
-
-  const Operand& OperandOf(InstructionId id, uint32_t number) const {
-    return tree_.operands[tree_.instructions[id].operands.first + number];
-  }
-
-  bool Bit(const Operand& operand) const {
-    if (operand.kind == OperandKind::kConstant) return operand.bits != 0;
-    return Bit(operand.address);
-  }
-  bool Bit(const Address& address) const {
-    if (address.area == Area::kTm) return timers_[address.number].q;
-    if (address.area == Area::kC) return counters_[address.number].q;
-    return image_.Bit(address.area, address.number);
-  }
-
-  Value Number(const Operand& operand) const {
-    if (operand.kind == OperandKind::kConstant) {
-      return operand.type == Type::kFloat ? Real(FloatOf(operand.bits)) : Whole(static_cast<int32_t>(operand.bits));
-    }
-    return Number(operand.address);
-  }
-  Value Number(const Address& address) const {
-    switch (address.area) {
-      case Area::kW:
-      case Area::kIw:
-      case Area::kQw:
-        return Whole(static_cast<int32_t>(image_.Unit(address.area, address.number)));
-      case Area::kF:
-      case Area::kIf:
-      case Area::kQf:
-        return Real(FloatOf(image_.Unit(address.area, address.number)));
-      case Area::kTm:
-        if (address.attribute == Attribute::kV) return Whole(timers_[address.number].value);
-        if (address.attribute == Attribute::kP) return Whole(timers_[address.number].preset);
-        return Whole(Bit(address) ? 1 : 0);
-      case Area::kC:
-        if (address.attribute == Attribute::kV) return Whole(counters_[address.number].value);
-        if (address.attribute == Attribute::kP) return Whole(counters_[address.number].preset);
-        return Whole(Bit(address) ? 1 : 0);
-      case Area::kI:
-      case Area::kQ:
-      case Area::kB:
-        return Whole(Bit(address) ? 1 : 0);
-    }
-    return {};
-  }
-
-  /// The value becomes what the destination holds, as MOV converts.
-  void Store(const Operand& operand, const Value& value) {
-    const Address address = operand.address;
-    const bool to_float = address.area == Area::kF || address.area == Area::kIf || address.area == Area::kQf;
-    if (to_float) {
-      image_.SetUnit(address.area, address.number, BitsOf(value.AsFloat()));
-      return;
-    }
-    const int32_t whole =
-        value.is_float ? ToInteger(value.real, tree_.settings.ftow == FtowOption::kRound) : value.whole;
-    if (address.area == Area::kC) {
-      counters_[address.number].value = whole;
-      PutBackForced();
-    } else {
-      image_.SetUnit(address.area, address.number, static_cast<uint32_t>(whole));
-    }
-  }
-
-  static Value Negated(const Value& value) {
-    return value.is_float ? Real(FloatOf(BitsOf(value.real) ^ 0x8000'0000)) : Whole(Wrap(-int64_t{value.whole}));
-  }
-
-  Value Evaluate(ExprId id) const {
-    const Expr& expr = tree_.exprs[id];
-    if (expr.kind == ExprKind::kConstant) {
-      return expr.type == Type::kFloat ? Real(FloatOf(expr.bits)) : Whole(static_cast<int32_t>(expr.bits));
-    }
-    if (expr.kind == ExprKind::kAddress) return Number(expr.address);
-    const Value left = Evaluate(expr.left);
-    if (expr.kind == ExprKind::kNegate) return Negated(left);
-    const Value right = Evaluate(expr.right);
-    const bool real = left.is_float || right.is_float;
-    const float a = left.AsFloat(), b = right.AsFloat();
-    const int64_t x = left.whole, y = right.whole;
-    if (expr.kind == ExprKind::kMultiply) return real ? Real(a * b) : Whole(Wrap(x * y));
-    if (expr.kind == ExprKind::kDivide) return real ? Real(Divide(a, b)) : Whole(Divide(left.whole, right.whole));
-    if (expr.kind == ExprKind::kAdd) return real ? Real(a + b) : Whole(Wrap(x + y));
-    if (expr.kind == ExprKind::kSubtract) return real ? Real(a - b) : Whole(Wrap(x - y));
-    if (expr.kind == ExprKind::kAnd) return Whole(left.whole & right.whole);
-    return Whole(left.whole | right.whole);
-  }
-
-  host50::Program tree_;
-  Host50Image image_;
   SectionId fast_, slow_;
-  std::vector<uint32_t> slices_;  // by position of the network in SLOW
-  std::array<Timer, 101> timers_{};
-  std::array<Counter, 101> counters_{};
+  std::vector<uint32_t> slices_;        // by position of the network in SLOW
   std::vector<bool> edges_;             // by instruction: m of 7.1
   std::vector<bool> results_;           // by instruction, of drawings
   std::map<uint32_t, AxisState> axes_;  // by instruction

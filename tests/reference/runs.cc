@@ -73,6 +73,9 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
                                        ? nullptr
                                        : compilation.dialect->make_stub(compilation.program, compilation.options)});
   if (failure) return {Outcome::kDisagrees, *failure, result.compared};
+  if (!beside.reference().unsupported().empty()) {  // met while it ran
+    return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};
+  }
   if (!beside.mismatches().empty()) {
     return {Outcome::kDisagrees, scenario.path + ": not in both: " + Joined(beside.mismatches()), result.compared};
   }
