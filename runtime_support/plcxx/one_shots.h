@@ -38,10 +38,10 @@ constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcep
 /// that the slow part sees it everywhere. `slice` is the slice that the slow part executes next; not 0: a slow cycle is
 /// half done and does not count as a complete one.
 constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done, uint8_t slice) noexcept {
-  const bool running = shot.pulse && !ReachedSlowCycle(slow_done, shot.target);
-  if (!running) {
+  const bool reached = ReachedSlowCycle(slow_done, shot.target);
+  if (reached) shot.target = slow_done;  // kept near, so that a wrap of the count never makes an old one look new
+  if (reached || !shot.pulse) {
     shot.pulse = input && !shot.previous;
-    shot.target = slow_done;  // reached; kept near, so that a wrap of the count never makes an old one look new
     if (shot.pulse) {
       shot.target = slow_done + (slice != 0 ? 2U : 1U);
       shot.fast = true;

@@ -171,6 +171,13 @@ TEST_F(TestCommand, WaveformsHoldTheLocationsOfTheScenario) {
   EXPECT_EQ(Run("good.yaml wrong.yaml --vcd wave.vcd").exit_code, 2);
 }
 
+TEST_F(TestCommand, GeneratedCodeOfEachCompiler) {
+  for (const char* compiler : {"g++", "clang++-19"}) {
+    const compile::ProcessResult result = Run("good.yaml --engine host --cxx " + std::string(compiler));
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+  }
+}
+
 TEST_F(TestCommand, WhatTheCompilerSaysIsShown) {
   const compile::ProcessResult result = Run("good.yaml --cxx false");
   EXPECT_EQ(result.exit_code, 1);

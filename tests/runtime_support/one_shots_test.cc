@@ -188,6 +188,17 @@ TEST(OneShot, FastStatementLeavesARunningPulseAloneWhoeverStartedIt) {
 }
 
 // covers: NC110-248
+TEST(OneShot, TargetStaysAheadWhereAFastStatementFindsNoPulse) {
+  OneShot shot{};
+  PulseFast(shot, true, 10, 1);   // target 12
+  PulseSlow(shot, false, 11);     // the slow statement ends it
+  PulseFast(shot, false, 11, 0);  // no pulse: nothing of 7.3 changes the target
+  PulseSlow(shot, true, 12);
+  PulseFast(shot, false, 11, 0);  // P is 1 and 11 < 12
+  EXPECT_TRUE(shot.pulse);
+}
+
+// covers: NC110-248
 TEST(OneShot, SlowStatementEndsAPulseOfTheFastPart) {
   Schedule s;
   bool before = false, after = true;

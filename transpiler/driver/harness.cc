@@ -255,7 +255,8 @@ std::string HarnessText(const emit::Emittable& emittable) {
   out += "static void StoreRetentive() {\n";
   if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
   out += "}\n" + std::string(kCalls) + HostFunctions(emittable) + "}\n";
-  out += "namespace program = " + emittable.namespace_name + ";\n";
+  // An alias of its own name is refused by Clang.
+  if (emittable.namespace_name != "program") out += "namespace program = " + emittable.namespace_name + ";\n";
   const auto runner = [&](std::string_view name, ir::RoutineId routine) {
     out += "static void " + std::string(name) +
            "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";

@@ -9,8 +9,8 @@ using ir::OpKind;
 
 void Lowering::AssignMemory(const Operand& target, ir::ValueId value) {
   builder_.Store(PlaceOf(target), value);
-  // The slow part sees its own writes to latched bytes, the image gets them as well.
-  if (IsLatched(target)) builder_.Store(LatchedPlaceOf(target), value);
+  // What the program writes is there at once for both parts: the copy gets what the image holds then, forces included.
+  if (HasLatchedCopy(target)) builder_.Store(LatchedPlaceOf(target), builder_.Load(PlaceOf(target)));
 }
 
 /// The first selector that is 1 decides, later ones are not looked at; one arm at most is executed, and it reads its

@@ -77,7 +77,8 @@ class Lowering {
   /// The place to read: with latched inputs the slow part has copies.
   ir::PlaceId ReadPlaceOf(const Operand& operand);
   ir::PlaceId LatchedPlaceOf(const Operand& operand);
-  bool IsLatched(const Operand& operand) const;
+  /// An input that the slow part sees as it was in slice 0.
+  bool HasLatchedCopy(const Operand& operand) const;
   ir::Place MakePlace(const Operand& operand);
   /// A bit that has a symbol is named by it, also where the source writes its address, with I or with U.
   Operand AsNamed(const Operand& operand) const;

@@ -133,8 +133,8 @@ ir::PlaceId Lowering::PlaceOf(const Operand& spelled) {
   return found->second;
 }
 
-bool Lowering::IsLatched(const Operand& operand) const {
-  return settings_.latch_slow_inputs && sliced() && part_ == Part::kSlow && IsMemory(operand) &&
+bool Lowering::HasLatchedCopy(const Operand& operand) const {
+  return settings_.latch_slow_inputs && sliced() && IsMemory(operand) &&
          DirectionOf(operand.package, operand.number, settings_.processes) == ir::Direction::kInput;
 }
 
@@ -154,7 +154,7 @@ ir::PlaceId Lowering::LatchedPlaceOf(const Operand& spelled) {
 }
 
 ir::PlaceId Lowering::ReadPlaceOf(const Operand& operand) {
-  return IsLatched(operand) ? LatchedPlaceOf(operand) : PlaceOf(operand);
+  return part_ == Part::kSlow && HasLatchedCopy(operand) ? LatchedPlaceOf(operand) : PlaceOf(operand);
 }
 
 ir::StateId Lowering::InstanceOf(const Operand& operand) {

@@ -1,0 +1,142 @@
+// Random programs of host50, from the grammar (section 3) and the ranges (section 5) of the specification: the parts of
+// a program and its scenario. Networks come from host50_random_networks.h.
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/host50_random_networks.h"
+#include "tests/reference/host50_reference.h"
+
+namespace plcxx::reference {
+namespace {
+
+using host50_random::Networks;
+using host50_random::Texts;
+
+class Generator {
+ public:
+  Generator(Random& random, ProgramSize size) : random_(random), size_(size), networks_(random) {}
+
+  RandomProgram Run() {
+    Options();
+    const bool is_large = size_ == ProgramSize::kLarge;
+    const uint32_t statements = is_large ? random_.Between(150, 600) : random_.Between(3, 40);
+    const uint32_t subroutines = random_.OneIn(2) ? random_.Between(1, is_large ? 6 : 3) : 0;
+    std::vector<Piece> parts;
+    if (!random_.OneIn(3)) parts.push_back(Part("FAST", "END_FAST", {}, statements / 4, 10));
+    parts.push_back(Part("SLOW", "END_SLOW", {.first = 1, .last = subroutines}, statements / 2, 60));
+    for (uint32_t i = 1; i <= subroutines; ++i) {
+      parts.push_back(Part("SUB SR" + std::to_string(i), "END_SUB", {.first = i + 1, .last = subroutines},
+                           statements / 4 / subroutines, 20));
+    }
+    Files(std::move(parts));
+    Steps();
+    return std::move(program_);
+  }
+
+ private:
+  void Options() {
+    std::map<std::string, std::string>& options = program_.options;
+    const auto maybe = [&](const char* key, const char* value) {
+      if (random_.OneIn(3)) options[key] = value;
+    };
+    maybe("tp", "IEC");
+    maybe("rotq", "REVERSE");
+    maybe("rotbase", "0");
+    maybe("cnud", "HOLD");
+    maybe("ftow", "ROUND");
+    maybe("btow", "KEEP");
+    maybe("axisbase", "0");
+    maybe("edgeinit", "OFF");
+    maybe("slices", "SLICED");
+    if (random_.OneIn(8)) options["channels"] = "2";
+    if (!random_.OneIn(4)) options["slowdiv"] = random_.Pick(Texts{"1", "2", "3", "5", "20", "60"});
+  }
+
+  Piece Part(const std::string& head, const std::string& end, host50_random::Callees callees, uint32_t statements,
+             uint32_t most_networks) {
+    Piece part{head, {}, end};
+    networks_.Begin(head == "FAST" ? host50_random::Section::kFast : host50_random::Section::kOther, callees);
+    const uint32_t begun = networks_.made();
+    // The labels first: a jump may lead forward.
+    const uint32_t count = random_.Between(1, std::max(1u, std::min(most_networks, statements / 3 + 1)));
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t wanted = begun + (i + 1) * statements / count;
+      part.body.push_back(networks_.Network(i, count, wanted));
+    }
+    return part;
+  }
+
+  void Files(std::vector<Piece> parts) {
+    const std::vector<Piece> symbols = {{"SYMBOLS", networks_.Symbols(), "END_SYMBOLS"}};
+    const uint32_t count = random_.OneIn(2) ? 1 : random_.Between(2, 3);
+    if (count > 1) program_.files.push_back({"names.il", symbols});
+    for (uint32_t i = 0; i < count; ++i) program_.files.push_back({"part" + std::to_string(i) + ".il", {}});
+    const size_t first = program_.files.size() - count;
+    if (count == 1) program_.files[first].pieces = symbols;
+    for (size_t i = 0; i < parts.size(); ++i) program_.files[first + i % count].pieces.push_back(std::move(parts[i]));
+    for (RandomFile& file : program_.files) file.pieces.insert(file.pieces.begin(), {"; part of a machine", {}, ""});
+  }
+
+  // --- the scenario ---
+
+  std::string Setting() {
+    switch (random_.Below(8)) {
+      case 0:
+        return random_.Pick(Texts{"IW0", "IW110", "IW300", "W0", "W1", "W101", "W300", "QW5"}) + ": " + Whole();
+      case 1:
+        return random_.Pick(Texts{"IF0", "IF300", "F0", "F100", "F101"}) + ": " +
+               random_.Pick(Texts{"0.0", "1.5", "-2.25", "1e10", "-3e9", "2147483648.0", "0.1", "1e-40", "nan", "inf",
+                                  "-0.0", "7.5"});
+      case 2:
+        return random_.Pick(Texts{"B0", "B1", "B500", "B501", "Q0", "Q400", "Q1001"}) + ": " +
+               std::to_string(random_.Below(2));
+      case 3:
+        return random_.Pick(Texts{"C0.V", "C1.V", "C100.V"}) + ": " + std::to_string(random_.Below(9));
+      default:
+        return random_.Pick(Texts{"I0", "I1", "I2", "I3", "I4", "I199", "I500", "I2000"}) + ": " +
+               std::to_string(random_.Below(2));
+    }
+  }
+
+  std::string Whole() {
+    if (random_.OneIn(5)) return random_.Pick(Texts{"2147483647", "-2147483648", "65536", "-1", "305419896"});
+    return std::to_string(random_.Below(12));
+  }
+
+  void Steps() {
+    const uint32_t steps = size_ == ProgramSize::kLarge ? 25 : random_.Between(8, 30);
+    for (uint32_t i = 0; i < steps; ++i) {
+      for (uint32_t sets = random_.Below(4); sets > 0; --sets) program_.steps.push_back("set: {" + Setting() + "}");
+      if (random_.OneIn(25)) program_.steps.push_back("force: {" + Setting() + "}");
+      if (random_.OneIn(25)) program_.steps.push_back("release: [I0, I1, B500, W0, Q0, C1.V]");
+      if (random_.OneIn(20)) program_.steps.push_back("power_cycle: {}");
+      switch (random_.Below(5)) {
+        case 0:
+          program_.steps.push_back("run: {fast: " + std::to_string(random_.Between(1, 5)) + "}");
+          break;
+        case 1:
+          program_.steps.push_back(
+              "run: {ms: " + std::to_string(random_.OneIn(4) ? random_.Between(100, 260) : random_.Between(1, 20)) +
+              "}");
+          break;
+        default:
+          program_.steps.push_back("run: {slow: " + std::to_string(random_.Between(1, 3)) + "}");
+          break;
+      }
+    }
+  }
+
+  Random& random_;
+  ProgramSize size_;
+  Networks networks_;
+  RandomProgram program_;
+};
+
+}  // namespace
+
+RandomProgram RandomHost50(Random& random, ProgramSize size) { return Generator(random, size).Run(); }
+
+}  // namespace plcxx::reference

@@ -1,0 +1,86 @@
+// Random networks of host50: instruction lists and drawings, all of them legal.
+//
+// Few addresses, so that rungs meet: both sides of the border of retentive memory, alarms, the signals of axes, the
+// ends of every area. Each timer number has a kind and a unit of its own (E501).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/reference/random_program.h"
+
+namespace plcxx::reference::host50_random {
+
+using Texts = std::vector<std::string>;
+
+enum class Section : uint8_t { kFast, kOther };
+/// The subroutines that a section may call.
+struct Callees {
+  uint32_t first = 1, last = 0;
+};
+
+class Networks {
+ public:
+  explicit Networks(Random& random) : random_(random) {}
+
+  void Begin(Section section, Callees callees) {
+    section_ = section;
+    callees_ = callees;
+  }
+  /// The network at a position among so many of its section, until so many instructions have been made.
+  Piece Network(uint32_t position, uint32_t count, uint32_t wanted);
+  /// The lines of the table of symbols that the networks use.
+  std::vector<Piece> Symbols() const;
+  uint32_t made() const { return made_; }
+
+ private:
+  // --- operands ---
+  std::string Address(const std::string& address);
+  std::string Bit();
+  std::string Coil();
+  std::string Whole();
+  std::string WholeConstant();
+  std::string WholeResult();
+  std::string Real();
+  std::string RealConstant();
+  std::string RealResult();
+  std::string Number() { return random_.OneIn(2) ? Whole() : Real(); }
+  std::string Expression(uint32_t depth, bool whole_only);
+  std::string Primary(uint32_t depth, bool whole_only);
+  std::string Relation();
+
+  // --- instruction lists ---
+  void Line(const std::string& text);
+  std::string Edge(const std::string& plain);
+  void Load();
+  void Contacts(uint32_t depth);
+  void Logic(uint32_t depth);
+  void Rest(uint32_t depth);
+  void Outputs();
+  void Output();
+  void Counter();
+  void Rotation();
+  Piece Rung();
+
+  // --- blocks, as a list or a drawing has them ---
+  std::string Timer();
+  std::string Compare();
+  std::string BlockWithoutQ();
+  std::string Axis();
+  std::string Pin(const std::string& name);
+
+  // --- drawings ---
+  Piece Drawing();
+  std::string DrawnContact();
+  std::string DrawnOutput();
+
+  Random& random_;
+  Section section_ = Section::kOther;
+  Callees callees_;
+  std::vector<std::string> lines_;
+  uint32_t made_ = 0;
+  uint32_t position_ = 0, count_ = 1;
+};
+
+}  // namespace plcxx::reference::host50_random

@@ -1,0 +1,448 @@
+// Random programs of nc110, from the grammar (section 3) and the ranges (section 5) of the specification.
+//
+// Few addresses, so that statements meet: bits of one word, words of one pair, inputs, outputs, work memory, the ends
+// of every package. All of it is legal; warnings are no matter.
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/nc110_reference.h"
+
+namespace plcxx::reference {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+constexpr uint32_t kDeepestBlock = 6;
+
+class Generator {
+ public:
+  Generator(Random& random, ProgramSize size) : random_(random), size_(size) {}
+
+  RandomProgram Run() {
+    Options();
+    Names();
+    std::vector<Piece> pieces;
+    const uint32_t statements = size_ == ProgramSize::kLarge ? random_.Between(150, 600) : random_.Between(3, 30);
+    const bool has_mark = !random_.OneIn(12);
+    const uint32_t fast = !has_mark ? statements : random_.OneIn(3) ? 0 : random_.Below(statements);
+    while (made_ < fast) pieces.push_back(Item(1));
+    if (has_mark) pieces.push_back({random_.OneIn(2) ? "$" : "$ slow part U4A0=1", {}, ""});
+    while (made_ < statements) pieces.push_back(Item(1));
+    Files(std::move(pieces));
+    Steps();
+    return std::move(program_);
+  }
+
+ private:
+  // --- options, files ---
+
+  void Options() {
+    std::map<std::string, std::string>& options = program_.options;
+    if (random_.OneIn(3)) options["slices"] = std::to_string(random_.Between(2, 5));
+    if (random_.OneIn(6)) options["latch-slow-inputs"] = "on";
+    if (random_.OneIn(3)) options["carry"] = random_.Pick(Texts{"input", "next"});
+    if (random_.OneIn(4)) options["tim"] = std::to_string(random_.Between(1, 7));
+    if (random_.OneIn(4)) options["clo"] = random_.Pick(Texts{"5,1", "20,4", "1,1", "12,3"});
+    if (random_.OneIn(5)) options["xor-prec"] = "above-or";
+    if (random_.OneIn(5)) options["old"] = "on";
+    if (random_.OneIn(5)) options["t-init"] = random_.Pick(Texts{"1=02", "1=05,2=01", "64=FF", "17=A0,03=0C"});
+    if (random_.OneIn(8)) options["processes"] = std::to_string(random_.Between(2, 5));
+    if (random_.OneIn(12)) options["nc-stub"] = "on";
+    loops_ = random_.OneIn(6);
+    if (loops_) options["enable-dow"] = "on";
+  }
+
+  /// A symbol file: names for some operands of each kind.
+  void Names() {
+    if (random_.OneIn(2)) return;
+    Piece head{"* names of the machine", {}, ""};
+    const auto name = [&](std::vector<std::string>& names, const std::string& operand) {
+      static const Texts kStems = {"START", "stop", "Pump", "axis.x", "T#4", "9th", "@level", "door'open", "ready?"};
+      const std::string word = std::to_string(symbols_++) + random_.Pick(kStems);  // 10 characters count
+      head.text +=
+          "\n" + word + (random_.OneIn(2) ? " = " : "=") + operand + (random_.OneIn(3) ? " ; of the machine" : "");
+      names.push_back("!" + word);
+    };
+    for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(input_names_, Bit('I'));
+    for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(output_names_, Bit('U'));
+    for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(word_names_, Word());
+    program_.files.push_back({"names.sym", {std::move(head)}});
+  }
+
+  void Files(std::vector<Piece> pieces) {
+    const uint32_t count = random_.OneIn(2) ? 1 : random_.Between(2, 4);
+    const size_t part = pieces.size() / count + 1;
+    for (uint32_t i = 0; i < count; ++i) {
+      RandomFile file{"part" + std::to_string(i) + ".plc", {{"; part of a machine", {}, ""}}};
+      for (size_t p = i * part; p < std::min(pieces.size(), (i + 1) * part); ++p) file.pieces.push_back(pieces[p]);
+      program_.files.push_back(std::move(file));
+    }
+  }
+
+  // --- operands ---
+
+  std::string Number(uint32_t n) {
+    const std::string zero = random_.OneIn(12) ? "0" : "";
+    return (n < 10 ? zero : "") + std::to_string(n);
+  }
+
+  struct Connector {
+    char package;
+    uint32_t number;
+  };
+  Connector AnyConnector() {
+    static const std::vector<Connector> kConnectors = {
+        {'A', 0},   {'A', 1}, {'A', 4},  {'A', 5},  {'A', 14},  {'A', 31}, {'T', 0},  {'T', 1},
+        {'T', 15},  {'K', 0}, {'K', 3},  {'K', 9},  {'K', 10},  {'K', 26}, {'K', 40}, {'K', 41},
+        {'K', 255}, {'N', 0}, {'N', 10}, {'N', 60}, {'N', 255}, {'K', 157}};
+    return random_.Pick(kConnectors);
+  }
+  std::string Bit(char letter) {
+    const Connector c = AnyConnector();
+    static const std::vector<uint32_t> kBits = {0, 1, 2, 7, 8, 15, 16, 31};
+    return letter + Number(c.number) + c.package + Number(random_.Pick(kBits));
+  }
+  std::string Word() {
+    const Connector c = AnyConnector();
+    return "W" + Number(c.number) + c.package + Number(random_.Below(4));
+  }
+  /// Not at the end of a package.
+  std::string Pair() {
+    for (;;) {
+      const Connector c = AnyConnector();
+      const uint32_t index = random_.Below(4);
+      const bool last = (c.package == 'A' && c.number == 31) || (c.package == 'T' && c.number == 15) || c.number == 255;
+      if (!last || index != 3) return "W" + Number(c.number) + c.package + std::to_string(index);
+    }
+  }
+  std::string Timer() { return "T" + Number(random_.Pick(kTimers)); }
+  std::string Counter() { return "C" + Number(random_.Pick(kCounters)); }
+  std::string OneShot() { return "P" + Number(random_.Pick(kOneShots)); }
+
+  std::string Constant(uint32_t least, uint32_t most) {
+    const uint32_t value =
+        random_.OneIn(3) ? random_.Between(least, most) : random_.Between(least, std::min(most, least + 9));
+    char text[16];
+    switch (random_.Below(6)) {
+      case 0:
+        std::snprintf(text, sizeof text, "0%XH", value);
+        return text;
+      case 1:
+        std::snprintf(text, sizeof text, "%oO", value);
+        return text;
+      case 2:
+        return std::to_string(value) + "D";
+      default:
+        return std::to_string(value);
+    }
+  }
+
+  // --- expressions ---
+
+  /// What may stand between two tokens.
+  std::string Gap() {
+    if (!random_.OneIn(6)) return "";
+    return random_.Pick(Texts{" ", "  ", "\t", "\n", " ; a remark\n "});
+  }
+  std::string Infix(const Texts& operators) {
+    std::string text = Gap();
+    text += random_.Pick(operators);
+    return text + Gap();
+  }
+
+  std::string SignalOperand() {
+    switch (random_.Below(10)) {
+      case 0:
+        return Timer() + random_.Pick(Texts{"I", "A", "U", "D"});
+      case 1:
+        return Counter() + random_.Pick(Texts{"I", "R", "Z", "A"});
+      case 2:
+        return OneShot();
+      case 3:
+      case 4:
+        return Bit('U');
+      case 5:
+        if (!input_names_.empty()) return random_.Pick(input_names_);
+        return Bit('I');
+      case 6:
+        if (!output_names_.empty()) return random_.Pick(output_names_);
+        return Bit('U');
+      default:
+        return Bit('I');
+    }
+  }
+
+  std::string Literal() {
+    std::string text = "\"" + random_.Pick(kLiterals) + "\"";
+    return text;
+  }
+
+  std::string SignalPrimary(uint32_t depth) {
+    if (depth == 0 || random_.OneIn(2)) return SignalOperand();
+    switch (random_.Below(9)) {
+      case 0:
+        return random_.OneIn(2) ? "0" : "1";
+      case 1:
+        return Literal();
+      case 2: {
+        const bool bracket = random_.OneIn(2);
+        const std::string inner = Arithmetic(depth - 1);
+        return bracket ? "SGN[" + inner + "]" : "SGN (" + inner + ")";
+      }
+      case 3:
+      case 4:
+      case 5: {
+        std::string text = "[" + CompareArgument(depth - 1);
+        text += Infix({"<", "=", ">"});
+        return text + CompareArgument(depth - 1) + "]";
+      }
+      default:
+        return "(" + Signal(depth - 1) + ")";
+    }
+  }
+  std::string SignalNot(uint32_t depth) {
+    const std::string nots = random_.OneIn(4) ? (random_.OneIn(5) ? "//" : "/") : "";
+    return nots + SignalPrimary(depth);
+  }
+  std::string SignalAnd(uint32_t depth) {
+    std::string text = SignalNot(depth);
+    for (uint32_t i = random_.Below(3); i > 0; --i) {
+      text += Infix({"*"});
+      text += SignalNot(depth);
+    }
+    return text;
+  }
+  std::string Signal(uint32_t depth) {
+    std::string text = SignalAnd(depth);
+    for (uint32_t i = random_.Below(3); i > 0; --i) {
+      text += Infix({"+", "+", "&"});
+      text += SignalAnd(depth);
+    }
+    return text;
+  }
+
+  std::string WordOperand() {
+    if (random_.OneIn(6)) return Counter() + "W";
+    if (random_.OneIn(4) && !word_names_.empty()) return random_.Pick(word_names_);
+    return Word();
+  }
+  std::string CompareArgument(uint32_t depth) {
+    if (random_.OneIn(3)) return Constant(0, 255);
+    if (depth > 0 && random_.OneIn(5)) return Function(depth - 1);
+    return WordOperand();
+  }
+  std::string Function(uint32_t depth) {
+    const std::string name = random_.Pick(Texts{"ENC", "DEC", "BCD", "BIN", "HIG", "LOW", "XCH", "ABS"});
+    const std::string inner = name == "ABS" ? Arithmetic(depth) : WordExpression(depth);
+    return name + (random_.OneIn(5) ? " (" : "(") + inner + ")";
+  }
+  std::string ArithmeticTerm(uint32_t depth) {
+    if (depth > 0 && random_.OneIn(5)) return "(" + Arithmetic(depth - 1) + ")";
+    if (depth > 0 && random_.OneIn(6)) return Function(depth - 1);
+    return random_.OneIn(3) ? Constant(0, 255) : WordOperand();
+  }
+  std::string Arithmetic(uint32_t depth) {
+    std::string text = ArithmeticTerm(depth);
+    for (uint32_t i = random_.Below(4); i > 0; --i) {
+      text += Infix({"+", "-"});
+      text += ArithmeticTerm(depth);
+    }
+    return text;
+  }
+  std::string WordPrimary(uint32_t depth) {
+    if (depth == 0 || random_.OneIn(2)) return random_.OneIn(3) ? Constant(0, 255) : WordOperand();
+    switch (random_.Below(4)) {
+      case 0:
+        return "[" + Arithmetic(depth - 1) + "]";
+      case 1:
+        return "(" + WordExpression(depth - 1) + ")";
+      default:
+        return Function(depth - 1);
+    }
+  }
+  std::string WordAnd(uint32_t depth) {
+    std::string text = (random_.OneIn(5) ? "/" : "") + WordPrimary(depth);
+    if (!random_.OneIn(4)) return text;
+    text += Infix({"*"});
+    return text + (random_.OneIn(5) ? "//" : "") + WordPrimary(depth);
+  }
+  std::string WordExpression(uint32_t depth) {
+    std::string text = WordAnd(depth);
+    for (uint32_t i = random_.Below(3); i > 0; --i) {
+      text += Infix({"+", "&"});
+      text += WordAnd(depth);
+    }
+    return text;
+  }
+
+  // --- items ---
+
+  std::string Assignment() {
+    ++made_;
+    if (random_.OneIn(4)) {
+      const std::string target = random_.OneIn(6)                           ? Counter() + "W"
+                                 : random_.OneIn(6) && !word_names_.empty() ? random_.Pick(word_names_)
+                                                                            : Word();
+      return target + Infix({"="}) + (random_.OneIn(4) ? Mux() : WordExpression(random_.Below(4)));
+    }
+    std::string target = random_.OneIn(8) ? "/" : "";
+    switch (random_.Below(9)) {
+      case 0:
+        target += Timer() + "I(" + (random_.OneIn(3) ? Pair() : Constant(1, 255)) + ")";
+        break;
+      case 1:
+        target += Counter() + "I(" + (random_.OneIn(3) ? Pair() : Constant(2, 255)) + ")";
+        break;
+      case 2:
+        target += random_.OneIn(3) ? Timer() + "A" : Counter() + random_.Pick(Texts{"Z", "A"});
+        break;
+      case 3:
+        target += OneShot();
+        break;
+      case 4:
+        target += output_names_.empty() ? Bit('U') : random_.Pick(output_names_);
+        break;
+      default:
+        target += Bit('U');
+        break;
+    }
+    return target + Infix({"="}) + Signal(random_.Below(4));
+  }
+
+  std::string Mux() {
+    const uint32_t count = random_.Between(1, 8);
+    std::string words, signals;
+    for (uint32_t i = 0; i < count; ++i) {
+      words += (i == 0 ? "" : ",") + (random_.OneIn(3)   ? Constant(0, 255)
+                                      : random_.OneIn(6) ? WordExpression(1)
+                                                         : WordOperand());
+      signals += (i == 0 ? "" : ", ") + std::string(random_.OneIn(4) ? "/" : "") +
+                 (random_.OneIn(6) ? "(" + Signal(1) + ")" : SignalOperand());
+    }
+    return "MUX(" + words + ")" + Gap() + "," + Gap() + "(" + signals + ")";
+  }
+
+  std::string Lower(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+  }
+
+  Piece Item(uint32_t level) {
+    if (level <= kDeepestBlock && random_.OneIn(level == 1 ? 6 : 8)) return Blocks(level);
+    std::string text = Assignment();
+    if (random_.OneIn(15)) text += " " + Assignment();
+    if (random_.OneIn(8)) text += " ; " + std::to_string(made_);
+    // Names and texts keep their case; what has neither may be written small.
+    if (random_.OneIn(10) && text.find_first_of("!\";") == std::string::npos) text = Lower(text);
+    return {text, {}, ""};
+  }
+
+  std::string BlockName() {
+    if (!random_.OneIn(3)) return "";
+    return random_.Pick(Texts{"0", "B11", "P1", "turret", "LongName1"});
+  }
+
+  std::vector<Piece> BlockBody(uint32_t level) {
+    std::vector<Piece> body;
+    for (uint32_t i = random_.Below(5); i > 0; --i) body.push_back(Item(level + 1));
+    return body;
+  }
+
+  Piece Member(const std::string& head, const std::string& end, const std::string& condition, uint32_t level) {
+    const std::string name = BlockName();
+    made_ += 2;
+    Piece member{head + (name.empty() ? "" : " " + name) + ":" + (condition.empty() ? "" : " " + condition),
+                 BlockBody(level), end};
+    if (!name.empty() && random_.OneIn(2)) member.end += " " + (name == "LongName1" ? "LongName2" : name);
+    return member;
+  }
+
+  /// A chain of blocks, or a loop.
+  Piece Blocks(uint32_t level) {
+    if (loops_ && random_.OneIn(3)) {
+      loops_ = false;  // one within another could take 255 * 255 passes
+      Piece loop = Member("DOW", "ENDW", Signal(1), level);
+      loops_ = true;
+      return loop;
+    }
+    Piece chain = Member("DOF", random_.OneIn(4) ? "END F" : "ENDF", Signal(2), level);
+    const uint32_t members = random_.OneIn(2) ? random_.Below(4) : 0;
+    if (members == 0) return chain;
+    Piece whole{"; a chain", {std::move(chain)}, ""};
+    for (uint32_t i = 0; i < members; ++i) {
+      const bool otherwise = i + 1 == members && random_.OneIn(2);
+      whole.body.push_back(Member("DOE", random_.OneIn(4) ? "END E" : "ENDE", otherwise ? "" : Signal(1), level));
+    }
+    return whole;
+  }
+
+  // --- the scenario ---
+
+  std::string Setting() {
+    static const Texts kInputs = {"I0A0", "I0A1", "I0A2", "I1A7",  "I0A8",  "I1A15", "I0A31",  "I0K0",
+                                  "I3K1", "I9K2", "I0N0", "I10K0", "I10N4", "I26K1", "I31A31", "I157K0"};
+    static const Texts kWords = {"W0A0",  "W1A1",  "W0K0",  "W3K3",  "W0T0",   "W0T1", "W1T0",
+                                 "W40K0", "W40K3", "W41K0", "W15T3", "W255K3", "W0N1", "W60N2"};
+    switch (random_.Below(12)) {
+      case 0:
+        return "C" + std::to_string(random_.Pick(kCounters)) + "W: " + std::to_string(random_.Below(256));
+      case 1:
+        return random_.OneIn(2) ? "T" + std::to_string(random_.Pick(kTimers)) + "A: " + std::to_string(random_.Below(2))
+                                : "C" + std::to_string(random_.Pick(kCounters)) + random_.Pick(Texts{"A", "Z", "I"}) +
+                                      ": " + std::to_string(random_.Below(2));
+      case 2:
+      case 3:
+      case 4:
+        return random_.Pick(kWords) + ": " + std::to_string(random_.OneIn(2) ? random_.Below(4) : random_.Below(256));
+      default:
+        return random_.Pick(kInputs) + ": " + std::to_string(random_.Below(2));
+    }
+  }
+
+  std::string RunStep() {
+    switch (random_.Below(6)) {
+      case 0:
+        return "run: {fast: " + std::to_string(random_.Between(1, 4)) + "}";
+      case 1:
+        return "run: {ms: " + std::to_string(random_.Between(1, 45)) + "}";
+      case 2:
+        return random_.OneIn(3) ? "run: {ms: " + std::to_string(random_.Between(100, 900)) + "}" : "run: {slow: 1}";
+      default:
+        return "run: {slow: " + std::to_string(random_.Between(1, 5)) + "}";
+    }
+  }
+
+  void Steps() {
+    const uint32_t steps = size_ == ProgramSize::kLarge ? 30 : random_.Between(8, 30);
+    for (uint32_t i = 0; i < steps; ++i) {
+      for (uint32_t sets = random_.Below(4); sets > 0; --sets) program_.steps.push_back("set: {" + Setting() + "}");
+      if (random_.OneIn(12)) program_.steps.push_back("set: {OPERATOR_TEXT: '" + random_.Pick(kLiterals) + "'}");
+      if (random_.OneIn(25)) program_.steps.push_back("force: {" + Setting() + "}");
+      if (random_.OneIn(25)) program_.steps.push_back("release: [I0A0, W1A1, W40K0, I0A1, C5W, T3A]");
+      if (random_.OneIn(25)) program_.steps.push_back("power_cycle: {}");
+      program_.steps.push_back(RunStep());
+    }
+  }
+
+  inline static const std::vector<uint32_t> kTimers = {0, 3, 47, 48, 63, 64, 254};
+  inline static const std::vector<uint32_t> kCounters = {0, 5, 99};
+  inline static const std::vector<uint32_t> kOneShots = {0, 1, 6, 99};
+  inline static const Texts kLiterals = {"OK", "ok", "TOOL 4", "a;b$c!d", "12345678901234567890123456789012", " "};
+
+  Random& random_;
+  ProgramSize size_;
+  RandomProgram program_;
+  Texts input_names_, output_names_, word_names_;
+  uint32_t symbols_ = 0, made_ = 0;
+  bool loops_ = false;
+};
+
+}  // namespace
+
+RandomProgram RandomNc110(Random& random, ProgramSize size) { return Generator(random, size).Run(); }
+
+}  // namespace plcxx::reference

@@ -1,0 +1,15 @@
+// The second reading of dialect nc110, and random programs of it.
+#pragma once
+
+#include <memory>
+
+#include "tests/reference/random_program.h"
+#include "tests/reference/reference.h"
+#include "transpiler/dialects/dialect.h"
+
+namespace plcxx::reference {
+
+std::unique_ptr<Reference> MakeNc110(dialects::Request& request, HostCalls host);
+RandomProgram RandomNc110(Random& random, ProgramSize size);
+
+}  // namespace plcxx::reference

@@ -1,0 +1,40 @@
+#include "tests/reference/random_program.h"
+
+namespace plcxx::reference {
+namespace {
+
+void Append(const std::vector<Piece>& pieces, std::string& text) {
+  const auto line = [&text](const std::string& words) {
+    if (words.empty()) return;
+    text += words;
+    text += '\n';
+  };
+  for (const Piece& piece : pieces) {
+    line(piece.text);
+    Append(piece.body, text);
+    line(piece.end);
+  }
+}
+
+}  // namespace
+
+std::vector<RenderedFile> Render(const RandomProgram& program, const std::string& dialect) {
+  std::vector<RenderedFile> files;
+  std::string sources;
+  for (const RandomFile& file : program.files) {
+    RenderedFile& rendered = files.emplace_back(file.name, "");
+    Append(file.pieces, rendered.text);
+    sources += (sources.empty() ? "" : ", ") + file.name;
+  }
+  std::string scenario = "dialect: " + dialect + "\nsources: [" + sources + "]\n";
+  if (!program.options.empty()) {
+    scenario += "options:\n";
+    for (const auto& [key, value] : program.options) scenario += "  " + key + ": '" + value + "'\n";
+  }
+  scenario += "steps:\n";
+  for (const std::string& step : program.steps) scenario += "  - " + step + "\n";
+  files.push_back({"scenario.yaml", scenario});
+  return files;
+}
+
+}  // namespace plcxx::reference

@@ -1,0 +1,107 @@
+#include "tests/reference/runs.h"
+
+#include <fstream>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "tests/reference/reference_engine.h"
+#include "transpiler/diagnostics/render.h"
+#include "transpiler/driver/compilation.h"
+#include "transpiler/driver/lockstep.h"
+#include "transpiler/driver/scenario_plan.h"
+#include "transpiler/driver/scenario_run.h"
+#include "transpiler/sim/simulator.h"
+
+namespace plcxx::reference {
+namespace {
+
+/// Counts the values that are compared: all that the reference knows, after each piece of execution.
+class CountingEngine : public ReferenceEngine {
+ public:
+  CountingEngine(const ir::Program& program, sim::Simulator& beside, const Make& make, uint64_t& count)
+      : ReferenceEngine(program, beside, make), count_(count) {}
+  std::vector<uint8_t> Snapshot() override {
+    count_ += compared();
+    return ReferenceEngine::Snapshot();
+  }
+
+ private:
+  uint64_t& count_;
+};
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compilation,
+                    const ReferenceDialect& dialect) {
+  RunResult result;
+  if (!scenario.steps || !compilation.ok()) return {Outcome::kNothingToRun, {}, 0};
+  const auto plan = driver::PlanScenario(scenario, *compilation.dialect, compilation.program);
+  if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&plan)) {
+    return {Outcome::kDisagrees, driver::ToText(errors->front()), 0};
+  }
+  diag::Engine said_before;
+  dialects::Request request = compilation.MakeRequest();
+  request.diagnostics = &said_before;
+  auto simulator = std::make_unique<sim::Simulator>(compilation.program);
+  auto reference = std::make_unique<CountingEngine>(
+      compilation.program, *simulator, [&](HostCalls host) { return dialect.make(request, std::move(host)); },
+      result.compared);
+  const ReferenceEngine& beside = *reference;
+  if (!beside.reference().unsupported().empty()) {
+    return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};
+  }
+  std::vector<std::unique_ptr<sim::Engine>> engines;
+  engines.push_back(std::move(simulator));
+  engines.push_back(std::move(reference));
+  driver::Lockstep lockstep(compilation.program, std::move(engines));
+  const std::optional<std::string> failure =
+      driver::RunScenario({.scenario = scenario,
+                           .plan = std::get<driver::ScenarioPlan>(plan),
+                           .dialect = *compilation.dialect,
+                           .program = compilation.program,
+                           .sources = *compilation.sources,
+                           .engines = lockstep,
+                           .writes = nullptr,
+                           .stub = compilation.dialect->make_stub == nullptr
+                                       ? nullptr
+                                       : compilation.dialect->make_stub(compilation.program, compilation.options)});
+  if (failure) return {Outcome::kDisagrees, *failure, result.compared};
+  if (!beside.reference().unsupported().empty()) {  // met while it ran
+    return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};
+  }
+  if (!beside.mismatches().empty()) {
+    return {Outcome::kDisagrees, scenario.path + ": not in both: " + Joined(beside.mismatches()), result.compared};
+  }
+  return result;
+}
+
+RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory) {
+  std::string scenario_text;
+  for (const RenderedFile& file : Render(program, std::string(dialect.name))) {
+    std::ofstream(directory + "/" + file.name, std::ios::binary) << file.text;
+    scenario_text = file.text;
+  }
+  const driver::ScenarioOrErrors read = driver::ParseScenario(directory + "/scenario.yaml", scenario_text);
+  if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&read)) {
+    return {Outcome::kNothingToRun, driver::ToText(errors->front()), 0};
+  }
+  const auto& scenario = std::get<driver::Scenario>(read);
+  driver::Compilation compilation = driver::Compile(driver::RequestOf(scenario, {}));
+  if (!compilation.ok()) {
+    std::vector<diag::Diagnostic> errors;
+    for (const diag::Diagnostic& diagnostic : compilation.diagnostics.all()) {
+      if (diagnostic.severity == diag::Severity::kError) errors.push_back(diagnostic);
+    }
+    return {Outcome::kNothingToRun, diag::RenderText(*compilation.sources, errors, {}), 0};
+  }
+  return RunBeside(scenario, compilation, dialect);
+}
+
+}  // namespace plcxx::reference

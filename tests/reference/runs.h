@@ -1,0 +1,40 @@
+// Scenarios run by the simulator and by the reference, side by side.
+//
+// In: a scenario file, or a random program. Out: what they disagree about, and how much was compared.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/reference/random_program.h"
+#include "tests/reference/reference_dialects.h"
+#include "transpiler/driver/scenario.h"
+#include "transpiler/driver/scenario_program.h"
+
+namespace plcxx::reference {
+
+enum class Outcome : uint8_t {
+  kAgrees,
+  kDisagrees,
+  kUnsupported,  // the reference passes over something
+  kNothingToRun  // an expected error, no steps
+};
+
+struct RunResult {
+  Outcome outcome = Outcome::kAgrees;
+  std::string text;       // of a disagreement: the scenario, its step, the place; of kUnsupported: what
+  uint64_t compared = 0;  // values: bytes of memory and fields of elements, after each period
+};
+
+RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compilation,
+                    const ReferenceDialect& dialect);
+
+/// Writes the program into `directory`, compiles and runs it.
+RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory);
+
+/// Deletes pieces and steps while `fails` holds of what is left.
+RandomProgram Shrink(RandomProgram program, const std::function<bool(const RandomProgram& program)>& fails);
+
+}  // namespace plcxx::reference
