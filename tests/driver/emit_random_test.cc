@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "tests/driver/emitted_program.h"
+#include "tests/volume.h"
 
 namespace plcxx::driver {
 namespace {
@@ -397,7 +398,7 @@ std::string RandomProgram(uint32_t seed, const std::vector<uint32_t>& sizes) {
 const std::vector<std::string> kRandomInputs = {"a", "b", "d", "x", "y", "w", "u", "q", "kd"};
 
 TEST(EmitRandom, SmallRoutines) {
-  for (uint32_t seed = 1; seed <= 4; ++seed) {
+  for (uint32_t seed = 1; seed <= testing_support::Volume(1U, 4U); ++seed) {
     SCOPED_TRACE(seed);
     const EmittedProgram program(RandomProgram(seed, std::vector<uint32_t>(24, 5)), kRandomInputs, seed);
     program.ExpectRunsAsSimulated();
@@ -407,7 +408,7 @@ TEST(EmitRandom, SmallRoutines) {
 }
 
 TEST(EmitRandom, LongRoutinesAreCut) {
-  for (uint32_t seed = 1; seed <= 2; ++seed) {
+  for (uint32_t seed = 1; seed <= testing_support::Volume(1U, 2U); ++seed) {
     SCOPED_TRACE(seed);
     const EmittedProgram program(RandomProgram(seed, {150, 300}), kRandomInputs, seed);
     const emit::Emittable emittable = emit::Legalize(program.program(), {.name = "p"});

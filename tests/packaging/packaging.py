@@ -5,6 +5,7 @@ packaging.py BUILD STEP     a step is a function below; exit code 77: a tool tha
 """
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -127,11 +128,18 @@ def cross_compiled(build, work):
 
 
 def debian_package(build, work):
-    need("dpkg-deb", "cpack")
+    need("dpkg-deb", "dpkg-shlibdeps", "cpack")
     run("cpack", "-G", "DEB", "--config", build / "CPackConfig.cmake", "-B", work / "deb")
     packages = list((work / "deb").glob("*.deb"))
     expect("one package", len(packages) == 1)
     print(run("dpkg-deb", "--info", packages[0]))
+    field = {name: run("dpkg-deb", "--field", packages[0], name) for name in ("Depends", "Recommends")}
+    expect("it depends on what the tool is linked with",
+           all(re.search(pattern, field["Depends"]) for pattern in (r"\blibc6 ", r"\blibicu\d+ ", r"\blibyaml-cpp")))
+    for module, pattern in (("hnc_parser", r"\blibclang-cpp"), ("audit", r"\blibllvm"), ("z3", r"\blibz3-")):
+        if (build / "lib" / f"plcxx_{module}.so").exists():
+            expect(f"it recommends what the module {module} needs, and does not depend on it",
+                   re.search(pattern, field["Recommends"]) and not re.search(pattern, field["Depends"]))
     run("dpkg-deb", "-x", packages[0], work / "root")
     tool = work / "root" / "usr" / "bin" / "plcxx"
     expect("the tool runs from it", run(tool, "--version").startswith("plcxx "))
@@ -139,6 +147,10 @@ def debian_package(build, work):
         (work / "empty.cld").write_text("#include \"plc.h\"\nvoid plc1(void) { Y[0] = X[0]; }\nvoid plc2(void) {}\nvoid init(void) {}\n")
         run(tool, "emit", work / "empty.cld", "--dialect", "hnc", "-o", work / "out", "--quiet")
         expect("its module is found", (work / "out" / "empty.cpp").exists())
+        (work / "root" / "usr" / "lib" / "plcxx_hnc_parser.so").write_text("no library")
+        refused = subprocess.run([tool, "check", work / "empty.cld", "--dialect", "hnc"], capture_output=True, text=True)
+        expect("of a module that cannot be loaded the loader's cause is shown",
+               refused.returncode == 1 and "file too short" in refused.stderr + refused.stdout)
 
 
 def single_file(build, work):

@@ -2,6 +2,10 @@
 """Runs clang-tidy over sources with a build's compile commands; exits with 1 when it finds something.
 
 tidy.py BUILD [SOURCE...]     all of transpiler/ when no source is named
+tidy.py BUILD --changed       what changed in transpiler/ and runtime_support/ since the commit in tidy_clean.txt, at
+                              which all was clean: a changed header counts by one source that includes it. All, where
+                              the rules changed or this clone does not have that commit
+tidy.py BUILD --record        all; when they are clean, the commit is written into tidy_clean.txt
 
 Files that the build compiles together are checked together, which takes a fifth of the time. What was clean is not
 checked again while the files, the headers of this project that they include, the compile command and the rules are what
@@ -18,6 +22,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JOBS = 2
+CLEAN = pathlib.Path(__file__).resolve().parent / "tidy_clean.txt"
 INCLUDE = re.compile(rb'^\s*#\s*include\s*["<]((?:transpiler|plcxx|tests)/[^">]+)[">]', re.MULTILINE)
 MEMBER = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 
@@ -94,10 +99,51 @@ def check(unit, build):
     return findings
 
 
+def git(*arguments):
+    run = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
+    return run.stdout if run.returncode == 0 else None
+
+
+def changed_since_clean():
+    """None: not known."""
+    commit = CLEAN.read_text().strip()
+    edited = git("diff", "--name-only", commit)
+    added = git("ls-files", "--others", "--exclude-standard")
+    if edited is None or added is None:
+        return None
+    names = {ROOT / name for name in (edited + added).splitlines()}
+    if any(path.name == ".clang-tidy" for path in names):
+        return None
+    return {path for path in names if path.exists()}
+
+
+def units_of_changed(units, changed):
+    """The units that show the changed files: those that they are in; for headers one each, one of these if possible."""
+    found = [unit for unit in units if changed.intersection(unit.members)]
+    includes = {}
+
+    def includes_of(unit):
+        if unit not in includes:
+            seen = {}
+            for member in unit.members:
+                add_with_headers(member, seen)
+            includes[unit] = seen.keys()
+        return includes[unit]
+
+    for header in sorted(path for path in changed if path.suffix in (".h", ".def")):
+        near = sorted(units, key=lambda unit: (unit not in found, header.parent not in unit.members[0].parents, unit.file))
+        shows = next((unit for unit in near if header in includes_of(unit)), None)
+        if shows and shows not in found:
+            found.append(shows)
+    return found
+
+
 def chosen(units, names):
-    if not names:
-        return sorted((unit for unit in units if unit.members[0].is_relative_to(ROOT / "transpiler")),
-                      key=lambda unit: unit.file)
+    if not names or names[0].startswith("--"):
+        everything = sorted((unit for unit in units if unit.members[0].is_relative_to(ROOT / "transpiler")),
+                            key=lambda unit: unit.file)
+        changed = changed_since_clean() if names == ["--changed"] else None
+        return everything if changed is None else units_of_changed(everything, changed)
     found = []
     for name in names:
         source = pathlib.Path(name).resolve()
@@ -119,7 +165,9 @@ def main():
             print(text)
     files = sum(len(unit.members) for unit in units)
     print(f"{files} files, {failed} of {len(units)} runs with findings")
-    return 1 if failed or not units else 0
+    if sys.argv[2:] == ["--record"] and not failed:
+        CLEAN.write_text(git("rev-parse", "HEAD"))
+    return 1 if failed or not (units or sys.argv[2:] == ["--changed"]) else 0
 
 
 if __name__ == "__main__":

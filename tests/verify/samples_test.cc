@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/driver/run_plcxx.h"
+#include "tests/volume.h"
 
 namespace plcxx::driver {
 namespace {
@@ -53,9 +53,9 @@ INSTANTIATE_TEST_SUITE_P(All, SamplesTest, ::testing::ValuesIn(kSamples), [](con
   return folder.substr(0, folder.find('/'));
 });
 
-/// All of a machine takes a minute: with PLCXX_ALL_TARGETS only.
+/// All of a machine takes a minute: with dev/test --all only.
 TEST(WholeSample, IsProved) {
-  if (std::getenv("PLCXX_ALL_TARGETS") == nullptr) GTEST_SKIP();
+  if (!testing_support::IsWholeVolume()) GTEST_SKIP();
   const Workplace workplace;
   const std::string command =
       "cd '" PLCXX_ROOT "/samples/nc110/lathe_16k20' && " PLCXX_BINARY

@@ -6,12 +6,9 @@
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/driver/harness.h"
-#include "transpiler/emit/cpp_printer.h"
 
 namespace plcxx::driver {
 namespace {
-
-constexpr int kCompileSeconds = 300;
 
 /// Where one bit or byte of a place is: a byte of State, or of the shadow of what the program does not use.
 struct PlacePart {
@@ -20,19 +17,6 @@ struct PlacePart {
   uint8_t bit = 0;       // of that byte
   bool is_bool = false;  // the byte holds 0 or 1
 };
-
-}  // namespace
-
-class CompiledProgram {
- public:
-  const ir::Program* program = nullptr;
-  emit::Layout layout;
-  std::shared_ptr<const Platform> platform;
-  compile::TemporaryDirectory directory;
-  std::string executable;
-};
-
-namespace {
 
 class CompiledEngine : public sim::Engine {
  public:
@@ -53,8 +37,10 @@ class CompiledEngine : public sim::Engine {
 
   bool Start() {
     std::vector<std::string> command = compiled_->platform->emulator;
-    command.push_back(compiled_->executable);
-    return child_.Start(command);
+    command.push_back(compiled_->executable->path());
+    if (!child_.Start(command)) return false;
+    Command("", {compiled_->number});
+    return true;
   }
 
   std::string_view name() const override { return compiled_->platform->name; }
@@ -312,37 +298,6 @@ class CompiledEngine : public sim::Engine {
 };
 
 }  // namespace
-
-CompiledOrFailure CompileFor(std::shared_ptr<const Platform> platform, const ir::Program& program,
-                             const source::SourceManager& sources) {
-  const emit::Emittable emittable = emit::Legalize(program, {.name = "program", .flavour = emit::Flavour::kDebug});
-  auto compiled = std::make_shared<CompiledProgram>();
-  compiled->program = &program;
-  compiled->layout = emittable.layout;
-  compiled->platform = std::move(platform);
-  const compile::TemporaryDirectory& directory = compiled->directory;
-  if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
-  compiled->executable = directory.path() + "/program";
-
-  bool written = true;
-  std::vector<std::string> arguments = compiled->platform->compile;
-  arguments.insert(arguments.end(), {"-I", directory.path(), "-o", compiled->executable});
-  for (const emit::OutputFile& file : emit::PrintCpp(emittable, sources)) {
-    written = written && directory.Write(file.name, file.text);
-    if (file.name.ends_with(".cpp") && emittable.parts.size() > 1)
-      arguments.push_back(directory.path() + "/" + file.name);
-  }
-  written = written && directory.Write("harness.cpp", HarnessText(emittable));
-  arguments.push_back(directory.path() + "/harness.cpp");
-  if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
-  arguments.insert(arguments.end(), compiled->platform->link.begin(), compiled->platform->link.end());
-
-  const compile::ProcessResult result = compile::RunProcess(arguments, kCompileSeconds);
-  if (result.exit_code != 0) {
-    return CompileFailure{"'" + arguments[0] + "' cannot compile the generated code:\n" + FirstLines(result.output)};
-  }
-  return compiled;
-}
 
 std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program) {
   auto engine = std::make_unique<CompiledEngine>(std::move(program));

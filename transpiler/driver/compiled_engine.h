@@ -1,5 +1,4 @@
-// The generated C++ as an Engine: emitted in the debug flavour, compiled for a platform, run as a child or in an
-// emulator.
+// The generated C++ as an Engine: a compiled program, run as a child or in an emulator.
 //
 // The child is the generated program and a small main that obeys a byte protocol (harness.h); State is mirrored here
 // after every command, and emit::Layout says where each place is in it. Bytes that the program does not use live in a
@@ -10,22 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "transpiler/driver/platform.h"
-#include "transpiler/emit/emittable.h"
-#include "transpiler/ir/program.h"
+#include "transpiler/driver/compiled_program.h"
 #include "transpiler/sim/engine.h"
-#include "transpiler/source/source.h"
 
 namespace plcxx::driver {
-
-/// A program that was compiled once; engines start processes of it.
-class CompiledProgram;
-
-using CompiledOrFailure = std::variant<std::shared_ptr<CompiledProgram>, CompileFailure>;
-
-/// `program` must be structured and outlive the result.
-CompiledOrFailure CompileFor(std::shared_ptr<const Platform> platform, const ir::Program& program,
-                             const source::SourceManager& sources);
 
 /// Fails with a message when the process cannot be started. A child that dies later ends in EngineFault.
 std::variant<std::unique_ptr<sim::Engine>, CompileFailure> StartCompiled(std::shared_ptr<CompiledProgram> program);

@@ -96,7 +96,7 @@ static void TakeBits(uint64_t bits, double& value) { __builtin_memcpy(&value, &b
 }
 )";
 
-constexpr std::string_view kMain = R"(
+constexpr std::string_view kServe = R"(
 namespace harness = program::harness;
 
 static void Report() {
@@ -107,7 +107,7 @@ static void Report() {
   plcxx_console::Flush();
 }
 
-int main() {
+static void Serve() {
   program::Host& host = harness::host;
   program::State& m = harness::m;
   const auto word = [] { return harness::ReadWord(); };
@@ -150,9 +150,10 @@ int main() {
       }
       case 'H': harness::asks = word() != 0; break;
       case 'S': harness::StoreRetentive(); break;
-      default: return 0;
+      default: return;
     }
   }
+}
 }
 )";
 
@@ -234,19 +235,19 @@ std::string HostFunctions(const emit::Emittable& emittable) {
   return out;
 }
 
-}  // namespace
+/// Where the commands of one program are obeyed: a namespace beside the program's own, so that neither's names are in
+/// the other's way.
+std::string ServerName(const emit::Emittable& emittable) { return emittable.namespace_name + "_server"; }
 
-std::string HarnessText(const emit::Emittable& emittable) {
+/// State, Host and the host functions of one program, then its server.
+std::string ProgramHarness(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const bool retentive = emittable.layout.retentive_bytes > 0;
   size_t most_arguments = 1;
   for (const ir::HostFunction& function : program.host_functions) {
     most_arguments = std::max(most_arguments, function.parameters.size());
   }
-  // One part: in one run of the compiler. In front of the console, whose macros may be names of the program.
-  std::string out = "#include \"" + emittable.options.name + (emittable.parts.size() == 1 ? ".cpp" : ".hpp") + "\"\n";
-  out += "#include \"console.h\"\n";
-  out += "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
+  std::string out = "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
   if (retentive) out += "  Retentive stored{};\n  bool has_stored = false;\n";
   out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
@@ -255,8 +256,7 @@ std::string HarnessText(const emit::Emittable& emittable) {
   out += "static void StoreRetentive() {\n";
   if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
   out += "}\n" + std::string(kCalls) + HostFunctions(emittable) + "}\n";
-  // An alias of its own name is refused by Clang.
-  if (emittable.namespace_name != "program") out += "namespace program = " + emittable.namespace_name + ";\n";
+  out += "namespace " + ServerName(emittable) + " {\nnamespace program = ::" + emittable.namespace_name + ";\n";
   const auto runner = [&](std::string_view name, ir::RoutineId routine) {
     out += "static void " + std::string(name) +
            "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";
@@ -271,7 +271,24 @@ std::string HarnessText(const emit::Emittable& emittable) {
              ? "  program::send_operator_text(m, text, length);\n"
              : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
   out += "}\n";
-  return out + std::string(kMain);
+  return out + std::string(kServe);
+}
+
+}  // namespace
+
+std::string HarnessText(std::span<const emit::Emittable> programs) {
+  std::string out;
+  // A program in one part is compiled here. All in front of the console, whose macros may be names of a program.
+  for (const emit::Emittable& emittable : programs)
+    out += "#include \"" + emittable.options.name + (emittable.parts.size() == 1 ? ".cpp" : ".hpp") + "\"\n";
+  out += "#include \"console.h\"\n";
+  // The code of the programs is optimized as the platform says. The harness need not be, and is half of the whole.
+  out += "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize (\"O0\")\n#endif\n";
+  for (const emit::Emittable& emittable : programs) out += ProgramHarness(emittable);
+  out += "int main() {\n  uint32_t number = 0;\n  plcxx_console::Read(&number, sizeof number);\n  switch (number) {\n";
+  for (size_t i = 0; i < programs.size(); ++i)
+    out += "    case " + std::to_string(i) + ": " + ServerName(programs[i]) + "::Serve(); break;\n";
+  return out + "    default: break;\n  }\n  return 0;\n}\n";
 }
 
 }  // namespace plcxx::driver

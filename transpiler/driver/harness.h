@@ -1,5 +1,7 @@
-// The main program of a compiled engine: it owns State and Host, and obeys one-letter commands from a console, which
-// stands beside it as "console.h" (consoles/host.h says what that is).
+// The main program of compiled engines: it owns State and Host, and obeys one-letter commands from a console, which is
+// beside it as "console.h" (consoles/host.h says what that is). One executable may hold several programs, because the
+// compiler's start, the headers and the linker cost more than most of them; a process serves the one whose number it
+// reads first:  <u32 program>
 //
 //   I                      init                     P <u32 now>   one period          F <u32 now>   fast part only
 //   W <u32 at, mask, v>    host writes bits         K <u32 at, mask, v>  force bits   R <u32 at, mask>  release
@@ -12,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "transpiler/emit/emittable.h"
@@ -21,7 +24,7 @@ namespace plcxx::driver {
 /// Where the number of events stands otherwise.
 inline constexpr uint32_t kHostQuestion = 0xFFFFFFFF;
 
-/// The C++ text of the main program for one emitted program.
-std::string HarnessText(const emit::Emittable& emittable);
+/// The C++ text of the main program for emitted programs, whose names differ.
+std::string HarnessText(std::span<const emit::Emittable> programs);
 
 }  // namespace plcxx::driver

@@ -4,9 +4,7 @@
 #include <utility>
 
 namespace plcxx::driver {
-namespace {
 
-/// All that distinguishes one request from another, as one text.
 std::string KeyOf(const CompilationRequest& request) {
   std::string key;
   const auto add = [&key](const std::string& word) { key += std::to_string(word.size()) + ":" + word; };
@@ -26,8 +24,6 @@ std::string KeyOf(const CompilationRequest& request) {
   for (const std::string& code : request.warnings.enabled) add(code);
   return key;
 }
-
-}  // namespace
 
 CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
   CompilationRequest request;
@@ -66,32 +62,21 @@ Compilation& ScenarioProgram::Compiled() {
   return compilation_;
 }
 
+ScenarioProgram::Built& ScenarioProgram::BuiltOn(const Platform& platform) {
+  const std::lock_guard lock(built_mutex_);
+  return built_[platform.name];
+}
+
 CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const Platform>& platform) {
   const Compilation& compilation = Compiled();
-  Built* built = nullptr;
-  {
-    const std::lock_guard lock(built_mutex_);
-    built = &built_[platform->name];
-  }
-  std::call_once(built->once, [&] { built->result = CompileFor(platform, compilation.program, *compilation.sources); });
-  return built->result;
+  Built& built = BuiltOn(*platform);
+  std::call_once(built.once, [&] { built.result = CompileFor(platform, compilation.program, *compilation.sources); });
+  return built.result;
 }
 
-void ScenarioPrograms::Announce(const Scenario& scenario) {
-  CompilationRequest request = RequestOf(scenario, overrides_);
-  const std::string key = KeyOf(request);
-  Entry& entry = entries_[key];
-  if (!entry.program) entry.program = std::make_shared<ScenarioProgram>(std::move(request));
-  ++entry.awaited;
-}
-
-std::shared_ptr<ScenarioProgram> ScenarioPrograms::Take(const Scenario& scenario) {
-  const std::string key = KeyOf(RequestOf(scenario, overrides_));
-  const std::lock_guard lock(mutex_);
-  const auto found = entries_.find(key);
-  std::shared_ptr<ScenarioProgram> program = found->second.program;
-  if (--found->second.awaited == 0) entries_.erase(found);
-  return program;
+void ScenarioProgram::Give(const Platform& platform, CompiledOrFailure result) {
+  Built& built = BuiltOn(platform);
+  std::call_once(built.once, [&] { built.result = std::move(result); });
 }
 
 }  // namespace plcxx::driver

@@ -1,4 +1,4 @@
-// The programs that scenarios drive, each compiled once: scenarios of one machine share sources and options.
+// The program that scenarios drive, compiled once: scenarios of one machine share sources and options.
 //
 // In: what a scenario asks for. Out: its compilation and, when the scenario wants it, the generated code as a program
 // of a platform. Safe to use from several threads.
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "transpiler/driver/compilation.h"
-#include "transpiler/driver/compiled_engine.h"
+#include "transpiler/driver/compiled_program.h"
 #include "transpiler/driver/scenario.h"
 
 namespace plcxx::driver {
@@ -38,12 +38,15 @@ class ScenarioProgram {
   Compilation& Compiled();
   /// The generated code, built at the first call for a platform. The compilation must be without errors.
   CompiledOrFailure On(const std::shared_ptr<const Platform>& platform);
+  /// It was built already, together with other programs (CompileTogether).
+  void Give(const Platform& platform, CompiledOrFailure built);
 
  private:
   struct Built {
     std::once_flag once;
     CompiledOrFailure result;
   };
+  Built& BuiltOn(const Platform& platform);
 
   CompilationRequest request_;
   std::once_flag compile_once_;
@@ -53,25 +56,7 @@ class ScenarioProgram {
   std::map<std::string, Built> built_;  // by the platform's name
 };
 
-/// Gives scenarios with equal requests the same program, and forgets it after the last of them.
-class ScenarioPrograms {
- public:
-  explicit ScenarioPrograms(ProgramOverrides overrides) : overrides_(std::move(overrides)) {}
-
-  /// Each scenario is announced once before the first Take.
-  void Announce(const Scenario& scenario);
-  std::shared_ptr<ScenarioProgram> Take(const Scenario& scenario);
-  const ProgramOverrides& overrides() const { return overrides_; }
-
- private:
-  struct Entry {
-    std::shared_ptr<ScenarioProgram> program;
-    size_t awaited = 0;  // scenarios that have not taken it yet
-  };
-
-  ProgramOverrides overrides_;
-  std::mutex mutex_;
-  std::map<std::string, Entry> entries_;
-};
+/// All that distinguishes one request from another, as one text: scenarios of one machine share their program.
+std::string KeyOf(const CompilationRequest& request);
 
 }  // namespace plcxx::driver

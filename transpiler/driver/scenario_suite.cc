@@ -1,14 +1,17 @@
 #include "transpiler/driver/scenario_suite.h"
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
+#include <cstdlib>
 #include <filesystem>
-#include <mutex>
+#include <map>
 #include <optional>
 #include <system_error>
-#include <thread>
 #include <utility>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/driver/compiled_program.h"
+#include "transpiler/driver/scenario_groups.h"
+#include "transpiler/driver/separate_processes.h"
 
 namespace plcxx::driver {
 namespace {
@@ -39,73 +42,140 @@ Item ReadItem(const std::string& path) {
   return item;
 }
 
-/// Hands out the items to threads and the results to `report`, in order.
+/// A result as the bytes that go from a child to its parent.
+std::string Encode(const ScenarioResult& result) {
+  std::string bytes(1, static_cast<char>(result.test.outcome));
+  for (const std::string* text : {&result.test.text, &result.ran, &result.waveform}) {
+    bytes += std::to_string(text->size()) + ":" + *text;
+  }
+  return bytes;
+}
+
+ScenarioResult Decode(const std::string& path, const std::string& bytes) {
+  ScenarioResult result{CaseOf(path), {}, {}};
+  result.test.outcome = static_cast<TestOutcome>(bytes[0]);
+  size_t at = 1;
+  for (std::string* text : {&result.test.text, &result.ran, &result.waveform}) {
+    const size_t colon = bytes.find(':', at);
+    const size_t size = std::stoull(bytes.substr(at, colon - at));
+    *text = bytes.substr(colon + 1, size);
+    at = colon + 1 + size;
+  }
+  return result;
+}
+
+/// The programs of a group, each compiled once.
+class GroupPrograms {
+ public:
+  explicit GroupPrograms(const ProgramOverrides& overrides) : overrides_(overrides) {}
+
+  ScenarioProgram& Of(const Scenario& scenario) {
+    CompilationRequest request = RequestOf(scenario, overrides_);
+    const std::string key = KeyOf(request);
+    return programs_.try_emplace(key, std::move(request)).first->second;
+  }
+
+  /// A program runs there: its scenario is chosen, and has steps.
+  void Want(const PlatformUse& use, ScenarioProgram& program) {
+    std::vector<ScenarioProgram*>& wanted = wanted_[use.platform.get()];
+    if (std::ranges::find(wanted, &program) == wanted.end()) wanted.push_back(&program);
+  }
+
+  void Build(const std::shared_ptr<const Platform>& platform) {
+    const std::vector<ScenarioProgram*>& wanted = wanted_[platform.get()];
+    std::vector<ProgramToCompile> programs;
+    for (ScenarioProgram* const program : wanted) {
+      const Compilation& compilation = program->Compiled();
+      programs.push_back({&compilation.program, compilation.sources.get()});
+    }
+    std::vector<CompiledOrFailure> built = CompileTogether(platform, programs);
+    for (size_t i = 0; i < wanted.size(); ++i) wanted[i]->Give(*platform, std::move(built[i]));
+  }
+
+ private:
+  const ProgramOverrides& overrides_;
+  std::map<std::string, ScenarioProgram> programs_;  // by key
+  std::map<const Platform*, std::vector<ScenarioProgram*>> wanted_;
+};
+
+/// Has the items worked on in child processes, and hands the results to `report`, in order.
 class Suite {
  public:
   Suite(std::vector<Item> items, const SuiteOptions& options, const std::function<void(const ScenarioResult&)>& report)
-      : items_(std::move(items)),
-        options_(options),
-        report_(report),
-        programs_(options.programs),
-        results_(items_.size()) {
-    for (const Item& item : items_) {
-      if (item.scenario) programs_.Announce(*item.scenario);
-    }
-  }
+      : items_(std::move(items)), options_(options), report_(report), results_(items_.size()) {}
 
   std::vector<ScenarioResult> Run() {
-    std::vector<std::thread> threads;
-    const size_t count = std::min<size_t>(std::max(1u, options_.jobs), items_.size());
-    for (size_t i = 0; i < count; ++i) threads.emplace_back([this] { Work(); });
-    for (size_t i = 0; i < items_.size(); ++i) {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return results_[i].has_value(); });
-      const ScenarioResult& result = *results_[i];  // stays where it is, so that it can be read without the lock
-      lock.unlock();
-      report_(result);
+    std::vector<GroupedScenario> runnable;
+    for (uint32_t i = 0; i < items_.size(); ++i) {
+      if (items_[i].scenario) {
+        runnable.push_back({i, RequestOf(*items_[i].scenario, options_.programs)});
+      } else {
+        ScenarioResult result{CaseOf(items_[i].path), {}, {}};
+        result.test.outcome = TestOutcome::kUnusable;
+        result.test.text = items_[i].errors;
+        results_[i] = std::move(result);
+      }
     }
-    for (std::thread& thread : threads) thread.join();
+    ReportFirst();
+    const SeparateOptions separate{.jobs = options_.jobs, .item_seconds = options_.time_limit};
+    WorkSeparately(
+        MakeGroups(runnable, options_.jobs), separate,
+        [this](const ItemGroup& items, WorkReport& work) { Work(items, work); },
+        [this](uint32_t item, const ItemEnd& end) { Ended(item, end); });
     std::vector<ScenarioResult> results;
     for (std::optional<ScenarioResult>& result : results_) results.push_back(std::move(*result));
     return results;
   }
 
  private:
-  void Work() {
-    for (size_t i = next_++; i < items_.size(); i = next_++) {
-      ScenarioResult result = Test(items_[i]);
-      const std::lock_guard lock(mutex_);
-      results_[i] = std::move(result);
-      changed_.notify_one();
+  /// In a child.
+  void Work(const ItemGroup& items, WorkReport& work) const {
+    // What a child leaves behind that was ended goes with the suite.
+    setenv("TMPDIR", scratch_.path().c_str(), 1);
+    GroupPrograms programs(options_.programs);
+    for (const uint32_t item : items) {
+      work.Begin(item);
+      const Scenario& scenario = *items_[item].scenario;
+      if (!scenario.steps || RequestOf(scenario, options_.programs).sources.empty()) continue;
+      ScenarioProgram& program = programs.Of(scenario);
+      if (!program.Compiled().ok()) continue;
+      for (const PlatformUse& use : options_.platforms) {
+        if (RunsOn(use, scenario)) programs.Want(use, program);
+      }
+    }
+    work.BeginCommon();
+    for (const PlatformUse& use : options_.platforms) programs.Build(use.platform);
+    for (const uint32_t item : items) {
+      work.Begin(item);
+      const Scenario& scenario = *items_[item].scenario;
+      work.Done(item, Encode(TestScenario(scenario, options_, programs.Of(scenario))));
     }
   }
 
-  ScenarioResult Test(const Item& item) {
-    if (!item.scenario) {
-      ScenarioResult result{CaseOf(item.path), {}, {}};
-      result.test.outcome = TestOutcome::kUnusable;
-      result.test.text = item.errors;
-      return result;
-    }
-    const std::shared_ptr<ScenarioProgram> program = programs_.Take(*item.scenario);
-    try {
-      return TestScenario(*item.scenario, options_, *program);
-    } catch (const std::exception& fault) {  // of the standard library: memory, files
-      ScenarioResult result{CaseOf(item.path), {}, {}};
+  void Ended(uint32_t item, const ItemEnd& end) {
+    const std::string& path = items_[item].path;
+    if (end.result) {
+      results_[item] = Decode(path, *end.result);
+    } else {
+      ScenarioResult result{CaseOf(path), {}, {}};
       result.test.outcome = TestOutcome::kFailed;
-      result.test.text = item.path + ": " + fault.what();
-      return result;
+      result.test.text = path + ": " + end.why;
+      results_[item] = std::move(result);
     }
+    ReportFirst();
+  }
+
+  /// Those before which none is missing.
+  void ReportFirst() {
+    while (reported_ < results_.size() && results_[reported_]) report_(*results_[reported_++]);
   }
 
   std::vector<Item> items_;
   const SuiteOptions& options_;
   const std::function<void(const ScenarioResult&)>& report_;
-  ScenarioPrograms programs_;
-  std::atomic<size_t> next_ = 0;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::optional<ScenarioResult>> results_;  // guarded by mutex_ until set
+  compile::TemporaryDirectory scratch_;
+  std::vector<std::optional<ScenarioResult>> results_;
+  size_t reported_ = 0;
 };
 
 }  // namespace

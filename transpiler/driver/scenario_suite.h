@@ -31,8 +31,9 @@ struct SuiteOptions {
   bool simulator = true;
   std::vector<PlatformUse> platforms;
   ProgramOverrides programs;
-  unsigned jobs = 2;      // scenarios that run at a time
-  bool waveform = false;  // record one
+  unsigned jobs = 2;         // processes that run scenarios at a time
+  unsigned time_limit = 60;  // seconds of real time for a scenario: reading its program, then running it
+  bool waveform = false;     // record one
 };
 
 struct ScenarioResult {
@@ -45,10 +46,15 @@ struct ScenarioResult {
 /// None with the reason when a directory holds none.
 std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vector<std::string>& paths);
 
-/// One scenario, read before.
+/// Whether the platform runs this scenario.
+bool RunsOn(const PlatformUse& use, const Scenario& scenario);
+
+/// One scenario, read before, in this process and without a limit.
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program);
 
-/// All of them; `report` is called once for each, in order, as soon as it and those before it are done.
+/// All of them, in child processes: one that crashes plcxx, or does not end, fails, and the others go on. Their
+/// programs are compiled for a platform together (scenario_groups.h). `report` is called once for each, in order, as
+/// soon as it and those before it are done.
 std::vector<ScenarioResult> TestScenarios(const std::vector<std::string>& paths, const SuiteOptions& options,
                                           const std::function<void(const ScenarioResult&)>& report);
 

@@ -129,13 +129,6 @@ class Test {
     });
   }
 
-  bool IsChosen(const PlatformUse& use) const {
-    if (use.one_in == 1) return true;
-    std::ifstream file(scenario_.path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return ContentHash(text) % use.one_in == 0;
-  }
-
   /// The engines that were asked for, or why there are none.
   std::variant<Engines, std::string> MakeEngines(const Compilation& compilation) {
     Engines made;
@@ -147,7 +140,7 @@ class Test {
       engines.push_back(std::move(simulator));
     }
     for (const PlatformUse& use : options_.platforms) {
-      if (!IsChosen(use)) continue;
+      if (!RunsOn(use, scenario_)) continue;
       auto built = program_.On(use.platform);
       if (const auto* failure = std::get_if<CompileFailure>(&built)) return failure->message;
       auto started = StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(built));
@@ -195,6 +188,13 @@ class Test {
 };
 
 }  // namespace
+
+bool RunsOn(const PlatformUse& use, const Scenario& scenario) {
+  if (use.one_in == 1) return true;
+  std::ifstream file(scenario.path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return ContentHash(text) % use.one_in == 0;
+}
 
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {
   return Test(scenario, options, program).Run();

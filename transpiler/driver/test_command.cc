@@ -36,6 +36,7 @@ struct TestSettings {
   std::string engine = "all";
   std::string compiler, junit, waveform;
   unsigned jobs = 2;
+  unsigned time_limit = 60;
   bool verbose = false;
 };
 
@@ -104,6 +105,7 @@ std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
   SuiteOptions options;
   options.programs = {settings.sources, request->options, request->warnings};
   options.jobs = settings.jobs;
+  options.time_limit = settings.time_limit;
   options.waveform = !settings.waveform.empty();
   if (!ChooseEngines(settings.engine, settings.compiler, options)) return std::nullopt;
   return options;
@@ -157,6 +159,11 @@ void AddTest(CLI::App& app, Run& run) {
       ->type_name("N")
       ->default_str("2")
       ->check(CLI::Range(1, 64));
+  command
+      ->add_option("--time-limit", settings->time_limit,
+                   "Of real time, at most, for a scenario (60). One that needs more fails, and the others go on")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1u, 86'400u));
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
   command->footer(kTestFooter);

@@ -13,7 +13,11 @@ ModuleFunction LoadFunction(const std::string& module, const char* symbol) {
   if (error) return {nullptr, "the tool's own place is not known"};
   const std::filesystem::path path = tool.parent_path().parent_path() / "lib" / module;
   void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) return {nullptr, module + " cannot be loaded from ../lib beside the tool"};
+  if (handle == nullptr) {
+    // The loader's own words: the file is missing, or a library that it needs.
+    const char* const cause = dlerror();
+    return {nullptr, module + " cannot be loaded: " + (cause != nullptr ? cause : "no cause was given")};
+  }
   void* const address = dlsym(handle, symbol);
   return {address, address == nullptr ? module + " belongs to another version" : std::string()};
 }
