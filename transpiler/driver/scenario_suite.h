@@ -31,6 +31,7 @@ struct SuiteOptions {
   bool simulator = true;
   std::vector<PlatformUse> platforms;
   ProgramOverrides programs;
+  Reach reach = Reach::kProject;
   unsigned jobs = 2;      // scenarios that run at a time
   bool waveform = false;  // record one
 };
