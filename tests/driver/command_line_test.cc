@@ -9,6 +9,7 @@
 namespace plcxx::driver {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -90,7 +91,28 @@ TEST(CommandLine, ProgramWithErrorsIsOne) {
 TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);
-  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full 2>/dev/null; test $? = 2").code, 0);
+  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full 2>/dev/null; test $? = 1").code, 0);
+  EXPECT_EQ(work.Run("--help >/dev/full 2>/dev/null; test $? = 1").code, 0);
+}
+
+TEST(CommandLine, WordsThatAreNoCommand) {
+  const Workplace work;
+  EXPECT_THAT(work.Run("emt x.plc").errors, HasSubstr("unknown command 'emt'; did you mean 'emit'?"));
+  EXPECT_EQ(work.Run("emt x.plc").code, 2);
+  EXPECT_THAT(work.Run("frobnicate").errors, AllOf(HasSubstr("unknown command 'frobnicate'"), Not(HasSubstr("mean"))));
+  EXPECT_EQ(work.Run("help").out, work.Run("--help").out);
+  EXPECT_EQ(work.Run("help emit").out, work.Run("emit --help").out);
+  EXPECT_EQ(work.Run("-v").out, work.Run("--version").out);
+  EXPECT_THAT(work.Run("emit --nosuch").errors, HasSubstr("plcxx emit --help tells how it is used"));
+}
+
+TEST(CommandLine, ReportSaysWhatItWrote) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  EXPECT_THAT(work.Run("report ok.plc -o page").errors, HasSubstr("wrote page/ok.html\n"));
+  EXPECT_THAT(work.Run("report ok.plc -o page -q").errors, Not(HasSubstr("wrote")));
+  EXPECT_EQ(work.Run("emit ok.plc -o -").code, 2);
+  EXPECT_FALSE(work.Has("-"));
 }
 
 // covers: NC110-233

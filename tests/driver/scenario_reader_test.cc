@@ -128,9 +128,11 @@ TEST(ScenarioReader, WrongShapesAreRefusedAtTheirPlace) {
   EXPECT_THAT(Errors("steps:\n- run: {slow: 1}\n  expect: {U4A8: 1}\n"),
               ElementsAre("s.yaml:3:3: a step has one key; 'expect' begins another step"));
   EXPECT_THAT(Errors("steps:\n- run: {}\n"), ElementsAre("s.yaml:2:8: 'run' needs one of: slow, fast, ms, s"));
-  EXPECT_THAT(Errors("steps:\n- run: {slow: -1}\n"), ElementsAre("s.yaml:2:15: '-1': 'slow' is a whole number"));
-  EXPECT_THAT(Errors("steps:\n- run: {s: 0.0001}\n"),
-              ElementsAre("s.yaml:2:12: '0.0001': 's' is a number of seconds, to the millisecond"));
+  EXPECT_THAT(Errors("steps:\n- run: {slow: -1}\n"),
+              ElementsAre("s.yaml:2:15: '-1': 'slow' is a whole number from 0 to 4294967295"));
+  EXPECT_THAT(
+      Errors("steps:\n- run: {s: 0.0001}\n"),
+      ElementsAre("s.yaml:2:12: '0.0001': 's' is a number of seconds from 0 to 4294967.295, to the millisecond"));
   EXPECT_THAT(Errors("steps:\n- power_cycle: {now: 1}\n"),
               ElementsAre("s.yaml:2:16: 'power_cycle' has no parameters: write 'power_cycle: {}'"));
   EXPECT_THAT(Errors("steps:\n- expect_messages: 9\n"),
@@ -144,7 +146,7 @@ TEST(ScenarioReader, WrongShapesAreRefusedAtTheirPlace) {
 TEST(ScenarioReader, WhatIsNotYaml) {
   EXPECT_THAT(Errors(""), ElementsAre("s.yaml: the file holds no scenario"));
   EXPECT_THAT(Errors("- a\n"), ElementsAre("s.yaml:1:1: a scenario is a map '{key: value}'"));
-  EXPECT_THAT(Errors("a: 1\n---\nb: 1\n"), ElementsAre("s.yaml: the file holds more than one YAML document"));
+  EXPECT_THAT(Errors("a: 1\n---\nb: 1\n"), ElementsAre("s.yaml:2:1: the file holds more than one YAML document"));
   EXPECT_THAT(Errors("steps: [\n"), ElementsAre(testing::StartsWith("s.yaml:2:1: not YAML: ")));
   EXPECT_THAT(Errors("steps: *nowhere\n"), ElementsAre(testing::StartsWith("s.yaml:1:")));
   EXPECT_THAT(Errors(std::string(100000, '[')), ElementsAre(testing::StartsWith("s.yaml:1:")));

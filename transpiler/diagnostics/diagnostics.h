@@ -3,6 +3,7 @@
 // In: ranges and parameters from any phase. Out: a list ordered by file, line, column. Not its job: text layout.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -100,6 +101,9 @@ class Engine {
     return Add(range, row, texts);
   }
 
+  /// Of each severity so many are kept; more are only counted, so that a file of errors does not fill the memory.
+  static constexpr uint32_t kMostKept = 20'000;
+
   bool HasErrors() const { return error_count_ > 0; }
   uint32_t error_count() const { return error_count_; }
   uint32_t warning_count() const { return warning_count_; }
@@ -134,6 +138,7 @@ class Engine {
   uint32_t error_count_ = 0;
   uint32_t warning_count_ = 0;
   uint32_t note_count_ = 0;
+  std::array<uint32_t, 3> not_kept_ = {};  // by severity
 };
 
 /// "{0}" ... "{9}" replaced by the arguments; "{{" is a brace.

@@ -63,15 +63,21 @@ bool Engine::Enabled(const Row& row) const {
 Diagnostic& Engine::Add(source::Range range, const Row& row, const std::vector<std::string>& args) {
   discarded_ = {};
   if (!Enabled(row)) return discarded_;
+  const bool as_error = (options_.all_errors && row.severity == Severity::kWarning) ||
+                        NamesWhole(options_.errors, row) || NamesShort(options_.errors, row);
+  const Severity severity = as_error ? Severity::kError : row.severity;
+  uint32_t& not_kept = not_kept_[static_cast<size_t>(severity)];
+  if (CountOf(severity) - not_kept >= kMostKept) {
+    ++CountOf(severity);
+    ++not_kept;
+    return discarded_;
+  }
   std::string text = Format(row.text, args);
   if (!reported_.insert(Identity(row, range, text)).second) return discarded_;
 
   Diagnostic& diagnostic = diagnostics_.emplace_back();
   diagnostic.row = &Lasting(row);
-  diagnostic.severity = row.severity;
-  const bool as_error = (options_.all_errors && row.severity == Severity::kWarning) ||
-                        NamesWhole(options_.errors, row) || NamesShort(options_.errors, row);
-  if (as_error) diagnostic.severity = Severity::kError;
+  diagnostic.severity = severity;
   diagnostic.range = range;
   diagnostic.text = std::move(text);
   diagnostic.remedy = Format(row.remedy, args);
@@ -92,7 +98,9 @@ uint32_t& Engine::CountOf(Severity severity) {
 }
 
 void Engine::Recount() {
-  error_count_ = warning_count_ = note_count_ = 0;
+  error_count_ = not_kept_[static_cast<size_t>(Severity::kError)];
+  warning_count_ = not_kept_[static_cast<size_t>(Severity::kWarning)];
+  note_count_ = not_kept_[static_cast<size_t>(Severity::kNote)];
   reported_.clear();
   for (const Diagnostic& kept : diagnostics_) {
     ++CountOf(kept.severity);
@@ -110,6 +118,7 @@ void Engine::KeepFirstErrorOnly() {
   const auto first = std::ranges::find(diagnostics_, Severity::kError, &Diagnostic::severity);
   if (first == diagnostics_.end()) return;
   diagnostics_.erase(first + 1, diagnostics_.end());
+  not_kept_ = {};
   Recount();
 }
 
@@ -140,6 +149,7 @@ void Engine::LimitErrors(uint32_t most) {
     kept.push_back(std::move(diagnostic));
   }
   diagnostics_ = std::move(kept);
+  not_kept_[static_cast<size_t>(Severity::kError)] = 0;
   Recount();
 }
 

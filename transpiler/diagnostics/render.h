@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/source/source.h"
@@ -30,6 +31,14 @@ std::string RenderText(const source::SourceManager& sources, std::span<const Dia
                        const TextStyle& style);
 /// "2 errors, 1 warning, 3 notes"; empty when there are none.
 std::string CountsText(std::span<const Diagnostic> diagnostics);
+/// The same of all that were reported, those included that the engine did not keep.
+std::string CountsText(const Engine& diagnostics);
+
+/// The first `most` errors, and the first `most` of the others, in their order; 0: all.
+std::vector<Diagnostic> FirstOf(std::span<const Diagnostic> diagnostics, size_t most);
+/// As RenderText for the first `most` (0: all); the last lines tell how many are not shown, and the counts of all.
+std::string RenderFirst(const source::SourceManager& sources, const Engine& diagnostics, size_t most,
+                        const TextStyle& style);
 
 /// An array of objects: code, severity, message, help, file, line, column, endLine, endColumn, byteOffset, byteLength,
 /// notes, fixits. Columns count characters from 1, ends are exclusive, bytes are those of the original file; what has

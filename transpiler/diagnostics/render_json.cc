@@ -2,6 +2,7 @@
 
 #include "transpiler/diagnostics/places.h"
 #include "transpiler/diagnostics/render.h"
+#include "transpiler/diagnostics/terminal_text.h"
 
 namespace plcxx::diag {
 namespace {
@@ -57,7 +58,7 @@ std::string RenderJson(const source::SourceManager& sources, std::span<const Dia
   Json all = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) all.push_back(ToJson(sources, diagnostic));
   // A path may be no UTF-8, which JSON cannot hold.
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonForTerminals(all.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace plcxx::diag

@@ -6,6 +6,7 @@
 #include "transpiler/diagnostics/explain.h"
 #include "transpiler/diagnostics/places.h"
 #include "transpiler/diagnostics/render.h"
+#include "transpiler/diagnostics/terminal_text.h"
 
 namespace plcxx::diag {
 namespace {
@@ -146,7 +147,7 @@ std::string RenderSarif(const source::SourceManager& sources, std::span<const Di
   log["$schema"] = kSchema;
   log["version"] = "2.1.0";
   log["runs"] = Json::array({std::move(run)});
-  return log.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonForTerminals(log.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace plcxx::diag

@@ -109,12 +109,12 @@ class TextRenderer {
   std::string out_;
 };
 
-}  // namespace
-
-std::string CountsText(std::span<const Diagnostic> diagnostics) {
+/// `count_of` gives the number for a severity.
+template <class CountOf>
+std::string JoinedCounts(const CountOf& count_of) {
   std::string text;
   for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kNote}) {
-    const auto count = static_cast<size_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
+    const size_t count = count_of(severity);
     if (count == 0) continue;
     if (!text.empty()) text += ", ";
     text += support::Counted(count, SeverityName(severity));
@@ -122,11 +122,54 @@ std::string CountsText(std::span<const Diagnostic> diagnostics) {
   return text;
 }
 
+}  // namespace
+
+std::string CountsText(std::span<const Diagnostic> diagnostics) {
+  return JoinedCounts([diagnostics](Severity severity) {
+    return static_cast<size_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
+  });
+}
+
+std::string CountsText(const Engine& diagnostics) {
+  return JoinedCounts([&diagnostics](Severity severity) -> size_t {
+    switch (severity) {
+      case Severity::kError:
+        return diagnostics.error_count();
+      case Severity::kWarning:
+        return diagnostics.warning_count();
+      case Severity::kNote:
+        return diagnostics.note_count();
+    }
+    PLCXX_UNREACHABLE();
+  });
+}
+
+std::vector<Diagnostic> FirstOf(std::span<const Diagnostic> diagnostics, size_t most) {
+  std::vector<Diagnostic> first;
+  size_t errors = 0, others = 0;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    size_t& count = diagnostic.severity == Severity::kError ? errors : others;
+    if (most == 0 || ++count <= most) first.push_back(diagnostic);
+  }
+  return first;
+}
+
 std::string RenderText(const source::SourceManager& sources, std::span<const Diagnostic> diagnostics,
                        const TextStyle& style) {
   TextRenderer renderer(sources, style);
   for (const Diagnostic& diagnostic : diagnostics) renderer.Add(diagnostic);
   return renderer.Finish(CountsText(diagnostics));
+}
+
+std::string RenderFirst(const source::SourceManager& sources, const Engine& diagnostics, size_t most,
+                        const TextStyle& style) {
+  TextRenderer renderer(sources, style);
+  const std::vector<Diagnostic> shown = FirstOf(diagnostics.all(), most);
+  for (const Diagnostic& diagnostic : shown) renderer.Add(diagnostic);
+  const size_t all = size_t{diagnostics.error_count()} + diagnostics.warning_count() + diagnostics.note_count();
+  std::string end;
+  if (all > shown.size()) end = std::to_string(all - shown.size()) + " more not shown; see --max-messages\n";
+  return renderer.Finish(end + CountsText(diagnostics));
 }
 
 }  // namespace plcxx::diag

@@ -1,6 +1,7 @@
 #include "transpiler/diagnostics/terminal_text.h"
 
 #include <unicode/uchar.h>
+#include <unicode/utf16.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -61,6 +62,36 @@ std::vector<Cell> CellsOf(std::string_view text) {
 std::string Escaped(std::string_view text) {
   std::string escaped;
   for (const Cell& cell : CellsOf(text)) escaped += cell.text;
+  return escaped;
+}
+
+std::string JsonForTerminals(std::string_view json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (size_t at = 0; at < json.size();) {
+    const size_t length = std::max<size_t>(source::Utf8Length(json, at), 1);
+    const std::string_view character = json.substr(at, length);
+    at += length;
+    const auto c = static_cast<UChar32>(source::FirstCodePoint(character).value);
+    if (c <= 0x7E || !ActsOnTerminal(c)) {
+      safe += character;
+    } else if (c <= 0xFFFF) {
+      safe += Numbered("\\u%04X", c);
+    } else {
+      safe += Numbered("\\u%04X", U16_LEAD(c)) + Numbered("\\u%04X", U16_TRAIL(c));
+    }
+  }
+  return safe;
+}
+
+std::string EscapedLines(std::string_view text) {
+  std::string escaped;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    escaped += Escaped(text.substr(begin, end - begin));
+    if (end < text.size()) escaped += '\n';
+    begin = end + 1;
+  }
   return escaped;
 }
 

@@ -25,4 +25,10 @@ std::vector<Cell> CellsOf(std::string_view text);
 /// The same as one string, for messages and paths.
 std::string Escaped(std::string_view text);
 
+/// The same for a text of several lines: the line feeds stay.
+std::string EscapedLines(std::string_view text);
+
+/// JSON in which the same characters are written as \uXXXX: they can stand inside of strings only.
+std::string JsonForTerminals(std::string_view json);
+
 }  // namespace plcxx::diag

@@ -253,7 +253,7 @@ int RunBuild(const BuildSettings& settings) {
   Build build(settings, *target, clock_hz, compilation, progress);
   if (compilation.ok()) build.Run();
   progress.Clear();
-  PrintDiagnostics(compilation, FormatOf(settings.common));
+  PrintDiagnostics(compilation, MessagesOf(settings.common));
   if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation) << build.Table();
   return ExitCodeOf(compilation);
 }

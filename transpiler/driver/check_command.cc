@@ -33,9 +33,9 @@ int RunCheck(const CheckSettings& settings) {
   Compilation compilation = Compile(*request, settings.preemptive ? Stage::kOptimized : Stage::kChecked);
   if (settings.preemptive) static_cast<void>(CheckPreemptive(compilation));
   progress.Clear();
-  PrintDiagnostics(compilation, FormatOf(options));
+  PrintDiagnostics(compilation, MessagesOf(options));
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.
-  if (compilation.diagnostics.all().empty() && FormatOf(options) == DiagnosticsFormat::kText) {
+  if (compilation.diagnostics.all().empty() && MessagesOf(options).format == DiagnosticsFormat::kText) {
     std::cerr << compilation.name << ": " << CountText(compilation.diagnostics) << '\n';
   }
   return ExitCodeOf(compilation);

@@ -42,6 +42,13 @@ void AddSettings(CLI::App& command, CommonOptions& options) {
               kMessagesGroup);
 }
 
+void AddAllowOutside(CLI::App& command, CommonOptions& options) {
+  command
+      .add_flag("--allow-outside", options.allow_outside,
+                "Scenarios may name files outside of their project, the folder tree that is under version control")
+      ->group(kSourcesGroup);
+}
+
 void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("SOURCE", options.sources, "The files of one program, in their order; - is standard input")
       ->required()
@@ -69,6 +76,11 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
       ->type_name("FORM")
       ->default_str("text")
       ->check(CLI::IsMember({"text", "json", "sarif"}))
+      ->group(kMessagesGroup);
+  command
+      .add_option("--max-messages", options.most_messages,
+                  "Show so many errors and so many warnings; 0: all. As text 100 if nothing is said")
+      ->type_name("N")
       ->group(kMessagesGroup);
 }
 
@@ -118,8 +130,8 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
   return request;
 }
 
-DiagnosticsFormat FormatOf(const CommonOptions& options) {
-  return DiagnosticsFormatByName(options.format).value_or(DiagnosticsFormat::kText);
+MessageStyle MessagesOf(const CommonOptions& options) {
+  return {DiagnosticsFormatByName(options.format).value_or(DiagnosticsFormat::kText), options.most_messages};
 }
 
 int ExitCodeOf(const Compilation& compilation) {

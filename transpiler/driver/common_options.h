@@ -23,12 +23,16 @@ struct CommonOptions {
   std::vector<std::string> include_directories, system_include_directories, defines, undefines;
   std::vector<std::string> warnings;
   std::string format = "text";
+  std::optional<size_t> most_messages;
+  bool allow_outside = false;
 };
 
-/// SOURCE..., --dialect, --encoding, --set, -I, --system-include, -D, -U, -W, --diagnostics.
+/// SOURCE..., --dialect, --encoding, --set, -I, --system-include, -D, -U, -W, --diagnostics, --max-messages.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// The same without SOURCE.
 void AddProgramOptions(CLI::App& command, CommonOptions& options);
+/// --allow-outside, for commands that read scenarios.
+void AddAllowOutside(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);
 
@@ -37,7 +41,7 @@ std::string DialectOptionsText();
 
 /// None when an option is wrong: the error has been printed, the exit code is kWrongUse.
 std::optional<CompilationRequest> MakeRequest(const CommonOptions& options);
-DiagnosticsFormat FormatOf(const CommonOptions& options);
+MessageStyle MessagesOf(const CommonOptions& options);
 
 /// kDone, kProgramHasErrors, or kWrongUse when the errors are of the command line.
 int ExitCodeOf(const Compilation& compilation);

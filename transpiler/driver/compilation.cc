@@ -14,6 +14,8 @@
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
+#include "transpiler/source/characters.h"
+#include "transpiler/source/decode.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::driver {
@@ -22,6 +24,16 @@ namespace {
 void CheckIr(const ir::Program& program, ir::Stage stage) {
   const std::vector<std::string> broken = ir::Verify(program, stage);
   if (!broken.empty()) support::InternalFault(broken.front().c_str(), __FILE__, __LINE__);
+}
+
+/// Six digits that tell names apart (FNV-1a).
+std::string HashDigits(std::string_view name) {
+  uint32_t hash = 2166136261u;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string digits;
+  for (hash ^= hash >> 24; digits.size() < 6; hash >>= 4) digits += kDigits[hash % kDigits.size()];
+  return digits;
 }
 
 /// The stem of the first logic source: of the file that holds the first statement, because a file of names has none.
@@ -35,7 +47,11 @@ std::string DefaultName(const Compilation& compilation) {
   }
   const std::string& path = compilation.sources->Get(file).path;
   if (path.starts_with('<')) return "program";  // standard input
-  return emit::SafeIdentifier(std::filesystem::path(path).stem().string());
+  const std::string stem = std::filesystem::path(path).stem().string();
+  if (source::IsAscii(stem)) return emit::SafeIdentifier(stem);
+  // Names in other scripts are written in Latin letters; what tells them apart may get lost in that, so that a few
+  // digits of the name's hash follow.
+  return emit::SafeIdentifier(source::InLatinLetters(stem) + "_" + HashDigits(stem));
 }
 
 bool IsOn(const std::map<std::string, std::string>& options, const std::string& key) {

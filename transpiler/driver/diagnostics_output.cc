@@ -8,20 +8,25 @@
 namespace plcxx::driver {
 namespace {
 
-std::string Rendered(const Compilation& compilation, DiagnosticsFormat format) {
+/// Programs that read messages get all of them unless a number was asked for.
+std::vector<diag::Diagnostic> ForPrograms(const Compilation& compilation, const MessageStyle& messages) {
+  return diag::FirstOf(compilation.diagnostics.all(), messages.most.value_or(0));
+}
+
+std::string Rendered(const Compilation& compilation, const MessageStyle& messages) {
+  constexpr size_t kMostShown = 100;
   const source::SourceManager& sources = *compilation.sources;
-  const std::vector<diag::Diagnostic>& diagnostics = compilation.diagnostics.all();
-  switch (format) {
+  switch (messages.format) {
     case DiagnosticsFormat::kText: {
       diag::TextStyle style;
       style.colour = ShowsColours(Stream::kErrors) ? diag::Colour::kOn : diag::Colour::kOff;
       style.width = TerminalWidth(Stream::kErrors).value_or(style.width);
-      return diag::RenderText(sources, diagnostics, style);
+      return diag::RenderFirst(sources, compilation.diagnostics, messages.most.value_or(kMostShown), style);
     }
     case DiagnosticsFormat::kJson:
-      return diag::RenderJson(sources, diagnostics);
+      return diag::RenderJson(sources, ForPrograms(compilation, messages));
     case DiagnosticsFormat::kSarif:
-      return diag::RenderSarif(sources, diagnostics, PLCXX_VERSION);
+      return diag::RenderSarif(sources, ForPrograms(compilation, messages), PLCXX_VERSION);
   }
   return {};
 }
@@ -35,17 +40,17 @@ std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name) 
   return std::nullopt;
 }
 
-void PrintDiagnosticsBeside(const Compilation& compilation, DiagnosticsFormat format) {
-  std::cerr << Rendered(compilation, format) << std::flush;
+void PrintDiagnosticsBeside(const Compilation& compilation, const MessageStyle& messages) {
+  std::cerr << Rendered(compilation, messages) << std::flush;
 }
 
-void PrintDiagnostics(const Compilation& compilation, DiagnosticsFormat format) {
-  std::ostream& out = format == DiagnosticsFormat::kText ? std::cerr : std::cout;
-  out << Rendered(compilation, format) << std::flush;
+void PrintDiagnostics(const Compilation& compilation, const MessageStyle& messages) {
+  std::ostream& out = messages.format == DiagnosticsFormat::kText ? std::cerr : std::cout;
+  out << Rendered(compilation, messages) << std::flush;
 }
 
 std::string CountText(const diag::Engine& diagnostics) {
-  const std::string counts = diag::CountsText(diagnostics.all());
+  const std::string counts = diag::CountsText(diagnostics);
   return counts.empty() ? "no errors, no warnings" : counts;
 }
 

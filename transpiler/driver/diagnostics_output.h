@@ -1,6 +1,7 @@
 // Where diagnostics go: text to standard error; JSON and SARIF of emit and check to standard output.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,13 +13,18 @@ namespace plcxx::driver {
 
 enum class DiagnosticsFormat : uint8_t { kText, kJson, kSarif };
 
+struct MessageStyle {
+  DiagnosticsFormat format = DiagnosticsFormat::kText;
+  std::optional<size_t> most;  // --max-messages, of errors and of the others; 0: all
+};
+
 /// The names that --diagnostics accepts.
 std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name);
 
 /// For commands whose result is not the diagnostics: always to standard error.
-void PrintDiagnosticsBeside(const Compilation& compilation, DiagnosticsFormat format);
+void PrintDiagnosticsBeside(const Compilation& compilation, const MessageStyle& messages);
 /// For commands whose standard output is free: JSON and SARIF go there.
-void PrintDiagnostics(const Compilation& compilation, DiagnosticsFormat format);
+void PrintDiagnostics(const Compilation& compilation, const MessageStyle& messages);
 
 /// "2 errors, 1 warning"
 std::string CountText(const diag::Engine& diagnostics);

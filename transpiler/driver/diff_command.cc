@@ -93,7 +93,7 @@ std::string Rendered(const Diff& diff, const DiffNames& names, const std::string
 /// false: the program has errors, which have been told.
 bool IsUsable(const DiffSide& side, const DiffSettings& settings) {
   if (side.compilation.ok() && side.compilation.has_program) return true;
-  PrintDiagnosticsBeside(side.compilation, FormatOf(settings.common));
+  PrintDiagnosticsBeside(side.compilation, MessagesOf(settings.common));
   PrintUsageError("'" + side.label +
                   "' cannot be compared: " + (side.compilation.ok() ? "it has no program" : "it has errors"));
   return false;

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "transpiler/diagnostics/terminal_text.h"
+
 namespace plcxx::driver {
 namespace {
 
@@ -229,7 +231,7 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
     }
     json["items"].push_back(std::move(entry));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return diag::JsonForTerminals(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string DiffSarif(const Diff& diff, const DiffNames& names) {
@@ -261,7 +263,7 @@ std::string DiffSarif(const Diff& diff, const DiffNames& names) {
                       {"runs", Json::array({{{"tool", {{"driver", {{"name", "plcxx diff"}, {"rules", rules}}}}},
                                              {"columnKind", "unicodeCodePoints"},
                                              {"results", std::move(results)}}})}};
-  return sarif.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return diag::JsonForTerminals(sarif.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace plcxx::driver

@@ -90,7 +90,7 @@ int RunEmit(const EmitSettings& settings) {
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
   }
   progress.Clear();
-  PrintDiagnostics(compilation, FormatOf(settings.common));
+  PrintDiagnostics(compilation, MessagesOf(settings.common));
   if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation);
   return ExitCodeOf(compilation);
 }

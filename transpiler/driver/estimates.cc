@@ -1,5 +1,6 @@
 #include "transpiler/driver/estimates.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -59,6 +60,34 @@ void EstimateCosts(Compilation& compilation) {
   }
 }
 
+namespace {
+
+void CheckPeriod(Compilation& compilation, std::string_view what, uint64_t needed_ns, uint64_t period_ms) {
+  if (period_ms == 0 || needed_ns <= period_ms * kNsPerMs) return;
+  constexpr uint64_t kUsPerMs = kNsPerMs / kNsPerUs;
+  compilation.diagnostics.Report({}, diag::PeriodExceeded, what,
+                                 static_cast<diag::Number>(RoundedUp(needed_ns, kNsPerUs)),
+                                 static_cast<diag::Number>(period_ms * kUsPerMs));
+}
+
+/// In a period run the fast part and a slice of the slow one, or each of them in a period of its own.
+void CheckPeriods(Compilation& compilation, uint64_t fast_ns, uint64_t slow_ns) {
+  const ir::Schedule& schedule = compilation.program.schedule;
+  const uint64_t slice_ns = slow_ns / std::max(1u, compilation.estimates.slices);
+  if (schedule.fast_ms != 0) {
+    CheckPeriod(compilation, "the fast part", fast_ns, schedule.fast_ms);
+    CheckPeriod(compilation, "the slow part", slow_ns, schedule.period_ms);
+  } else if (slow_ns == 0) {
+    CheckPeriod(compilation, "the fast part", fast_ns, schedule.period_ms);
+  } else if (fast_ns == 0) {
+    CheckPeriod(compilation, "the slow part", slice_ns, schedule.period_ms);
+  } else {
+    CheckPeriod(compilation, "the fast part with a slice of the slow one", fast_ns + slice_ns, schedule.period_ms);
+  }
+}
+
+}  // namespace
+
 void CheckBudgets(Compilation& compilation) {
   uint64_t fast_ns = 0, slow_ns = 0, bytes = 0;
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
@@ -66,6 +95,7 @@ void CheckBudgets(Compilation& compilation) {
     if (partition.kind == ir::RoutineKind::kSlow) slow_ns += partition.time_ns;
     bytes += partition.code_bytes;
   }
+  CheckPeriods(compilation, fast_ns, slow_ns);
   CheckBudget(compilation, dialects::Budget::kFastUs, "fast-budget-us", RoundedUp(fast_ns, kNsPerUs));
   CheckBudget(compilation, dialects::Budget::kSlowMs, "slow-budget-ms", RoundedUp(slow_ns, kNsPerMs));
   CheckBudget(compilation, dialects::Budget::kCodeKb, "code-budget-kb", RoundedUp(bytes, kBytesPerKb));

@@ -2,9 +2,14 @@
 #include <pthread.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "transpiler/driver/command_word.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
@@ -32,10 +37,18 @@ int InternalFault(const char* what) {
   return kInternalFault;
 }
 
+/// The exit code when everything has been written; what cannot be written is the world's fault, not wrong use.
+int Written(int code) {
+  std::cout.flush();
+  if (std::cout.good()) return code;
+  PrintUsageError("cannot write to standard output");
+  return code == kDone ? static_cast<int>(kProgramHasErrors) : code;
+}
+
 int Main(int argc, char** argv) {
   CLI::App app("plcxx: from the PLC languages of machine tool controls to C++", "plcxx");
   Run run;
-  app.set_version_flag("--version", "plcxx " PLCXX_VERSION, "Show the version");
+  app.set_version_flag("-v,--version", "plcxx " PLCXX_VERSION, "Show the version");
   app.set_help_flag("-h,--help", "Show this help");
   app.require_subcommand(1);
   app.footer(kMainFooter);
@@ -50,22 +63,28 @@ int Main(int argc, char** argv) {
   AddVerify(app, run);
   AddDiff(app, run);
   AddProve(app, run);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      app.exit(error);  // --help and --version
-      return kDone;
-    }
-    PrintUsageError(error.what());
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const std::string unknown = TakeHelpWord(app, words);
+  if (!unknown.empty()) {
+    PrintUsageError(unknown);
     std::cerr << "plcxx --help tells how it is used\n";
     return kWrongUse;
   }
-  const int code = run();
-  std::cout.flush();
-  if (std::cout.good()) return code;
-  PrintUsageError("cannot write to standard output");
-  return code == kDone ? static_cast<int>(kWrongUse) : code;
+  std::ranges::reverse(words);  // as the parser takes them
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app.exit(error);  // --help and --version
+      return Written(kDone);
+    }
+    PrintUsageError(error.what());
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    std::cerr << "plcxx " << (chosen.empty() ? "" : chosen.front()->get_name() + " ")
+              << "--help tells how it is used\n";
+    return kWrongUse;
+  }
+  return Written(run());
 }
 
 int GuardedMain(int argc, char** argv) {

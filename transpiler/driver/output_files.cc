@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +118,28 @@ std::optional<WriteFailure> Transaction::CheckTarget(const std::string& path) co
   return std::nullopt;
 }
 
+/// What a process left that was killed while it wrote this file: hidden files whose process is no longer there. A file
+/// server may show files of other machines' processes, so that young ones are left alone.
+void RemoveLeftovers(const fs::path& place) {
+  constexpr auto kYoung = std::chrono::minutes(1);
+  const std::string begin = "." + place.filename().string() + ".";
+  std::error_code error;
+  const fs::path directory = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(directory, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(begin) || !(name.ends_with(".new") || name.ends_with(".old"))) continue;
+    const std::string_view number = std::string_view(name).substr(begin.size(), name.size() - begin.size() - 4);
+    pid_t process = 0;
+    const auto [last, problem] = std::from_chars(number.data(), number.data() + number.size(), process);
+    if (problem != std::errc() || last != number.data() + number.size() || process <= 0) continue;
+    if (kill(process, 0) == 0 || errno != ESRCH) continue;
+    std::error_code gone;
+    const auto written = fs::last_write_time(entry->path(), gone);
+    if (!gone && fs::file_time_type::clock::now() - written > kYoung) fs::remove(entry->path(), gone);
+  }
+}
+
 std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& file) {
   Replacement replacement;
   replacement.path = file.name;
@@ -123,6 +148,7 @@ std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& 
   replacement.temporary = (place.parent_path() / (hidden + ".new")).string();
   replacement.backup = (place.parent_path() / (hidden + ".old")).string();
   replacements_.push_back(replacement);
+  RemoveLeftovers(place);
 
   const int descriptor = open(replacement.temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return WriteFailure{file.name, SystemWords(errno)};

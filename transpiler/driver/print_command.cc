@@ -5,12 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/ir/printer.h"
+#include "transpiler/source/decode.h"
 
 namespace plcxx::driver {
 namespace {
@@ -114,10 +116,13 @@ int RunPrint(const PrintSettings& settings) {
   if (!request) return kWrongUse;
   Compilation compilation = Compile(*request, phase->stage);
   if (compilation.reached == phase->stage) {
-    std::cout << phase->print(compilation) << std::flush;
+    const std::string text = phase->print(compilation);
+    // A file gets the text as it is; a terminal nothing that acts on it. Bytes that are no text nobody can read.
+    const bool shown = IsTerminal(Stream::kOutput) || !source::IsValidUtf8(text);
+    std::cout << (shown ? diag::EscapedLines(text) : text) << std::flush;
     compilation.diagnostics.SortBySource();
   }
-  PrintDiagnosticsBeside(compilation, FormatOf(settings.common));
+  PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
   return ExitCodeOf(compilation);
 }
 

@@ -1,5 +1,6 @@
 #include "transpiler/driver/program_output.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "transpiler/driver/terminal.h"
@@ -31,6 +32,19 @@ std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, 
   if (!options.name.empty() && !IsFileName(options.name)) {
     PrintUsageError("'--name " + options.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
     return std::nullopt;
+  }
+  if (options.directory == "-" && options.to_standard_output == StandardOutput::kNo) {
+    PrintUsageError("'-o -': several files do not fit into standard output; name a directory (./- is one called '-')");
+    return std::nullopt;
+  }
+  if (!options.dependency_file.empty()) {
+    std::vector<std::string> paths = common.sources;
+    paths.push_back(options.directory);
+    const auto has_line_end = [](const std::string& path) { return path.find_first_of("\r\n") != std::string::npos; };
+    if (std::ranges::any_of(paths, has_line_end)) {
+      PrintUsageError("'--depfile': a rule of Make cannot name a file with a line end in its name; rename it");
+      return std::nullopt;
+    }
   }
   request->name = options.name;
   return request;

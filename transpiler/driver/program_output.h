@@ -1,6 +1,7 @@
 // What emit and build share of writing the files of a program.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,10 +12,14 @@
 
 namespace plcxx::driver {
 
+/// Can a command write what it makes to standard output, as '-o -'?
+enum class StandardOutput : uint8_t { kNo, kYes };
+
 struct OutputOptions {
   std::string name;             // of the program and its files; empty: from the first logic source
   std::string directory;        // empty: the current one
   std::string dependency_file;  // empty: none
+  StandardOutput to_standard_output = StandardOutput::kNo;
 };
 
 /// --name, -o, --depfile.

@@ -87,7 +87,7 @@ class Prove {
     MakeProveMachine(request_, machine_);
     Compilation& compilation = machine_.compilation;
     if (!compilation.ok()) {
-      PrintDiagnosticsBeside(compilation, FormatOf(settings_.common));
+      PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
       return ExitCodeOf(compilation);
     }
     if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
@@ -126,7 +126,8 @@ class Prove {
     request_ = std::move(*request);
     const std::vector<std::string>& sources = settings_.common.sources;
     if (sources.size() != 1 || std::filesystem::path(sources.front()).extension() != ".yaml") return true;
-    ScenarioOrErrors read = ReadScenario(sources.front());
+    ScenarioOrErrors read =
+        ReadScenario(sources.front(), settings_.common.allow_outside ? Reach::kAnywhere : Reach::kProject);
     if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
       for (const ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
       return false;
@@ -168,7 +169,7 @@ class Prove {
       add(PropertiesOfFile(path, text, dialect.name, context, *compilation.sources, compilation.diagnostics));
     }
     if (compilation.ok()) return kDone;
-    PrintDiagnosticsBeside(compilation, FormatOf(settings_.common));
+    PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
     return kWrongUse;
   }
 
@@ -241,6 +242,7 @@ void AddProve(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("prove", "Prove properties of the machine for all inputs and all scans");
   const auto settings = std::make_shared<ProveSettings>();
   AddCommonOptions(*command, settings->common);
+  AddAllowOutside(*command, settings->common);
   command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
       ->type_name("FILE")
       ->allow_extra_args(false)

@@ -1,4 +1,5 @@
 #include "transpiler/driver/prove_output.h"
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/support/counted.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
   }
   nlohmann::ordered_json report;
   report["properties"] = std::move(list);
-  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return diag::JsonForTerminals(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 std::vector<TestCase> ProveCases(const std::vector<ProvedProperty>& all) {

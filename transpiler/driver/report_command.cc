@@ -6,6 +6,7 @@
 
 #include "transpiler/checks/accesses.h"
 #include "transpiler/cost/cost_model.h"
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/columns.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
@@ -210,6 +211,7 @@ struct ReportOptions {
   bool costs = false;
   bool resources = false;
   bool lists = false;
+  bool quiet = false;
 
   bool wants_table() const { return symbols || cross_reference || costs || resources || lists; }
 };
@@ -238,14 +240,18 @@ int WritePage(const ReportOptions& options, const CompilationRequest& request) {
     }
     output.protected_paths = PathsRead(compilation);
     if (!output.files.empty()) {
-      if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
+      if (const auto failure = WriteAll(output)) {
+        ReportCannotWrite(*failure, compilation);
+      } else if (!options.quiet) {
+        for (const emit::OutputFile& file : output.files) std::cerr << "wrote " << diag::Escaped(file.name) << '\n';
+      }
     }
   }
   if (options.output.directory == "-") {
-    PrintDiagnosticsBeside(compilation, FormatOf(options.common));
+    PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
     std::cout << text;
   } else {
-    PrintDiagnostics(compilation, FormatOf(options.common));
+    PrintDiagnostics(compilation, MessagesOf(options.common));
   }
   return ExitCodeOf(compilation);
 }
@@ -260,7 +266,7 @@ int RunReport(const ReportOptions& options) {
   if (!options.wants_table()) return WritePage(options, *request);
   const Compilation compilation = Compile(*request, Stage::kChecked);
   if (!compilation.ok()) {
-    PrintDiagnosticsBeside(compilation, FormatOf(options.common));
+    PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
     return ExitCodeOf(compilation);
   }
   if (options.symbols) PrintSymbols(compilation);
@@ -282,6 +288,8 @@ void AddReport(CLI::App& app, Run& run) {
   };
   add("--name", options->output.name, "NAME", "Name of the program and its files; else from the first logic source");
   add("-o", options->output.directory, "DIR", "Directory of the files; else the current one; '-': standard output");
+  options->output.to_standard_output = StandardOutput::kYes;
+  command->add_flag("-q,--quiet", options->quiet, "Do not tell which files were written")->group("Output");
   command->add_flag("--ladder", options->ladder, "Only the ladder pictures, as SVG")->group("Output");
   command->add_flag("--print-symbols", options->symbols, "The symbols by name, with the number of reads and writes");
   command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");

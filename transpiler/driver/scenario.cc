@@ -1,5 +1,6 @@
 #include "transpiler/driver/scenario.h"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -8,10 +9,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/project_files.h"
 #include "transpiler/driver/scenario_reader.h"
 
 namespace plcxx::driver {
@@ -32,15 +38,53 @@ std::vector<ScenarioError> Refuse(const std::string& path, ScenarioMark mark, st
   return {ScenarioError{path, mark, std::move(message)}};
 }
 
+/// Where the documents of a stream begin. The parser gives documents without end for some texts, such as ",", as it
+/// does not move on at what begins none; so nobody asks it for more than two.
+struct Documents : YAML::EventHandler {
+  std::optional<ScenarioMark> first, second;
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    (first ? second : first) = {static_cast<uint32_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+Documents FirstDocuments(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Documents documents;
+  if (parser.HandleNextDocument(documents)) parser.HandleNextDocument(documents);
+  return documents;
+}
+
+/// Why a text does not end where its first document does; JSON's habit of a last comma is told as what it is.
+std::string WhyNotTwo(const std::string& text, ScenarioMark second) {
+  std::istringstream lines(text);
+  std::string line;
+  for (uint32_t i = 0; i < second.line; ++i) std::getline(lines, line);
+  const size_t at = line.find_first_not_of(" \t", second.column - 1);
+  if (at != std::string::npos && std::string_view(",]}").find(line[at]) != std::string_view::npos) {
+    return std::string("not YAML: '") + line[at] + "' belongs to no list and no map: delete it";
+  }
+  return "the file holds more than one YAML document";
+}
+
 }  // namespace
 
 std::string ToText(const ScenarioError& error) {
-  std::string text = error.path + ":";
+  std::string text = diag::Escaped(error.path) + ":";
   if (error.mark.line != 0) text += std::to_string(error.mark.line) + ":" + std::to_string(error.mark.column) + ":";
-  return text + " " + error.message;
+  return text + " " + diag::EscapedLines(error.message);
 }
 
-ScenarioOrErrors ReadScenario(const std::string& path) {
+ScenarioOrErrors ReadScenario(const std::string& path, Reach reach) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return Refuse(path, {}, "there is no such file");
@@ -49,17 +93,18 @@ ScenarioOrErrors ReadScenario(const std::string& path) {
   if (!error && bytes > kMaxBytes) return Refuse(path, {}, "the file is larger than 16 MB: not a scenario");
   std::ifstream in(path, std::ios::binary);
   if (!in) return Refuse(path, {}, "the file cannot be read");
-  return ParseScenario(path, std::string(std::istreambuf_iterator<char>(in), {}));
+  return ParseScenario(path, std::string(std::istreambuf_iterator<char>(in), {}), reach);
 }
 
-ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text) {
-  ScenarioReader reader(path);
+ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text, Reach reach) {
+  ScenarioReader reader(path, reach);
   Scenario scenario;
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty() || documents[0].IsNull()) return Refuse(path, {}, "the file holds no scenario");
-    if (documents.size() > 1) return Refuse(path, {}, "the file holds more than one YAML document");
-    scenario = reader.Read(documents[0]);
+    const Documents documents = FirstDocuments(text);
+    if (documents.second) return Refuse(path, *documents.second, WhyNotTwo(text, *documents.second));
+    const YAML::Node root = YAML::Load(text);
+    if (root.IsNull()) return Refuse(path, {}, "the file holds no scenario");
+    scenario = reader.Read(root);
   } catch (const YAML::Exception& fault) {
     const bool placed = !fault.mark.is_null();
     const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
@@ -116,13 +161,22 @@ std::optional<uint32_t> ScenarioReader::Number(const YAML::Node& node, std::stri
   const char* end = word->text.data() + word->text.size();
   const auto [last, error] = std::from_chars(word->text.data(), end, number);
   if (error == std::errc() && last == end) return number;
-  Fail(word->mark, "'" + word->text + "': " + std::string(what) + " is a whole number");
+  Fail(word->mark, "'" + word->text + "': " + std::string(what) + " is a whole number from 0 to " +
+                       std::to_string(std::numeric_limits<uint32_t>::max()));
   return std::nullopt;
 }
 
 void ScenarioReader::RefuseKey(const MarkedText& key, std::string_view where,
                                std::initializer_list<std::string_view> known) {
   Fail(key.mark, "'" + key.text + "' is no key of " + std::string(where) + "; there are: " + Join(known));
+}
+
+void ScenarioReader::CheckReach(ScenarioMark mark, const std::vector<std::string>& paths) {
+  if (reach_ == Reach::kAnywhere) return;
+  for (const std::string& path : paths) {
+    const std::optional<std::string> outside = OutsideOfProject(path_, path);
+    if (outside) Fail(mark, "'" + path + "' is outside of the project " + *outside + "; --allow-outside allows it");
+  }
 }
 
 std::vector<std::string> ScenarioReader::Words(const YAML::Node& node, std::string_view what) {
@@ -140,6 +194,7 @@ std::map<std::string, std::string> ScenarioReader::Options(const YAML::Node& nod
     for (const std::string& word : Words(entry.value, "the value of option '" + entry.key.text + "'")) {
       value += (value.empty() ? "" : ",") + word;  // options that take several values separate them so
     }
+    CheckReach(entry.key.mark, {value});
     options[entry.key.text] = value;
   }
   return options;
@@ -198,6 +253,7 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
       if (word && key == "name") scenario.name = word->text;
     } else if (key == "sources") {
       scenario.sources = Words(entry.value, "a source");
+      CheckReach(Mark(entry.value), scenario.sources);
     } else if (key == "options") {
       scenario.options = Options(entry.value);
     } else if (key == "expect_error") {

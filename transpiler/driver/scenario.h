@@ -116,8 +116,12 @@ struct Scenario {
 
 using ScenarioOrErrors = std::variant<Scenario, std::vector<ScenarioError>>;
 
-ScenarioOrErrors ReadScenario(const std::string& path);
-/// As ReadScenario, from a text in memory.
-ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text);
+/// Which files a scenario may name: its project is the folder tree below the nearest folder that a version control
+/// system manages, else below the working directory or, when the scenario is not there, below its own folder.
+enum class Reach : uint8_t { kProject, kAnywhere };
+
+ScenarioOrErrors ReadScenario(const std::string& path, Reach reach = Reach::kProject);
+/// As ReadScenario, from a text in memory, which is the tool's own unless `reach` says something else.
+ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text, Reach reach = Reach::kAnywhere);
 
 }  // namespace plcxx::driver

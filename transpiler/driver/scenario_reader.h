@@ -23,7 +23,7 @@ struct YamlEntry {
 
 class ScenarioReader {
  public:
-  explicit ScenarioReader(std::string path) : path_(std::move(path)) {}
+  ScenarioReader(std::string path, Reach reach) : path_(std::move(path)), reach_(reach) {}
 
   Scenario Read(const YAML::Node& root);
   std::vector<ScenarioError>& errors() { return errors_; }
@@ -54,7 +54,11 @@ class ScenarioReader {
   ExpectCallsStep ReadCalls(const YAML::Node& node);
   ExpectMessagesStep ReadMessages(const YAML::Node& node);
 
+  /// Refuses what names a file outside of the scenario's project, unless that was allowed.
+  void CheckReach(ScenarioMark mark, const std::vector<std::string>& paths);
+
   std::string path_;
+  Reach reach_;
   std::vector<ScenarioError> errors_;
 };
 

@@ -106,7 +106,7 @@ std::optional<RunPart> ScenarioReader::ReadRunPart(const YamlEntry& entry) {
   const double ms = std::round(seconds * 1000);
   const bool whole = error == std::errc() && last == end && std::abs(ms - seconds * 1000) < 1e-6;
   if (!whole || ms < 0 || ms > std::numeric_limits<uint32_t>::max()) {
-    Fail(word->mark, "'" + word->text + "': 's' is a number of seconds, to the millisecond");
+    Fail(word->mark, "'" + word->text + "': 's' is a number of seconds from 0 to 4294967.295, to the millisecond");
     return std::nullopt;
   }
   return RunPart{RunUnit::kMilliseconds, static_cast<uint32_t>(ms)};

@@ -29,9 +29,9 @@ struct Item {
   std::string errors;
 };
 
-Item ReadItem(const std::string& path) {
+Item ReadItem(const std::string& path, Reach reach) {
   Item item{path, std::nullopt, {}};
-  ScenarioOrErrors read = ReadScenario(path);
+  ScenarioOrErrors read = ReadScenario(path, reach);
   if (auto* scenario = std::get_if<Scenario>(&read)) {
     item.scenario = std::move(*scenario);
     return item;
@@ -207,7 +207,7 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
 std::vector<ScenarioResult> TestScenarios(const std::vector<std::string>& paths, const SuiteOptions& options,
                                           const std::function<void(const ScenarioResult&)>& report) {
   std::vector<Item> items;
-  for (const std::string& path : paths) items.push_back(ReadItem(path));
+  for (const std::string& path : paths) items.push_back(ReadItem(path, options.reach));
   return Suite(std::move(items), options, report).Run();
 }
 

@@ -31,6 +31,7 @@ struct SuiteOptions {
   bool simulator = true;
   std::vector<PlatformUse> platforms;
   ProgramOverrides programs;
+  Reach reach = Reach::kProject;
   unsigned jobs = 2;         // processes that run scenarios at a time
   unsigned time_limit = 60;  // seconds of real time for a scenario: reading its program, then running it
   bool waveform = false;     // record one

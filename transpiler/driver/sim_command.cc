@@ -63,7 +63,7 @@ int RunSim(const SimSettings& settings) {
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   const Compilation compilation = Compile(*request);
   progress.Clear();
-  PrintDiagnosticsBeside(compilation, FormatOf(settings.common));
+  PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
   if (!compilation.ok()) return ExitCodeOf(compilation);
 
   if (!settings.waveform.empty() && settings.words.watch.empty()) {

@@ -117,6 +117,7 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
   };
   clock.after_period = [&](uint32_t now_ms) {
     control.AfterPeriod(now_ms);
+    if (simulator.stopped()) return;  // a period half done has no row
     table.Row(clock.time_ms(), read);
     for (const sim::HostEvent& event : simulator.TakeEvents()) {
       if (!event.exchange) table.Event(clock.time_ms(), "host call " + ToText(program, event));
@@ -135,13 +136,16 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
     for (const auto& [place, value] : WritesTo(forced.location, forced.value)) simulator.Force(place, value);
   }
   for (const ir::StatementId statement : plan.disconnected) simulator.EnableStatement(statement, false);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(options.seconds);
+  const auto out_of_time = [end] { return std::chrono::steady_clock::now() > end; };
+  simulator.StopWhen(out_of_time);
+  clock.interrupted = [&simulator] { return simulator.stopped(); };
   clock.PowerOn();
   control.PowerOn();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(options.seconds);
   const uint64_t periods = plan.periods != 0 ? plan.periods : kMostPeriods;
   while (outcome.periods < periods && (plan.slow_cycles == 0 || slow_cycles() < plan.slow_cycles)) {
     if (graph.phase() == sim::Graph::Phase::kComplete) break;
-    if (std::chrono::steady_clock::now() > end) {
+    if (simulator.stopped() || out_of_time()) {
       outcome.out_of_time = true;
       break;
     }

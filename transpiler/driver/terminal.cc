@@ -7,6 +7,8 @@
 #include <iostream>
 #include <string_view>
 
+#include "transpiler/diagnostics/terminal_text.h"
+
 namespace plcxx::driver {
 namespace {
 
@@ -21,8 +23,10 @@ std::string_view EnvironmentValue(const char* name) {
 
 }  // namespace
 
+bool IsTerminal(Stream stream) { return isatty(Descriptor(stream)) != 0; }
+
 bool ShowsColours(Stream stream) {
-  if (isatty(Descriptor(stream)) == 0) return false;
+  if (!IsTerminal(stream)) return false;
   return EnvironmentValue("NO_COLOR").empty() && EnvironmentValue("TERM") != "dumb";
 }
 
@@ -32,7 +36,7 @@ std::optional<unsigned> TerminalWidth(Stream stream) {
   return size.ws_col;
 }
 
-void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << text << '\n'; }
+void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << diag::EscapedLines(text) << '\n'; }
 
 ProgressLine::ProgressLine()
     : terminal_(isatty(STDERR_FILENO) != 0 && EnvironmentValue("TERM") != "dumb"),

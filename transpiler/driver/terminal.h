@@ -10,6 +10,8 @@ namespace plcxx::driver {
 
 enum class Stream : uint8_t { kOutput, kErrors };
 
+bool IsTerminal(Stream stream);
+
 /// A terminal that shows colours: not redirected, NO_COLOR unset or empty, TERM not "dumb".
 bool ShowsColours(Stream stream);
 

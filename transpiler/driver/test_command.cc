@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/engine_choice.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
@@ -44,23 +45,25 @@ struct Totals {
   size_t passed = 0, failed = 0, unusable = 0;
 };
 
+/// Names and texts hold what scenarios and sources hold.
 void Report(const ScenarioResult& result, const TestSettings& settings, Totals& totals) {
   const TestCase& test = result.test;
+  const std::string name = diag::Escaped(test.name), text = diag::EscapedLines(test.text);
   switch (test.outcome) {
     case TestOutcome::kPassed:
       ++totals.passed;
-      std::cout << "passed  " << test.name;
+      std::cout << "passed  " << name;
       if (settings.verbose && !result.ran.empty()) std::cout << "  (" << result.ran << ")";
       std::cout << "\n";
       break;
     case TestOutcome::kFailed:
       ++totals.failed;
-      std::cout << "FAILED  " << test.name << "\n" << test.text << "\n";
+      std::cout << "FAILED  " << name << "\n" << text << "\n";
       break;
     case TestOutcome::kUnusable:
       ++totals.unusable;
-      std::cout << "ERROR   " << test.name << "\n" << std::flush;
-      std::cerr << test.text << "\n";
+      std::cout << "ERROR   " << name << "\n" << std::flush;
+      std::cerr << text << "\n";
       break;
   }
   std::cout << std::flush;
@@ -104,6 +107,7 @@ std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
   if (!request) return std::nullopt;
   SuiteOptions options;
   options.programs = {settings.sources, request->options, request->warnings};
+  options.reach = settings.common.allow_outside ? Reach::kAnywhere : Reach::kProject;
   options.jobs = settings.jobs;
   options.time_limit = settings.time_limit;
   options.waveform = !settings.waveform.empty();
@@ -166,6 +170,7 @@ void AddTest(CLI::App& app, Run& run) {
       ->check(CLI::Range(1u, 86'400u));
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
+  AddAllowOutside(*command, settings->common);
   command->footer(kTestFooter);
   command->callback([settings, &run] { run = [settings] { return RunTest(*settings); }; });
 }

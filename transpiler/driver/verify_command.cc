@@ -219,7 +219,7 @@ int RunVerify(const VerifySettings& settings) {
   Verification verification(settings, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
-  PrintDiagnostics(compilation, FormatOf(settings.common));
+  PrintDiagnostics(compilation, MessagesOf(settings.common));
   if (!settings.quiet || !proved) std::cerr << verification.text();
   const int code = ExitCodeOf(compilation);
   return code == kDone && !proved ? static_cast<int>(kProgramHasErrors) : code;

@@ -5,6 +5,7 @@
 // job: time (clock.h), what a control does around its partitions (that is a routine of the program).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,11 +47,16 @@ class Simulator : public Engine {
   void RecordLastWrites();
   /// None unless RecordLastWrites was called.
   const LastWrites* last_writes() const { return last_writes_.get(); }
+  /// Asked now and then while a routine runs: true ends the run where it is, for a program may take for ever within one
+  /// period. After that the memory is that of a period half done, and only good for being looked at.
+  void StopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
+  bool stopped() const { return stopped_; }
   /// Instructions executed so far, those of switched-off statements not counted.
   uint64_t executed() const { return executed_; }
 
  private:
-  /// Whether execution goes on behind an instruction, or an Exit is on its way to the block or loop `leaving_`.
+  /// Whether execution goes on behind an instruction, or an Exit is on its way to the block or loop `leaving_`; once it
+  /// has stopped, that is none, so that everything is left.
   enum class Flow : uint8_t { kOn, kLeaving };
 
   /// The statement whose instructions are being executed.
@@ -79,6 +85,8 @@ class Simulator : public Engine {
 #undef PLCXX_STEP
 #undef PLCXX_CORE
 
+  /// Counts what may repeat, and asks `stop_` for each so many.
+  bool Stops();
   /// What an Exit means for the block or loop that it has come to.
   Flow Leave(ir::InstId block);
   HostAnswer CallHost(const ir::Call& call);
@@ -108,6 +116,9 @@ class Simulator : public Engine {
   bool repeats_ = false;  // what leaves is a Repeat: another round of the loop it names
   uint32_t now_ms_ = 0;
   uint64_t executed_ = 0;
+  std::function<bool()> stop_;
+  uint32_t regions_ = 0;  // begun since `stop_` was asked
+  bool stopped_ = false;
   std::vector<HostEvent> events_;
   HostAnswers answers_;
   std::optional<std::vector<uint8_t>> stored_;  // the host's store: all retentive spaces in order

@@ -27,7 +27,9 @@ void Simulator::Run(ir::RoutineId id) {
   // A switched-off head in the caller says nothing about the conditions of the called routine.
   const Current caller = std::exchange(current_, {.statement = current_.statement});
   for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-    PLCXX_CHECK(Execute(region) == Flow::kOn);
+    const Flow flow = Execute(region);
+    if (stopped_) break;
+    PLCXX_CHECK(flow == Flow::kOn);
   }
   current_ = caller;
 }
@@ -46,9 +48,20 @@ void Simulator::PutBackLocals(const std::vector<ForcedBytes>& callers) {
   for (size_t i = 0; i < locals_.size(); ++i) spaces_[locals_[i].space].PutBack(callers[i]);
 }
 
+bool Simulator::Stops() {
+  constexpr uint32_t kRegionsBetween = 4096;
+  if (!stopped_ && stop_ && ++regions_ == kRegionsBetween) {
+    regions_ = 0;
+    stopped_ = stop_();
+    if (stopped_) leaving_ = InstId();
+  }
+  return stopped_;
+}
+
 Simulator::Flow Simulator::Execute(RegionId region) {
   using namespace operand_types;
   if (!region.valid()) return Flow::kOn;
+  if (Stops()) return Flow::kLeaving;
   const Current outer = current_;
   Flow flow = Flow::kOn;
   for (const InstId id : program_.regions[region].insts) {
@@ -195,7 +208,7 @@ Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
       continue;
     }
     if (exhausted || loop.kind == ir::LoopBound::kBudget) return Flow::kOn;
-    Execute(loop.step);  // which leaves nothing
+    if (Execute(loop.step) == Flow::kLeaving) return Leave(id);  // when it has stopped: a step itself leaves nothing
   }
 }
 
@@ -238,7 +251,7 @@ Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   Run(call.routine);
   if (routine.result_place.valid()) values_[id.index] = Get(places_[routine.result_place.index], 0);
   if (callers) PutBackLocals(*callers);
-  return Flow::kOn;
+  return stopped_ ? Flow::kLeaving : Flow::kOn;
 }
 
 Simulator::Flow Simulator::ExecuteHostCall(InstId id, const Inst& inst) {

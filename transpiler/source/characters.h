@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace plcxx::source {
@@ -22,6 +23,9 @@ bool IsLetter(char32_t c);
 bool IsMark(char32_t c);
 /// Unicode category N.
 bool IsNumber(char32_t c);
+
+/// A text of any script in ASCII letters, as far as they say it: "пила" is "pila"; '_' for what has no letters.
+std::string InLatinLetters(std::string_view text);
 
 /// Columns of a monospace display: 2 for East Asian wide and fullwidth characters (UAX #11), 0 for combining marks.
 uint32_t DisplayWidth(char32_t c);

@@ -68,9 +68,8 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   if (const auto field = FieldOf(*address)) {
     location.place.type = field->type;
     location.place.field = field->field;
-    const std::string number = NameOf(WithoutAttribute(*address));
-    const std::string_view symbol = SymbolOf(program, number);
-    const std::string_view name = symbol.empty() || !IsAscii(symbol) ? std::string_view(number) : symbol;
+    const Address instance = WithoutAttribute(*address);
+    const std::string name = NameInCode(SymbolOf(program, NameOf(instance)), instance, ChannelsOf(program));
     for (uint32_t i = 0; i < program.states.size(); ++i) {
       const ir::StateInstance& state = program.states[ir::StateId(i)];
       if (state.kind == field->kind && state.name == name) location.place.state = ir::StateId(i);

@@ -20,8 +20,7 @@ std::string Lowering::SpelledName(const Address& address) const {
 }
 
 std::string Lowering::NameInCode(const Address& address) const {
-  std::string name = SpelledName(address);
-  return IsAscii(name) ? name : NameOf(address);
+  return host50::NameInCode(SpelledName(address), address, ChannelsOf(program_));
 }
 
 ir::PlaceId Lowering::PlaceOf(const Address& address) {

@@ -80,6 +80,26 @@ std::string_view Parser::WordOf(const Line& line) const {
   return token.kind == TokenKind::kWord ? TextOf(token) : std::string_view();
 }
 
+void Parser::FaultOfBadCharacter(const Token& token) {
+  constexpr char32_t kWideBlank = 0x3000, kFirstWide = 0xFF01, kLastWide = 0xFF5E, kWideDistance = 0xFEE0;
+  const std::string_view text = TextOf(token);
+  const char32_t point = source::FirstCodePoint(text).value;
+  const std::string picture = point < ' ' ? "without a picture" : "'" + std::string(text) + "'";
+  const bool wide = point >= kFirstWide && point <= kLastWide;
+  const bool behind_letter =
+      token.range.begin > source_->base && IsLetter(source_->text[token.range.begin - source_->base - 1]);
+  if (point == kWideBlank || wide) {
+    const char narrow = wide ? static_cast<char>(point - kWideDistance) : ' ';
+    Fault(token.range, diag::Host50WideCharacter, picture, CodePointName(point),
+          wide ? "'" + std::string(1, narrow) + "'" : std::string("blank"))
+        .fixits.push_back({token.range, std::string(1, narrow)});
+  } else if (point == '%' && behind_letter) {
+    Fault(token.range, diag::Host50PercentBehindLetter).fixits.push_back({{token.range.begin, token.range.begin}, " "});
+  } else {
+    Fault(token.range, diag::Host50BadCharacter, picture, CodePointName(point));
+  }
+}
+
 bool Parser::FaultOfBadToken() {
   const Token token = Peek();
   if (!IsBad(token.kind)) return false;
@@ -91,10 +111,7 @@ bool Parser::FaultOfBadToken() {
   } else if (std::ranges::binary_search(source_->replaced, token.range.begin - source_->base)) {
     failed_ = program_.faulty = true;  // a byte without a character: reported with its line
   } else {
-    const std::string_view text = TextOf(token);
-    const char32_t point = source::FirstCodePoint(text).value;
-    Fault(token.range, diag::Host50BadCharacter, point < ' ' ? "without a picture" : "'" + std::string(text) + "'",
-          CodePointName(point));
+    FaultOfBadCharacter(token);
   }
   return true;
 }

@@ -1,5 +1,7 @@
 // The bodies of networks: instructions, their operands and pins (specification 3.3 to 3.5, 6).
 #include <algorithm>
+#include <iterator>
+#include <string>
 
 #include "transpiler/dialects/host50/parser_internal.h"
 #include "transpiler/dialects/host50/rung_machine.h"
@@ -83,13 +85,41 @@ void Parser::ReadInstruction(const Line& line, NetworkId network, std::vector<so
   ++program_.statement_count;
 }
 
+/// Mnemonics of other controls have their names here.
+void Parser::FaultOfUnknownInstruction(const Token& token) {
+  struct OtherName {
+    std::string_view word, meant;
+  };
+  constexpr OtherName kOtherNames[] = {
+      {"LDN", "LDI"},
+      {"ANDN", "ANDI"},
+      {"ANI", "ANDI"},
+      {"ORN", "ORI"},
+      {"ST", "OUT"},
+      {"S", "SET"},
+      {"R", "RST"},
+      {"RES", "RST"},
+      {"=", "OUT"},
+      {"NOT", "the inverted contact: LDI, ANDI or ORI"},
+      {"END", "the END word of the part that is open, such as END_SLOW"},
+  };
+  std::string word(TextOf(token));
+  std::ranges::transform(word, word.begin(), Upper);
+  const auto* const other = std::ranges::find(kOtherNames, word, &OtherName::word);
+  if (other == std::end(kOtherNames)) {
+    Fault(token.range, diag::Host50UnknownInstruction, TextOf(token));
+  } else {
+    Fault(token.range, diag::Host50UnknownInstructionHint, TextOf(token), other->meant);
+  }
+}
+
 void Parser::ReadStatement(Instruction& instruction) {
   const Token token = Peek();
   instruction.mnemonic = token.range;
   const auto mnemonic = token.kind == TokenKind::kWord ? MnemonicByName(TextOf(token)) : std::nullopt;
   if (!mnemonic) {
     instruction.unknown = true;
-    if (!FaultOfBadToken()) Fault(token.range, diag::Host50UnknownInstruction, TextOf(token));
+    if (!FaultOfBadToken()) FaultOfUnknownInstruction(token);
     return;
   }
   Take();

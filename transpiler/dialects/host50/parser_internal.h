@@ -67,6 +67,8 @@ class Parser {
   }
   /// E111 when the cursor is at a bad token.
   bool FaultOfBadToken();
+  void FaultOfBadCharacter(const Token& token);
+  void FaultOfUnknownInstruction(const Token& token);
   /// E102: `what` is missing, or E111.
   void FaultOfMissing(std::string_view what);
   /// E102 when something is left of the statement.

@@ -161,6 +161,14 @@ bool IsAscii(std::string_view symbol) {
   return std::ranges::all_of(symbol, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
+std::string NameInCode(std::string_view symbol, const Address& address, uint32_t channels) {
+  std::string own = NameOf(address);
+  if (symbol.empty() || !IsAscii(symbol)) return own;
+  const AddressText read = ReadAddressText("%" + std::string(symbol), channels);
+  const bool another = read.fault == AddressFault::kNone && NameOf(read.address) != own;
+  return another ? own : std::string(symbol);
+}
+
 Address WithoutAttribute(Address address) {
   address.attribute = Attribute::kNone;
   return address;

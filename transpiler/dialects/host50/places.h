@@ -40,6 +40,9 @@ std::optional<InstanceField> FieldOf(const Address& address);
 std::string NameOf(const Address& address);
 /// Can a name in C++ be made of this symbol? Else the address stands for it.
 bool IsAscii(std::string_view symbol);
+/// What names an address in the IR, so that no two addresses have one name: what the source calls it, but the address
+/// where that is not ASCII or looks like another address ("TM1" for %TM99).
+std::string NameInCode(std::string_view symbol, const Address& address, uint32_t channels);
 /// "TM3" of all its attributes.
 Address WithoutAttribute(Address address);
 

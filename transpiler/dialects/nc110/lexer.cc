@@ -155,61 +155,71 @@ class Lexer {
     Add(TokenKind::kBad, begin).faulty = true;
   }
 
+  /// What has been read of a run of letters and digits.
+  struct RunText {
+    std::string text;  // with Latin letters only
+    bool lower = false;
+    bool foreign = false;  // the source has letters that look like Latin ones
+    HomoglyphReader::Outcome outcome = HomoglyphReader::Outcome::kMapped;
+  };
+
   void LexRun() {
     const size_t begin = at_;
-    bool lower = false;
-    bool foreign = false;
+    RunText run;
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (!IsAscii(c)) {
-        foreign = true;
+        run.foreign = true;
       } else if (!IsRunCharacter(c)) {
         break;
       }
-      lower = lower || (c >= 'a' && c <= 'z');
+      run.lower = run.lower || (c >= 'a' && c <= 'z');
     }
-    std::string mapped;
-    HomoglyphReader::Outcome outcome = HomoglyphReader::Outcome::kMapped;
-    std::string_view run = text_.substr(begin, at_ - begin);
-    if (foreign) {
-      outcome = homoglyphs_.Read(run, RangeFrom(begin).begin, mapped);
-      if (mapped.empty()) {
+    const std::string_view source = text_.substr(begin, at_ - begin);
+    run.text = source;
+    if (run.foreign) {
+      run.outcome = homoglyphs_.Read(source, RangeFrom(begin).begin, run.text);
+      if (run.text.empty()) {
         SkipIllegal();  // one message for a stretch of bad characters
         Add(TokenKind::kBad, begin).faulty = true;
         return;
       }
-      run = mapped;
     }
-    const Word word = Classify(run);
+    const Word word = Classify(run.text);
     TokenKind kind = word.kind;
     if (kind == TokenKind::kEnd) {
-      kind = JoinEnd(lower);
+      kind = JoinEnd(run);
     }
     Token& token = Add(kind, begin);
     token.function = word.function;
-    token.lower_case = lower;
-    token.faulty = outcome == HomoglyphReader::Outcome::kReported;
-    if (foreign) {
+    token.lower_case = run.lower;
+    token.faulty = run.outcome == HomoglyphReader::Outcome::kReported;
+    if (run.foreign) {
       token.mapped = true;
-      result_.mapped[token.range.begin] = mapped;
+      result_.mapped[token.range.begin] = run.text;
     }
     if (kind == TokenKind::kMsg) {
       LexMsgTail();
     }
   }
 
-  /// END F, END E, END W on one line are one word.
-  TokenKind JoinEnd(bool& lower) {
+  /// END F, END E, END W on one line are one word, also with a letter that only looks like the E.
+  TokenKind JoinEnd(RunText& run) {
     size_t letter = at_;
     while (letter < text_.size() && IsBlank(text_[letter])) {
       ++letter;
     }
-    if (letter >= text_.size() ||
-        (letter + 1 < text_.size() && (IsRunCharacter(text_[letter + 1]) || !IsAscii(text_[letter + 1])))) {
+    if (letter >= text_.size()) {
       return TokenKind::kEnd;
     }
+    const CodePoint point = FirstCodePoint(text_.substr(letter));
+    const size_t behind = letter + point.length;
+    if (behind < text_.size() && (IsRunCharacter(text_[behind]) || !IsAscii(text_[behind]))) {
+      return TokenKind::kEnd;
+    }
+    const char latin = point.value < 0x80 ? static_cast<char>(point.value) : LatinFor(point.value);
     TokenKind kind = TokenKind::kEnd;
-    switch (Upper(text_[letter])) {
+    switch (Upper(latin)) {
       case 'F':
         kind = TokenKind::kEndf;
         break;
@@ -222,8 +232,19 @@ class Lexer {
       default:
         return kind;
     }
-    lower = lower || text_[letter] >= 'a';
-    at_ = letter + 1;
+    run.lower = run.lower || latin >= 'a';
+    at_ = letter;
+    std::string tail(1, latin);
+    if (point.value >= 0x80) {
+      const auto begin = RangeFrom(at_).begin;
+      const HomoglyphReader::Outcome outcome = homoglyphs_.Read(text_.substr(letter, point.length), begin, tail);
+      if (outcome == HomoglyphReader::Outcome::kReported) {
+        run.outcome = outcome;
+      }
+      run.foreign = true;
+    }
+    run.text += ' ' + tail;
+    at_ = behind;
     return kind;
   }
 

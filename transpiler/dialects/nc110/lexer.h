@@ -60,6 +60,8 @@ struct CodePoint {
 };
 /// `text` is not empty.
 CodePoint FirstCodePoint(std::string_view text);
+/// The Latin letter, or the 3, that a Cyrillic one looks like; 0: none.
+char LatinFor(char32_t letter);
 /// "'%'"; without a picture for control characters.
 std::string Picture(std::string_view text, CodePoint point);
 /// "U+0410".

@@ -22,6 +22,8 @@ constexpr std::array kLookAlikes = {
     LookAlikeLetter{0x43A, 'k'}, LookAlikeLetter{0x43C, 'm'}, LookAlikeLetter{0x43E, 'o'}, LookAlikeLetter{0x440, 'p'},
     LookAlikeLetter{0x442, 't'}, LookAlikeLetter{0x445, 'x'}, LookAlikeLetter{0x443, 'y'}, LookAlikeLetter{0x437, '3'}};
 
+}  // namespace
+
 char LatinFor(char32_t letter) {
   for (const LookAlikeLetter& row : kLookAlikes) {
     if (row.cyrillic == letter) {
@@ -30,8 +32,6 @@ char LatinFor(char32_t letter) {
   }
   return '\0';
 }
-
-}  // namespace
 
 CodePoint FirstCodePoint(std::string_view text) {
   const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<unsigned char>(text[i])); };

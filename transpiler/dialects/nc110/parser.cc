@@ -67,7 +67,7 @@ void Parser::CheckCase(const Token& token) {
   if (options_.strict_case) {
     Fault(token.range, diag::Nc110LowerCaseRejected, TextOf(token));
   } else if (!std::exchange(case_warned_, true)) {
-    diagnostics_.Report(token.range, diag::Nc110LowerCase, TextOf(token));
+    diagnostics_.Report(token.range, diag::Nc110LowerCase, TextOf(token), Capitals(TextOf(token)));
   }
 }
 
@@ -159,7 +159,7 @@ void Parser::ReportNoStatement() {
       panic_ = true;
       return;
     case TokenKind::kEnd:
-      Fault(token.range, diag::Nc110UnknownIdentifier, TextOf(token));
+      FaultOfUnknown(TextOf(token), token.range);
       return;
     case TokenKind::kNumber:
       if (!Evaluate(TextOf(token)).well_formed) {
@@ -234,7 +234,7 @@ void Parser::ParseLogicFile(source::FileId file) {
   file_ = &sources_.Get(file);
   lexed_ = Lex(sources_, file, options_.accept_homoglyphs ? Homoglyphs::kAccept : Homoglyphs::kReject, diagnostics_);
   position_ = next_comment_ = 0;
-  case_warned_ = false;
+  case_warned_ = constant_warned_ = false;
   logic_file_seen_ = true;
   for (OpenBlock& open : open_blocks_) {
     if (!std::exchange(open.continued, true) && !open.reported) {

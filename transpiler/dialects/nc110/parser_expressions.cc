@@ -55,6 +55,9 @@ ExprId Parser::ParseExpression(Type type) {
     }
     (is_or ? has_or : has_xor) = true;
     const ExprId right = ParseAnd(type);
+    if (is_or && type == Type::kWord) {
+      WarnOrOfNumber(sign.range, current, right);
+    }
     if (!is_or || !above) {
       current = Binary(is_or ? ExprKind::kOr : ExprKind::kXor, type, current, right);
     } else {
@@ -162,7 +165,7 @@ ExprId Parser::ParseOperand(Type type) {
     return OperandExpr(use);
   }
   if (type == Type::kSignal) {
-    Fault(use.range, diag::Nc110SignalExpected, Quoted(text));
+    Fault(use.range, diag::Nc110SignalExpected, Quoted(text), text);
   } else {
     Fault(use.range, diag::Nc110WordExpected, Quoted(text));
   }
@@ -203,9 +206,22 @@ ExprId Parser::ParseConstant(Type type) {
   return program_.exprs.Add(expr);
 }
 
-/// Once per statement; conditions have a warning of their own, W321.
+/// "W1K0+1" looks like a sum. A mask of bits is written in hexadecimal, as a rule; a decimal number is meant as one.
+void Parser::WarnOrOfNumber(source::Range sign, ExprId left, ExprId right) {
+  const Expr& number = program_.exprs[right];
+  const Expr& word = program_.exprs[left];
+  if (panic_ || number.kind != ExprKind::kConstant || word.kind != ExprKind::kOperand) {
+    return;
+  }
+  const std::string_view digits = sources_.Text(number.range);
+  if (!digits.empty() && (IsDigit(digits.back()) || Upper(digits.back()) == 'D')) {
+    Warn(sign, diag::Nc110OrOfNumber, std::string(sources_.Text(word.range)) + "+" + std::string(digits));
+  }
+}
+
+/// Once per file; conditions have a warning of their own, W321.
 void Parser::WarnConstantSignal(source::Range range) {
-  if (!in_condition_ && !std::exchange(extension_warned_, true)) {
+  if (!in_condition_ && !std::exchange(constant_warned_, true)) {
     Warn(range, diag::Nc110Extension, "a constant in a signal expression");
   }
 }

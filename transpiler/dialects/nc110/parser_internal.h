@@ -91,6 +91,7 @@ class Parser {
   // --- operands (parser_operands.cc) ---
   /// kOperand, kSymbol or kRun.
   OperandUse TakeOperand();
+  void FaultOfUnknown(std::string_view run, source::Range range);
   Operand ReadOperand(std::string_view run, source::Range range);
   struct ConstantUse {
     uint32_t value = 0;
@@ -115,6 +116,7 @@ class Parser {
   ExprId ParseGroup(Type type);
   ExprId ParseOperand(Type type);
   ExprId ParseConstant(Type type);
+  void WarnOrOfNumber(source::Range sign, ExprId left, ExprId right);
   void WarnConstantSignal(source::Range range);
   ExprId ParseAscii(Type type);
   ExprId ParseUnknownPrimary();
@@ -168,6 +170,7 @@ class Parser {
   size_t position_ = 0;
   size_t next_comment_ = 0;
   bool case_warned_ = false;
+  bool constant_warned_ = false;
 
   // The item being read.
   bool failed_ = false;

@@ -33,6 +33,17 @@ OperandUse Parser::TakeOperand() {
   return use;
 }
 
+/// Says what is meant where that is plain: words of other languages, numbers without their first digit, timers and
+/// counters without their field.
+void Parser::FaultOfUnknown(std::string_view run, source::Range range) {
+  const std::string cause = CauseOfUnknown(run);
+  if (cause.empty()) {
+    Fault(range, diag::Nc110UnknownIdentifier, run);
+  } else {
+    Fault(range, diag::Nc110UnknownIdentifierCause, run, cause);
+  }
+}
+
 Operand Parser::ReadOperand(std::string_view run, source::Range range) {
   const Decoded decoded = Decode(run);
   const auto number = static_cast<diag::Number>(decoded.found);
@@ -43,7 +54,7 @@ Operand Parser::ReadOperand(std::string_view run, source::Range range) {
     case OperandFault::kUnknown: {
       const std::string hint = LookAlike(run);
       if (hint.empty()) {
-        Fault(range, diag::Nc110UnknownIdentifier, run);
+        FaultOfUnknown(run, range);
       } else {
         Fault(range, diag::Nc110UnknownIdentifierHint, run, hint).fixits.push_back({range, hint});
       }

@@ -130,7 +130,7 @@ void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, Homogl
     if (options_.strict_case) {
       Fault(run_range, diag::Nc110LowerCaseRejected, run);
     } else if (!std::exchange(case_warned_, true)) {
-      diagnostics_.Report(run_range, diag::Nc110LowerCase, run);
+      diagnostics_.Report(run_range, diag::Nc110LowerCase, run, Capitals(run));
     }
   }
   symbol.operand = run.empty() ? Operand{} : ReadOperand(run, run_range);

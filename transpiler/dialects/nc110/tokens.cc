@@ -1,5 +1,6 @@
 #include "transpiler/dialects/nc110/tokens.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <iterator>
@@ -370,6 +371,55 @@ std::string LookAlike(std::string_view run) {
     }
   }
   return best;
+}
+
+namespace {
+
+struct MeantWord {
+  std::string_view word, remedy;
+};
+/// Words of other languages, and those that are never alone.
+constexpr MeantWord kMeantWords[] = {
+    {"END", "close a block with ENDF, ENDE or ENDW"},
+    {"ENDIF", "close DOF with ENDF, DOE with ENDE"},
+    {"ELSE", "write DOE behind the ENDF of the DOF"},
+    {"ELSIF", "write DOE and its condition behind the ENDF of the DOF"},
+    {"IF", "write DOF: and the condition"},
+    {"AND", "AND is written '*'"},
+    {"OR", "OR is written '+'"},
+    {"NOT", "NOT is written '/' in front of its operand"},
+    {"XOR", "exclusive OR is written '&'"},
+};
+
+}  // namespace
+
+std::string Capitals(std::string_view run) {
+  std::string capitals(run);
+  std::ranges::transform(capitals, capitals.begin(), Upper);
+  return capitals;
+}
+
+std::string CauseOfUnknown(std::string_view run) {
+  const std::string capitals = Capitals(run);
+  for (const MeantWord& meant : kMeantWords) {
+    if (capitals == meant.word) return std::string(meant.remedy);
+  }
+  if (capitals.size() < 2) return {};
+  const std::string_view inner = std::string_view(capitals).substr(0, capitals.size() - 1);
+  if (capitals.back() == 'H' && std::ranges::all_of(inner, IsHexDigit)) {
+    return "a hexadecimal number begins with a digit: 0" + capitals;
+  }
+  const std::string_view number = std::string_view(capitals).substr(1);
+  if (!std::ranges::all_of(number, IsDigit)) return {};
+  if (capitals.front() == 'T') {
+    return "name a field of the timer: " + capitals + "I starts it, " + capitals + "U is 1 when it is over, " +
+           capitals + "D while it runs, " + capitals + "A stops it";
+  }
+  if (capitals.front() == 'C') {
+    return "name a field of the counter: " + capitals + "I counts, " + capitals + "A turns the direction, " + capitals +
+           "Z resets, " + capitals + "W is the value, " + capitals + "R the carry";
+  }
+  return {};
 }
 
 }  // namespace plcxx::nc110

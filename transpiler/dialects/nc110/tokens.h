@@ -111,6 +111,11 @@ Number Evaluate(std::string_view run);
 /// The operand or block word that `run` becomes when O and 0, I and 1 are exchanged where needed; empty: none.
 std::string LookAlike(std::string_view run);
 
+/// What is meant by a run that is no operand, where that is plain, as a remedy; empty: nobody knows.
+std::string CauseOfUnknown(std::string_view run);
+
+std::string Capitals(std::string_view run);
+
 constexpr char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 constexpr bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }

@@ -80,6 +80,13 @@ void CheckSelfHold(const CheckedProgram& program, diag::Engine& diagnostics) {
   }
 }
 
+namespace {
+
+/// A constant as BCD: what was probably meant; a byte of BCD ends at 99.
+std::string BcdDigits(uint32_t value) { return value > 99 ? "00H to 99H" : std::to_string(value) + "H"; }
+
+}  // namespace
+
 void CheckBcdComparisons(const CheckedProgram& program, diag::Engine& diagnostics) {
   const Program& tree = program.tree;
   const auto check = [&](const Expr& word, const Expr& constant) {
@@ -88,7 +95,7 @@ void CheckBcdComparisons(const CheckedProgram& program, diag::Engine& diagnostic
     const std::string_view text = program.sources.Text(constant.range);
     if (text.empty() || Upper(text.back()) == 'H') return;
     if (!HoldsBcd(word.operand, program.settings.processes)) return;
-    diagnostics.Report(constant.range, diag::Nc110BcdDecimal, ToText(word.operand), text);
+    diagnostics.Report(constant.range, diag::Nc110BcdDecimal, ToText(word.operand), text, BcdDigits(constant.value));
   };
   for (const Expr& expr : tree.exprs) {
     if (expr.kind != ExprKind::kLess && expr.kind != ExprKind::kEqual && expr.kind != ExprKind::kGreater) continue;

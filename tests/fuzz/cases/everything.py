@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Every subcommand, in every form, over every golden program and sample: no crash, no exit 3, no hang.
+
+    everything.py PLCXX ROOT [--share N] [--jobs N]
+
+With --share N one run in N, chosen by the bytes of the case and the command: the same ones everywhere.
+"""
+import argparse
+import concurrent.futures
+import hashlib
+import pathlib
+import sys
+import tempfile
+
+import commands
+import corpus
+import invoke
+
+
+def chosen(case, words, share):
+    digest = hashlib.sha256(repr((sorted(case.files.items()), words)).encode()).digest()
+    return int.from_bytes(digest[:4], "big") % share == 0
+
+
+def attempt(plcxx, case, chosen_commands):
+    found = []
+    with tempfile.TemporaryDirectory(prefix="plcxx_every_") as scratch:
+        folder = pathlib.Path(scratch)
+        for name, data in case.files.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        for words, messages, seconds in chosen_commands:
+            problem, _ = invoke.run([plcxx, *words], folder, 4 * seconds, messages)
+            if problem:
+                found.append((problem, words))
+    return case, len(chosen_commands), found
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("plcxx")
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--share", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--dialects", default=",".join(corpus.DIALECTS))
+    args = parser.parse_args()
+    ran = faults = 0
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        futures = []
+        for case in corpus.cases(args.root):
+            picked = [command for command in commands.of(case) if chosen(case, command[0], args.share)]
+            if picked and case.dialect in args.dialects.split(","):
+                futures.append(pool.submit(attempt, args.plcxx, case, picked))
+        for future in futures:
+            case, count, found = future.result()
+            ran += count
+            for problem, words in found:
+                faults += 1
+                print(f"{case.scenario}: plcxx {' '.join(words)}\n    {problem}", flush=True)
+    print(f"{ran} runs, {faults} faults")
+    return 1 if faults or not ran else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,59 @@
+"""Runs the tool under the limits that nothing may exceed, and says what is wrong with how it ended."""
+import os
+import resource
+import subprocess
+import tempfile
+import time
+
+MOST_BYTES = 1 << 30
+# What acts on a terminal or turns the direction of a line: never in messages.
+CONTROLS = frozenset(list(range(0, 32)) + [0x7F] + list(range(0x80, 0xA0)) + list(range(0x202A, 0x202F)) +
+                     list(range(0x2066, 0x206A)) + [0x200E, 0x200F]) - {9, 10}
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (3 * MOST_BYTES, 3 * MOST_BYTES))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def unsafe(data):
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        return f"no UTF-8 at byte {error.start}: {data[max(0, error.start - 30):error.start + 10]!r}"
+    bad = next((i for i, c in enumerate(text) if ord(c) in CONTROLS), None)
+    return None if bad is None else f"U+{ord(text[bad]):04X} behind {text[max(0, bad - 40):bad]!r}"
+
+
+def run(command, folder, seconds, safe_output):
+    """What is wrong, or None; and the exit code."""
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
+        begin = time.monotonic()
+        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=errors,
+                                   preexec_fn=limit, start_new_session=True)
+        while True:
+            done, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if done:
+                break
+            if time.monotonic() - begin > seconds:
+                os.killpg(process.pid, 9)
+                os.wait4(process.pid, 0)
+                process.returncode = -9
+                return f"hang: over {seconds} s", -9
+            time.sleep(0.002)
+        code = process.returncode = os.waitstatus_to_exitcode(status)
+        out.seek(0)
+        errors.seek(0)
+        printed, told = out.read(), errors.read()
+    if code < 0:
+        return f"signal {-code}", code
+    if code == 3 or b"internal fault" in told:
+        return "exit 3: " + told.decode("utf-8", "replace")[-300:], code
+    if code not in (0, 1, 2):
+        return f"exit {code}", code
+    if usage.ru_maxrss * 1024 > MOST_BYTES:
+        return f"{usage.ru_maxrss // 1024} MB of memory", code
+    for name, data in (("messages", told), ("output", printed if safe_output else b"")):
+        if problem := unsafe(data):
+            return f"{name}: {problem}", code
+    return None, code

@@ -1,0 +1,13 @@
+// The first word of the command line: which subcommand is meant, and what was probably meant where there is none such.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace plcxx::driver {
+
+/// "help" and "help COMMAND" become --help. Gives what is wrong with the first word; empty: nothing.
+std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words);
+
+}  // namespace plcxx::driver
