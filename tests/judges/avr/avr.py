@@ -1,0 +1,26 @@
+"""C through avr-gcc and libsimavr: the bytes that a program shows, in the order of showing."""
+import pathlib
+import subprocess
+
+HERE = pathlib.Path(__file__).resolve().parent
+# The data memory is 64 KiB (runner.cc), of which crt and linker must know.
+FLAGS = ["-std=gnu89", "-mmcu=atmega2560", "-fwrapv", "-fsigned-char", "-fsigned-bitfields", "-fno-strict-aliasing",
+         "-fno-delete-null-pointer-checks", "-ffunction-sections", "-fno-jump-tables", "-w", "-I", str(HERE),
+         "-Wl,--gc-sections", "-Wl,--defsym=__stack=0xffff", "-Wl,--defsym=__DATA_REGION_LENGTH__=0xf800"]
+
+
+class NotRun(Exception):
+    """avr-gcc or the simulator did not take the program."""
+
+
+def run(source, runner, compiler="avr-gcc", level="-Os"):
+    """Compiles the file and runs it; the shown blocks of bytes."""
+    binary = source.with_suffix(".elf")
+    made = subprocess.run([compiler, *FLAGS, level, str(source), "-o", str(binary)], capture_output=True, text=True,
+                          check=False)
+    if made.returncode != 0:
+        raise NotRun(f"{source}: {made.stderr[:3000]}")
+    result = subprocess.run([str(runner), str(binary)], capture_output=True, text=True, check=False, timeout=600)
+    if result.returncode != 0:
+        raise NotRun(f"{binary}: the simulated program ended with {result.returncode} {result.stderr[:500]}")
+    return [bytes.fromhex(line) for line in result.stdout.split()]

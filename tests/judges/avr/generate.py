@@ -1,0 +1,296 @@
+"""Random programs over the language that plcxx accepts, each written for both compilers."""
+import dataclasses
+
+import spelled
+from expressions import AREA_BYTES, VIEWS, WINDOWS, Function, Macro, Object
+from program import Observed, Program, Step, array
+from spelled import INTEGERS, NOTHING, SIZES, Member, Spelled, Struct
+from statements import Body, Lines, Statements, both
+
+SCANS = 3
+POINTED = ("unsigned char", "int", "unsigned", "long", "char")
+HOST = {"X": "host.x[{}]", "F": "host.f[{}]", "P": "host.p[{}]"}
+
+
+class Generator(Statements):
+    def __init__(self, seed, mark):
+        super().__init__(seed, mark)
+        self.text = Lines()
+        self.observed, self.defined, self.header = [], [], []
+
+    def program(self):
+        self.types()
+        self.variables()
+        self.preprocessor()
+        functions = Lines()
+        for _ in range(self.random.randrange(1, 5)):
+            functions += self.function()
+        parts = self.part("plc1", 6) + self.part("plc2", 3)
+        init = Lines([f"void init() {{ plc1_time = 1; plc2_time = 1; }}"], [f"static void init_{self.mark}(void) {{ }}"])
+        plc = ['#include "plc.h"', *self.text.plc, *functions.plc, *init.plc, *parts.plc]
+        files = {}
+        if self.chance(25):
+            cut = 1 + len(self.text.plc)
+            plc = ['#include "plc.h"', f'#include "{self.mark}.h"'] + plc[cut:]
+            files[f"{self.mark}.h"] = "\n".join([f"#ifndef H_{self.mark}", f"#define H_{self.mark}", *self.text.plc, "#endif", ""])
+        avr = [*self.text.avr, *functions.avr, *init.avr, *parts.avr, *(f"#undef {name}" for name in self.defined)]
+        return Program(self.mark, {f"{self.mark}.cld": "\n".join(plc) + "\n", **files}, "\n".join(avr) + "\n", self.inputs(),
+                       self.observed + self.areas())
+
+    # declarations
+
+    def types(self):
+        names = []
+        value = self.random.randrange(-5, 5)
+        for _ in range(self.random.randrange(0, 5)):
+            name = self.fresh("E")
+            if self.chance(40):
+                value = self.random.randrange(-300, 300)
+                names.append(f"{name} = {value}")
+            else:
+                names.append(name)
+            self.enumerators.append(name)
+        if names:
+            self.text += both(f"enum {self.fresh('T')} {{ {', '.join(names)} }};")
+        for _ in range(self.random.randrange(0, 3)):
+            struct = self.struct()
+            self.structs.append(struct)
+            self.text += Lines([struct.plc()], [struct.avr()])
+
+    def struct(self):
+        members = []
+        if self.chance(25):
+            parts = [Member("b", "unsigned char", 4), Member("w", "unsigned", 2), Member("l", "long"), Member("c", "char", 3),
+                     Member("u", "unsigned long"), Member("i", "int")]
+            inner = [s for s in self.structs if s.word == "struct" and s.size() <= 4]
+            members = parts[:1] + self.random.sample(parts[1:], 3) + [Member("s", s) for s in inner[:1]]
+            return Struct("union", self.fresh("U"), members)
+        for i in range(self.random.randrange(2, 6)):
+            pick = self.random.randrange(10)
+            if pick < 5:
+                members.append(Member(f"m{i}", self.random.choice(INTEGERS)))
+            elif pick < 7:
+                members.append(Member(f"m{i}", self.random.choice(INTEGERS), self.random.choice((2, 3, 4))))
+            elif pick < 8 and self.structs:
+                members.append(Member(f"m{i}", self.random.choice(self.structs)))
+            else:
+                kind = self.random.choice(("int", "unsigned", "unsigned", "unsigned char"))
+                for k in range(self.random.randrange(1, 5)):
+                    name = "" if self.chance(10) else f"f{i}{k}"
+                    bits = self.random.randrange(0 if not name else 1, 9 if kind == "unsigned char" else 17 if self.chance(20) else 8)
+                    members.append(Member(name, kind, 0, bits))
+        if not any(m.name for m in members):
+            members.append(Member("m", "int"))
+        return Struct("struct", self.fresh("S"), members)
+
+    def variables(self):
+        self.text += Lines([f"int sink_{self.mark};"], [f"static int sink_{self.mark};"])
+        self.sink = f"sink_{self.mark}"
+        for _ in range(self.random.randrange(5, 12)):
+            self.variable()
+
+    def initial(self, kind, count):
+        if self.chance(50):
+            return ""
+        if count:
+            return " = {" + ", ".join(str(self.random.randrange(-100, 200)) for _ in range(self.random.randrange(1, count + 1))) + "}"
+        return f" = {self.random.choice(('0', '1', '-1', '100', '0x7FFF', '3 * 7', '1000', '~5', '-300'))}"
+
+    def variable(self):
+        pick = self.random.randrange(20)
+        name = self.fresh("g")
+        if pick < 9:
+            item = Object(name, self.random.choice(INTEGERS))
+        elif pick < 12:
+            item = Object(name, self.random.choice(INTEGERS), self.random.choice((2, 3, 4, 5, 8)))
+        elif pick < 13:
+            item = Object(name, self.random.choice(INTEGERS), 3, 4)
+        elif pick < 14:
+            kind = self.random.choice(("unsigned char", "int", "unsigned", "long", "char"))
+            count = self.random.choice((4, 5, 8))
+            item = Object(name, kind, count, constant=True)
+            values = ", ".join(str(self.random.randrange(-120, 120)) for _ in range(count))
+            self.text += Lines([f"const {kind} {name}[{count}] = {{{values}}};"], [f"static const {kind} {name}[{count}] = {{{values}}};"])
+            self.objects.append(item)
+            return
+        elif pick < 15:
+            text = "".join(self.random.choice(("a", "B", "7", " ", "\\x41", "\\n", "\\201")) for _ in range(4))
+            text = text.replace("\\x41", '\\x41""') if self.chance(50) else text.replace("\\x41", "A")
+            self.text += Lines([f'const char {name}[] = "{text}";'], [f'static const char {name}[] = "{text}";'])
+            self.objects.append(Object(name, "char", 5, constant=True))
+            return
+        elif pick < 17 and self.structs:
+            item = Object(name, self.random.choice(self.structs), self.random.choice((0, 0, 0, 2, 3)))
+        elif pick < 18:
+            self.text += Lines([f"union {{ float f; unsigned long u; }} {name};"], [f"static union {{ float f; unsigned long u; }} {name};"])
+            self.objects.append(Object(name, "float"))
+            self.observed.append(Observed(f"{name}.u", [(f"{name}.u", "unsigned long")]))
+            return
+        else:
+            self.pointer(name)
+            return
+        initial = "" if isinstance(item.kind, Struct) or item.second else self.initial(item.kind, item.count)
+        text = spelled.declared(item.kind, name, item.count) + (f"[{item.second}]" if item.second else "") + initial
+        if not isinstance(item.kind, Struct) and self.chance(15):
+            alias = self.fresh("D")
+            self.text += both(f"typedef {item.kind} {alias};")
+            text = alias + text[len(item.kind):]
+        word = self.random.choice(("", "", "static "))
+        self.text += Lines([f"{word}{text};"], [f"static {text};"])
+        self.objects.append(item)
+        self.observe(item)
+
+    def pointer(self, name):
+        """A global pointer to one of two objects; functions leave it alone."""
+        arrays = [o for o in self.objects if o.count >= 2 and not o.second and not o.pointer and not o.constant]
+        if not arrays:
+            return
+        item = self.random.choice(arrays)
+        at = self.random.randrange(2) if item.count > 3 else 0
+        text = f"{spelled.declared(item.kind, '*' + name)} = &{item.name}[{at}]"
+        self.text += Lines([text + ";"], ["static " + text + ";"])
+        self.objects.append(Object(name, item.kind, item.count - at, pointer=frozenset({item.name}), constant=False))
+
+    def observe(self, item):
+        if item.second:
+            names = [(f"{item.name}[{i}][{j}]", item.kind) for i in range(item.count) for j in range(item.second)]
+            self.observed.append(Observed(item.name, names))
+            return
+        found = spelled.leaves(item.name, item.kind, item.count)
+        if isinstance(item.kind, Struct):
+            for name, kind, is_field in found:
+                self.observed.append(Observed(name, [(name, kind)], is_field))
+        else:
+            self.observed.append(Observed(item.name, [(name, kind) for name, kind, _ in found]))
+
+    # preprocessor
+
+    def preprocessor(self):
+        for _ in range(self.random.randrange(0, 5)):
+            name, parameters = self.fresh("M"), self.random.randrange(0, 3)
+            names = ("x", "y")[:parameters]
+            templates = {0: None, 1: ("((x) & 0x0F)", "(1 << ((x) & 7))", "(-(x))", "((x) * (x) + 1)", "x * 2 + 1", "!x", "(unsigned char)(x)"),
+                         2: ("((x) > (y) ? (x) : (y))", "((x) & (1 << ((y) & 15)))", "(x - y)", "x + y * 3", "((x) ^ (y))",
+                             "((x) < 0 ? -(x) : (x) | (y))")}[parameters]
+            self.defined.append(name)
+            if not parameters:
+                was, self.pure = self.pure, True
+                body = self.integer(2).at(spelled.POSTFIX)
+                self.pure = was
+                self.text += Lines([f"#define {name} {body.plc}"], [f"#define {name} {body.avr}"])
+                self.macros.append(Macro(name, lambda _, n=name, b=body: dataclasses.replace(b, plc=n, avr=n, constant=b.constant, target=NOTHING), 0))
+                continue
+            body = self.random.choice(templates)
+            self.text += both(f"#define {name}({','.join(names)}) {body}")
+            self.macros.append(Macro(name, lambda args, n=name: self.macro_call(n, args), parameters))
+
+    def macro_call(self, name, arguments):
+        # the shift in a macro's body is of a masked count; what the body is made of decides the type
+        return Spelled(f"{name}({', '.join(a.at(2).plc for a in arguments)})", f"{name}({', '.join(a.at(2).avr for a in arguments)})",
+                       "int", spelled.PRECEDENCE["+"], frozenset().union(*(a.reads for a in arguments)),
+                       frozenset().union(*(a.writes for a in arguments)), all(a.constant for a in arguments))
+
+    # functions
+
+    def function(self):
+        name = self.fresh("f")
+        kind = self.random.choice((*INTEGERS, "int", "int", "void", "void"))
+        body = self.body = Body(kind)
+        self.function_locals = []
+        parameters = []
+        for _ in range(self.random.randrange(0, 4)):
+            parameters.append(self.parameter())
+        old = self.chance(20) and parameters and not any(p.pointer for p in parameters)
+        statics = Lines()
+        items = list(parameters)
+        for _ in range(self.random.randrange(0, 3)):
+            item = Object(self.fresh("s"), self.random.choice(INTEGERS))
+            statics += both(f"static {item.kind} {item.name} = {self.random.randrange(-50, 50)};")
+            items.append(item)
+        for _ in range(self.random.randrange(0, 3)):
+            item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 4)))
+            statics += self.local(item)
+            items.append(item)
+        before = list(self.objects)
+        self.objects += items
+        inner = self.several(2, 5)
+        result = self.note(self.integer(2)) if kind != "void" else None
+        self.objects = before
+        tail = Lines([f"return {result.plc};"], [f"return {result.avr};"]) if result else Lines()
+        if result and self.chance(10):
+            tail = Lines([], ["return 0;"])
+        made = Function(name, kind, parameters, body.reads, body.writes, body.rounds * 2)
+        made.old = old
+        self.functions.append(made)
+        texts = [spelled.declared(p.kind, ("*" if p.pointer else "") + p.name) for p in parameters]
+        head = f"{kind} {name}({', '.join(texts) or 'void'})"
+        plc_head = [f"{kind} {name}({', '.join(p.name for p in parameters)})", *(t + ";" for t in texts)] if old else [head]
+        plc_head[0] = (self.random.choice(("static ", "")) if not old else "") + plc_head[0]
+        # for avr-gcc the locals and the function's own static variables first
+        return Lines(plc_head + ["{", *self.function_locals, *statics.plc, *inner.plc, *tail.plc, "}"],
+                     ["static " + head, "{", *body.hoisted, *statics.avr, *inner.avr, *tail.avr, "}"])
+
+    def parameter(self):
+        name = self.fresh("a")
+        if self.chance(70):
+            return Object(name, self.random.choice(INTEGERS))
+        kind = self.random.choice(POINTED)
+        at = self.random.randrange(16)
+        view = next(v for v, k in VIEWS.items() if k == kind)
+        addresses = {"R": (f"&R_{view}[{at // SIZES[kind]}]", f"&R.{view}[{at // SIZES[kind]}]")}
+        count = 3
+        for item in self.objects:
+            if item.kind == kind and item.count >= 2 and not item.second and not item.pointer and not item.constant and self.chance(60):
+                addresses[item.name] = (item.name, item.name)
+                count = min(count, item.count)
+        made = Object(name, kind, count, pointer=frozenset(addresses))
+        made.addresses = addresses
+        return made
+
+    def part(self, name, statements):
+        body = self.body = Body("void")
+        self.function_locals = []
+        inner = Lines()
+        for _ in range(self.random.randrange(2, statements + 2)):
+            inner += self.statement(3)
+        if name == "plc1":
+            # a function that no part reaches is not the judge's business
+            for function in self.functions:
+                inner += self.simple(self.call_of(function, 2))
+        return Lines([f"void {name}()", "{", *self.function_locals, *inner.plc, "}"],
+                     [f"static void {name}_{self.mark}(void)", "{", *body.hoisted, *inner.avr, "}"])
+
+    # inputs and what is looked at
+
+    def inputs(self):
+        steps = []
+        for _ in range(SCANS):
+            locations, statements = {}, []
+            for area, count, most in (("X", WINDOWS["X"], 256), ("P", WINDOWS["P"] // 2, 65536), ("F", WINDOWS["F"] // 2, 65536)):
+                for i in range(count):
+                    if self.chance(50):
+                        value = self.random.choice((self.random.randrange(most), 0, 1, most - 1, most // 2, most // 2 - 1))
+                        locations[f"{area}[{i}]"] = value
+                        statements.append(f"{HOST[area].format(i)} = {value}u;")
+            for i in range(WINDOWS["R"]):
+                if self.chance(25):
+                    value = self.random.randrange(256)
+                    locations[f"R[{i}]"] = value
+                    statements.append(f"R.uc[{i}] = {value};")
+            steps.append(Step(locations, statements))
+        return steps
+
+    def areas(self):
+        made = []
+        for area, window in WINDOWS.items():
+            view = "" if area in "FG" else "_uc"
+            if area in "FG":
+                made.append(Observed(f"*({'unsigned (*)'}[{window // 2}])&{area}", [(f"{area}[{i}]", "unsigned") for i in range(window // 2)]))
+                continue
+            size = AREA_BYTES[area] if self.chance(5) else window
+            made.append(Observed(f"*(unsigned char (*)[{size}])&{area}", [(f"{area}{view}[{i}]", "unsigned char") for i in range(size)]))
+        return made
+
+
+def generate(seed):
+    return Generator(f"program {seed}", f"p{seed}").program()

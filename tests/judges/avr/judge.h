@@ -1,0 +1,144 @@
+// What plcxx' C dialect defines beyond C, written out for avr-gcc: the register areas, accesses outside an object,
+// division by 0, shift counts outside the width, and the fault record. Programs of the judge are compiled with -fwrapv.
+#include <avr/io.h>
+#include <string.h>
+
+#define AREA(bytes)                \
+  union {                          \
+    unsigned char uc[bytes];       \
+    signed char c[bytes];          \
+    unsigned ui[(bytes) / 2];      \
+    int i[(bytes) / 2];            \
+    unsigned long ul[(bytes) / 4]; \
+    long l[(bytes) / 4];           \
+  }
+static AREA(128) X, Y;
+static AREA(768) R;
+static AREA(512) F, G;
+static AREA(200) P, B;
+static unsigned plc1_time, plc2_time;
+static struct {
+  unsigned char x[100];
+  unsigned f[256], p[100];
+} host;
+static int fault_code, fault_count;
+
+static void fault(int code) {
+  fault_code = code;
+  ++fault_count;
+}
+
+// An element, or outside of the array an object that is 0 and that nobody reads again.
+#define AT(array, index)                                                              \
+  (*({                                                                                \
+    static __typeof__((array)[0]) none_;                                              \
+    long index_ = (index);                                                            \
+    int inside_ = index_ >= 0 && index_ < (long)(sizeof(array) / sizeof((array)[0])); \
+    if (!inside_) {                                                                   \
+      fault(2);                                                                       \
+      memset((void*)&none_, 0, sizeof none_);                                         \
+    }                                                                                 \
+    inside_ ? &(array)[index_] : &none_;                                              \
+  }))
+// *F_T[word] of the pointer tables F and G.
+#define WORD(area, type, word)                                           \
+  (*({                                                                   \
+    static type none_;                                                   \
+    long index_ = (word);                                                \
+    int inside_ = index_ >= 0 && 2 * index_ + (long)sizeof(type) <= 512; \
+    if (!inside_) {                                                      \
+      fault(2);                                                          \
+      none_ = 0;                                                         \
+    }                                                                    \
+    inside_ ? (type*)&(area).uc[2 * index_] : &none_;                    \
+  }))
+
+#define DIVISION(suffix, type, trap)            \
+  static type divide_##suffix(type a, type b) { \
+    if (b == 0) {                               \
+      fault(1);                                 \
+      return 0;                                 \
+    }                                           \
+    if ((type) - 1 < 0 && b == (type) - 1) {    \
+      if (trap && a != 0 && a == (type) - a) {  \
+        fault(1);                               \
+      }                                         \
+      return -a;                                \
+    }                                           \
+    return a / b;                               \
+  }                                             \
+  static type rest_##suffix(type a, type b) {   \
+    if (b == 0) {                               \
+      fault(1);                                 \
+      return 0;                                 \
+    }                                           \
+    if ((type) - 1 < 0 && b == (type) - 1) {    \
+      if (trap && a != 0 && a == (type) - a) {  \
+        fault(1);                               \
+      }                                         \
+      return 0;                                 \
+    }                                           \
+    return a % b;                               \
+  }
+DIVISION(i, int, 1)
+DIVISION(u, unsigned, 0)
+DIVISION(l, long, 0)
+DIVISION(ul, unsigned long, 0)
+#define OF_TYPE(expression, name) \
+  _Generic(expression, int: name##_i, unsigned: name##_u, long: name##_l, unsigned long: name##_ul)
+#define DIV(a, b) OF_TYPE((a) + (b), divide)((a), (b))
+#define MOD(a, b) OF_TYPE((a) + (b), rest)((a), (b))
+
+#define SHIFT(suffix, type, width)                          \
+  static type left_##suffix(type a, unsigned char count) {  \
+    unsigned char n = width == 16 ? count & 31 : count;     \
+    return n >= width ? 0 : a << n;                         \
+  }                                                         \
+  static type right_##suffix(type a, unsigned char count) { \
+    unsigned char n = width == 16 ? count & 31 : count;     \
+    return n >= width ? (a < 0 ? -1 : 0) : a >> n;          \
+  }
+SHIFT(i, int, 16)
+SHIFT(u, unsigned, 16)
+SHIFT(l, long, 32)
+SHIFT(ul, unsigned long, 32)
+#define SHL(a, count) OF_TYPE((a) << 0, left)((a), (unsigned char)(count))
+#define SHR(a, count) OF_TYPE((a) << 0, right)((a), (unsigned char)(count))
+
+// Hands bytes to the runner.
+static void show(const void* at, unsigned count) {
+  GPIOR1 = (unsigned)at;
+  GPIOR2 = (unsigned)at >> 8;
+  OCR3A = count;
+  __asm__ volatile("" ::: "memory");
+  GPIOR0 = 1;
+}
+
+static void power_on(void) {
+  unsigned char c, k;
+  memset(&X, 0, sizeof X);
+  memset(&Y, 0, sizeof Y);
+  memset(&R, 0, sizeof R);
+  memset(&F, 0, sizeof F);
+  memset(&G, 0, sizeof G);
+  memset(&P, 0, sizeof P);
+  memset(&B, 0, sizeof B);
+  memset(&host, 0, sizeof host);
+  for (c = 0; c < 4; ++c)
+    for (k = 0; k < 4; ++k) G.i[170 + 20 * c + k] = -1;
+  fault_code = fault_count = 0;
+}
+// The copy of the inputs that a cycle begins with, both parts being due, and the dispatcher's bit at its end.
+static void cycle_begin(void) {
+  memcpy(X.uc, host.x, 100);
+  memcpy(X.uc + 100, X.uc, 28);
+  memcpy(F.uc, host.f, 512);
+  memcpy(P.uc, host.p, 200);
+}
+static void cycle_end(void) {
+  unsigned char c;
+  for (c = 0; c < 4; ++c) G.ui[163 + 20 * c] &= ~0x10;
+}
+static void stop(void) {
+  for (;;) __asm__ volatile("cli\n\tsleep");
+}

@@ -1,0 +1,125 @@
+"""A program in both forms, with its inputs and what is looked at; its run on the AVR and its scenario for plcxx."""
+import dataclasses
+import json
+import struct
+import subprocess
+
+import avr
+
+# The letters of struct for the types of the language.
+LETTERS = {"char": "b", "signed char": "b", "unsigned char": "B", "short": "h", "unsigned short": "H", "int": "h",
+           "unsigned": "H", "long": "i", "unsigned long": "I"}
+HEAD = '#include "judge.h"\n'
+
+
+@dataclasses.dataclass
+class Observed:
+    """Objects of the program that are shown with one call: an lvalue of the AVR's program and the locations in it."""
+    text: str
+    locations: list  # (name of the location, type), in the order of their bytes
+    value: bool = False  # the text is an expression of type long, as of a bit-field
+
+    def decode(self, data):
+        if self.value:
+            return [(self.locations[0][0], struct.unpack("<i", data)[0])]
+        letters = "<" + "".join(LETTERS[kind] for _, kind in self.locations)
+        return list(zip((name for name, _ in self.locations), struct.unpack(letters, data)))
+
+    def show(self):
+        if self.value:
+            return f"{{ long value_ = ({self.text}); show(&value_, 4); }}"
+        return f"show(&({self.text}), sizeof({self.text}));"
+
+
+def array(name, kind, count, text=None):
+    return Observed(text or name, [(f"{name}[{i}]", kind) for i in range(count)])
+
+
+@dataclasses.dataclass
+class Step:
+    """Locations set, in the names of scenarios and as statements of the AVR's program; then one cycle."""
+    locations: dict
+    statements: list
+
+
+@dataclasses.dataclass
+class Program:
+    name: str
+    files: dict  # name of the file: text for plcxx; the first is the main source
+    avr: str  # definitions; the parts are init_NAME, plc1_NAME, plc2_NAME
+    steps: list
+    observed: list
+    faults: bool = True
+
+    def driver(self):
+        rows = [f"static void run_{self.name}(void)", "{", "power_on();"]
+        for number, step in enumerate(self.steps):
+            rows += step.statements + ([f"init_{self.name}();"] if number == 0 else [])
+            rows += ["cycle_begin();", f"plc1_{self.name}();", f"plc2_{self.name}();", "cycle_end();"]
+            rows += [o.show() for o in self.observed] + ["show(&fault_code, 2);", "show(&fault_count, 2);"]
+        return "\n".join(rows + ["}", ""])
+
+    def read(self, blocks):
+        """The values after each step; takes its blocks from the iterator."""
+        result = []
+        for _ in self.steps:
+            values = [pair for o in self.observed for pair in o.decode(next(blocks))]
+            code, count = (struct.unpack("<h", next(blocks))[0] for _ in range(2))
+            if self.faults:
+                values += [("FAULT.code", code), ("FAULT.count", count)]
+            result.append(values)
+        return result
+
+    def write(self, directory, values):
+        """Sources and scenario; the scenario's path."""
+        self.write_sources(directory)
+        rows = ["dialect: hnc", f"sources: [{next(iter(self.files))}]", "steps:"]
+        for step, expected in zip(self.steps, values):
+            if step.locations:
+                rows.append("- set: " + flow(step.locations.items()))
+            rows += ["- run: {ms: 1}", "- expect: " + flow(expected)]
+        path = directory / f"{self.name}.yaml"
+        path.write_text("\n".join(rows) + "\n")
+        return path
+
+    def write_sources(self, directory):
+        for name, text in self.files.items():
+            (directory / name).write_text(text)
+
+
+def flow(pairs):
+    return "{" + ", ".join(f'"{name}": {value}' for name, value in pairs) + "}"
+
+
+def run_on_avr(programs, directory, name, runner, level="-Os"):
+    """The values of each program, in its order."""
+    text = HEAD + "".join(p.avr + p.driver() for p in programs)
+    text += "int main(void)\n{\n" + "".join(f"run_{p.name}();\n" for p in programs) + "stop();\nreturn 0;\n}\n"
+    source = directory / f"{name}.c"
+    source.write_text(text)
+    blocks = iter(avr.run(source, runner, level=level))
+    return [p.read(blocks) for p in programs]
+
+
+def messages(plcxx, path):
+    """What `plcxx check` says of a program, as (code, line, text); errors only."""
+    result = subprocess.run([str(plcxx), "check", "--diagnostics", "json", str(path)], capture_output=True, text=True,
+                            check=False, timeout=300)
+    if result.returncode > 1:
+        return [("crash", 0, f"exit {result.returncode}: {result.stderr[-500:]}")]
+    return [(m["code"], m["line"], m["message"]) for m in json.loads(result.stdout) if m["severity"] == "error"]
+
+
+def test(plcxx, paths, engine, jobs=2):
+    """Runs the scenarios in one call: those that failed, and all that was said."""
+    result = subprocess.run([str(plcxx), "test", "--engine", engine, "--jobs", str(jobs), *map(str, paths)],
+                            capture_output=True, text=True, check=False, timeout=3600)
+    output = result.stdout + result.stderr
+    failed = [line.split()[1] for line in output.splitlines() if line.startswith("FAILED")]
+    if result.returncode not in (0, 1) or (result.returncode == 1) != bool(failed):
+        # One scenario ended the whole call.
+        if len(paths) > 1:
+            halves = [test(plcxx, half, engine, jobs) for half in (paths[:len(paths) // 2], paths[len(paths) // 2:])]
+            return halves[0][0] + halves[1][0], halves[0][1] + halves[1][1]
+        failed = [str(paths[0])]
+    return failed, output

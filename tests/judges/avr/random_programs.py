@@ -1,0 +1,47 @@
+"""Random programs through both: 25 in an ELF, and all scenarios of a batch in one call of plcxx."""
+import avr
+from generate import generate
+from program import messages, run_on_avr, test
+
+PROGRAMS_AN_ELF = 25
+LEVELS = ("-Os", "-O1", "-O2", "-O0")
+
+
+def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
+    """The number of programs that failed. `keep`: leave the files of passed batches, too."""
+    findings = total = values_seen = 0
+    seeds = list(seeds)
+    for start in range(0, len(seeds), PROGRAMS_AN_ELF):
+        programs = [generate(seed) for seed in seeds[start:start + PROGRAMS_AN_ELF]]
+        try:
+            values = run_on_avr(programs, directory, f"elf{seeds[start]}", runner, LEVELS[start // PROGRAMS_AN_ELF % len(LEVELS)])
+        except avr.NotRun as fault:
+            report(f"not judged, {programs[0].name} and {len(programs) - 1} more: {fault}")
+            findings += len(programs)
+            continue
+        paths = [p.write(directory, v) for p, v in zip(programs, values)]
+        failed, output = test(plcxx, paths, engine, jobs)
+        for path in failed:
+            report(f"FAILED {path}")
+            for code, line, text in messages(plcxx, path.replace(".yaml", ".cld"))[:3]:
+                report(f"  {path.replace('.yaml', '.cld')}:{line}: {code} {text}")
+        told = [row for row in output.splitlines() if ": expected " in row or "): " in row or row.startswith("plcxx:")]
+        for row in told[:40]:
+            report("  " + row)
+        total += len(programs)
+        values_seen += sum(len(step) for v in values for step in v)
+        findings += len(failed)
+        if not keep:
+            tidy(directory, programs, failed, f"elf{seeds[start]}")
+    report(f"{total} programs, {values_seen} values, {findings} programs failed")
+    return findings
+
+
+def tidy(directory, programs, failed, name):
+    for program in programs:
+        if str(directory / f"{program.name}.yaml") not in failed:
+            for file in (*program.files, f"{program.name}.yaml"):
+                (directory / file).unlink()
+    (directory / f"{name}.elf").unlink()
+    if not failed:
+        (directory / f"{name}.c").unlink()

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""C programs through plcxx and through avr-gcc with libsimavr: every value must be the same.
+
+run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--programs N] [--seed S] [--engine sim,host]
+
+--loops runs each THIN-th loop of the matrix (1: all), --programs so many random programs. What failed stays in DIRECTORY.
+"""
+import argparse
+import pathlib
+import shutil
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import matrix  # noqa: E402
+import random_programs  # noqa: E402
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("plcxx", type=pathlib.Path)
+    parser.add_argument("runner", type=pathlib.Path)
+    parser.add_argument("directory", type=pathlib.Path)
+    parser.add_argument("--loops", type=int, default=0)
+    parser.add_argument("--programs", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--engine", default="sim")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--keep", action="store_true")
+    arguments = parser.parse_args()
+    shutil.rmtree(arguments.directory, ignore_errors=True)
+    arguments.directory.mkdir(parents=True)
+    findings = 0
+    if arguments.loops:
+        findings += matrix.judge(arguments.plcxx, arguments.runner, arguments.directory, arguments.loops, arguments.engine,
+                                 arguments.jobs, print)
+    if arguments.programs:
+        seeds = range(arguments.seed, arguments.seed + arguments.programs)
+        findings += random_programs.judge(arguments.plcxx, arguments.runner, arguments.directory, seeds, arguments.engine,
+                                          arguments.jobs, arguments.keep, print)
+    sys.exit(1 if findings else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,328 @@
+"""Random statements, each as two lists of lines: for plcxx and for avr-gcc."""
+import dataclasses
+
+import spelled
+from expressions import Expressions, Object
+from spelled import INTEGERS, NOTHING, SIZES, Spelled, Struct
+
+MOST_ROUNDS = 1500
+
+
+@dataclasses.dataclass
+class Body:
+    """What a function is being given."""
+    kind: str
+    hoisted: list = dataclasses.field(default_factory=list)  # avr-gcc's locals that plcxx starts with 0
+    reads: frozenset = NOTHING
+    writes: frozenset = NOTHING
+    labels: int = 0
+    rounds: int = 1
+
+
+class Lines:
+    def __init__(self, plc=(), avr=()):
+        self.plc, self.avr = list(plc), list(avr)
+
+    def __add__(self, other):
+        return Lines(self.plc + other.plc, self.avr + other.avr)
+
+
+def both(row):
+    return Lines([row], [row])
+
+
+def block(inner):
+    return both("{") + inner + both("}")
+
+
+class Statements(Expressions):
+    def __init__(self, seed, mark):
+        super().__init__(seed)
+        self.function_locals, self.goto_blocks = [], False
+        self.mark, self.serial, self.body = mark, 0, None
+        self.loops = []  # around: for, loop, switch, switch for, goto; what break and continue may be written in
+
+    def fresh(self, letter):
+        self.serial += 1
+        return f"{letter}{self.serial}_{self.mark}"
+
+    def note(self, *expressions):
+        for e in expressions:
+            self.body.reads |= e.reads
+            self.body.writes |= e.writes
+        return expressions[0]
+
+    def simple(self, e):
+        self.note(e)
+        return Lines([e.plc + ";"], [e.avr + ";"])
+
+    def condition(self, depth=2):
+        return self.note(self.integer(depth))
+
+    # statements
+
+    def statement(self, depth):
+        pick = self.random.randrange(100)
+        if depth <= 0 or pick < 42:
+            return self.simple(self.assigned(3, sure=self.chance(60)))
+        if pick < 48:
+            return self.simple(self.stepped(2))
+        if pick < 58:
+            return self.conditional(depth)
+        if pick < 66:
+            return self.selection(depth)
+        if pick < 82:
+            return self.loop(depth)
+        if pick < 86:
+            return self.jump_forward(depth)
+        if pick < 90:
+            return self.inner_block(depth)
+        if pick < 93:
+            return self.floating()
+        if pick < 95 and self.loops:
+            word = "continue" if "for" in self.loops[-1] and self.chance(50) else "break"
+            if self.loops[-1] == "goto":
+                return both(";")
+            test = self.condition(1)
+            return Lines([f"if ({test.plc}) {word};"], [f"if ({test.avr}) {word};"])
+        if pick < 96:
+            return self.whole_struct() or both(";")
+        if pick < 98:
+            usable = [f for f in self.functions if not f.writes & self.protected and f.rounds * self.rounds <= MOST_ROUNDS]
+            if usable:
+                function = self.random.choice(usable)
+                self.body.rounds += function.rounds
+                return self.simple(self.call_of(function, 2))
+        if self.chance(30) and not self.loops:
+            return self.early_return()
+        return self.walk()
+
+    def several(self, depth, most=4):
+        made = Lines()
+        for _ in range(self.random.randrange(1, most)):
+            made += self.statement(depth)
+        return made
+
+    def conditional(self, depth):
+        test = self.condition()
+        yes = self.several(depth - 1, 3)
+        made = Lines([f"if ({test.plc}) {{"], [f"if ({test.avr}) {{"]) + yes + both("}")
+        if self.chance(50):
+            made += both("else {") + self.several(depth - 1, 3) + both("}")
+        return made
+
+    def selection(self, depth):
+        selector = self.integer(2)
+        if self.chance(60):
+            selector = spelled.binary(self.random.choice("&%"), selector, spelled.literal(self.random.choice(("3", "7", "5"))))
+        self.note(selector)
+        values = self.random.sample((0, 1, 2, 3, 4, 5, 6, 7, -1, -2, 10, 255, "'a'", "0x10"), self.random.randrange(1, 6))
+        groups = [f"case {v}:" for v in values]
+        if self.chance(70):
+            groups.insert(self.random.randrange(len(groups) + 1), "default:")
+        made = Lines([f"switch ({selector.plc}) {{"], [f"switch ({selector.avr}) {{"])
+        self.loops.append("switch for" if self.loops and "for" in self.loops[-1] else "switch")
+        for group in groups:
+            made += both(group)
+            if self.chance(80):
+                made += self.several(depth - 1, 3)
+                if self.chance(65):
+                    made += both("break;")
+        self.loops.pop()
+        if made.plc[-1].endswith(":"):
+            made += both(";")
+        return made + both("}")
+
+    def counter(self, integer_kinds=("int", "unsigned", "unsigned char", "char", "long", "unsigned long")):
+        """A counter that nothing else changes: a new local, or a global that is protected."""
+        if self.chance(25):
+            usable = [o for o in self.objects if not (o.count or o.pointer or o.constant) and o.kind in integer_kinds
+                      and o.name not in self.protected]
+            if usable:
+                found = self.random.choice(usable)
+                self.body.writes |= {found.name}
+                return found, Lines()
+        made = Object(self.fresh("i"), self.random.choice(integer_kinds))
+        return made, self.local(made)
+
+    def local(self, item):
+        """A declaration without initialiser: such variables are 0 when the function is entered."""
+        text = spelled.declared(item.kind, item.name, item.count)
+        self.body.hoisted.append(f"{text} = {{0}};" if item.count or isinstance(item.kind, Struct) else f"{text} = 0;")
+        return Lines([text + ";"])
+
+    def loop(self, depth):
+        counter, declaration = self.counter()
+        name = counter.name
+        limit, limit_rows = self.limit()
+        most, text, avr = limit
+        if self.rounds * most > MOST_ROUNDS:
+            return both(";")
+        step = self.random.choice((1, 1, 1, 2, 3))
+        form = self.random.choice(("up", "up", "up", "down", "while", "do", "countdown", "noted", "goto"))
+        start = self.random.randrange(3)
+        self.protected.add(name)
+        self.rounds *= most + 1
+        self.body.rounds = max(self.body.rounds, self.rounds)
+        self.loops.append("for" if form in ("up", "down") else "goto" if form == "goto" else "loop")
+        self.objects.append(counter) if declaration.plc else None
+        body = self.several(depth - 1, 4)
+        self.loops.pop()
+        self.rounds //= most + 1
+        add = f"{name}++" if step == 1 else self.random.choice((f"{name} += {step}", f"{name} = {name} + {step}"))
+        relation = self.random.choice(("<", "<="))
+        before, head, tail = Lines(), None, both("}")
+        if form == "up":
+            head = (f"for ({name} = {start}; {name} {relation} {{}}; {add}) {{{{", text, avr)
+        elif form == "down":
+            head = (f"for ({name} = {most}; {name} {self.random.choice(('>', '!='))} 0; {name}--) {{{{", "", "")
+        elif form == "while":
+            before, head = both(f"{name} = {start};"), (f"while ({name} < {{}}) {{{{", text, avr)
+            tail = both(f"{add};") + tail
+        elif form == "do":
+            before, tail = both(f"{name} = {most + 1};"), both(f"{name} -= 1;") + both(f"}} while ({name} > 0);")
+            head = ("do {{", "", "")
+        elif form == "countdown":
+            before, head = both(f"{name} = {most};"), (f"while ({self.random.choice((f'{name}--', f'--{name} > 0'))}) {{{{", "", "")
+        elif form == "noted":
+            test = self.condition()
+            bound = self.random.randrange(1, 6)
+            guard = self.fresh("n")
+            self.body.hoisted.append(f"int {guard} = 0;")
+            made = Lines([f"//@loop_bound {bound}", f"while ({test.plc}) {{"],
+                         [f"{guard} = 0;", f"while (({test.avr}) && ({guard}++ < {bound} || (fault(3), 0))) {{"])
+            self.body.writes |= {"FAULT"}
+            result = made + body + both("}")
+            self.protected -= {name}
+            return self.wrapped(declaration, limit_rows + result, counter)
+        else:
+            label = self.fresh("again")
+            before, head = both(f"{name} = {start};") + both(f"{label}:"), ("{{", "", "") if self.goto_blocks else ("", "", "")
+            tail = both(add + ";") + Lines([f"if ({name} < {text}) goto {label};"], [f"if ({name} < {avr}) goto {label};"]) + (tail if self.goto_blocks else Lines())
+        made = before + Lines([head[0].format(head[1])], [head[0].format(head[2])]) + body + tail
+        self.protected -= {name}
+        return self.wrapped(declaration, limit_rows + made, counter)
+
+    def wrapped(self, declaration, made, counter):
+        if declaration.plc:
+            self.objects.remove(counter)
+            return block(declaration + made)
+        return made
+
+    def limit(self):
+        """(most, spelling, avr's spelling) and what is to precede."""
+        most = self.random.randrange(2, 11)
+        if self.chance(55):
+            return (most + 1, str(most), str(most)), Lines()
+        mask = self.random.choice((3, 7, 15))
+        item = Object(self.fresh("m"), self.random.choice(("int", "unsigned", "unsigned char")))
+        value = spelled.binary("&", self.note(self.integer(1)), spelled.literal(str(mask)))
+        self.body.hoisted.append(f"{item.kind} {item.name} = 0;")
+        rows = Lines([f"{item.name} = {value.plc};"], [f"{item.name} = {value.avr};"])
+        self.function_locals.append(f"{item.kind} {item.name};")
+        return (mask + 1, item.name, item.name), rows
+
+    def jump_forward(self, depth):
+        label = self.fresh("skip")
+        test = self.condition()
+        made = Lines([f"if ({test.plc}) goto {label};"], [f"if ({test.avr}) goto {label};"])
+        return made + self.several(depth - 1, 3) + both(f"{label}:") + self.simple(self.stepped(1))
+
+    def inner_block(self, depth):
+        """Locals: with an initialiser each time, without it 0 once."""
+        items, rows = [], Lines()
+        for _ in range(self.random.randrange(1, 3)):
+            item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 0, 3, 5)))
+            if item.count or self.chance(40):
+                rows += self.local(item)
+            else:
+                value = self.note(self.integer(2))
+                rows.plc.append(f"{item.kind} {item.name} = {value.at(2).plc};")
+                self.body.hoisted.append(f"{item.kind} {item.name};")
+                rows.avr.append(f"{item.name} = {value.at(2).avr};")
+            items.append(item)
+        self.objects += items
+        inner = self.several(depth - 1, 4)
+        for item in items:
+            self.objects.remove(item)
+        return block(rows + inner)
+
+    def floating(self):
+        """One operation a statement: rounding once is what plcxx' double and AVR's float have in common."""
+        floats = [o for o in self.objects if o.kind == "float"]
+        if not floats:
+            return both(";")
+        target, other = (self.random.choice(floats).spelled() for _ in range(2))
+        t, o = f"{target.plc}.f", f"{other.plc}.f"
+        if target.target & self.protected:
+            return both(";")
+        self.note(Spelled("", "", writes=target.target, reads=other.reads | target.reads))
+        pick = self.random.randrange(6)
+        if pick == 0:
+            value = self.note(self.integer(2))
+            return Lines([f"{t} = {value.at(2).plc};"], [f"{t} = {value.at(2).avr};"])
+        if pick == 1:
+            return both(f"{t} = {o} {self.random.choice('+-*')} {self.random.choice(floats).name}.f;") + self.tamed(t)
+        if pick == 2:
+            return both(f"{t} {self.random.choice(('+=', '-=', '*=', '/='))} {self.random.choice(('0.5f', '3.0f', '1.25f', '7'))};") + self.tamed(t)
+        place = self.lvalue(1, True)
+        self.note(dataclasses.replace(place, writes=place.writes | place.target))
+        if pick == 3:
+            test = f"{t} {self.random.choice(('<', '<=', '>', '>=', '==', '!='))} {self.random.choice((o, '0.5f', '3'))}"
+            return Lines([f"{place.plc} = {test};"], [f"{place.avr} = {test};"])
+        if pick == 4:
+            guard = f"if ({o} > -30000.0f && {o} < 30000.0f) "
+            return Lines([f"{guard}{place.plc} = (int) {o};"], [f"{guard}{place.avr} = (int) {o};"])
+        return both(f"{t} = -{o};")
+
+    def tamed(self, t):
+        return both(f"if ({t} > 1e6f || {t} < -1e6f || {t} > -1e-6f && {t} < 1e-6f) {t} = 1.5f;")
+
+    def whole_struct(self):
+        usable = [o for o in self.objects if isinstance(o.kind, Struct) and not o.count and not o.pointer]
+        pairs = [(a, b) for a in usable for b in usable if a.kind is b.kind and a is not b and a.name not in self.protected
+                 and not a.constant]
+        if not pairs:
+            return None
+        one, other = self.random.choice(pairs)
+        self.note(Spelled("", "", reads=frozenset({other.name}), writes=frozenset({one.name})))
+        return both(f"{one.name} = {other.name};")
+
+    def early_return(self):
+        test = self.condition(1)
+        value = self.note(self.integer(1)).at(2) if self.body.kind != "void" else Spelled("", "")
+        if not self.body.kind == "void" and self.chance(15):
+            return Lines([f"if ({test.plc}) return;"], [f"if ({test.avr}) return 0;"])
+        return Lines([f"if ({test.plc}) return {value.plc};"], [f"if ({test.avr}) return {value.avr};"])
+
+    def walk(self):
+        """A pointer over an array or over registers."""
+        kind = self.random.choice(("unsigned char", "int", "unsigned", "long"))
+        arrays = [o for o in self.objects if o.count >= 2 and not o.second and o.kind == kind and not o.pointer and not o.constant
+                  and o.name not in self.protected]
+        name, i = self.fresh("p"), self.fresh("k")
+        size = self.random.randrange(2, 5)
+        if arrays and self.chance(60):
+            item = self.random.choice(arrays)
+            size = min(size, item.count)
+            plc = avr = self.random.choice((item.name, f"&{item.name}[0]"))
+            target = item.name
+        else:
+            if "R" in self.protected:
+                return both(";")
+            at = self.random.randrange(20)
+            plc, avr, target = f"({kind} *) &R[{at}]", f"({kind} *) &R.uc[{at}]", "R"
+        if self.rounds * size > MOST_ROUNDS:
+            return both(";")
+        value = self.integer(1)
+        self.note(value, Spelled("", "", reads=frozenset({target}), writes=frozenset({target})))
+        self.function_locals.append(f"{kind} *{name}; unsigned char {i};")
+        self.body.hoisted.append(f"{kind} *{name} = 0; unsigned char {i} = 0;")
+        if value.writes & {target} or target in value.reads:
+            value = spelled.literal("5")
+        body = self.random.choice(("*{p}++ {op} {v};", "{p}[0] {op} {v}; {p} = {p} + 1;", "*{p} {op} {v}; ++{p};"))
+        operator = self.random.choice(("=", "+=", "^=", "-="))
+        make = lambda v: body.format(p=name, op=operator, v=v)
+        rows = Lines([f"{name} = {plc};"], [f"{name} = {avr};"])
+        rows += both(f"for ({i} = 0; {i} < {size}; {i}++) {{")
+        return rows + Lines([make(value.at(2).plc)], [make(value.at(2).avr)]) + both("}")
