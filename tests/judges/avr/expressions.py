@@ -13,6 +13,9 @@ BINARY = ("+", "-", "*", "&", "|", "^", "<", ">", "<=", ">=", "==", "!=", "&&", 
 ESCAPES = {"\\n": 10, "\\t": 9, "\\r": 13, "\\a": 7, "\\b": 8, "\\f": 12, "\\v": 11, "\\0": 0, "\\\\": 92, "\\'": 39, '\\"': 34,
            "\\x7f": 127, "\\xff": -1, "\\x80": -128, "\\101": 65, "\\377": -1}
 SUFFIXES = {"": None, "u": "unsigned", "U": "unsigned", "L": "long", "l": "long", "UL": "unsigned long", "lu": "unsigned long"}
+# name, result, and for a count its mask
+LIBRARY = (("abs", "int", ""), ("labs", "long", ""), ("_rotl", "unsigned", "15"), ("_rotr", "unsigned", "15"),
+           ("_lrotl", "unsigned long", "31"), ("_lrotr", "unsigned long", "31"), ("max", "", ""), ("min", "", ""))
 
 
 @dataclasses.dataclass
@@ -24,9 +27,10 @@ class Object:
     second: int = 0
     pointer: frozenset = NOTHING
     constant: bool = False
+    plc: str = ""  # where it hides another one's name
 
     def spelled(self):
-        return Spelled(self.name, self.name, self.kind, reads=frozenset({self.name}), target=frozenset({self.name}))
+        return Spelled(self.plc or self.name, self.name, self.kind, reads=frozenset({self.name}), target=frozenset({self.name}))
 
 
 @dataclasses.dataclass
@@ -56,6 +60,7 @@ class Expressions:
         self.structs = []
         self.rounds = 1
         self.pure = False  # neither stores nor calls
+        self.known = list(LIBRARY[:1])
 
     def chance(self, of_hundred):
         return self.random.randrange(100) < of_hundred
@@ -92,6 +97,11 @@ class Expressions:
         pick = self.random.randrange(10)
         if pick == 0 and self.enumerators:
             return spelled.literal(self.random.choice(self.enumerators))
+        if pick == 2 and self.objects:
+            # not evaluated
+            inner = self.integer(1)
+            if not inner.field:
+                return spelled.literal(f"sizeof({inner.plc})", "unsigned", f"sizeof({inner.avr})")
         if pick == 1:
             if self.structs and self.chance(30):
                 struct = self.random.choice(self.structs)
@@ -223,10 +233,12 @@ class Expressions:
             return self.operation(depth)
         if pick < 72:
             return spelled.unary(self.random.choice(("-", "~", "!", "+", "-", "~")), self.integer(depth - 1))
-        if pick < 79:
+        if pick < 78:
             return spelled.cast(self.random.choice(INTEGERS), self.integer(depth - 1))
         if pick < 85:
             return spelled.choice(*(self.integer(depth - 1) for _ in range(3)))
+        if pick < 81:
+            return self.library(depth)
         if pick < 89 and self.macros:
             return self.expanded(depth)
         if self.pure:
@@ -251,6 +263,22 @@ class Expressions:
         elif operator in ("<<", ">>") and self.chance(60):
             right = spelled.binary("&", right, spelled.literal(self.random.choice(("7", "15", "31", "63"))))
         return spelled.binary(operator, left, right)
+
+    def library(self, depth):
+        """abs is known without its header."""
+        name, kinds, mask = self.random.choice(self.known)
+        first = self.integer(depth - 1)
+        arguments = [first]
+        if mask:
+            arguments.append(spelled.binary("&", self.integer(depth - 1), spelled.literal(mask)))
+        if name in ("max", "min"):
+            was, self.pure = self.pure, True
+            one, other = (self.integer(depth - 2).at(2) for _ in range(2))
+            self.pure = was
+            return Spelled(f"{name}({one.plc}, {other.plc})", f"{name}({one.avr}, {other.avr})", spelled.common(one.kind, other.kind),
+                           POSTFIX, one.reads | other.reads, one.writes | other.writes, one.constant and other.constant)
+        made = spelled.call(Function(name, kinds, []), arguments)
+        return dataclasses.replace(made, constant=all(a.constant for a in arguments))
 
     def stepped(self, depth):
         return spelled.step(self.random.choice(("++", "--")), self.lvalue(depth - 1, True), self.chance(50))

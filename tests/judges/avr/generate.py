@@ -2,7 +2,7 @@
 import dataclasses
 
 import spelled
-from expressions import AREA_BYTES, VIEWS, WINDOWS, Function, Macro, Object
+from expressions import AREA_BYTES, VIEWS, LIBRARY, WINDOWS, Function, Macro, Object
 from program import Observed, Program, Step, array
 from spelled import INTEGERS, NOTHING, SIZES, Member, Spelled, Struct
 from statements import Body, Lines, Statements, both
@@ -19,19 +19,22 @@ class Generator(Statements):
         self.observed, self.defined, self.header = [], [], []
 
     def program(self):
+        if self.chance(40):
+            self.known = list(LIBRARY)
         self.types()
         self.variables()
         self.preprocessor()
-        functions = Lines()
+        functions = self.struct_function()
         for _ in range(self.random.randrange(1, 5)):
             functions += self.function()
         parts = self.part("plc1", 6) + self.part("plc2", 3)
         init = Lines([f"void init() {{ plc1_time = 1; plc2_time = 1; }}"], [f"static void init_{self.mark}(void) {{ }}"])
-        plc = ['#include "plc.h"', *self.text.plc, *functions.plc, *init.plc, *parts.plc]
+        library = ["#include <stdlib.h>"] if len(self.known) > 1 else []
+        plc = ['#include "plc.h"', *library, *self.text.plc, *functions.plc, *init.plc, *parts.plc]
         files = {}
         if self.chance(25):
-            cut = 1 + len(self.text.plc)
-            plc = ['#include "plc.h"', f'#include "{self.mark}.h"'] + plc[cut:]
+            cut = 1 + len(library) + len(self.text.plc)
+            plc = ['#include "plc.h"', *library, f'#include "{self.mark}.h"'] + plc[cut:]
             files[f"{self.mark}.h"] = "\n".join([f"#ifndef H_{self.mark}", f"#define H_{self.mark}", *self.text.plc, "#endif", ""])
         avr = [*self.text.avr, *functions.avr, *init.avr, *parts.avr, *(f"#undef {name}" for name in self.defined)]
         return Program(self.mark, {f"{self.mark}.cld": "\n".join(plc) + "\n", **files}, "\n".join(avr) + "\n", self.inputs(),
@@ -51,7 +54,8 @@ class Generator(Statements):
                 names.append(name)
             self.enumerators.append(name)
         if names:
-            self.text += both(f"enum {self.fresh('T')} {{ {', '.join(names)} }};")
+            self.enum = self.fresh("T")
+            self.text += both(f"enum {self.enum} {{ {', '.join(names)} }};")
         for _ in range(self.random.randrange(0, 3)):
             struct = self.struct()
             self.structs.append(struct)
@@ -135,8 +139,11 @@ class Generator(Statements):
             alias = self.fresh("D")
             self.text += both(f"typedef {item.kind} {alias};")
             text = alias + text[len(item.kind):]
-        word = self.random.choice(("", "", "static "))
-        self.text += Lines([f"{word}{text};"], [f"static {text};"])
+        plc = text
+        if item.kind == "int" and self.enumerators and self.chance(40) and text.startswith("int "):
+            plc = f"enum {self.enum}{text[3:]}"
+        word = self.random.choice(("", "", "static ", "" if item.count or isinstance(item.kind, Struct) else "volatile "))
+        self.text += Lines([f"{word}{plc};"], [f"static {text};"])
         self.objects.append(item)
         self.observe(item)
 
@@ -229,6 +236,21 @@ class Generator(Statements):
         # for avr-gcc the locals and the function's own static variables first
         return Lines(plc_head + ["{", *self.function_locals, *statics.plc, *inner.plc, *tail.plc, "}"],
                      ["static " + head, "{", *body.hoisted, *statics.avr, *inner.avr, *tail.avr, "}"])
+
+    def struct_function(self):
+        """Structs go in and out by value."""
+        made = Lines()
+        for struct in self.structs:
+            scalars = [m.name for m in struct.members if m.name and not m.count and not isinstance(m.kind, Struct)]
+            if struct.word == "union" or not scalars or self.chance(50):
+                continue
+            name, word = self.fresh("h"), f"struct {struct.tag}"
+            member = self.random.choice(scalars)
+            operator = self.random.choice(("+=", "=", "^=", "-="))
+            rows = [f"{word} {name}(long a, {word} s)", "{", f"s.{member} {operator} a;", "return s;", "}"]
+            made += Lines(rows, ["static " + rows[0], *rows[1:]])
+            self.struct_functions.append((name, struct))
+        return made
 
     def parameter(self):
         name = self.fresh("a")

@@ -105,6 +105,18 @@ SHIFT(ul, unsigned long, 32)
 #define SHL(a, count) OF_TYPE((a) << 0, left)((a), (unsigned char)(count))
 #define SHR(a, count) OF_TYPE((a) << 0, right)((a), (unsigned char)(count))
 
+// stdlib.h of the dialect
+#define abs judge_abs
+#define labs judge_labs
+static int abs(int a) { return a < 0 ? -a : a; }
+static long labs(long a) { return a < 0 ? -a : a; }
+static unsigned _rotl(unsigned a, int n) { return n ? a << n | a >> (16 - n) : a; }
+static unsigned _rotr(unsigned a, int n) { return n ? a >> n | a << (16 - n) : a; }
+static unsigned long _lrotl(unsigned long a, int n) { return n ? a << n | a >> (32 - n) : a; }
+static unsigned long _lrotr(unsigned long a, int n) { return n ? a >> n | a << (32 - n) : a; }
+#define max(a, b) (((a) > (b)) ? (a) : (b))
+#define min(a, b) (((a) < (b)) ? (a) : (b))
+
 // Hands bytes to the runner.
 static void show(const void* at, unsigned count) {
   GPIOR1 = (unsigned)at;

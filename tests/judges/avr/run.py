@@ -15,6 +15,10 @@ import matrix  # noqa: E402
 import random_programs  # noqa: E402
 
 
+def report(text):
+    print(text, flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("plcxx", type=pathlib.Path)
@@ -32,11 +36,11 @@ def main():
     findings = 0
     if arguments.loops:
         findings += matrix.judge(arguments.plcxx, arguments.runner, arguments.directory, arguments.loops, arguments.engine,
-                                 arguments.jobs, print)
+                                 arguments.jobs, report)
     if arguments.programs:
         seeds = range(arguments.seed, arguments.seed + arguments.programs)
         findings += random_programs.judge(arguments.plcxx, arguments.runner, arguments.directory, seeds, arguments.engine,
-                                          arguments.jobs, arguments.keep, print)
+                                          arguments.jobs, arguments.keep, report)
     sys.exit(1 if findings else 0)
 
 

@@ -38,6 +38,7 @@ def block(inner):
 class Statements(Expressions):
     def __init__(self, seed, mark):
         super().__init__(seed)
+        self.struct_functions = []
         self.function_locals, self.goto_blocks = [], False
         self.mark, self.serial, self.body = mark, 0, None
         self.loops = []  # around: for, loop, switch, switch for, goto; what break and continue may be written in
@@ -136,7 +137,7 @@ class Statements(Expressions):
     def counter(self, integer_kinds=("int", "unsigned", "unsigned char", "char", "long", "unsigned long")):
         """A counter that nothing else changes: a new local, or a global that is protected."""
         if self.chance(25):
-            usable = [o for o in self.objects if not (o.count or o.pointer or o.constant) and o.kind in integer_kinds
+            usable = [o for o in self.objects if not (o.count or o.pointer or o.constant or o.plc) and o.kind in integer_kinds
                       and o.name not in self.protected]
             if usable:
                 found = self.random.choice(usable)
@@ -149,7 +150,8 @@ class Statements(Expressions):
         """A declaration without initialiser: such variables are 0 when the function is entered."""
         text = spelled.declared(item.kind, item.name, item.count)
         self.body.hoisted.append(f"{text} = {{0}};" if item.count or isinstance(item.kind, Struct) else f"{text} = 0;")
-        return Lines([text + ";"])
+        word = "" if item.count or isinstance(item.kind, Struct) or self.chance(85) else self.random.choice(("register ", "auto ", "volatile "))
+        return Lines([word + text.replace(item.name, item.plc or item.name) + ";"])
 
     def loop(self, depth):
         counter, declaration = self.counter()
@@ -231,6 +233,11 @@ class Statements(Expressions):
     def inner_block(self, depth):
         """Locals: with an initialiser each time, without it 0 once."""
         items, rows = [], Lines()
+        hidden, macros = None, self.macros
+        if self.chance(12):
+            hidden = self.hide()
+            if hidden:
+                rows += self.local(hidden[1])
         for _ in range(self.random.randrange(1, 3)):
             item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 0, 3, 5)))
             if item.count or self.chance(40):
@@ -245,7 +252,24 @@ class Statements(Expressions):
         inner = self.several(depth - 1, 4)
         for item in items:
             self.objects.remove(item)
+        if hidden:
+            self.objects.remove(hidden[1])
+            self.objects.append(hidden[0])
+        self.macros = macros
         return block(rows + inner)
+
+    def hide(self):
+        """A local with the name of a global variable; a macro would mean the local."""
+        usable = [o for o in self.objects if o.name.startswith("g") and not (o.count or o.pointer or o.constant or o.plc)
+                  and o.kind in INTEGERS and o.name not in self.protected]
+        if not usable:
+            return None
+        outer = self.random.choice(usable)
+        inner = Object(self.fresh("v"), self.random.choice(INTEGERS), plc=outer.name)
+        self.objects.remove(outer)
+        self.objects.append(inner)
+        self.macros = []
+        return outer, inner
 
     def floating(self):
         """One operation a statement: rounding once is what plcxx' double and AVR's float have in common."""
@@ -286,6 +310,11 @@ class Statements(Expressions):
             return None
         one, other = self.random.choice(pairs)
         self.note(Spelled("", "", reads=frozenset({other.name}), writes=frozenset({one.name})))
+        makers = [name for name, kind in self.struct_functions if kind is one.kind]
+        if makers and self.chance(60):
+            value = self.note(self.integer(1)).at(2)
+            name = self.random.choice(makers)
+            return Lines([f"{one.name} = {name}({value.plc}, {other.name});"], [f"{one.name} = {name}({value.avr}, {other.name});"])
         return both(f"{one.name} = {other.name};")
 
     def early_return(self):
@@ -325,4 +354,10 @@ class Statements(Expressions):
         make = lambda v: body.format(p=name, op=operator, v=v)
         rows = Lines([f"{name} = {plc};"], [f"{name} = {avr};"])
         rows += both(f"for ({i} = 0; {i} < {size}; {i}++) {{")
-        return rows + Lines([make(value.at(2).plc)], [make(value.at(2).avr)]) + both("}")
+        rows = rows + Lines([make(value.at(2).plc)], [make(value.at(2).avr)]) + both("}")
+        if self.chance(50):
+            place = self.lvalue(1, True)
+            self.note(dataclasses.replace(place, writes=place.writes | place.target))
+            form = self.random.choice(("{p} - {b}", "{p} == {b} + 2", "{p} > {b}", "{b} + 1 - {p}"))
+            rows += Lines([f"{place.plc} = {form.format(p=name, b=plc)};"], [f"{place.avr} = {form.format(p=name, b=avr)};"])
+        return rows
