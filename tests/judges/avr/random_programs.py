@@ -4,7 +4,7 @@ from generate import generate
 from program import messages, run_on_avr, test
 
 PROGRAMS_AN_ELF = 25
-LEVELS = ("-Os", "-O1", "-O2", "-O0")
+LEVELS = ("-O0", "-O1", "-O0", "-Os")  # compiling is most of the time
 
 
 def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
@@ -13,12 +13,7 @@ def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
     seeds = list(seeds)
     for start in range(0, len(seeds), PROGRAMS_AN_ELF):
         programs = [generate(seed) for seed in seeds[start:start + PROGRAMS_AN_ELF]]
-        try:
-            values = run_on_avr(programs, directory, f"elf{seeds[start]}", runner, LEVELS[start // PROGRAMS_AN_ELF % len(LEVELS)])
-        except avr.NotRun as fault:
-            report(f"not judged, {programs[0].name} and {len(programs) - 1} more: {fault}")
-            findings += len(programs)
-            continue
+        values = judged(programs, directory, f"elf{seeds[start]}", runner, LEVELS[start // PROGRAMS_AN_ELF % len(LEVELS)])
         paths = [p.write(directory, v) for p, v in zip(programs, values)]
         failed, output = test(plcxx, paths, engine, jobs)
         for path in failed:
@@ -37,11 +32,25 @@ def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
     return findings
 
 
+def judged(programs, directory, name, runner, level):
+    """avr-gcc 5 finds no registers for some functions, and some batches are larger than its memory: then without
+    optimisation, then in halves."""
+    try:
+        return run_on_avr(programs, directory, name, runner, level)
+    except avr.NotRun:
+        if level != "-O0":
+            return judged(programs, directory, name, runner, "-O0")
+        if len(programs) == 1:
+            raise
+        half = len(programs) // 2
+        return judged(programs[:half], directory, name, runner, "-O1") + judged(programs[half:], directory, name, runner, "-O1")
+
+
 def tidy(directory, programs, failed, name):
     for program in programs:
         if str(directory / f"{program.name}.yaml") not in failed:
             for file in (*program.files, f"{program.name}.yaml"):
                 (directory / file).unlink()
-    (directory / f"{name}.elf").unlink()
+    (directory / f"{name}.elf").unlink(missing_ok=True)
     if not failed:
         (directory / f"{name}.c").unlink()

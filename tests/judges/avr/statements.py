@@ -6,6 +6,8 @@ from expressions import Expressions, Object
 from spelled import INTEGERS, NOTHING, SIZES, Spelled, Struct
 
 MOST_ROUNDS = 1500
+# again: { ...; if (i < n) goto again; } is refused so far (E032), although its counter changes once in every round.
+GOTO_BODY_IN_BRACES = False
 
 
 @dataclasses.dataclass
@@ -39,7 +41,7 @@ class Statements(Expressions):
     def __init__(self, seed, mark):
         super().__init__(seed)
         self.struct_functions = []
-        self.function_locals, self.goto_blocks = [], False
+        self.function_locals = []
         self.mark, self.serial, self.body = mark, 0, None
         self.loops = []  # around: for, loop, switch, switch for, goto; what break and continue may be written in
 
@@ -199,8 +201,8 @@ class Statements(Expressions):
             return self.wrapped(declaration, limit_rows + result, counter)
         else:
             label = self.fresh("again")
-            before, head = both(f"{name} = {start};") + both(f"{label}:"), ("{{", "", "") if self.goto_blocks else ("", "", "")
-            tail = both(add + ";") + Lines([f"if ({name} < {text}) goto {label};"], [f"if ({name} < {avr}) goto {label};"]) + (tail if self.goto_blocks else Lines())
+            before, head = both(f"{name} = {start};") + both(f"{label}:"), ("{{", "", "") if GOTO_BODY_IN_BRACES else ("", "", "")
+            tail = both(add + ";") + Lines([f"if ({name} < {text}) goto {label};"], [f"if ({name} < {avr}) goto {label};"]) + (tail if GOTO_BODY_IN_BRACES else Lines())
         made = before + Lines([head[0].format(head[1])], [head[0].format(head[2])]) + body + tail
         self.protected -= {name}
         return self.wrapped(declaration, limit_rows + made, counter)
