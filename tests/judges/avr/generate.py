@@ -9,6 +9,9 @@ from statements import Body, Lines, Statements, both
 
 SCANS = 3
 POINTED = ("unsigned char", "int", "unsigned", "long", "char")
+# Macros with ?: for avr-gcc, see ARM of judge.h.
+ARMS = {"((x) > (y) ? (x) : (y))": "((x) > (y) ? ARM(x) : ARM(y))",
+        "((x) < 0 ? -(x) : (x) | (y))": "((x) < 0 ? ARM(-(x)) : ARM((x) | (y)))"}
 HOST = {"X": "host.x[{}]", "F": "host.f[{}]", "P": "host.p[{}]"}
 
 
@@ -188,7 +191,8 @@ class Generator(Statements):
                 self.macros.append(Macro(name, lambda _, n=name, b=body: dataclasses.replace(b, plc=n, avr=n, constant=b.constant, target=NOTHING), 0))
                 continue
             body = self.random.choice(templates)
-            self.text += both(f"#define {name}({','.join(names)}) {body}")
+            row = f"#define {name}({','.join(names)}) "
+            self.text += Lines([row + body], [row + ARMS.get(body, body)])
             self.macros.append(Macro(name, lambda args, n=name: self.macro_call(n, args), parameters))
 
     def macro_call(self, name, arguments):

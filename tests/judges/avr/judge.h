@@ -105,6 +105,13 @@ SHIFT(ul, unsigned long, 32)
 #define SHL(a, count) OF_TYPE((a) << 0, left)((a), (unsigned char)(count))
 #define SHR(a, count) OF_TYPE((a) << 0, right)((a), (unsigned char)(count))
 
+// avr-gcc 5.4 takes v > 2u ? v : 3u for 129 when v is a signed char of -127: it may not look into the operands.
+#define ARM(value)                  \
+  ({                                \
+    __auto_type arm_ = (value) + 0; \
+    arm_;                           \
+  })
+
 // stdlib.h of the dialect
 #define abs judge_abs
 #define labs judge_labs
@@ -114,8 +121,8 @@ static unsigned _rotl(unsigned a, int n) { return n ? a << n | a >> (16 - n) : a
 static unsigned _rotr(unsigned a, int n) { return n ? a >> n | a << (16 - n) : a; }
 static unsigned long _lrotl(unsigned long a, int n) { return n ? a << n | a >> (32 - n) : a; }
 static unsigned long _lrotr(unsigned long a, int n) { return n ? a >> n | a << (32 - n) : a; }
-#define max(a, b) (((a) > (b)) ? (a) : (b))
-#define min(a, b) (((a) < (b)) ? (a) : (b))
+#define max(a, b) (((a) > (b)) ? ARM(a) : ARM(b))
+#define min(a, b) (((a) < (b)) ? ARM(a) : ARM(b))
 
 // Hands bytes to the runner.
 static void show(const void* at, unsigned count) {

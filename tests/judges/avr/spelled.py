@@ -90,7 +90,8 @@ def cast(kind, operand, spelling=None):
 
 def choice(condition, yes, no):
     one, two, three = condition.at(4), yes.at(2), no.at(3)
-    return Spelled(f"{one.plc} ? {two.plc} : {three.plc}", f"{one.avr} ? {two.avr} : {three.avr}", common(yes.kind, no.kind), 3,
+    arms = [arm.avr if arm.constant else f"ARM({arm.avr})" for arm in (two, three)]
+    return Spelled(f"{one.plc} ? {two.plc} : {three.plc}", f"{one.avr} ? {arms[0]} : {arms[1]}", common(yes.kind, no.kind), 3,
                    condition.reads | yes.reads | no.reads, condition.writes | yes.writes | no.writes,
                    condition.constant or yes.constant and no.constant)
 
