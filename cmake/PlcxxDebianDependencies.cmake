@@ -1,6 +1,7 @@
 # Included by cpack when the files of a .deb are in place: says what they need, as dpkg-shlibdeps (package dpkg-dev) finds
 # it. The tool's libraries are Depends. Those of its modules (Clang, LLVM, Z3: hundreds of megabytes for one dialect, and
 # for proofs) are Recommends: apt installs them unless told otherwise, and the tool runs without.
+cmake_policy(VERSION 3.25)
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()
@@ -30,9 +31,13 @@ plcxx_needed(DEPENDS ${TOOL})
 list(JOIN DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 if(MODULES)
   plcxx_needed(RECOMMENDS ${MODULES})
-  foreach(DEPENDED ${DEPENDS})
-    string(REGEX REPLACE " .*" "" NAME "${DEPENDED}")
-    list(FILTER RECOMMENDS EXCLUDE REGEX "^${NAME}( |$)")
+  # What the tool depends on already, in whatever version.
+  list(TRANSFORM DEPENDS REPLACE " .*" "" OUTPUT_VARIABLE DEPENDED)
+  foreach(PACKAGE ${RECOMMENDS})
+    string(REGEX REPLACE " .*" "" NAME "${PACKAGE}")
+    if(NAME IN_LIST DEPENDED)
+      list(REMOVE_ITEM RECOMMENDS "${PACKAGE}")
+    endif()
   endforeach()
   # plcxx verify runs Clang, and plcxx build and test a compiler.
   list(APPEND RECOMMENDS "g++" "clang-19")
