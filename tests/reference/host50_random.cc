@@ -52,7 +52,7 @@ class Generator {
     maybe("edgeinit", "OFF");
     maybe("slices", "SLICED");
     if (random_.OneIn(8)) options["channels"] = "2";
-    if (!random_.OneIn(4)) options["slowdiv"] = random_.Pick(Texts{"1", "2", "3", "5", "20", "60"});
+    if (!random_.OneIn(4)) options["slowdiv"] = random_.Pick(Texts{"1", "2", "3", "5", "20", "50", "100", "250"});
   }
 
   Piece Part(const std::string& head, const std::string& end, host50_random::Callees callees, uint32_t statements,
@@ -123,7 +123,7 @@ class Generator {
               "}");
           break;
         default:
-          program_.steps.push_back("run: {slow: " + std::to_string(random_.Between(1, 3)) + "}");
+          program_.steps.push_back("run: {slow: " + std::to_string(random_.Between(1, 6)) + "}");
           break;
       }
     }

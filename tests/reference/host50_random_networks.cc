@@ -263,17 +263,20 @@ std::string Networks::Axis() {
   const bool outside =
       axis.find_first_of("%'") == std::string::npos && std::isalpha(static_cast<unsigned char>(axis[0])) == 0;
   const std::string number = outside ? std::to_string(random_.Between(1, 9)) : axis;
+  // No NaN that the program has computed: its sign is the processor's matter, and a new one is another request (6.8).
+  const std::string speed = random_.OneIn(3) ? "%IF300" : RealConstant();
+  const std::string position = random_.OneIn(3) ? speed : Whole();
   switch (random_.Below(5)) {
     case 0:
-      return "HOME " + number + ", " + Whole() + ", " + Real();
+      return "HOME " + number + ", " + Whole() + ", " + speed;
     case 1:
-      return "POSA " + number + ", " + Number() + ", " + Real();
+      return "POSA " + number + ", " + position + ", " + speed;
     case 2:
-      return "POSM " + number + ", " + Number() + ", " + Real();
+      return "POSM " + number + ", " + position + ", " + speed;
     case 3:
-      return "VELP " + number + ", " + Real();
+      return "VELP " + number + ", " + speed;
     default:
-      return "VELN " + number + ", " + Real();
+      return "VELN " + number + ", " + speed;
   }
 }
 
@@ -335,6 +338,12 @@ void Networks::Outputs() {
 
 Piece Networks::Rung() {
   lines_.clear();
+  if (random_.OneIn(5)) {  // an input that stays long enough for a timer
+    Line("LD " + Address(random_.Pick(Texts{"%I0", "%I1", "%I2", "%I3"})));
+    Line(Timer());
+    Line("OUT " + Coil());
+    return {Joined(lines_), {}, ""};
+  }
   Logic(3);
   if (random_.OneIn(4)) Rest(2);
   if (random_.OneIn(6)) {
@@ -387,8 +396,8 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
     if (target < count) {
       lines_.clear();
       Load();
-      if (backward) {
-        Line("LT %W2, " + std::to_string(random_.Below(40)));
+      if (backward) {  // one in three without a limit: the guard of 4.8 ends it
+        if (!random_.OneIn(3)) Line("LT %W2, " + std::to_string(random_.Below(40)));
         Line("ADDW %W2, 1, %W2");
       }
       Line("LBL J" + std::to_string(target + 10));

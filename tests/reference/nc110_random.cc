@@ -52,7 +52,7 @@ class Generator {
     if (random_.OneIn(5)) options["t-init"] = random_.Pick(Texts{"1=02", "1=05,2=01", "64=FF", "17=A0,03=0C"});
     if (random_.OneIn(8)) options["processes"] = std::to_string(random_.Between(2, 5));
     if (random_.OneIn(12)) options["nc-stub"] = "on";
-    loops_ = random_.OneIn(6);
+    loops_ = random_.OneIn(4);
     if (loops_) options["enable-dow"] = "on";
   }
 
@@ -110,8 +110,9 @@ class Generator {
     const Connector c = AnyConnector();
     return "W" + Number(c.number) + c.package + Number(random_.Below(4));
   }
-  /// Not at the end of a package.
+  /// Not at the end of a package. Most are the scenario's, which keeps them small; the program writes the others, too.
   std::string Pair() {
+    if (!random_.OneIn(3)) return random_.Pick(kParameters);
     for (;;) {
       const Connector c = AnyConnector();
       const uint32_t index = random_.Below(4);
@@ -226,6 +227,7 @@ class Generator {
   }
 
   std::string WordOperand() {
+    if (random_.OneIn(12)) return random_.Pick(Texts{"W51K0", "W2T0", "W50K0"});
     if (random_.OneIn(6)) return Counter() + "W";
     if (random_.OneIn(4) && !word_names_.empty()) return random_.Pick(word_names_);
     return Word();
@@ -310,7 +312,11 @@ class Generator {
         target += Bit('U');
         break;
     }
-    return target + Infix({"="}) + Signal(random_.Below(4));
+    // A long expression is seldom the same for long: elements also have one input of the machine.
+    const bool is_element = target.find_first_of("TCP") <= 1;
+    const uint32_t depth = is_element && !random_.OneIn(3) ? 0 : random_.Below(4);
+    if (is_element && random_.OneIn(2)) return target + Infix({"="}) + SignalNot(0);
+    return target + Infix({"="}) + Signal(depth);
   }
 
   std::string Mux() {
@@ -365,7 +371,8 @@ class Generator {
   Piece Blocks(uint32_t level) {
     if (loops_ && random_.OneIn(3)) {
       loops_ = false;  // one within another could take 255 * 255 passes
-      Piece loop = Member("DOW", "ENDW", Signal(1), level);
+      Piece loop = Member("DOW", "ENDW", Signal(random_.OneIn(2) ? 0 : 1), level);
+      loop.body.push_back({"W51K0=[W51K0+1]", {}, ""});  // counts the passes
       loops_ = true;
       return loop;
     }
@@ -387,7 +394,11 @@ class Generator {
                                   "I3K1", "I9K2", "I0N0", "I10K0", "I10N4", "I26K1", "I31A31", "I157K0"};
     static const Texts kWords = {"W0A0",  "W1A1",  "W0K0",  "W3K3",  "W0T0",   "W0T1", "W1T0",
                                  "W40K0", "W40K3", "W41K0", "W15T3", "W255K3", "W0N1", "W60N2"};
-    switch (random_.Below(12)) {
+    switch (random_.Below(14)) {
+      case 12:
+      case 13:
+        return random_.Pick(kParameters) + ": " +
+               std::to_string(random_.OneIn(8) ? random_.Below(256) : random_.Below(7));
       case 0:
         return "C" + std::to_string(random_.Pick(kCounters)) + "W: " + std::to_string(random_.Below(256));
       case 1:
@@ -410,7 +421,7 @@ class Generator {
       case 1:
         return "run: {ms: " + std::to_string(random_.Between(1, 45)) + "}";
       case 2:
-        return random_.OneIn(3) ? "run: {ms: " + std::to_string(random_.Between(100, 900)) + "}" : "run: {slow: 1}";
+        return random_.OneIn(2) ? "run: {ms: " + std::to_string(random_.Between(50, 600)) + "}" : "run: {slow: 1}";
       default:
         return "run: {slow: " + std::to_string(random_.Between(1, 5)) + "}";
     }
@@ -428,6 +439,7 @@ class Generator {
     }
   }
 
+  inline static const Texts kParameters = {"W2T0", "W2T2", "W50K0", "W50K3", "W100N1", "W22A1"};
   inline static const std::vector<uint32_t> kTimers = {0, 3, 47, 48, 63, 64, 254};
   inline static const std::vector<uint32_t> kCounters = {0, 5, 99};
   inline static const std::vector<uint32_t> kOneShots = {0, 1, 6, 99};

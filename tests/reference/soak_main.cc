@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,6 +25,9 @@ namespace {
 
 using namespace plcxx::reference;
 using Clock = std::chrono::steady_clock;
+
+/// Ctrl-C: the programs under way are ended, and the table is printed.
+volatile std::sig_atomic_t stopped = 0;
 
 struct Wanted {
   std::vector<std::string> dialects;
@@ -63,8 +67,9 @@ class Soak {
 
  private:
   bool TimeIsOver() const {
-    return wanted_.hours > 0 &&
-           std::chrono::duration<double, std::ratio<3600>>(Clock::now() - begun_).count() >= wanted_.hours;
+    if (stopped != 0) return true;
+    const std::chrono::duration<double, std::ratio<3600>> hours = Clock::now() - begun_;
+    return wanted_.hours > 0 && hours.count() >= wanted_.hours;
   }
 
   void Work() {
@@ -173,6 +178,8 @@ int main(int argc, char** argv) {
   app.add_option("--save", wanted.save, "the folder for what disagrees");
   std::vector<std::string> scenarios;
   app.add_option("scenarios", scenarios, "these instead of random programs");
+  std::signal(SIGINT, [](int) { stopped = 1; });
+  std::signal(SIGTERM, [](int) { stopped = 1; });
   CLI11_PARSE(app, argc, argv);
   if (wanted.programs == 0 && wanted.hours == 0) wanted.programs = 200;
   try {
