@@ -5,6 +5,8 @@
 
 #include "tests/reference/host50_reference.h"
 #include "tests/reference/nc110_reference.h"
+#include "tests/reference/prostep.h"
+#include "tests/reference/technol.h"
 
 namespace plcxx::reference {
 namespace {
@@ -12,6 +14,8 @@ namespace {
 constexpr std::array kDialects = {
     ReferenceDialect{.name = "nc110", .make = MakeNc110, .generate = RandomNc110, .unsupported_scenarios = 0},
     ReferenceDialect{.name = "host50", .make = MakeHost50, .generate = RandomHost50, .unsupported_scenarios = 0},
+    ReferenceDialect{.name = "prostep", .make = MakeProstepReference, .generate = MakeRandomProstep},
+    ReferenceDialect{.name = "technol", .make = MakeTechnolReference, .generate = MakeRandomTechnol},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "tests/reference/reference_engine.h"
+#include "tests/reference/statement_ids.h"
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/driver/lockstep.h"
@@ -44,8 +45,9 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
   if (!scenario.steps || !compilation.ok()) return {Outcome::kNothingToRun, {}, 0};
   const auto plan = driver::PlanScenario(scenario, *compilation.dialect, compilation.program);
   if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&plan)) {
-    return {Outcome::kDisagrees, driver::ToText(errors->front()), 0};
+    return {Outcome::kNothingToRun, driver::ToText(errors->front()), 0};
   }
+  UniteStatementIds(compilation.program, *compilation.sources);
   diag::Engine said_before;
   dialects::Request request = compilation.MakeRequest();
   request.diagnostics = &said_before;

@@ -1,0 +1,437 @@
+// Random programs of dialect prostep: valid ones, of the whole language (6), with few addresses so that things meet.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/prostep.h"
+
+namespace plcxx::reference {
+namespace {
+
+class ProstepGenerator {
+ public:
+  ProstepGenerator(Random& random, uint32_t instructions) : random_(random), instructions_(instructions) {}
+
+  RandomProgram Run() {
+    ChooseOptions();
+    Declarations();
+    std::vector<uint32_t> modules;
+    if (!Chance(20)) modules.push_back(0);
+    for (const auto& [first, last, percent] : {std::array{1u, 8u, 25u}, {9u, 16u, 25u}, {17u, 26u, 30u}}) {
+      for (uint32_t number = first; number <= last; ++number) {
+        if (Chance(percent)) modules.push_back(number);
+      }
+    }
+    if (modules.size() < 2) modules.push_back(9);
+    for (const uint32_t number : modules) {
+      if (number >= 17 || Chance(3)) subroutines_.push_back(number);
+    }
+    std::vector<uint32_t> text_order = modules;
+    for (uint32_t k = static_cast<uint32_t>(text_order.size()); k > 1; --k) {
+      std::swap(text_order[k - 1], text_order[Below(k)]);
+    }
+    const uint32_t each = std::max<uint32_t>(3, instructions_ / static_cast<uint32_t>(modules.size()));
+    for (const uint32_t number : text_order) Module(number, Below(2 * each) + 1);
+    Steps();
+    return {.files = {{.name = "program.plc", .pieces = std::move(pieces_)}},
+            .options = std::move(options_),
+            .steps = std::move(steps_)};
+  }
+
+ private:
+  uint32_t Below(uint32_t n) { return random_.Below(n); }
+  bool Chance(uint32_t percent) { return Below(100) < percent; }
+  template <size_t N>
+  std::string One(const std::array<const char*, N>& texts) {
+    return texts[Below(N)];
+  }
+
+  void Line(const std::string& text) { at_->push_back({":" + text, {}, ""}); }
+  /// Of the instruction before: they are left out together.
+  void OperandLine(const std::string& text) { at_->back().text += "\n: " + text; }
+  void PlaceLabel(uint32_t label) { at_->push_back({"L" + std::to_string(label) + " :", {}, ""}); }
+  template <class Inside>
+  void Around(const std::string& text, const std::string& end, Inside inside) {
+    std::vector<Piece>* const outer = at_;
+    Piece piece{":" + text, {}, ":" + end};
+    at_ = &piece.body;
+    inside();
+    at_ = outer;
+    at_->push_back(std::move(piece));
+  }
+
+  void ChooseOptions() {
+    options_["loop-budget"] = std::to_string(1 + Below(Chance(80) ? 12 : 100));
+    if (Chance(25)) options_["first-check"] = "dynamic";
+    if (Chance(15)) options_["counter-set"] = "edge";
+    if (Chance(15)) options_["muldiv"] = "unsigned";
+    if (Chance(10)) options_["io-refresh"] = "1ms";
+    if (Chance(15)) options_["retentive"] = One(std::array{"600-700", "500-501", "510-998", "999-999", "500-998"});
+    if (Chance(10)) options_["tick"] = std::to_string(1 + Below(30));
+  }
+
+  void Declarations() {
+    if (Chance(50)) pieces_.push_back({"DDW 496 " + std::to_string(Below(25)), {}, ""});
+    if (Chance(50)) pieces_.push_back({"DDW 498 " + std::to_string(Below(13)), {}, ""});
+    for (uint32_t k = Below(6); k > 0; --k) {
+      const uint32_t kind = Below(3);
+      const uint32_t number = Chance(70) ? Below(24) : Below(490);
+      std::string text = kind == 0 ? "DDB " + std::to_string(number) + " " + std::to_string(Below(256))
+                         : kind == 1
+                             ? "DDW " + std::to_string(number) + " " + Constant()
+                             : "DDD " + std::to_string(number) + " " + std::to_string(random_.Next() & 0xFFFFFFFF);
+      pieces_.push_back({std::move(text), {}, ""});
+    }
+  }
+
+  std::string Constant() {
+    switch (Below(6)) {
+      case 0:
+        return std::to_string(Below(10));
+      case 1:
+        return "-" + std::to_string(1 + Below(Chance(50) ? 20 : 32768));
+      case 2:
+        return std::to_string(Below(65536));
+      case 3:
+        return One(std::array{"0", "1", "32767", "-32768", "65535", "255", "256", "9999", "10000", "0FFH", "8000H"});
+      case 4:
+        return std::to_string(Below(10000)) + "D";
+      default: {
+        constexpr std::string_view kDigits = "0123456789ABCDEF";
+        std::string text = "0";
+        for (uint32_t k = Below(4) + 1; k > 0; --k) text += kDigits[Below(16)];
+        return text + "H";
+      }
+    }
+  }
+
+  std::string Bit() {
+    if (Chance(3)) return One(std::array{"F 250.", "F 251."}) + std::to_string(Below(8));
+    const uint32_t byte = Chance(92) ? Below(4) : One(std::array{"20", "44", "47", "254", "255"}) == "20" ? 20 : 255;
+    return One(std::array{"I ", "O ", "F ", "F "}) + std::to_string(byte) + "." + std::to_string(Below(8));
+  }
+  std::string ReadableBit() {
+    switch (Below(12)) {
+      case 0:
+        return "C " + std::to_string(Below(5));
+      case 1:
+        return "T " + std::to_string(Below(6));
+      case 2:
+        return Chance(40) ? "P " + std::to_string(Below(24)) + "." + std::to_string(Below(8)) : Bit();
+      default:
+        return Bit();
+    }
+  }
+  std::string WritableBit() {
+    return Chance(6) ? "P " + std::to_string(Below(12)) + "." + std::to_string(Below(8)) : Bit();
+  }
+
+  /// `width` bytes of a space; near its ends now and then.
+  std::string Field(uint32_t width, bool borders_matter) {
+    const uint32_t space = Below(5);
+    if (space < 3) {
+      const uint32_t last = 256 - width;
+      const uint32_t number = Chance(80) ? Below(5) : Chance(50) ? last - Below(3) : Below(last + 1);
+      return std::string(1, "IOF"[space]) + (Chance(50) || width == 1 ? "B " : Wide(number, 255)) +
+             std::to_string(number);
+    }
+    uint32_t number = 0;
+    do {
+      switch (Below(5)) {
+        case 0:
+          number = 490 + Below(20);
+          break;
+        case 1:
+          number = 1000 - width - Below(4);
+          break;
+        default:
+          number = Below(6);
+          break;
+      }
+    } while (borders_matter && number < 500 && number + width > 500);
+    return "D" + (Chance(50) || width == 1 ? "B " : Wide(number, 999)) + std::to_string(number);
+  }
+  /// A word operand unless the number is the last byte of the space.
+  static std::string Wide(uint32_t number, uint32_t last) { return number < last ? "W " : "B "; }
+
+  std::string Data(uint32_t width) {
+    std::string text = Field(width, false);
+    if (width == 1 || text[1] == 'W') return text;
+    text[1] = 'W';  // Field has left room for `width` bytes
+    return text;
+  }
+  std::string Port(uint32_t width, uint32_t count) {
+    const uint32_t number = Chance(70) ? Below(count - width + 1) : 100 + Below(33 - width);
+    return std::string(width == 1 ? "PB " : "PW ") + std::to_string(number);
+  }
+  std::string ReadableData() {
+    const uint32_t width = 1 + Below(2);
+    return Chance(6) ? Port(width, 24) : Data(width);
+  }
+  std::string WritableData() {
+    const uint32_t width = 1 + Below(2);
+    return Chance(6) ? Port(width, 12) : Data(width);
+  }
+  std::string DataOrConstant() { return Chance(40) ? "K " + Constant() : ReadableData(); }
+
+  std::string Digits(uint32_t count) {
+    std::string text;
+    for (; count > 0; --count) text += static_cast<char>('0' + (Chance(50) ? 0 : Below(10)));
+    return text + "D";
+  }
+  std::string WordOr(const std::string& constant) {
+    return Chance(65) ? "K " + constant : Chance(5) ? Port(2, 24) : Data(2);
+  }
+
+  // --- sequences ---------------------------------------------------------------------------------------------------
+
+  void Neutral() {
+    switch (Below(6)) {
+      case 0:
+        Line("NOP");
+        break;
+      case 1:
+        Line(One(std::array{"L C ", "LD C "}) + std::to_string(Below(5)));
+        break;
+      case 2:
+        Line(One(std::array{"L T ", "LD T "}) + std::to_string(Below(6)));
+        break;
+      case 3:
+        Line("L");
+        OperandLine("K " + Constant());
+        break;
+      default:
+        Line("L " + ReadableData());
+        break;
+    }
+  }
+
+  void Compare() {
+    Line(One(std::array{"!=", "><", "<", "<=", ">", ">="}));
+    OperandLine(DataOrConstant());
+  }
+
+  void LogicOperation(uint32_t depth) {
+    const uint32_t choice = Below(100);
+    if (choice < 60) {
+      const std::string mnemonic = One(std::array{"A ", "AN ", "O ", "ON "});
+      Line(mnemonic + ReadableBit());
+      if (mnemonic[0] == 'O') string_open_ = false;
+    } else if (choice < 72) {
+      Line("O");
+      string_open_ = true;
+    } else if (choice < 84 && depth < 8) {
+      const bool is_or = Chance(50);
+      const bool outer = string_open_ && !is_or;
+      string_open_ = false;
+      Around(is_or ? "O(" : "A(", ")", [&] { Bracket(depth + 1); });
+      string_open_ = outer;
+    } else if (choice < 90) {
+      Compare();
+      string_open_ = false;
+    } else {
+      Neutral();
+    }
+  }
+
+  void Bracket(uint32_t depth) {
+    const uint32_t count = 1 + Below(4);
+    const uint32_t sure = Below(count);
+    for (uint32_t k = 0; k < count; ++k) {
+      if (k == sure) {
+        if (Chance(70)) {
+          Line(One(std::array{"A ", "AN ", "O ", "ON "}) + ReadableBit());
+        } else {
+          Compare();
+        }
+      } else {
+        LogicOperation(Chance(60) ? 8 : depth);
+      }
+    }
+  }
+
+  void End() {
+    string_open_ = false;
+    const std::string timer = "T " + std::to_string(Below(6));
+    const std::string counter = "C " + std::to_string(Below(5));
+    const uint32_t choice = Below(100);
+    if (choice < 26) {
+      Line(One(std::array{"= ", "= ", "S ", "R "}) + WritableBit());
+    } else if (choice < 34) {
+      Line(One(std::array{"CU ", "CD "}) + counter);
+    } else if (choice < 38) {
+      Line("S " + counter);
+      OperandLine(WordOr(Digits(3)));
+    } else if (choice < 42) {
+      Line("R " + (Chance(50) ? counter : timer));
+    } else if (choice < 54) {
+      Line(One(std::array{"SP ", "SE ", "SR ", "SS ", "SF "}) + timer);
+      OperandLine(WordOr(std::to_string(Chance(80) ? Below(2) : Below(4)) + Digits(3)));
+    } else if (choice < 64) {
+      Line("T " + WritableData());
+    } else if (choice < 72 && labels_ > 0) {
+      Line(One(std::array{"JU L", "JC L", "JC L", "JC L"}) + std::to_string(Below(labels_)));
+    } else if (choice < 77) {
+      Call();
+    } else if (choice < 97) {
+      FunctionCall();
+    } else if (choice < 99) {
+      Line("EMC");
+    } else {
+      Line(Chance(50) ? "EM" : "EMC");
+    }
+  }
+
+  /// Upwards only, so that there is no ring.
+  void Call() {
+    std::vector<uint32_t> targets;
+    for (const uint32_t number : subroutines_) {
+      if (number > module_) targets.push_back(number);
+    }
+    if (targets.empty() || calls_ >= 2) {
+      Line("= " + WritableBit());
+      return;
+    }
+    ++calls_;
+    Line(One(std::array{"JU PM ", "JC PM ", "JC PM "}) +
+         std::to_string(targets[Below(static_cast<uint32_t>(targets.size()))]));
+  }
+
+  std::string LongOperand(uint32_t width) { return Chance(4) ? "K " + Constant() : Field(width, true); }
+
+  void FunctionCall() {
+    static constexpr std::array<uint32_t, 52> kNumbers = {
+        0,  0,  1,  1,  2,  2,  3,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 30, 31, 32,
+        33, 34, 41, 42, 44, 51, 52, 54, 60, 61, 62, 63, 64, 65, 66, 70, 71, 72, 73, 74, 75, 76, 77, 78, 80, 81};
+    uint32_t number = kNumbers[Below(kNumbers.size())];
+    if (number == 81) number += Below(8);
+    Line(One(std::array{"JU FM ", "JU FM ", "JC FM "}) + std::to_string(number));
+    if (number <= 3) {
+      if (number == 3 && Chance(80)) {
+        OperandLine(Field(4, true));
+      } else {
+        OperandLine(number == 3 ? "K " + Constant() : DataOrConstant());
+      }
+      OperandLine(DataOrConstant());
+      OperandLine(number < 2 ? WritableData() : Field(4, true));
+    } else if (number >= 6 && number <= 10) {
+      OperandLine(number <= 7 && Chance(70) ? "K " + std::to_string(Below(18)) : DataOrConstant());
+    } else if (number >= 15 && number <= 18) {
+      OperandLine(Field(1, false));
+      OperandLine(Chance(50) ? "K " + std::to_string(static_cast<int>(Below(24)) - 8) : DataOrConstant());
+    } else if (number >= 41 && number <= 44) {
+      OperandLine(Chance(80) ? "K " + std::to_string(Below(47)) : DataOrConstant());
+      OperandLine(Chance(80) ? "K " + std::to_string(static_cast<int>(Below(6)) - 1) : DataOrConstant());
+      OperandLine(Field(number - 40, true));
+    } else if (number >= 51 && number <= 54) {
+      OperandLine(Field(number - 50, true));
+      OperandLine(Chance(80) ? "K " + std::to_string(Below(47)) : DataOrConstant());
+      OperandLine(Chance(80) ? "K " + std::to_string(static_cast<int>(Below(6)) - 1) : DataOrConstant());
+    } else if (number >= 60 || (number >= 30 && number <= 34)) {
+      const bool quad = number == 62 || number == 63 || number == 32 || number == 33;
+      const bool two = number == 34 || number == 70 || number >= 80 || (number >= 64 && number <= 66 && Chance(30));
+      const bool one = number >= 71 && number <= 78;
+      OperandLine(LongOperand(4));
+      if (!one) OperandLine(LongOperand(4));
+      if (!one && !two) OperandLine(LongOperand(quad ? 8 : 4));
+    }
+  }
+
+  // --- modules -----------------------------------------------------------------------------------------------------
+
+  void Module(uint32_t number, uint32_t size) {
+    module_ = number;
+    calls_ = 0;
+    labels_ = Chance(30) ? 0 : Below(2 + size / 12);
+    string_open_ = false;
+    uint32_t placed = 0;
+    Around("MOD PM " + std::to_string(number), "END PM " + std::to_string(number), [&] {
+      if (number == 0) Activate();
+      for (uint32_t k = 0; k < size;) {
+        if (!string_open_ && placed < labels_ && Below(size) < 3 * labels_) PlaceLabel(placed++);
+        const uint32_t logic = Chance(12) ? 0 : 1 + Below(5);
+        for (uint32_t j = 0; j < logic; ++j) LogicOperation(0);
+        const uint32_t ends = 1 + Below(3);
+        for (uint32_t j = 0; j < ends; ++j) End();
+        k += logic + ends;
+      }
+      while (placed < labels_) PlaceLabel(placed++);
+      for (uint32_t k = Chance(25) ? 3 : 0; k > 0; --k) LogicOperation(0);  // END folds, too
+    });
+  }
+
+  void Activate() {
+    Line("L");
+    OperandLine("K " + std::to_string(Chance(60) ? 255 : Below(256)));
+    Line("T FB 250");
+    Line("L");
+    OperandLine("K " + std::to_string(Chance(60) ? 255 : Below(256)));
+    Line("T FB 251");
+  }
+
+  // --- scenario ----------------------------------------------------------------------------------------------------
+
+  std::string Assignment() {
+    const auto number = [](uint32_t n) { return std::to_string(n); };
+    switch (Below(8)) {
+      case 0:
+        return "PB" + number(Below(24)) + ": " + number(Below(256));
+      case 1:
+        return "FB" + number(Below(4)) + ": " + number(Below(256));
+      case 2:
+        return "D" + std::string(Chance(50) ? "B" : "W") + number(Below(6)) + ": " + number(Below(256));
+      case 3:
+        return "DB" + number(496 + Below(8)) + ": " + number(Below(30));
+      case 4:
+        return One(std::array{"FB250: ", "FB251: "}) + number(Below(256));
+      default:
+        return "IB" + number(Below(4)) + ": " + number(Below(256));
+    }
+  }
+
+  void Steps() {
+    for (uint32_t k = 4 + Below(16); k > 0; --k) {
+      std::string set;
+      for (uint32_t j = Below(4); j > 0; --j) {
+        const std::string assignment = Assignment();
+        const bool twice = set.find(assignment.substr(0, assignment.find(':') + 1)) != std::string::npos;
+        if (!twice) set += (set.empty() ? "" : ", ") + assignment;
+      }
+      if (!set.empty()) steps_.push_back("set: {" + set + "}");
+      const uint32_t choice = Below(20);
+      if (choice == 0) {
+        steps_.push_back("power_cycle:");
+      } else if (choice < 5) {
+        steps_.push_back("run: {fast: " + std::to_string(1 + Below(3)) + "}");
+      } else if (choice < 10) {
+        steps_.push_back("run: {ms: " + std::to_string(1 + Below(Chance(80) ? 60 : 600)) + "}");
+      } else {
+        steps_.push_back("run: {slow: " + std::to_string(1 + Below(6)) + "}");
+      }
+    }
+  }
+
+  Random& random_;
+  uint32_t instructions_;
+  std::vector<Piece> pieces_;
+  std::vector<Piece>* at_ = &pieces_;
+  std::map<std::string, std::string> options_;
+  std::vector<std::string> steps_;
+  std::vector<uint32_t> subroutines_;
+  uint32_t module_ = 0;
+  uint32_t labels_ = 0;
+  uint32_t calls_ = 0;
+  bool string_open_ = false;
+};
+
+}  // namespace
+
+RandomProgram MakeRandomProstep(Random& random, ProgramSize size) {
+  const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(5, 80);
+  return ProstepGenerator(random, instructions).Run();
+}
+
+}  // namespace plcxx::reference

@@ -1,0 +1,355 @@
+// Random programs of dialect technol: valid ones, of the whole language (6), with few cells so that things meet.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/technol.h"
+#include "tests/reference/technol_random_code.h"
+
+namespace plcxx::reference {
+namespace {
+
+using namespace technol_code;
+
+class TechnolGenerator : StraightCode {
+ public:
+  TechnolGenerator(Random& random, uint32_t instructions) : StraightCode(random), instructions_(instructions) {
+    at_ = &pieces_;
+  }
+
+  RandomProgram Run() {
+    ChooseOptions();
+    for (uint32_t k = Below(4); k > 0; --k) mechanisms_.push_back("M" + std::to_string(mechanisms_.size()));
+    top_level_ = mechanisms_.empty() ? 0 : Below(static_cast<uint32_t>(mechanisms_.size()) + 1);
+    for (uint32_t k = Below(5); k > 0; --k) segments_.push_back({});
+    Data();
+    const uint32_t parts = 5 + static_cast<uint32_t>(mechanisms_.size() + segments_.size());
+    size_ = std::max(3u, instructions_ / parts);
+    std::vector<uint32_t> order = {0, 1, 2, 3, 4, 5, 6};
+    for (uint32_t k = 7; k > 1; --k) std::swap(order[k - 1], order[Below(k)]);
+    uint32_t next_top = 0;
+    for (const uint32_t module : order) {
+      Module(module);
+      if (next_top < top_level_ && Chance(50)) Mechanism(next_top++);
+    }
+    while (next_top < top_level_) Mechanism(next_top++);
+    Subprograms();
+    Piece& end = pieces_.emplace_back();
+    end.text = "  STOP";
+    Steps();
+    std::vector<RandomFile> files = {{.name = "program.plc", .pieces = std::move(pieces_)}};
+    if (Chance(10)) {
+      files.push_back({"TAB7.TCH", {{"$TCH 1 2 2\n00: 1.5 -2\n01: " + Text(Below(79999)) + ".07 4", {}, ""}}});
+    }
+    return {.files = std::move(files), .options = std::move(options_), .steps = std::move(steps_)};
+  }
+
+ private:
+  void ChooseOptions() {
+    options_["loop-limit"] = Text(1 + Below(Chance(80) ? 10 : 60));
+    if (Chance(15)) options_["bounds"] = "trap";
+    if (Chance(15)) options_["rl"] = "shift";
+    if (Chance(20)) options_["mech-clear"] = "abort";
+    if (Chance(10)) options_["eset"] = "binary";
+    aborts_ = options_.contains("mech-clear");
+  }
+
+  void Data() {
+    Piece data{"  DATA", {}, "  DATA_END"};
+    const auto line = [&](const std::string& text) { data.body.push_back({text, {}, ""}); };
+    line("S0 STRUC\nP0 DB 3\nP1 DW ?\nP2 DD ?\nS0 ENDS");
+    line("BITS: DFM A0,A1,A2,A3,A4,A5,A6,A7");
+    line("B0: DB " + Text(Below(256)));
+    line("B1: DS 1");
+    line("W0: DW " + Text(Below(65536)));
+    line("W1: DS 2");
+    line("W2: DS 2");
+    line("D0: DD " + Text(random_.Next() & 0xFFFFFFFF));
+    line("D1: DS 4");
+    line("TAB: DB 1,2,3,0F9h,5 DUP (7)");
+    line("ST: S0 <1,2,3>");
+    line("IN0: DFM I0,I1,I2,I3,I4,I5,I6,I7");
+    line("OUT0: DFM O0,O1,O2,O3,,O5");
+    pieces_.push_back(std::move(data));
+  }
+
+  void Acting() {
+    Loaded reads = 0;
+    const uint32_t choice = Below(100);
+    if (choice < 30) {
+      Ensure(kRlo);
+      EmitTechnol("WR " + Bit(true), kRlo, 0, false);
+    } else if (choice < 50) {
+      const std::string mnemonic = One(std::array{"FL ", "FL1 ", "FL0 "});
+      if (mnemonic != "FL ") Ensure(kRlo);
+      EmitTechnol(mnemonic + Text(Below(2)) + "," + Bit(true), mnemonic == "FL " ? 0 : kRlo, 0, false);
+    } else if (choice < 80) {
+      const std::string text = Memory(Width(), reads);
+      reads |= kDr;
+      Ensure(reads);
+      EmitTechnol("STO " + text, reads, 0, false);
+    } else if (choice < 84) {
+      EmitTechnol("ESET " + Text(1 + Below(99)) + (Chance(50) ? "," + Text(Below(100)) : ""), 0, 0, false);
+    } else if (choice < 88 && !mechanisms_.empty()) {
+      EmitTechnol("MECH_INIT " + random_.Pick(mechanisms_), 0, 0, false);
+    } else {
+      Assembler(true);
+    }
+  }
+
+  std::string SomeLabel() {
+    // The subprogram area is one unit (6.4): also a later subprogram's label, which makes no ring.
+    if (segment_ != kNone && segment_ + 1 < segments_.size() && Chance(15)) {
+      return "PP" + Text(segment_ + 1 + Below(static_cast<uint32_t>(segments_.size()) - segment_ - 1));
+    }
+    if (forward_only_) {
+      return placed_ < labels_ ? Label(placed_ + Below(labels_ - placed_)) : "";
+    }
+    return labels_ == 0 ? "" : Label(Below(labels_));
+  }
+  std::string Label(uint32_t number) const { return "L" + Text(unit_) + "_" + Text(number); }
+
+  void Jump() {
+    const std::string label = SomeLabel();
+    if (label.empty()) return;
+    const uint32_t choice = Below(100);
+    if (choice < 40) {
+      Ensure(kRlo);
+      EmitTechnol(One(std::array{"JL0 ", "JL1 "}) + label, kRlo, 0, false);
+    } else if (choice < 48) {
+      EmitTechnol("JUM " + label, 0, 0, false);
+    } else if (choice < 52) {
+      Emit("JMP " + label, 0, 0, kAllFlags, false);
+    } else if (choice < 62) {
+      Ensure(Word(kEcx));
+      Emit("LOOP " + label, Word(kEcx), Word(kEcx), 0, false);
+    } else if (choice < 68) {
+      Ensure(Word(kEcx));
+      Emit("JCXZ " + label, Word(kEcx), 0, 0, false);
+    } else {
+      static constexpr std::array<const char*, 26> kJumps = {
+          "JE",  "JZ", "JNE",  "JNZ", "JC",  "JB", "JNAE", "JNC", "JAE", "JNB", "JA",  "JNBE", "JBE",
+          "JNA", "JG", "JNLE", "JGE", "JNL", "JL", "JNGE", "JLE", "JNG", "JS",  "JNS", "JO",   "JNO"};
+      Ensure(kAllFlags);
+      Emit(One(kJumps) + (Chance(10) ? " SHORT " : " ") + label, kAllFlags, 0, 0, false);
+    }
+  }
+
+  void Call() {
+    const uint32_t first = segment_ == kNone ? 0 : segment_ + 1;
+    if (first >= segments_.size() || calls_ >= 3) return;
+    ++calls_;
+    const bool outer_zero = std::exchange(reads_zero_, false);
+    Ensure(kSubprogramBase);
+    reads_zero_ = outer_zero;
+    const uint32_t target = first + Below(static_cast<uint32_t>(segments_.size()) - first);
+    EmitTechnol("CALL PP" + Text(target), kSubprogramBase, 0, false);
+  }
+
+  void Wait() {
+    if (!run_is_whole_ || Chance(20)) EmitTechnol("FL " + Text(Below(2)) + ",A" + Text(Below(8)), 0, 0, false);
+    const uint32_t choice = Below(100);
+    if (choice < 15) {
+      Line("EX");
+      AtLabel();
+      return;
+    }
+    const std::string cell = Chance(60) ? "-" : "W" + Text(Below(3));
+    const std::string limit = Chance(70)   ? Text(Below(4))
+                              : Chance(50) ? "CNST." + Text(Below(5))
+                                           : "W" + Text(Below(3));
+    if (choice < 40) {
+      Line("TIM " + cell + "," + limit);
+      AtLabel();
+      return;
+    }
+    loaded_ = since_;
+    for (uint32_t k = Below(4); k > 0; --k) {
+      if (Chance(75)) {
+        PureTechnol();
+      } else {
+        Assembler(false);
+      }
+    }
+    Ensure(kRlo);
+    const std::string label = SomeLabel();
+    const bool limited = choice >= 70 && !label.empty();
+    EmitTechnol(
+        limited ? One(std::array{"TEX0 ", "TEX1 "}) + cell + "," + limit + "," + label : One(std::array{"EX0", "EX1"}),
+        kRlo, 0, false);
+  }
+
+  // --- units -------------------------------------------------------------------------------------------------------
+
+  void Body(uint32_t size, bool waits) {
+    for (uint32_t k = 0; k < size; ++k) {
+      if (placed_ < labels_ && Below(size) < labels_ * 2) PlaceLabel();
+      const uint32_t choice = Below(100);
+      if (waits && choice < 12) {
+        Wait();
+      } else if (choice < 45) {
+        PureTechnol();
+      } else if (choice < 65) {
+        Assembler(true);
+      } else if (choice < 84) {
+        Acting();
+      } else if (choice < 93) {
+        Jump();
+      } else if (choice < 96) {
+        Call();
+      } else {
+        Stack(0);
+      }
+    }
+  }
+  void PlaceLabel() {
+    at_->push_back({Label(placed_++) + ":", {}, ""});
+    AtLabel();
+  }
+
+  /// A unit with its own labels around `inside`.
+  template <class Inside>
+  void Unit(const std::string& open, const std::string& close, bool waits, Inside inside) {
+    const auto outer = std::tuple(at_, unit_, labels_, placed_, base_, forward_only_, calls_);
+    std::vector<Piece>* const into = at_;
+    Piece piece{open, {}, close};
+    at_ = &piece.body;
+    unit_ = units_++;
+    labels_ = Chance(25) ? 0 : Below(2 + size_ / 8);
+    placed_ = 0;
+    calls_ = 0;
+    base_ = 0;
+    forward_only_ = waits && Chance(40);
+    AtLabel();
+    inside();
+    while (placed_ < labels_) PlaceLabel();
+    std::tie(at_, unit_, labels_, placed_, base_, forward_only_, calls_) = outer;
+    into->push_back(std::move(piece));
+    AtLabel();
+  }
+
+  void Module(uint32_t module) {
+    static constexpr std::array<const char*, 7> kModules = {"MODULE_INIT",     "MODULE_MAIN", "MODULE_FAST",
+                                                            "MODULE_CLEAR",    "MODULE_HALT", "PRIPRAVNE_FUNKCE",
+                                                            "ZAVERECNE_FUNKCE"};
+    if (module != 1 && Chance(module == 4 ? 40 : 8)) return;
+    const std::string name = kModules[module];
+    const bool waits = module >= 5;
+    Unit("  " + name, "  " + name + "_END", waits, [&] {
+      const bool preloaded = !waits && Chance(60);
+      reads_zero_ = !waits;
+      if (preloaded) base_ = kRlo | kDr;
+      Ensure(base_);
+      const uint32_t share = module == 1 || waits ? size_ : size_ / 2 + 1;
+      Body(share, waits);
+      if (module != 1) return;
+      for (uint32_t m = top_level_; m < mechanisms_.size(); ++m) {
+        Mechanism(m);
+        loaded_ = since_ = 0;
+        Ensure(base_);
+        Body(share / 2, false);
+      }
+    });
+  }
+
+  void Mechanism(uint32_t number) {
+    const bool outer = std::exchange(inside_, true);
+    const bool outer_zero = std::exchange(reads_zero_, false);
+    Unit("  MECH_BEGIN " + mechanisms_[number], "  MECH_END " + mechanisms_[number], true, [&] { Body(size_, true); });
+    inside_ = outer;
+    reads_zero_ = outer_zero;
+  }
+
+  void Subprograms() {
+    inside_ = true;
+    reads_zero_ = false;
+    for (segment_ = 0; segment_ < segments_.size(); ++segment_) {
+      const bool falls = segment_ + 1 < segments_.size() && Chance(30);
+      Unit("PP" + Text(segment_) + ":", falls ? "" : "  RET", false, [&] {
+        base_ = kSubprogramBase;
+        AtLabel();
+        Body(size_, false);
+      });
+    }
+    segment_ = kNone;
+    inside_ = false;
+  }
+
+  // --- scenario ----------------------------------------------------------------------------------------------------
+
+  std::string Assignment() {
+    switch (Below(9)) {
+      case 0:
+        return One(std::array{"NC_PRIPRAVNE: ", "NC_ZAVERECNE: ", "NC_CLEAR: "}) + Text(Chance(75) ? 1 : 0);
+      case 1:
+        if (!mechanisms_.empty()) return random_.Pick(mechanisms_) + ": " + Text(Chance(70) ? 1 : 0);
+        [[fallthrough]];
+      case 2:
+        return "W" + Text(Below(3)) + ": " + Text(Below(Chance(50) ? 6 : 65536));
+      case 3:
+        return "DWRD.D" + Text(Below(2)) + ": " + Text(random_.Next() & 0xFFFFFFFF);
+      case 4:
+        if (Chance(30)) {
+          const std::string item = Text(1 + (Below(2) << 8) + ((1 + Below(2)) << 16) + ((1 + Below(5)) << 24));
+          return "DWRD.SET_NCTAB: " + item + ", BYTE.(SET_NCTAB+4): " + Text(50 + Below(12)) +
+                 ", DWRD.(SET_NCTAB+5): " + Text(Below(9));
+        }
+        return "SYSREQ: " + Text(Below(128));
+      case 5:
+        return "BYTE.(LABEL_MEM+" + Text(Below(8)) + "): " + Text(Below(256));
+      case 6:
+        return "BITS: " + Text(Below(256));
+      default:
+        return "IN" + Text(Below(2)) + ": " + Text(Below(256));
+    }
+  }
+
+  void Steps() {
+    for (uint32_t k = 4 + Below(14); k > 0; --k) {
+      std::string set;
+      for (uint32_t j = Below(4); j > 0; --j) {
+        const std::string assignment = Assignment();
+        const bool twice = set.find(assignment.substr(0, assignment.find(':') + 1)) != std::string::npos;
+        if (!twice) set += (set.empty() ? "" : ", ") + assignment;
+      }
+      if (!set.empty()) steps_.push_back("set: {" + set + "}");
+      const uint32_t choice = Below(20);
+      if (choice == 0) {
+        steps_.push_back("power_cycle:");
+      } else if (choice < 4) {
+        steps_.push_back("run: {fast: " + Text(1 + Below(3)) + "}");
+      } else if (choice < 7) {
+        steps_.push_back("run: {ms: " + Text(1 + Below(60)) + "}");
+      } else {
+        steps_.push_back("run: {slow: " + Text(1 + Below(5)) + "}");
+      }
+    }
+  }
+
+  static constexpr uint32_t kNone = 0xFFFFFFFF;
+  static constexpr Loaded kSubprogramBase = kRlo | kDr | Whole(kEax) | Whole(kEbx);
+
+  uint32_t instructions_;
+  uint32_t size_ = 0;  // of a unit
+  std::vector<Piece> pieces_;
+  std::map<std::string, std::string> options_;
+  std::vector<std::string> steps_;
+  uint32_t top_level_ = 0;  // of mechanisms_: the first ones
+  std::vector<char> segments_;
+  uint32_t segment_ = kNone;
+  uint32_t units_ = 0;
+  // of the unit
+  uint32_t unit_ = 0, labels_ = 0, placed_ = 0, calls_ = 0;
+  bool forward_only_ = false;
+};
+
+}  // namespace
+
+RandomProgram MakeRandomTechnol(Random& random, ProgramSize size) {
+  const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(10, 90);
+  return TechnolGenerator(random, instructions).Run();
+}
+
+}  // namespace plcxx::reference

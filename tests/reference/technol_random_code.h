@@ -1,0 +1,390 @@
+// Straight-line code for random programs of dialect technol: operands, and instructions that need no labels.
+//
+// What makes a program valid is what has been loaded where (TE056, TE057, TE072), so the generator follows it: a set of
+// what is loaded on every path to here, and of what is loaded since the last place where a wait could resume.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/random_program.h"
+
+namespace plcxx::reference::technol_code {
+
+/// RLO, flags, and the low byte, high byte and upper half of each register.
+using Loaded = uint32_t;
+constexpr Loaded kRlo = 1, kCf = 2, kZf = 4, kSf = 8, kOf = 16, kAf = 32;
+constexpr Loaded kAllFlags = kCf | kZf | kSf | kOf | kAf;
+constexpr uint32_t kEax = 0, kEbx = 1, kEcx = 2, kEdx = 3;
+constexpr Loaded Parts(uint32_t reg, Loaded parts) { return parts << (6 + 3 * reg); }
+constexpr Loaded Whole(uint32_t reg) { return Parts(reg, 7); }
+constexpr Loaded Word(uint32_t reg) { return Parts(reg, 3); }
+constexpr Loaded kDr = Whole(kEcx);
+
+struct Name {
+  std::string text;
+  Loaded parts = 0;
+  uint8_t width = 0;
+};
+
+class StraightCode {
+ public:
+  explicit StraightCode(Random& random) : random_(random) {}
+
+ protected:
+  uint32_t Below(uint32_t n) { return random_.Below(n); }
+  bool Chance(uint32_t percent) { return Below(100) < percent; }
+  template <size_t N>
+  std::string One(const std::array<const char*, N>& texts) {
+    return texts[Below(N)];
+  }
+  static std::string Text(int64_t n) { return std::to_string(n); }
+
+  // --- operands ----------------------------------------------------------------------------------------------------
+
+  std::string Bit(bool written) {
+    if (!mechanisms_.empty() && Chance(12) && !(written && inside_ && aborts_)) return random_.Pick(mechanisms_);
+    if (Chance(6)) {
+      return One(std::array{"REQ_SEND_PLCMEM", "REQ_SEND_NCTAB", "REQ_BACKUP_POS", "REQ_CLOSE_ALL", "REQ_PIS_HALT",
+                            "NC_PRIPRAVNE", "NC_ZAVERECNE", "NC_CLEAR", "UPS_SHUTDOWN", "UPS_LINEFAIL"});
+    }
+    return Chance(30)   ? One(std::array{"I0", "I1", "I2", "I3", "I7"})
+           : Chance(20) ? One(std::array{"O0", "O1", "O3", "O5"})
+                        : "A" + Text(Below(8));
+  }
+
+  /// A place of so many bits; `reads` is what its index needs.
+  std::string Memory(uint32_t width, Loaded& reads) {
+    const uint32_t choice = Below(100);
+    const std::string prefix = width == 8 ? "BYTE." : width == 16 ? "WORD." : "DWRD.";
+    if (choice < 40) {
+      if (width == 8) return One(std::array{"B0", "B1", "BITS", "IN1", "OUT1", "BZH21", "SYSREQ", "TAB"});
+      if (width == 16)
+        return One(std::array{"W0", "W1", "W2", "ST.P1", "TCH_VOLBA_"}) == "W0" ? "W0" : "W" + Text(Below(3));
+      return One(std::array{"D0", "D1", "ST.P2"});
+    }
+    if (choice < 65) {
+      return prefix + One(std::array{"B0",
+                                     "B1",
+                                     "BITS",
+                                     "W0",
+                                     "W1+1",
+                                     "D0",
+                                     "D1",
+                                     "TAB+2",
+                                     "(TAB+3)",
+                                     "ST.P0",
+                                     "ST.P1",
+                                     "LABEL_MEM",
+                                     "LABEL_MEM+7",
+                                     "(LABEL_MEM+40)",
+                                     "LABEL_MEM.P1",
+                                     "IN0",
+                                     "OUT0",
+                                     "OUT1",
+                                     "SET_NCTAB",
+                                     "SET_NCTAB.NCTAB_SLOUPEC",
+                                     "TAB_TECHNOL.TCH_VOLBA",
+                                     "TAB_TECHNOL+33",
+                                     "BUKON01"});
+    }
+    static const std::array<Name, 6> kIndexes = {{{"BX", Word(1), 16},
+                                                  {"SI", Word(4), 16},
+                                                  {"DI", Word(5), 16},
+                                                  {"EBX", Whole(1), 32},
+                                                  {"ESI", Whole(4), 32},
+                                                  {"EDI", Whole(5), 32}}};
+    const Name& index = kIndexes[Chance(60) ? 0 : Below(6)];
+    reads |= index.parts;
+    const std::string area = One(
+        std::array{"TAB", "B0", "LABEL_MEM", "LABEL_MEM.P1", "TAB_TECHNOL", "SET_NCTAB", "W1", "IN0", "OUT0", "D1"});
+    return prefix + area + "[" + index.text + (Chance(30) ? One(std::array{"+1", "+4", "-1", "-3"}) : "") + "]";
+  }
+
+  std::string Constant(uint32_t width) {
+    switch (Below(5)) {
+      case 0:
+        return Text(Below(10));
+      case 1:
+        return width == 8    ? One(std::array{"0", "1", "127", "128", "255", "-1", "-128"})
+               : width == 16 ? One(std::array{"0", "1", "255", "256", "7FFFh", "8000h", "0FFFFh", "-1", "-32768",
+                                              "9999", "10000"})
+                             : One(std::array{"0", "1", "65535", "65536", "7FFFFFFFh", "80000000h", "0FFFFFFFFh", "-1",
+                                              "-2", "79999999", "80000000"});
+      default: {
+        const uint32_t bits = std::min(width, 4 + Below(29));
+        return Text(static_cast<int64_t>(random_.Next() & ((uint64_t{1} << bits) - 1)));
+      }
+    }
+  }
+
+  /// Memory or CNST.
+  std::string DataOperand(uint32_t least, uint32_t most, Loaded& reads) {
+    std::vector<uint32_t> widths;
+    for (const uint32_t width : {8u, 16u, 32u}) {
+      if (width >= least && width <= most) widths.push_back(width);
+    }
+    const uint32_t width = random_.Pick(widths);
+    if (Chance(40)) {
+      if (most == 8) return "CNST." + Text(Below(Chance(50) ? 4 : 256));
+      if (most == 16) return "CNST." + Text(Below(Chance(50) ? 4 : 65536));
+      return "CNST." + Constant(width == 8 ? 16 : width);
+    }
+    return Memory(width, reads);
+  }
+
+  Name RegisterOf(uint32_t width, bool avoid_dr) {
+    static constexpr std::array<const char*, 6> kLong = {"EAX", "EBX", "ECX", "EDX", "ESI", "EDI"};
+    uint32_t reg = 0;
+    do {
+      reg = Below(width == 8 ? 4 : 6);
+    } while (avoid_dr && reg == kEcx);
+    if (width == 32) return {kLong[reg], Whole(reg), 32};
+    if (width == 16) return {std::string(kLong[reg]).substr(1), Word(reg), 16};
+    const bool high = Chance(40);
+    return {std::string(1, kLong[reg][1]) + (high ? "H" : "L"), Parts(reg, high ? 2 : 1), 8};
+  }
+
+  // --- what is loaded ----------------------------------------------------------------------------------------------
+
+  void Line(const std::string& text) { at_->push_back({"  " + text, {}, ""}); }
+
+  void Emit(const std::string& text, Loaded reads, Loaded sets, Loaded spoils, bool pure) {
+    Line(text);
+    run_is_whole_ = run_is_whole_ && (reads & ~since_) == 0;
+    loaded_ = (loaded_ & ~spoils) | sets;
+    since_ = (since_ & ~spoils) | sets;
+    if (pure) return;
+    since_ = 0;
+    run_is_whole_ = true;
+  }
+  void EmitTechnol(const std::string& text, Loaded reads, Loaded sets, bool pure) {
+    Emit(text, reads, sets, kAllFlags & ~sets, pure);
+  }
+
+  void Ensure(Loaded wanted) {
+    if ((wanted & kRlo & ~loaded_) != 0) EmitTechnol("LDR " + Bit(false), 0, kRlo, true);
+    if ((wanted & kDr & ~loaded_) != 0) {
+      EmitTechnol(Chance(50) ? "LOD W" + Text(Below(3)) : "LOD CNST." + Constant(Chance(60) ? 16 : 32), 0, kDr, true);
+    }
+    static constexpr std::array<const char*, 6> kLong = {"EAX", "EBX", "ECX", "EDX", "ESI", "EDI"};
+    for (uint32_t reg = 0; reg < 6; ++reg) {
+      if ((wanted & Whole(reg) & ~loaded_) == 0) continue;
+      if (reads_zero_ && reg != kEcx && Chance(30)) continue;  // TW023: 0
+      const std::string value = Chance(60) ? Text(Below(12)) : Chance(50) ? "-" + Text(1 + Below(3)) : Constant(32);
+      Emit("MOV " + std::string(kLong[reg]) + "," + value, 0, Whole(reg), 0, true);
+    }
+    if ((wanted & kAllFlags & ~loaded_) != 0) {
+      Emit(Chance(50) ? "CMP B0," + Constant(8) : "CMP W1," + Constant(16), 0, kAllFlags, 0, true);
+    }
+  }
+
+  void AtLabel() {
+    loaded_ = base_;
+    since_ = 0;
+    run_is_whole_ = true;
+  }
+
+  // --- instructions ------------------------------------------------------------------------------------------------
+
+  void PureTechnol() {
+    Loaded reads = 0;
+    const uint32_t choice = Below(100);
+    if (choice < 30) {
+      const std::string mnemonic = One(std::array{"LDR ", "LA ", "LO ", "LX "});
+      const Loaded needs = mnemonic == "LDR " ? 0 : kRlo;
+      Ensure(needs);
+      EmitTechnol(mnemonic + (Chance(30) ? "-" : "") + Bit(false), needs, kRlo, true);
+    } else if (choice < 45) {
+      const std::string text = DataOperand(8, 32, reads);
+      Ensure(reads);
+      EmitTechnol("LOD " + text, reads, kDr, true);
+    } else if (choice < 65) {
+      const std::string text = DataOperand(8, 32, reads);
+      reads |= kDr;
+      Ensure(reads);
+      EmitTechnol(One(std::array{"AD ", "SU ", "AND ", "OR ", "XOR "}) + text, reads, kDr, true);
+    } else if (choice < 75) {
+      const bool narrow = Chance(50);
+      const bool divides = Chance(50);
+      const std::string text = DataOperand(8, narrow ? 8 : 16, reads);
+      reads |= kDr;
+      Ensure(reads);
+      EmitTechnol(std::string(divides ? "DIV" : "MUL") + (narrow ? "B " : "W ") + text, reads,
+                  kDr | (divides ? Word(kEdx) : 0), true);
+    } else if (choice < 82) {
+      const std::string count = Chance(70) ? "CNST." + Text(Below(40)) : Memory(8, reads);
+      reads |= kDr;
+      Ensure(reads);
+      EmitTechnol(One(std::array{"RL ", "RR "}) + count, reads, kDr, true);
+    } else if (choice < 87) {
+      Ensure(kDr);
+      EmitTechnol(One(std::array{"BCD", "BIN"}), kDr, kDr, true);
+    } else {
+      const std::string text = DataOperand(8, 32, reads);
+      reads |= kDr;
+      Ensure(reads);
+      EmitTechnol(One(std::array{"EQ ", "NE ", "LT ", "LE ", "GT ", "GE "}) + text, reads, kRlo, true);
+    }
+  }
+
+  uint32_t Width() { return One(std::array{"8", "16", "32"}) == "8" ? 8 : Chance(60) ? 16 : 32; }
+
+  /// `memory`: a destination in memory is wanted now and then.
+  void Assembler(bool memory) {
+    const uint32_t width = Width();
+    const bool in_memory = memory && Chance(40);
+    Loaded reads = 0;
+    Name d = RegisterOf(width, false);
+    if (in_memory) d = {Memory(width, reads), 0, static_cast<uint8_t>(width)};
+    const uint32_t choice = Below(100);
+    if (choice < 22) {
+      const std::string s = Source(width, in_memory, reads);
+      Ensure(reads);
+      Emit("MOV " + d.text + "," + s, reads, d.parts, 0, !in_memory);
+    } else if (choice < 42) {
+      const std::string s = Source(width, in_memory, reads);
+      const std::string mnemonic =
+          One(std::array{"ADD ", "ADC ", "SUB ", "SBB ", "CMP ", "AND ", "OR ", "XOR ", "TEST "});
+      const bool logic = mnemonic == "AND " || mnemonic == "OR " || mnemonic == "XOR " || mnemonic == "TEST ";
+      const bool stores = mnemonic != "CMP " && mnemonic != "TEST ";
+      reads |= d.parts | (mnemonic == "ADC " || mnemonic == "SBB " ? kCf : 0);
+      Ensure(reads);
+      Emit(mnemonic + d.text + "," + s, reads, (stores ? d.parts : 0) | (logic ? kAllFlags & ~kAf : kAllFlags),
+           logic ? kAf : 0, !in_memory || !stores);
+    } else if (choice < 54) {
+      const std::string mnemonic = One(std::array{"INC ", "DEC ", "NEG ", "NOT "});
+      reads |= d.parts;
+      Ensure(reads);
+      Emit(mnemonic + d.text, reads,
+           d.parts | (mnemonic == "NOT "   ? 0
+                      : mnemonic == "NEG " ? kAllFlags
+                                           : kAllFlags & ~kCf),
+           0, !in_memory);
+    } else if (choice < 70) {
+      ShiftOrRotate(d, in_memory, reads);
+    } else if (choice < 80) {
+      const std::string mnemonic = One(std::array{"MUL ", "IMUL ", "DIV ", "IDIV "});
+      const bool divides = mnemonic[0] == 'D' || mnemonic[1] == 'D';
+      const Name s = Chance(50) ? RegisterOf(width, false) : Name{Memory(width, reads), 0, 0};
+      const Loaded a = width == 8 ? Word(kEax) : width == 16 ? Word(kEax) | Word(kEdx) : Whole(kEax) | Whole(kEdx);
+      reads |= s.parts | (divides ? a : width == 8 ? Parts(kEax, 1) : width == 16 ? Word(kEax) : Whole(kEax));
+      Ensure(reads);
+      Emit(mnemonic + s.text, reads, a | (divides ? 0 : kCf | kOf), divides ? kAllFlags : kZf | kSf | kAf, true);
+    } else if (choice < 86) {
+      const std::string mnemonic = One(std::array{"CBW", "CWD", "CWDE", "CDQ"});
+      const Loaded from = mnemonic == "CBW" ? Parts(kEax, 1) : mnemonic == "CDQ" ? Whole(kEax) : Word(kEax);
+      const Loaded to = mnemonic == "CBW"    ? Word(kEax)
+                        : mnemonic == "CWD"  ? Word(kEdx)
+                        : mnemonic == "CWDE" ? Whole(kEax)
+                                             : Whole(kEdx);
+      Ensure(from);
+      Emit(mnemonic, from, to, 0, true);
+    } else if (choice < 90) {
+      const std::string mnemonic = One(std::array{"DAA", "DAS", "AAM", "AAD"});
+      const bool decimal = mnemonic[0] == 'D';
+      const Loaded from = decimal ? Parts(kEax, 1) | kCf | kAf : mnemonic == "AAM" ? Parts(kEax, 1) : Word(kEax);
+      Ensure(from);
+      Emit(mnemonic, from, (decimal ? Parts(kEax, 1) | kCf | kAf : Word(kEax)) | kZf | kSf,
+           decimal ? kOf : kCf | kOf | kAf, true);
+    } else if (choice < 94) {
+      const Name s = RegisterOf(width, false);
+      if (in_memory && Chance(50)) {
+        reads |= s.parts;
+        Ensure(reads);
+        Emit("XCHG " + s.text + "," + d.text, reads, s.parts, 0, false);
+      } else {
+        reads |= s.parts | d.parts;
+        Ensure(reads);
+        Emit("XCHG " + d.text + "," + s.text, reads, s.parts | d.parts, 0, !in_memory);
+      }
+    } else if (choice < 97) {
+      const uint32_t to = Chance(50) ? 16 : 32;
+      const uint32_t from = to == 32 && Chance(50) ? 16 : 8;
+      reads = 0;
+      const Name s = Chance(50) ? RegisterOf(from, false) : Name{Memory(from, reads), 0, 0};
+      const Name r = RegisterOf(to, false);
+      reads |= s.parts;
+      Ensure(reads);
+      Emit(One(std::array{"MOVZX ", "MOVSX "}) + r.text + "," + s.text, reads, r.parts, 0, true);
+    } else {
+      const std::string mnemonic = One(std::array{"CLC", "STC", "CMC", "NOP"});
+      const Loaded from = mnemonic == "CMC" ? kCf : 0;
+      Ensure(from);
+      Emit(mnemonic, from, mnemonic == "NOP" ? 0 : kCf, 0, true);
+    }
+  }
+
+  std::string Source(uint32_t width, bool no_memory, Loaded& reads) {
+    const uint32_t choice = Below(100);
+    if (choice < 35) return Constant(width);
+    if (choice < 70 || no_memory) {
+      const Name s = RegisterOf(width, false);
+      reads |= s.parts;
+      return s.text;
+    }
+    return Memory(width, reads);
+  }
+
+  void ShiftOrRotate(const Name& d, bool in_memory, Loaded reads) {
+    const std::string mnemonic = One(std::array{"SHL ", "SAL ", "SHR ", "SAR ", "ROL ", "ROR ", "RCL ", "RCR "});
+    const bool rotates = mnemonic[0] == 'R';
+    const bool through = mnemonic[1] == 'C';
+    const bool in_cl = Chance(40);
+    const uint32_t count = Chance(50) ? 1 : Below(34);
+    reads |= d.parts | (through ? kCf : 0) | (in_cl ? Parts(kEcx, 1) : 0);
+    Ensure(reads);
+    const Loaded changed = rotates ? kCf : kCf | kZf | kSf;
+    if (in_cl) {
+      Emit(mnemonic + d.text + ",CL", reads, d.parts | changed, kOf | (rotates ? 0 : kAf), !in_memory);
+    } else if ((count & 31) == 0) {
+      Emit(mnemonic + d.text + "," + Text(count), reads, d.parts, 0, !in_memory);
+    } else {
+      const bool one = (count & 31) == 1;
+      Emit(mnemonic + d.text + "," + Text(count), reads, d.parts | changed | (one ? kOf : 0),
+           (one ? 0 : kOf) | (rotates ? 0 : kAf), !in_memory);
+    }
+  }
+  /// PUSH, something, POP into any register of the same width.
+  void Stack(uint32_t depth) {
+    const uint32_t width = Chance(50) ? 16 : 32;
+    const Name from = RegisterOf(width, false);
+    Ensure(from.parts);
+    std::vector<Piece>* const outer = at_;
+    Piece piece{"  PUSH " + from.text, {}, ""};
+    run_is_whole_ = true;
+    since_ = 0;
+    at_ = &piece.body;
+    for (uint32_t k = Below(4); k > 0; --k) {
+      if (Chance(15) && depth < 4) {
+        Stack(depth + 1);
+      } else if (Chance(50)) {
+        Assembler(true);
+      } else {
+        PureTechnol();
+      }
+    }
+    const Name to = RegisterOf(width, false);
+    piece.end = "  POP " + to.text;
+    at_ = outer;
+    at_->push_back(std::move(piece));
+    loaded_ |= to.parts;
+    since_ = 0;
+    run_is_whole_ = true;
+  }
+
+  Random& random_;
+  std::vector<Piece>* at_ = nullptr;  // where lines go
+  std::vector<std::string> mechanisms_;
+  bool aborts_ = false;      // mech-clear=abort: inside a mechanism no activation bit is written
+  bool inside_ = false;      // a mechanism or a subprogram
+  bool reads_zero_ = false;  // no wait is near: a register that is not loaded is 0
+  Loaded base_ = 0;          // at labels
+  Loaded loaded_ = 0, since_ = 0;
+  bool run_is_whole_ = true;  // what stands since the last resume point reads nothing from before it
+};
+
+}  // namespace plcxx::reference::technol_code
