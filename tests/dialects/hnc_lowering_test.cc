@@ -105,6 +105,19 @@ TEST(HncLowering, LoopsAreProvedOrRefused) {
   }
 }
 
+TEST(HncLowering, FactsAreExecutedWhereTheyAreAskedFor) {
+  const std::string text =
+      "#include \"plc.h\"\nint table[8], n;\nvoid init() { plc1_time = 16; plc2_time = 16; }\n"
+      "void plc1() { int k; for (k = 0; k < 8; k++) table[k] = 0; n = k > 8; }\nvoid plc2() { }\n";
+  for (const std::string facts : {"trusted", "checked"}) {
+    LoweredProgram lowered;
+    LowerInto(lowered, text, {{"facts", facts}});
+    const std::vector<std::string> lines = lowered.Routine("plc1");
+    // That the loop ends after 8 iterations, that the index is inside, that k is at most 8 behind it.
+    EXPECT_EQ(HasLine(lines, "false_fact"), facts == "checked") << testing::PrintToString(lines);
+  }
+}
+
 TEST(HncLowering, TheStepOfAForStandsInItsHead) {
   const std::vector<std::string> lines = Body("int k; for (k = 0; k < 8; k++) a += k;");
   EXPECT_TRUE(HasLine(lines, "loop")) << testing::PrintToString(lines);

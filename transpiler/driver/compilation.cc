@@ -118,8 +118,13 @@ void Pipeline::Load() {
   Show("reading");
   LoadSources(request_, compilation_);
   if (compilation_.dialect == nullptr) return;
-  for (const auto& [name, value] : request_.options)
+  for (const auto& [name, value] : request_.options) {
+    // A dialect that decides nothing from facts has none to check.
+    const bool known =
+        std::ranges::any_of(compilation_.dialect->options, [&](const auto& option) { return option.key == name; });
+    if (name == "facts" && !known) continue;
     compilation_.options[OptionName(*compilation_.dialect, name)] = value;
+  }
   const uint32_t before = compilation_.diagnostics.error_count();
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
   if (!request_.macros.empty() && !compilation_.dialect->takes_macros) {

@@ -48,6 +48,7 @@ class Runner {
       Verdict verdict = std::visit([this](const auto& action) { return Do(action); }, step.written->action);
       // A difference explains a wrong value, so it is told first.
       if (run_.engines.difference()) return Differ(*run_.engines.difference());
+      if (const Verdict false_fact = FindFalseFact()) return false_fact;
       if (verdict) return verdict;
       if (Violation() != nullptr) return Failed(step.written->mark, *Violation());
     }
@@ -64,6 +65,19 @@ class Runner {
   /// Of a property; none: there is none so far.
   const std::string* Violation() const {
     return run_.monitor != nullptr && run_.monitor->violation() ? &*run_.monitor->violation() : nullptr;
+  }
+
+  /// Of a program that is compiled with checked facts: code was left out, or chosen, for a reason that does not hold.
+  Verdict FindFalseFact() const {
+    const std::optional<dialects::Location> fact = run_.dialect.locate(run_.program, "FALSE_FACT");
+    if (!fact || fact->absent) return std::nullopt;
+    for (const auto& engine : run_.engines.engines()) {
+      if (engine->Read(fact->place) == 0) continue;
+      return Failed(step_->written->mark,
+                    "a fact that the code rests on is false: this is a fault of plcxx, please report it") +
+             "\n" + LastWritesText("FALSE_FACT", *fact, run_.writes, run_.program, run_.sources);
+    }
+    return std::nullopt;
   }
 
   std::string Failed(ScenarioMark mark, const std::string& message) const {

@@ -39,6 +39,7 @@ struct TestSettings {
   unsigned jobs = 2;
   unsigned time_limit = 60;
   bool verbose = false;
+  bool checked = false;
 };
 
 struct Totals {
@@ -108,6 +109,7 @@ std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
   SuiteOptions options;
   options.programs = {settings.sources, request->options, request->warnings};
   options.reach = settings.common.allow_outside ? Reach::kAnywhere : Reach::kProject;
+  if (settings.checked) options.programs.options.emplace_back("facts", "checked");
   options.jobs = settings.jobs;
   options.time_limit = settings.time_limit;
   options.waveform = !settings.waveform.empty();
@@ -168,6 +170,8 @@ void AddTest(CLI::App& app, Run& run) {
                    "Of real time, at most, for a scenario (60). One that needs more fails, and the others go on")
       ->type_name("SECONDS")
       ->check(CLI::Range(1u, 86'400u));
+  command->add_flag("--checked", settings->checked,
+                    "Execute what the compiler's decisions rest on, ranges and bounds, as assertions");
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
   AddAllowOutside(*command, settings->common);

@@ -299,12 +299,14 @@ def main():
         scenario.write_text("\n".join(["dialect: hnc", f"sources: [{name}.cld]", "options: {loop-warn: 10000000}",
                                        "steps:", *steps, ""]))
         runs.append(str(scenario))
-    result = subprocess.run([arguments.plcxx, "test", "--engine", arguments.engine, *runs], capture_output=True, text=True,
-                            check=False)
-    output = (result.stdout + result.stderr).strip().splitlines()
-    print(f"{accepted} loops accepted, {rejected} refused; {output[-1] if output else 'no output'}")
-    if result.returncode != 0:
-        failures.append("\n".join(line for line in output if not line.startswith("passed"))[:4000])
+    # Once with what ranges and bounds have decided as assertions beside the code.
+    for checked in ([], ["--checked"]):
+        result = subprocess.run([arguments.plcxx, "test", "--engine", arguments.engine, *checked, *runs],
+                                capture_output=True, text=True, check=False)
+        output = (result.stdout + result.stderr).strip().splitlines()
+        print(f"{accepted} loops accepted, {rejected} refused; {' '.join(checked)} {output[-1] if output else 'no output'}")
+        if result.returncode != 0:
+            failures.append("\n".join(line for line in output if not line.startswith("passed"))[:4000])
     print("\n".join(failures[:40]))
     return 1 if failures else 0
 

@@ -2,6 +2,7 @@
 // bounds of the index do not show that it stays inside.
 
 #include "transpiler/dialects/hnc/lowering_internal.h"
+#include "transpiler/dialects/hnc/machine.h"
 
 namespace plcxx::hnc {
 
@@ -14,8 +15,12 @@ void Lowering::ReportIndex(ObjectId object, int64_t offset, uint32_t bytes, Expr
   const std::string text(sources_.Text(range));
   static_cast<void>(offset);
   static_cast<void>(bytes);
+  // As the program counts it: P[k] is a word.
+  const bool words =
+      target.kind == ObjectKind::kArea && RowOf(static_cast<Area>(target.index)).basic != "unsigned char";
   diagnostics_.Report(range, diag::HncIndexOf,
-                      text + " is outside of " + target.name + ", which has " + std::to_string(target.size) + " bytes");
+                      text + " is outside of " + target.name + ", which has " +
+                          std::to_string(words ? target.size / 2 : target.size) + (words ? " words" : " bytes"));
 }
 
 std::optional<Lowering::Access> Lowering::AccessTo(ObjectId object, const Address& address, ir::Type type, ExprId at) {
@@ -49,10 +54,15 @@ std::optional<Lowering::Access> Lowering::AccessTo(ObjectId object, const Addres
     base -= strides * stride;
   }
   const int64_t first = -(base / stride), last = (size - bytes - base) / stride;
-  if (!Bounds{bounds.low, bounds.high}.Within({first, last})) {
+  const bool inside = bounds.Within({first, last});
+  if (!inside || false_fact_.valid()) {
     const ValueId from_first = first == 0 ? index : Pure(OpKind::kAdd32, {index, Long(static_cast<uint32_t>(-first))});
     const ValueId most = Long(static_cast<uint32_t>(last - first));
-    FaultWhen(Pure(OpKind::kGreater32, {from_first, most}), Fault::kIndex);
+    if (inside) {
+      Check(Pure(OpKind::kLessEqual32, {from_first, most}));
+    } else {
+      FaultWhen(Pure(OpKind::kGreater32, {from_first, most}), Fault::kIndex);
+    }
   }
   return Access{IndexedPlaceAt(object, static_cast<uint32_t>(base), address.stride, type), index};
 }
@@ -159,6 +169,7 @@ Value Lowering::Load(const Lvalue& lvalue) {
     if (IsInteger(type)) {
       const std::optional<Bounds> known = flow_.Find(*CellOf(lvalue));
       if (known && known->Within(value.bounds)) value.bounds = *known;
+      CheckBounds(value);
     }
     return value;
   }
@@ -167,6 +178,7 @@ Value Lowering::Load(const Lvalue& lvalue) {
   if (cell && IsInteger(type)) {
     const std::optional<Bounds> known = flow_.FindTested(*cell);
     if (known && known->Within(value.bounds)) value.bounds = *known;
+    CheckBounds(value);
   }
   return value;
 }

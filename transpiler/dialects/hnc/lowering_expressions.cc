@@ -252,11 +252,18 @@ Value Lowering::Conditional(const Expr& expr) {
   const ValueId condition = Condition(expr.a);
   const Flow before = flow_;
   if (IsSimple(expr.b) && IsSimple(expr.c)) {
+    // Both are computed, each under what holds where it is chosen.
+    const ValueId outer = given_;
+    const auto under = [&](ValueId chosen) { return outer.valid() ? Pure(OpKind::kBitAnd, {outer, chosen}) : chosen; };
+    const bool checked = false_fact_.valid();
     Refine(expr.a, true);
+    if (checked) given_ = under(condition);
     const Value then = Evaluate(expr.b);
     flow_ = before;
     Refine(expr.a, false);
+    if (checked) given_ = under(Pure(OpKind::kBitNot, {condition}));
     const Value otherwise = Evaluate(expr.c);
+    given_ = outer;
     flow_ = before;
     return SelectValue(condition, then, otherwise, expr.type);
   }

@@ -169,7 +169,11 @@ void Lowering::Goto(const Statement& statement) {
   const ir::RegionId outside = builder_.region(), refused = builder_.NewRegion();
   builder_.SetRegion(refused);
   const bool annotated = annotated_labels_[statement.label.index];
-  if (annotated) RecordFault(Fault::kLoop);
+  if (annotated) {
+    RecordFault(Fault::kLoop);
+  } else if (false_fact_.valid()) {
+    NoteFalseFact();
+  }
   builder_.SetRegion(outside);
   builder_.JumpBack(GotoLabel(statement.label), {}, goto_budgets_[statement.label.index], refused);
   // Refused, it goes on behind itself.

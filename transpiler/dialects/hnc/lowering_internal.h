@@ -203,6 +203,12 @@ class Lowering {
   /// A choice among the objects that an address may be in.
   void ForEachTargetOf(const Address& address, const std::function<void(ObjectId)>& body);
 
+  // --- facts that are executed (lowering_facts.cc) ---
+  void AddFalseFact();
+  void Check(ir::ValueId fact);
+  void CheckBounds(const Value& value);
+  void NoteFalseFact();
+
   // --- faults and host (lowering_faults.cc) ---
   void AddFaultRoutine();
   void CallCritical(const std::string& name);
@@ -447,6 +453,8 @@ class Lowering {
 
   // Schedule.
   ir::RoutineId init_, fast_, slow_, cycle_, period_, fault_;
+  ir::PlaceId false_fact_;  // none: facts are trusted
+  ir::ValueId given_;       // a bit: where it is 0, what is computed is not used; none: it is
   ir::RoutineId dispatch_, complete_, standstill_;
   ir::PlaceId fault_code_, fault_statement_, fault_count_, stop_, stopped_, started_, due_fast_, due_slow_, next_fast_,
       next_slow_, fast_done_, slow_done_, now_, period1_, period2_;

@@ -293,7 +293,10 @@ ValueId Lowering::NumberIsOutside(const Value& number, uint32_t count, const Exp
     bad = true;
     return {};
   }
-  if (number.bounds.Within({0, static_cast<int64_t>(count) - 1})) return {};
+  if (number.bounds.Within({0, static_cast<int64_t>(count) - 1})) {
+    CheckBounds(number);
+    return {};
+  }
   return Pure(OpKind::kGreater16, {number.id, Word(count - 1)});
 }
 
