@@ -15,6 +15,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -44,21 +45,6 @@ std::string LowerCase(std::string_view text) {
 
 std::string_view WithoutDialect(std::string_view code) { return code.substr(code.find('-') + 1); }
 
-size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t{0});
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 /// The codes that `asked` may mean: those that it names without their dialect.
 std::vector<std::string_view> CodesNamed(std::string_view asked) {
   std::vector<std::string_view> found;
@@ -73,8 +59,8 @@ std::vector<std::string_view> NearCodes(std::string_view asked) {
   std::vector<std::pair<size_t, std::string_view>> ranked;
   const std::string lower = LowerCase(asked);
   for (const std::string_view code : diag::ExplainedCodes()) {
-    const size_t distance =
-        std::min(EditDistance(lower, LowerCase(code)), EditDistance(lower, LowerCase(WithoutDialect(code))) + 1);
+    const size_t distance = std::min(support::EditDistance(lower, LowerCase(code)),
+                                     support::EditDistance(lower, LowerCase(WithoutDialect(code))) + 1);
     if (distance <= kNear) ranked.emplace_back(distance, code);
   }
   std::ranges::stable_sort(ranked, {}, &std::pair<size_t, std::string_view>::first);

@@ -45,6 +45,19 @@ std::optional<std::string> FindFile(const std::string& directory, std::string_vi
   return path.string();
 }
 
+bool LeavesDirectory(std::string_view name) {
+  std::string slashes(name);
+  std::ranges::replace(slashes, '\\', '/');
+  const fs::path path(slashes);
+  return path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end();
+}
+
+bool LiesBelow(const std::string& path, const std::string& directory) {
+  const fs::path file = FileIdentity(path), above = FileIdentity(directory.empty() ? "." : directory);
+  const auto [in_above, in_file] = std::ranges::mismatch(above, file);
+  return in_above == above.end() || in_above->empty();  // a '/' at its end is an empty part
+}
+
 std::string FileIdentity(const std::string& path) {
   std::error_code error;
   const fs::path canonical = fs::weakly_canonical(path, error);

@@ -11,6 +11,10 @@ void BracketChecker::Instruction(Op op, source::Range range, std::string_view te
   Level& level = levels_.back();
   if (op == Op::kUnknown) {
     level.has_content = true;  // it may have been meant as some
+    if (text.ends_with('(')) {
+      Open(range, text);
+      levels_.back().has_content = true;
+    }
     return;
   }
   switch (Info(op).role) {

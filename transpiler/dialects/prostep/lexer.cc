@@ -97,14 +97,19 @@ class FileLexer {
     lexed_.lines.push_back(line);
   }
 
-  /// A comment that would be a declaration in column 1, or with a number.
+  /// A comment that would be a declaration in column 1, or with a number; an instruction with a colon.
   void WarnOfDeclaration(std::string_view text) {
     const std::string_view trimmed = TrimBlanks(text);
     const source::Range range = lexed_.tokens.back().range;
-    if (trimmed.size() != text.size() && IsBlank(text.front())) {
-      if (IsDeclaration(trimmed)) diagnostics_.Report(range, diag::ProstepDeclarationIndented, trimmed);
+    if (IsBlank(text.front()) && IsDeclaration(trimmed)) {
+      diagnostics_.Report(range, diag::ProstepDeclarationIndented, trimmed);
       return;
     }
+    if (!IsMarked(trimmed) && LooksLikeInstruction(trimmed)) {
+      diagnostics_.Report(range, diag::ProstepColonForgotten, trimmed);
+      return;
+    }
+    if (IsBlank(text.front())) return;
     const size_t word = DeclarationWord(text).size();
     if (word != 0 && (text.size() == word || IsBlank(text[word]))) {
       diagnostics_.Report(range, diag::ProstepDeclarationWithoutNumber, trimmed);

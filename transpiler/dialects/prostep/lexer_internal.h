@@ -62,4 +62,7 @@ class LineLexer {
   size_t at_ = 0;
 };
 
+/// Is it an instruction with its operand and nothing more, but without the colon?
+bool LooksLikeInstruction(std::string_view text);
+
 }  // namespace plcxx::prostep

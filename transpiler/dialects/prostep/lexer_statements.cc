@@ -37,6 +37,27 @@ bool IsModuleClass(std::string_view word) {
 
 }  // namespace
 
+bool LooksLikeInstruction(std::string_view text) {
+  const auto take = [&text](auto&& is_wanted) {
+    const auto end = static_cast<size_t>(std::ranges::find_if_not(text, is_wanted) - text.begin());
+    const std::string word = Upper(text.substr(0, end));
+    text.remove_prefix(end);
+    return word;
+  };
+  const auto skip_blanks = [&text] { text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size())); };
+  const std::string mnemonic = take(!text.empty() && IsRelation(text.front()) ? IsRelation : IsLetter);
+  const Form form = FormOf(mnemonic);
+  if (!form.known || !form.operand || text.empty() || IsLetter(text.front())) return false;
+  skip_blanks();
+  const std::string operand = take(IsLetter);
+  if (ClassByName(operand) == OperandClass::kNone) return false;
+  skip_blanks();
+  if (text.empty() || !IsDigit(text.front())) return false;
+  take([](char c) { return IsDigit(c) || IsLetter(c) || c == '.'; });
+  skip_blanks();
+  return text.empty() || text.front() == ';' || text.front() == '*';
+}
+
 void LineLexer::SkipBlanks() { at_ = std::min(text_.find_first_not_of(" \t", at_), text_.size()); }
 
 size_t LineLexer::LettersEnd(size_t from) const {

@@ -193,6 +193,32 @@ bool IsVariable(uint32_t index, uint32_t width, VariableUse use) {
   return widths.find(static_cast<char>('0' + width)) != std::string_view::npos;
 }
 
+std::string_view ForeignOperandHint(std::string_view word) {
+  struct ForeignOperand {
+    std::string_view word, hint;
+  };
+  constexpr ForeignOperand kForeignOperands[] = {
+      {"E", "inputs are I: I 0.0"},
+      {"EB", "input bytes are IB: IB 0"},
+      {"EW", "input words are IW: IW 0"},
+      {"A", "outputs are O: O 0.0"},
+      {"AB", "output bytes are OB: OB 0"},
+      {"AW", "output words are OW: OW 0"},
+      {"Q", "outputs are O: O 0.0"},
+      {"QB", "output bytes are OB: OB 0"},
+      {"QW", "output words are OW: OW 0"},
+      {"M", "flags are F: F 0.0"},
+      {"MB", "flag bytes are FB: FB 0"},
+      {"MW", "flag words are FW: FW 0"},
+      {"Z", "counters are C: C 0"},
+      {"KF", "a constant is K and its number, on the next line"},
+      {"KB", "a constant is K and its number, on the next line"},
+      {"KH", "a constant is K and its number, 0FFH, on the next line"},
+  };
+  const auto row = std::ranges::find(kForeignOperands, word, &ForeignOperand::word);
+  return row == std::end(kForeignOperands) ? std::string_view() : row->hint;
+}
+
 std::string_view ForeignHint(std::string_view word) {
   const auto row = std::ranges::find(kForeign, word, &ForeignRow::word);
   return row == std::end(kForeign) ? std::string_view() : row->hint;

@@ -166,5 +166,7 @@ bool IsVariable(uint32_t index, uint32_t width, VariableUse use);
 
 /// What to write instead of a mnemonic of STEP 5 or 7; empty when nothing is known. `word` in capitals.
 std::string_view ForeignHint(std::string_view word);
+/// The same for operands of STEP 5: E, A, M.
+std::string_view ForeignOperandHint(std::string_view word);
 
 }  // namespace plcxx::prostep

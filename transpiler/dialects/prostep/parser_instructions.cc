@@ -166,7 +166,10 @@ void Parser::WithOperand(const Statement& statement, std::string_view mnemonic, 
   if (meaning == nullptr) {
     instruction.faulty = true;
     const std::string text = OperandText(statement.tokens, 1);
-    if (operand_class == OperandClass::kNone) {
+    const std::string_view hint = ForeignOperandHint(UpperOf(statement.tokens[1]));
+    if (operand_class == OperandClass::kNone && !hint.empty()) {
+      diagnostics_.Report(range, diag::ProstepOperandForeign, text, hint);
+    } else if (operand_class == OperandClass::kNone) {
       diagnostics_.Report(range, diag::ProstepOperandUnknown, text, mnemonic, Accepted(mnemonic));
     } else if (ShapeOf(operand_class) == Shape::kDouble) {
       diagnostics_.Report(range, diag::ProstepOperandDouble, text);
@@ -204,7 +207,9 @@ void Parser::Attach(Instruction& instruction) {
   std::string text = instruction.faulty ? std::string(Info(instruction.op).mnemonic) : ToText(program_, instruction);
   const bool jumps = !jumps_.empty() && jumps_.back().instruction.index == program_.instructions.size();
   if (jumps) text += " " + jumps_.back().name;
-  brackets_.Instruction(instruction.op, instruction.range, text);
+  const bool is_unknown = instruction.op == Op::kUnknown;
+  brackets_.Instruction(instruction.op, instruction.range,
+                        is_unknown ? sources_.Text(instruction.mnemonic) : std::string_view(text));
   instruction.arguments.first = static_cast<uint32_t>(program_.arguments.size());
   waiting_.instruction = program_.instructions.Add(instruction);
 }

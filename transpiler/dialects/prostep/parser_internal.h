@@ -66,6 +66,7 @@ class Parser {
   void CloseModule(const Statement& statement);
   /// The number behind MOD or END; none when it is wrong (reported).
   std::optional<uint32_t> ModuleNumber(const Statement& statement);
+  std::optional<uint32_t> ClosedNumber(const Statement& statement);
   void LeaveModule(source::Range close);
   void ResolveJumps(const Module& module);
   void EndOfFile();
@@ -102,6 +103,7 @@ class Parser {
   // parser_operands.cc
   /// The operand that `tokens` spell from `first` on: its class, its number in that form and within any range that does
   /// not depend on what it is used for. kNone when it is faulty (reported).
+  void ReportMalformed(const Token& number);
   Operand ReadOperand(const std::vector<Token>& tokens, size_t first);
   Operand ReadConstantOperand(const Token& class_token, const Token* number);
   /// The places that the operand names exist: bytes of a space, or ports.
@@ -134,8 +136,9 @@ class Parser {
   Program program_;
 
   source::FileId file_;
-  ModuleId module_;         // open; not valid: outside
-  bool forgiving_ = false;  // what stands outside has its cause in a module within a module
+  std::string faulty_module_;  // the operand of a MOD whose number is wrong
+  ModuleId module_;            // open; not valid: outside
+  bool forgiving_ = false;     // what stands outside has its cause in a module within a module
   bool seen_module_ = false;
   std::set<uint32_t> abandoned_;  // numbers of modules that an inner MOD closed and that wait for their END
   std::map<std::string, LabelId, std::less<>> labels_;  // of the open module

@@ -31,11 +31,19 @@ std::optional<uint32_t> Parser::ModuleNumber(const Statement& statement) {
   return operand.number;
 }
 
+/// A module whose number is wrong is closed with the same wrong number.
+std::optional<uint32_t> Parser::ClosedNumber(const Statement& statement) {
+  const bool same = module_.valid() && program_.modules[module_].faulty && statement.tokens.size() > 1 &&
+                    OperandText(statement.tokens, 1) == faulty_module_;
+  return same ? std::nullopt : ModuleNumber(statement);
+}
+
 void Parser::OpenModule(const Statement& statement) {
   const Span comments = TakeComments();
   const Token* label = TheLabel(statement);
   if (label != nullptr) diagnostics_.Report(label->range, diag::ProstepLabelOnModule, TextOf(*label));
   const auto number = ModuleNumber(statement);
+  faulty_module_ = number ? "" : OperandText(statement.tokens, 1);
   bool reported = label != nullptr || !number;
   if (module_.valid()) {
     const Module& outer = program_.modules[module_];
@@ -77,7 +85,7 @@ void Parser::OpenModule(const Statement& statement) {
 
 void Parser::CloseModule(const Statement& statement) {
   const Token* label = TheLabel(statement);
-  const auto number = ModuleNumber(statement);
+  const auto number = ClosedNumber(statement);
   WarnOfComment(statement, false);
   const bool abandoned = number && abandoned_.contains(*number);
   if (!module_.valid()) {

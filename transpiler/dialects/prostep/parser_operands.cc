@@ -49,6 +49,16 @@ std::string Parser::OperandText(const std::vector<Token>& tokens, size_t first) 
   return text;
 }
 
+/// I0,0 is a slip of those who know decimal commas.
+void Parser::ReportMalformed(const Token& number) {
+  const std::string_view text = TextOf(number);
+  if (text.find(',') != std::string_view::npos) {
+    diagnostics_.Report(number.range, diag::ProstepNumberComma, text);
+  } else {
+    diagnostics_.Report(number.range, diag::ProstepMalformedNumber, text);
+  }
+}
+
 Operand Parser::ReadOperand(const std::vector<Token>& tokens, size_t first) {
   const Token& class_token = tokens[first];
   const Token* number = first + 1 < tokens.size() ? &tokens[first + 1] : nullptr;
@@ -60,14 +70,14 @@ Operand Parser::ReadOperand(const std::vector<Token>& tokens, size_t first) {
     return {};
   }
   if (number->kind == TokenKind::kJunk) {
-    diagnostics_.Report(number->range, diag::ProstepMalformedNumber, TextOf(*number));
+    ReportMalformed(*number);
     return {};
   }
   const AddressNumber address = ReadAddress(TextOf(*number));
   Operand operand{.kind = operand_class, .range = {class_token.range.begin, number->range.end}};
   const bool wants_bit = operand.shape() == Shape::kBit;
   if (address.malformed) {
-    diagnostics_.Report(number->range, diag::ProstepMalformedNumber, TextOf(*number));
+    ReportMalformed(*number);
     return {};
   }
   if (wants_bit && !address.has_bit) {
@@ -105,7 +115,7 @@ Operand Parser::ReadConstantOperand(const Token& class_token, const Token* numbe
   const std::string text = "K " + std::string(TextOf(*number));
   const source::Range range = {class_token.range.begin, number->range.end};
   if (constant.fault == NumberFault::kMalformed) {
-    diagnostics_.Report(number->range, diag::ProstepMalformedNumber, TextOf(*number));
+    ReportMalformed(*number);
     return {};
   }
   if (constant.fault == NumberFault::kRange) {

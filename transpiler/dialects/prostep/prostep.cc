@@ -29,8 +29,8 @@ std::string Tokens(dialects::Request& request) {
 Program ParseProgram(const dialects::Request& request, const Settings& settings) {
   diag::Engine& diagnostics = *request.diagnostics;
   if (settings.strict) {
-    for (const diag::Row* row :
-         {&diag::ProstepDeclarationIndented.row, &diag::ProstepHighByteUnknown.row, &diag::ProstepAlwaysZero.row}) {
+    for (const diag::Row* row : {&diag::ProstepDeclarationIndented.row, &diag::ProstepHighByteUnknown.row,
+                                 &diag::ProstepAlwaysZero.row, &diag::ProstepAlwaysSeesZero.row}) {
       diagnostics.MakeError(*row);
     }
   }

@@ -119,6 +119,13 @@ bool SetsS(Function function) {
   return function == Function::kToBcd || (function >= Function::kAddLong && function <= Function::kLessSigned);
 }
 
+/// S, R, timers and counters: with S = 0 always they do nothing, or the same each time. Not '=', which assigns this 0,
+/// nor what asks S whether to go elsewhere: several JC in a row are several ways.
+bool ActsOnS(Op op) {
+  const bool goes = op == Op::kJumpIf || op == Op::kCallIf || op == Op::kPerformIf || op == Op::kEndModuleIf;
+  return UsesS(op) && !goes && op != Op::kAssign;
+}
+
 struct PathChecker {
   const Program& program;
   const Paths& paths;
@@ -227,6 +234,10 @@ void PathChecker::Step(const ModulePaths& module, uint32_t number, State& state)
   const TextState& text = module.Text(number);
   const Role role = Info(instruction.op).role;
   if (UsesS(instruction.op)) UseS(instruction, state);
+  if (ActsOnS(instruction.op) && state.s_is_0) {
+    Report(diag::ProstepAlwaysSeesZero, instruction);
+    state.s_is_0 = false;  // one cause
+  }
   switch (role) {
     case Role::kLogic:
     case Role::kClose:

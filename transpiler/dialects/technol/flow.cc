@@ -1,6 +1,7 @@
 #include "transpiler/dialects/technol/flow.h"
 
 #include <algorithm>
+#include <map>
 
 namespace plcxx::technol {
 namespace {
@@ -55,9 +56,7 @@ InstructionId Flow::ResumeOf(InstructionId wait) const {
 
 /// Depth first from the first call in source order: cycles show in the order that 10.4 asks for.
 void Flow::VisitCalls(InstructionId from, std::vector<uint8_t>& marks, uint32_t level) {
-  std::vector<bool> seen(program_.instructions.size());
-  std::vector<InstructionId> order;
-  CollectFrom(from, seen, order);
+  const std::vector<InstructionId> order = CollectFrom(from);
   for (const InstructionId id : order) {
     const Instruction& call = program_.instructions[id];
     if (call.op != Op::kCall) continue;
@@ -89,8 +88,17 @@ void Flow::CollectFrom(InstructionId entry, std::vector<bool>& seen, std::vector
   std::sort(order.begin(), order.end());
 }
 
+std::vector<InstructionId> Flow::CollectFrom(InstructionId entry) const {
+  seen_.resize(program_.instructions.size());
+  std::vector<InstructionId> order;
+  CollectFrom(entry, seen_, order);
+  for (const InstructionId id : order) seen_[id.index] = false;
+  return order;
+}
+
 void Flow::FindSubprograms() {
   subprogram_of_label_.resize(program_.labels.size());
+  std::map<InstructionId, uint32_t> subprogram_at;
   for (uint32_t i = 0; i < program_.instructions.size(); ++i) {
     const Instruction& call = program_.instructions[InstructionId(i)];
     if (call.op != Op::kCall || call.faulty || call.operands.count == 0) continue;
@@ -99,9 +107,9 @@ void Flow::FindSubprograms() {
     std::optional<uint32_t>& number = subprogram_of_label_[operand.label.index];
     if (!number) {
       // Labels of one instruction are one subprogram.
-      for (uint32_t k = 0; k < subprograms_.size(); ++k) {
-        if (EntryOf(k) == program_.labels[operand.label].at) number = k;
-      }
+      const auto [known, is_new] =
+          subprogram_at.try_emplace(program_.labels[operand.label].at, static_cast<uint32_t>(subprograms_.size()));
+      if (!is_new) number = known->second;
     }
     if (!number) {
       number = static_cast<uint32_t>(subprograms_.size());
@@ -122,9 +130,7 @@ void Flow::FindSubprograms() {
 
 void Flow::FindLevels() {
   const auto raise = [&](InstructionId from, uint32_t level) {
-    std::vector<bool> seen(program_.instructions.size());
-    std::vector<InstructionId> order;
-    CollectFrom(from, seen, order);
+    const std::vector<InstructionId> order = CollectFrom(from);
     for (const InstructionId id : order) {
       if (program_.instructions[id].op != Op::kCall) continue;
       if (const auto callee = CalleeOf(program_.instructions[id])) {
@@ -187,9 +193,7 @@ void Flow::BringWidths(InstructionId id, const std::vector<uint8_t>& leaves, Bri
 std::vector<std::vector<uint32_t>> Flow::OwnersOfReturns() const {
   std::vector<std::vector<uint32_t>> owners(program_.instructions.size());
   for (uint32_t k = 0; k < subprograms_.size(); ++k) {
-    std::vector<bool> seen(program_.instructions.size());
-    std::vector<InstructionId> order;
-    CollectFrom(EntryOf(k), seen, order);
+    const std::vector<InstructionId> order = CollectFrom(EntryOf(k));
     for (const InstructionId id : order) {
       if (program_.instructions[id].op == Op::kRet) owners[id.index].push_back(k);
     }
@@ -236,8 +240,8 @@ void Flow::FindWidths() {
 void Flow::FindPushes() {
   const size_t count = program_.instructions.size();
   pushes_.assign(count, 0);
+  States<uint32_t> depths(program_);
   const auto from = [&](InstructionId entry) {
-    std::vector<std::optional<uint32_t>> depths(count);
     Spread(
         *this, entry, 0U, depths,
         [&](InstructionId id, uint32_t depth, Edge) {
@@ -245,9 +249,7 @@ void Flow::FindPushes() {
           return op == Op::kPush ? depth + 1 : op == Op::kPop && depth > 0 ? depth - 1 : depth;
         },
         [](uint32_t&, uint32_t) { return false; });
-    for (size_t i = 0; i < count; ++i) {
-      if (depths[i]) pushes_[i] = *depths[i];
-    }
+    for (const InstructionId id : depths.Reached()) pushes_[id.index] = *depths[id];
   };
   for (const Root& root : roots_) from(root.at);
   for (uint32_t k = 0; k < subprograms_.size(); ++k) from(EntryOf(k));

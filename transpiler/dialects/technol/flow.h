@@ -5,6 +5,7 @@
 // instruction goes on to the next one.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -75,6 +76,8 @@ class Flow {
   uint32_t PushesBefore(InstructionId id) const { return pushes_[id.index]; }
   /// Appends the instructions on paths from `entry` that are not marked as seen, in source order.
   void CollectFrom(InstructionId entry, std::vector<bool>& seen, std::vector<InstructionId>& order) const;
+  /// The instructions on paths from `entry`, in source order.
+  std::vector<InstructionId> CollectFrom(InstructionId entry) const;
   InstructionId EntryOf(uint32_t subprogram) const { return program_.labels[subprograms_[subprogram].label].at; }
 
  private:
@@ -102,6 +105,7 @@ class Flow {
   std::vector<bool> reached_;
   std::vector<uint32_t> pushes_;
   std::vector<Resources> live_before_, live_behind_;
+  mutable std::vector<bool> seen_;  // by one CollectFrom; all false between them
 };
 
 template <class Visit>
@@ -146,16 +150,42 @@ void Flow::ForEachSuccessor(InstructionId id, Visit&& visit) const {
   visit(next, Edge::kOn);
 }
 
+/// A state for each instruction that a walk has reached. One object serves many walks: each costs what it reaches, not
+/// what the program has.
+template <class State>
+class States {
+ public:
+  explicit States(const Program& program) : states_(program.instructions.size()) {}
+
+  std::optional<State>& operator[](InstructionId id) { return states_[id.index]; }
+  void Clear() {
+    for (const InstructionId id : reached_) states_[id.index].reset();
+    reached_.clear();
+  }
+  void AddReached(InstructionId id) { reached_.push_back(id); }
+  /// In source order.
+  const std::vector<InstructionId>& Reached() {
+    std::sort(reached_.begin(), reached_.end());
+    return reached_;
+  }
+
+ private:
+  std::vector<std::optional<State>> states_;
+  std::vector<InstructionId> reached_;
+};
+
 /// Spreads a state from `entry` until nothing changes: state_at(to) = join over all edges of along(from, state, edge).
 /// `states` is by instruction; join(State& into, const State& other) tells whether it changed `into`.
 template <class State, class Along, class Join>
-void Spread(const Flow& flow, InstructionId entry, const State& initial, std::vector<std::optional<State>>& states,
-            Along&& along, Join&& join) {
+void Spread(const Flow& flow, InstructionId entry, const State& initial, States<State>& states, Along&& along,
+            Join&& join) {
   std::deque<InstructionId> work;
+  states.Clear();
   const auto reach = [&](InstructionId at, const State& state) {
-    std::optional<State>& known = states[at.index];
+    std::optional<State>& known = states[at];
     if (!known) {
       known = state;
+      states.AddReached(at);
     } else if (!join(*known, state)) {
       return;
     }
@@ -165,7 +195,7 @@ void Spread(const Flow& flow, InstructionId entry, const State& initial, std::ve
   while (!work.empty()) {
     const InstructionId id = work.front();
     work.pop_front();
-    const State state = *states[id.index];
+    const State state = *states[id];
     flow.ForEachSuccessor(id, [&](InstructionId to, Edge edge) { reach(to, along(id, state, edge)); });
   }
 }

@@ -62,10 +62,13 @@ class LoadChecker {
   void Summarize(uint32_t subprogram);
   void Check(InstructionId entry, const Missing& initial);
   void Look(InstructionId id, const Missing& missing);
+  InstructionId WaitBefore(InstructionId id) const;
 
   const Flow& flow_;
   const Program& program_;
   diag::Engine& diagnostics_;
+  States<Change> changes_{program_};
+  States<Missing> missing_{program_};
   std::vector<Change> summaries_;                 // of subprograms
   std::vector<std::optional<Missing>> at_entry_;  // of subprograms: over all calls
   std::vector<bool> reported_;                    // by instruction
@@ -84,46 +87,58 @@ Change LoadChecker::ChangeAt(InstructionId id) const {
 }
 
 void LoadChecker::Summarize(uint32_t subprogram) {
-  std::vector<std::optional<Change>> changes(program_.instructions.size());
   Spread(
-      flow_, flow_.EntryOf(subprogram), Change{}, changes,
+      flow_, flow_.EntryOf(subprogram), Change{}, changes_,
       [&](InstructionId id, const Change& before, Edge) { return before.Then(ChangeAt(id)); },
       [](Change& into, const Change& other) { return into.Join(other); });
   std::optional<Change> whole;
-  for (uint32_t i = 0; i < changes.size(); ++i) {
-    if (!changes[i] || program_.instructions[InstructionId(i)].op != Op::kRet) continue;
+  for (const InstructionId id : changes_.Reached()) {
+    if (program_.instructions[id].op != Op::kRet) continue;
     if (whole) {
-      whole->Join(*changes[i]);
+      whole->Join(*changes_[id]);
     } else {
-      whole = changes[i];
+      whole = changes_[id];
     }
   }
   summaries_[subprogram] = whole.value_or(Change{.sets = kAllResources, .undefines = 0});
 }
 
 void LoadChecker::Check(InstructionId entry, const Missing& initial) {
-  std::vector<std::optional<Missing>> missing(program_.instructions.size());
   Spread(
-      flow_, entry, initial, missing,
+      flow_, entry, initial, missing_,
       [&](InstructionId id, const Missing& before, Edge edge) {
         if (edge == Edge::kResume) return kAtResume;
         if (edge == Edge::kPast) return kAtEntry;
         return ChangeAt(id).Of(before);
       },
       [](Missing& into, const Missing& other) { return into.Join(other); });
-  for (uint32_t i = 0; i < missing.size(); ++i) {
-    if (!missing[i]) continue;
-    const InstructionId id(i);
-    Look(id, *missing[i]);
+  for (const InstructionId id : missing_.Reached()) {
+    Look(id, *missing_[id]);
     if (program_.instructions[id].op != Op::kCall) continue;
     const auto callee = flow_.CalleeOf(program_.instructions[id]);
     if (!callee) continue;
     if (at_entry_[*callee]) {
-      at_entry_[*callee]->Join(*missing[i]);
+      at_entry_[*callee]->Join(*missing_[id]);
     } else {
-      at_entry_[*callee] = missing[i];
+      at_entry_[*callee] = missing_[id];
     }
   }
+}
+
+/// The last one above in the same unit, else the first one below, from which a jump leads back.
+InstructionId LoadChecker::WaitBefore(InstructionId id) const {
+  const UnitId unit = program_.instructions[id].unit;
+  const auto is_wait = [&](uint32_t i) {
+    return program_.instructions[InstructionId(i)].unit == unit && IsWait(program_.instructions[InstructionId(i)].op);
+  };
+  for (uint32_t i = id.index; i-- > 0 && program_.instructions[InstructionId(i)].unit == unit;) {
+    if (is_wait(i)) return InstructionId(i);
+  }
+  for (uint32_t i = id.index; i < program_.instructions.size(); ++i) {
+    if (program_.instructions[InstructionId(i)].unit != unit) break;
+    if (is_wait(i)) return InstructionId(i);
+  }
+  return {};
 }
 
 void LoadChecker::Look(InstructionId id, const Missing& missing) {
@@ -138,7 +153,15 @@ void LoadChecker::Look(InstructionId id, const Missing& missing) {
            flag && &message != &diag::TechnolUndefinedFlag ? "flag " + name : name, ToText(program_, instruction));
   };
   const Resources loaded = kRlo | PartsOfDr(32);
-  if ((reads & missing.since_wait) != 0) return report(diag::TechnolAcrossWait, reads & missing.since_wait);
+  if ((reads & missing.since_wait) != 0) {
+    reported_[id.index] = true;
+    const std::string name = NameOf(reads & missing.since_wait);
+    const InstructionId wait = WaitBefore(id);
+    diag::Diagnostic& diagnostic =
+        Report(diagnostics_, program_, instruction, diag::TechnolAcrossWait, name, ToText(program_, instruction));
+    if (wait.valid()) diagnostic.notes.push_back({program_.instructions[wait].range, "the wait"});
+    return;
+  }
   if ((reads & missing.since_entry & loaded) != 0) {
     return report(diag::TechnolBeforeLoad, reads & missing.since_entry & loaded);
   }

@@ -71,24 +71,23 @@ class StackChecker {
   }
 
   void From(InstructionId entry) {
-    std::vector<std::optional<Stack>> stacks(program_.instructions.size());
     Spread(
-        flow_, entry, Stack{}, stacks,
+        flow_, entry, Stack{}, stacks_,
         [&](InstructionId id, const Stack& stack, Edge edge) { return Along(id, stack, edge); },
         [&](const Stack& into, const Stack& other) { return Join(into, other); });
-    for (uint32_t i = 0; i < stacks.size(); ++i) {
-      if (!stacks[i] || stacks[i]->empty()) continue;
-      const InstructionId id(i);
+    for (const InstructionId id : stacks_.Reached()) {
+      if (stacks_[id]->empty()) continue;
       bool goes_on = false;
       flow_.ForEachSuccessor(id, [&](InstructionId, Edge) { goes_on = true; });
       const Op op = program_.instructions[id].op;
-      if (!goes_on || IsWait(op) || op == Op::kMechanismBegin) Open(stacks[i]->back());
+      if (!goes_on || IsWait(op) || op == Op::kMechanismBegin) Open(stacks_[id]->back());
     }
   }
 
   const Flow& flow_;
   const Program& program_;
   diag::Engine& diagnostics_;
+  States<Stack> stacks_{program_};
   std::vector<bool> reported_;  // by instruction
 };
 

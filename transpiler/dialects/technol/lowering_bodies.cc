@@ -85,7 +85,13 @@ void Lowering::BeginBody(Body& body) {
   loop_ = {};
   if (body.stretches_are_cases) return BeginStretches(body);
   const ir::ValueId selector = ChosenEntry(body);
-  if (!selector.valid()) return;
+  if (!selector.valid()) {
+    // Its only entry may be below code that it jumps back to.
+    const bool begins_below =
+        body.subprograms.size() == 1 && flow_.EntryOf(body.subprograms.front()) != body.instructions.front();
+    if (begins_below) builder_.Jump(flow_.EntryOf(body.subprograms.front()).index + 1);
+    return;
+  }
   ir::Switch choice;
   const ir::RegionId behind = builder_.region();
   const auto choose = [&](uint64_t value, InstructionId at) {
@@ -176,7 +182,7 @@ void Lowering::LowerBody(Body& body) {
     if (!body.stretches_are_cases) mark(entry);
   }
   for (const uint32_t k : body.subprograms) {
-    if (body.subprograms.size() > 1) mark(flow_.EntryOf(k));
+    if (body.subprograms.size() > 1 || flow_.EntryOf(k) != body.instructions.front()) mark(flow_.EntryOf(k));
   }
   CutStatements(body);
   if (body.unit.valid() && tree_.units[body.unit].kind == UnitKind::kModule) {

@@ -329,7 +329,8 @@ class Lowering {
   std::map<uint32_t, ir::PlaceId> steps_, activations_;             // by UnitId
   std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;     // by UnitId and number
   std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
-  uint32_t step_bytes_ = 0, local_count_ = 0, own_count_ = 0;
+  std::map<uint32_t, ir::SpaceId> own_spaces_;                      // locals of one routine alone, by its number
+  uint32_t step_bytes_ = 0, local_count_ = 0;
   std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
   ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;
 

@@ -232,10 +232,20 @@ ir::PlaceId Lowering::Local(std::string_view name, Type type) {
 }
 
 ir::PlaceId Lowering::OwnLocal(std::string name, Type type) {
-  const ir::PlaceId place = AddLocal(std::move(name), type);
-  program_.places[place].space = memory_[SpaceKey::kOwn];
-  program_.places[place].offset = 4 * own_count_++;
-  return place;
+  ir::SpaceId& space = own_spaces_[body_->routine.index];
+  if (!space.valid()) {
+    space = program_.spaces.Add({.name = program_.routines[body_->routine].name + "_locals",
+                                 .title = "",
+                                 .bytes = 0,
+                                 .lifetime = ir::Lifetime::kRoutine,
+                                 .own = true});
+  }
+  const uint32_t offset = std::exchange(program_.spaces[space].bytes, program_.spaces[space].bytes + 4);
+  return program_.places.Add({.name = std::move(name),
+                              .type = type,
+                              .space = space,
+                              .offset = offset,
+                              .bit = type == Type::kBit ? uint8_t{0} : ir::kNoBit});
 }
 
 }  // namespace plcxx::technol

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "transpiler/support/check.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::technol {
 namespace {
@@ -125,6 +126,15 @@ const InstructionInfo& Info(Op op) { return kInstructions[static_cast<size_t>(op
 Op OpByMnemonic(std::string_view word) {
   const auto found = std::ranges::lower_bound(OpsByName(), word, {}, &OpName::first);
   return found == OpsByName().end() || found->first != word ? Op::kUnknown : found->second;
+}
+
+std::string_view NearMnemonic(std::string_view word) {
+  static const std::vector<std::string_view> mnemonics = [] {
+    std::vector<std::string_view> words;
+    for (const auto& [name, op] : OpsByName()) words.push_back(name);
+    return words;
+  }();
+  return support::NearestWord(word, mnemonics);
 }
 
 Op AssemblerForm(Op op) {

@@ -139,6 +139,8 @@ std::span<const InstructionInfo> Instructions();
 const InstructionInfo& Info(Op op);
 /// `word` in capitals, synonyms included; of AND, OR and XOR the one-operand form. kUnknown when it is no mnemonic.
 Op OpByMnemonic(std::string_view word);
+/// The one that is spelled nearly so; empty when there is none.
+std::string_view NearMnemonic(std::string_view word);
 /// kAnd -> kAsmAnd, kOr -> kAsmOr, kXor -> kAsmXor; anything else: itself.
 Op AssemblerForm(Op op);
 /// An assembler instruction outside the subset: INT, MOVSB, FLD ... (TE070). LEA is none: it is TE065.

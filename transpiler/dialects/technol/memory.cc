@@ -33,8 +33,6 @@ constexpr SpaceRow kSpaceRows[] = {
      ir::Direction::kInternal},
     {SpaceKey::kRegisters, "registers", "RLO, registers, flags, arguments", Lifetime::kRoutine, false,
      ir::Direction::kInternal},
-    {SpaceKey::kOwn, "own", "the same of modules and mechanisms that call nothing", Lifetime::kRoutine, false,
-     ir::Direction::kInternal},
 };
 /// Who writes the system cells (5.2). The requests are the program's, the NC takes them back; the starts of functions
 /// are the NC's, the scheduler takes them back.
@@ -48,7 +46,6 @@ constexpr ir::Zone kSystemZones[] = {
     {.begin = 8, .end = 9, .direction = ir::Direction::kInput},     // SYSNC
 };
 constexpr uint32_t kRegisterBytes = 4096;
-constexpr uint32_t kOwnBytes = 1U << 20;
 
 uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
   switch (key) {
@@ -60,8 +57,6 @@ uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
       return sizes.steps;
     case SpaceKey::kRegisters:
       return kRegisterBytes;
-    case SpaceKey::kOwn:
-      return kOwnBytes;
     default:
       return technol::BytesOf(static_cast<Area>(key));
   }
@@ -77,7 +72,6 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
                     .lifetime = row.lifetime,
                     .host_visible = row.host_visible};
     if (space.bytes == 0) continue;
-    space.own = row.key == SpaceKey::kOwn;
     if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
     if (row.key == SpaceKey::kSys) space.zones.assign(std::begin(kSystemZones), std::end(kSystemZones));
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));

@@ -21,7 +21,6 @@ enum class SpaceKey : uint8_t {
   kMechanisms,  // activation bits
   kSteps,       // steps and automatic timers
   kRegisters,   // of those that call subprograms, and of these
-  kOwn,         // of each other module and mechanism
   kCount
 };
 constexpr SpaceKey KeyOf(Area area) { return static_cast<SpaceKey>(area); }

@@ -133,7 +133,7 @@ SymbolId OperandParser::TakeName(std::string_view what) {
   const SymbolId symbol = context_.names.Find(token.text);
   if (!symbol.valid()) {
     if (IsReserved(Upper(token.text))) {
-      context_.Report(token.range, diag::TechnolReserved, token.text);
+      context_.ReportReserved(token, reader_.AtEnd() ? std::string_view() : reader_.Peek()->text);
     } else {
       context_.ReportUndefined(token.text, token.range);
     }

@@ -189,21 +189,27 @@ bool OperandParser::ReadIndex(Address& address) {
 
 void OperandParser::CheckRange(const Operand& operand) {
   const Address& address = operand.address;
-  if (address.index != Register::kNone) return;
   const int64_t end = address.offset + operand.width / 8;
   const int64_t bytes = BytesOf(context_.program, address.area);
+  const std::string_view text = context_.sources.Text(operand.range);
+  const std::string area = address.area == Area::kUser ? "the program's data" : std::string(Name(address.area));
+  if (address.index != Register::kNone) {
+    const int64_t most = Info(address.index).width == 16 ? 0x7FFF : 0x7FFFFFFF;
+    if (address.offset + most >= 0 && end - most - 1 <= bytes && operand.width / 8 <= bytes) return;
+    context_.Report(operand.range, diag::TechnolIndexNeverInside, text, Info(address.index).name, area, bytes,
+                    address.offset);
+    return;
+  }
   const std::string name = NameOf(context_.program, address);
   if (address.offset < 0 || end > bytes) {
-    const bool user = address.area == Area::kUser;
-    context_.Report(operand.range, diag::TechnolAddressRange, name,
-                    user ? "the program's data" : std::string(Name(address.area)), bytes);
+    context_.Report(operand.range, diag::TechnolAddressRange, text, area, bytes, address.offset);
     return;
   }
   if (!address.base.valid() || address.area != Area::kUser)
     return;  // bytes of the image are used in words as they come
   const Symbol& base = context_.names[address.base];
   if (address.offset >= base.offset && end <= int64_t{base.offset} + base.bytes) return;
-  context_.Report(operand.range, diag::TechnolPastSymbol, context_.sources.Text(operand.range), name);
+  context_.Report(operand.range, diag::TechnolPastSymbol, text, name);
 }
 
 }  // namespace plcxx::technol

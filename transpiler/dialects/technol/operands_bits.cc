@@ -69,6 +69,12 @@ void OperandParser::TakeFlag() {
     context_.Report(reader_.RangeFrom(first), diag::TechnolFlagValue, mnemonic_, reader_.TextFrom(first));
     return;
   }
+  const Token* bit_behind = reader_.Peek(1);
+  if (operands == 1 && value->kind == TokenKind::kNumber && bit_behind != nullptr) {
+    context_.Report(instruction_.range, diag::TechnolFlagComma, mnemonic_,
+                    std::string(value->text) + "," + std::string(bit_behind->text));
+    return;
+  }
   if (operands != 2) {
     context_.Report(instruction_.range, diag::TechnolOneBit, std::string(mnemonic_) + " with its 0 or 1", operands);
     return;

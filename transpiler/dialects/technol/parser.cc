@@ -294,7 +294,12 @@ void Parser::UnknownLine(const Statement& statement) {
   } else if (IsReserved(statement.upper)) {
     context_.Report(first.range, diag::TechnolSyntax, Shown(&first), "an instruction");
   } else {
-    context_.Report(first.range, diag::TechnolUnknownInstruction, first.text);
+    const std::string_view near = NearMnemonic(statement.upper);
+    if (near.empty()) {
+      context_.Report(first.range, diag::TechnolUnknownInstruction, first.text);
+    } else {
+      context_.Report(first.range, diag::TechnolUnknownInstructionNear, first.text, near);
+    }
     KeepUnknown(statement);
   }
 }

@@ -33,8 +33,19 @@ std::optional<std::string> Parser::FindInclude(std::string_view name, TokenKind 
   for (const std::string& directory : directories) {
     if (auto path = source::FindFile(directory, name)) return path;
   }
-  if (directories.empty()) return source::FindFile("/", name.starts_with('/') ? name : "");
   return std::nullopt;
+}
+
+/// A name that climbs or is absolute may lead to what is no part of the program: only to where a source of the command
+/// line is, or to a directory that an option gives.
+bool Parser::MayInclude(std::string_view name, const std::string& path) const {
+  if (!source::LeavesDirectory(name)) return true;
+  const auto is_above = [&](const std::string& directory) { return source::LiesBelow(path, directory); };
+  return std::ranges::any_of(request_.include_directories, is_above) ||
+         std::ranges::any_of(request_.system_include_directories, is_above) ||
+         std::ranges::any_of(request_.files, [&](source::FileId file) {
+           return is_above(DirectoryOf(context_.sources.Get(file).path));
+         });
 }
 
 /// Not valid when the file cannot be read (reported). A file that is included again keeps its places.
@@ -78,6 +89,10 @@ void Parser::TakeInclude(const Statement& statement) {
   const std::optional<std::string> path = FindInclude(PathOf(name), name.kind);
   if (!path) {
     context_.Report(name.range, diag::TechnolIncludeMissing, PathOf(name), "no such file");
+    return;
+  }
+  if (!MayInclude(PathOf(name), *path)) {
+    context_.Report(name.range, diag::TechnolIncludeOutside, PathOf(name));
     return;
   }
   const std::string identity = source::FileIdentity(*path);

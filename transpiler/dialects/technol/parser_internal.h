@@ -136,6 +136,7 @@ class Parser {
   void TakeInclude(const Statement& statement);
   void TakeSystemHeader(const Statement& statement);
   std::optional<std::string> FindInclude(std::string_view name, TokenKind form) const;
+  bool MayInclude(std::string_view name, const std::string& path) const;
   source::FileId LoadInclude(const std::string& path, const Token& name);
 
   // parser_signals.cc

@@ -7,6 +7,10 @@ namespace plcxx::technol {
 /// TW004. A definition file's constants serve many programs, so those that one of them leaves out are no fault.
 void Parser::WarnOfUnused() {
   Program& program = context_.program;
+  std::set<std::pair<Area, uint32_t>> used_bytes;  // as a whole, by whichever of their names
+  for (const Symbol& symbol : program.symbols) {
+    if (symbol.kind == SymbolKind::kCell && symbol.uses > 0) used_bytes.emplace(symbol.area, symbol.offset);
+  }
   std::set<SymbolId> carriers;  // bytes one of whose bits is used
   for (const Symbol& symbol : program.symbols) {
     if (symbol.kind == SymbolKind::kBit && symbol.byte.valid()) carriers.insert(symbol.byte);
@@ -20,7 +24,7 @@ void Parser::WarnOfUnused() {
         if (!carriers.contains(SymbolId(i))) kind = "cell";
         break;
       case SymbolKind::kBit:
-        if (symbol.area != Area::kUser || program.symbols[symbol.byte].uses == 0) kind = "bit";
+        if (!used_bytes.contains({symbol.area, symbol.offset})) kind = "bit";
         break;
       case SymbolKind::kConstant:
         if (std::ranges::find(sources_, context_.sources.FileAt(symbol.range.begin)) != sources_.end())

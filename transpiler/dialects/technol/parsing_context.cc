@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/dialects/technol/macros.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::technol {
 namespace {
@@ -25,9 +26,25 @@ void ParsingContext::ReportUndefined(std::string_view name, source::Range range)
     Report(range, diag::TechnolUndefinedYet, name).notes.push_back({names[symbol].range, "it is defined here"});
   } else if (IsHexadecimal(name)) {
     Report(range, diag::TechnolUndefinedHexadecimal, name);
+  } else if (const std::string near = NearName(name); !near.empty()) {
+    Report(range, diag::TechnolUndefinedNear, name, near);
   } else {
     Report(range, diag::TechnolUndefined, name);
   }
+}
+
+/// Only so many times: each looks at all names.
+std::string ParsingContext::NearName(std::string_view name) {
+  constexpr uint32_t kMostSearches = 50;
+  if (++near_searches_ > kMostSearches) return {};
+  const std::string folded = names.Fold(name);
+  std::vector<std::string> spelled;
+  for (const Symbol& symbol : program.symbols) {
+    if (symbol.origin == SymbolOrigin::kSource) spelled.push_back(names.Fold(symbol.name));
+  }
+  const std::vector<std::string_view> words(spelled.begin(), spelled.end());
+  const std::string_view near = support::NearestWord(folded, words);
+  return near.empty() ? std::string() : program.symbols[names.Find(near)].name;
 }
 
 bool ParsingContext::IsShort(const Token& token) {
@@ -47,10 +64,26 @@ bool ParsingContext::IsName(const Token& token) {
     return false;
   }
   if (IsReserved(Upper(token.text))) {
-    Report(token.range, diag::TechnolReserved, token.text);
+    ReportReserved(token, {});
     return false;
   }
   return true;
+}
+
+void ParsingContext::ReportReserved(const Token& token, std::string_view behind) {
+  const std::string word = Upper(token.text);
+  const bool takes_point = word == "CNST" || word == "BYTE" || word == "WORD" || word == "DWRD";
+  if (takes_point && !behind.empty()) {
+    Report(token.range, diag::TechnolReservedMeant, token.text, "write " + word + "." + std::string(behind));
+  } else if (word == "NOT" && !behind.empty()) {
+    Report(token.range, diag::TechnolReservedMeant, token.text,
+           "write -" + std::string(behind) + " for the negated bit");
+  } else if (word == "START") {
+    Report(token.range, diag::TechnolReservedMeant, token.text,
+           "START is another word for DATA_END: choose another name");
+  } else {
+    Report(token.range, diag::TechnolReserved, token.text);
+  }
 }
 
 bool ParsingContext::IsTaken(const Token& name) {

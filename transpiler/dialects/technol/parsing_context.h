@@ -46,6 +46,8 @@ class ParsingContext {
 
   /// An undefined name, once for each name.
   void ReportUndefined(std::string_view name, source::Range range);
+  /// `behind`: the text of the next token, where a reserved word may be meant with it.
+  void ReportReserved(const Token& token, std::string_view behind);
   /// At most 31 characters (TE003), reported once for each name.
   bool IsShort(const Token& token);
   /// A name may be defined by the statement: length and reserved words (2.3). Reports.
@@ -65,6 +67,10 @@ class ParsingContext {
   bool faulty = false;
 
  private:
+  /// The name of the program that is spelled nearly so; empty when none is.
+  std::string NearName(std::string_view name);
+
+  uint32_t near_searches_ = 0;
   std::set<std::string, std::less<>> undefined_, too_long_;
   diag::Diagnostic discarded_;
 };

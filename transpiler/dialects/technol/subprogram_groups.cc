@@ -164,6 +164,9 @@ std::vector<SubprogramGroup> Grouping::Run() {
   }
   for (std::vector<uint32_t>& subprograms : by_level) Join(std::move(subprograms));
   FindLevels();
+  // As they are called first, whichever is written first: so that a new call moves no other routine.
+  std::ranges::stable_sort(groups_, {},
+                           [](const SubprogramGroup& group) { return std::ranges::min(group.subprograms); });
   return std::move(groups_);
 }
 

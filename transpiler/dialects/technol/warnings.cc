@@ -89,8 +89,14 @@ void Warner::DoubleCoils() {
 void Warner::ReadsAndWrites() {
   TouchedMemory reads, writes;
   for (const MemoryAccess& access : accesses_) (Writes(access.kind) ? writes : reads).Add(*access.operand);
+  std::set<SymbolId> carriers;  // a byte that no instruction names is known by its bits, which are looked at
   for (const Symbol& symbol : program_.symbols) {
+    if (symbol.kind == SymbolKind::kBit && symbol.byte.valid()) carriers.insert(symbol.byte);
+  }
+  for (uint32_t i = 0; i < program_.symbols.size(); ++i) {
+    const Symbol& symbol = program_.symbols[SymbolId(i)];
     const bool bit = symbol.kind == SymbolKind::kBit;
+    if (symbol.uses == 0 && carriers.contains(SymbolId(i))) continue;
     if (symbol.origin != SymbolOrigin::kSource || (!bit && symbol.kind != SymbolKind::kCell)) continue;
     if (symbol.area != Area::kUser && symbol.area != Area::kOut && symbol.area != Area::kIn) continue;
     const uint32_t bytes = bit ? 1 : symbol.bytes;

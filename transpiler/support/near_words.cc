@@ -1,0 +1,40 @@
+#include "transpiler/support/near_words.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace plcxx::support {
+
+size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t{0});
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string_view NearestWord(std::string_view word, std::span<const std::string_view> words) {
+  // One letter, or two neighbours exchanged, in a short word; a word of one letter is like any other.
+  const size_t most = word.size() < 2 ? 0 : word.size() < 4 ? 1 : 2;
+  std::string_view nearest;
+  size_t least = most + 1;
+  for (const std::string_view candidate : words) {
+    const size_t lengths = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
+    if (lengths > most || candidate.size() < 2) continue;
+    const size_t distance = EditDistance(word, candidate);
+    if (distance == 0 || distance > least) continue;
+    nearest = distance == least ? std::string_view() : candidate;
+    least = distance;
+  }
+  return least <= most ? nearest : std::string_view();
+}
+
+}  // namespace plcxx::support

@@ -1,0 +1,16 @@
+// What a misspelt word may have been meant to be.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace plcxx::support {
+
+/// How many letters are put in, left out or replaced by another.
+size_t EditDistance(std::string_view a, std::string_view b);
+
+/// The one word that is nearer to `word` than all others, and near enough; empty when there is none.
+std::string_view NearestWord(std::string_view word, std::span<const std::string_view> words);
+
+}  // namespace plcxx::support
