@@ -509,6 +509,25 @@ TEST(EmitComparisons, ForegoneOnesAreNoWarnings) {
   EXPECT_THAT(source, HasSubstr("m[a] = NotEqual32(m[a], 2);\n"));
 }
 
+TEST(EmitDebug, ALoopThatIsSwitchedOffAsksNothing) {
+  RunProgram("statement s1 subject HEAD opens\n" + Period(R"(
+  stmt s1
+  loop @1 guard 4 {
+    condition {
+      %0 = load n
+      %1 = host port (%0)
+    }
+    body {
+      stmt s2
+      %0 = load n
+      %1 = const i8 1
+      %2 = add.i8 %0 %1
+      store n %2
+    }
+  }
+)"));
+}
+
 TEST(EmitDebug, AJumpThatIsSwitchedOffJumpsOverNothing) {
   const EmittedProgram program(Period(R"(
   stmt s1

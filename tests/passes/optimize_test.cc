@@ -46,6 +46,27 @@ TEST(FoldConstants, ResultsOfFoldingAreFolded) {
       "%0 = load a\n%1 = not.bit %0\nstore b %1\n");
 }
 
+TEST(FoldConstants, ComparisonsAndBitsOfIntegers) {
+  EXPECT_EQ(After(Optimize, "%0 = const i32 4294967294\n%1 = const i32 0\n%2 = ugt.i32 %0 %1\nstore a %2\n"),
+            "%0 = const bit 1\nstore a %0\n");
+  EXPECT_EQ(After(Optimize, "%0 = const i8 33\n%1 = const i8 31\n%2 = and.i8 %0 %1\nstore w %2\n"),
+            "%0 = const i8 1\nstore w %0\n");
+  EXPECT_EQ(After(Optimize,
+                  "%0 = const i16 65436\n%1 = sext.i16.i32 %0\nstore rounds %1\n%2 = load rounds\n%3 = const "
+                  "i32 4294967196\n%4 = eq.i32 %1 %3\nstore a %4\n"),
+            "%0 = const bit 1\nstore a %0\n");
+}
+
+TEST(FoldConstants, BothHalvesOfAValueAreTheValue) {
+  EXPECT_EQ(
+      After(FoldConstants,
+            "%0 = load rounds\n%1 = low_half.i32 %0\n%2 = high_half.i32 %0\n%3 = pair.i32 %1 %2\nstore rounds %3\n"),
+      "%0 = load rounds\n%1 = low_half.i32 %0\n%2 = high_half.i32 %0\n%3 = pair.i32 %1 %2\nstore rounds %0\n");
+  const std::string swapped =
+      "%0 = load rounds\n%1 = low_half.i32 %0\n%2 = high_half.i32 %0\n%3 = pair.i32 %2 %1\nstore rounds %3\n";
+  EXPECT_EQ(After(FoldConstants, swapped), swapped);
+}
+
 TEST(FoldConstants, WhatHoldsStatementsStays) {
   const std::string body = "stmt s1\n%0 = const bit 0\nif %0 {\n  stmt s2\n  %0 = load a\n  store b %0\n}\n";
   EXPECT_EQ(After(Optimize, body), body);

@@ -35,7 +35,8 @@ Text PartPrinter::Condition(const ir::Inst& inst) const {
 ir::InstId PartPrinter::ChainedIf(ir::RegionId otherwise, ir::StatementId& statement) const {
   const auto& insts = program_.regions[otherwise].insts;
   const ir::InstId last = insts.back();
-  if (program_[last].op != ir::OpKind::kIf || !emittable_.region_chunks[otherwise.index].empty()) return {};
+  if (program_[last].op != ir::OpKind::kIf || emittable_.forms[last.index] != Form::kLine) return {};
+  if (!emittable_.region_chunks[otherwise.index].empty()) return {};
   statement = {};
   for (size_t i = 0; i + 1 < insts.size(); ++i) {
     const ir::Inst& other = program_[insts[i]];
@@ -187,6 +188,7 @@ void PartPrinter::BudgetLoop(const ir::Loop& loop, const Landing& labels) {
   Label(labels.behind);
 }
 
+/// In the head of the loop.
 Spelling PartPrinter::LoopCondition(const ir::Loop& loop, ir::StatementId statement) const {
   const Spelling spelled = Spell(emittable_, program_.regions[loop.condition].insts.back());
   if (!debug() || !statement.valid()) return spelled;
@@ -222,8 +224,10 @@ void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   Line(LoopHead(loop, labels.counter, in_head ? LoopCondition(loop, statement).text : Text()));
   ++indent_;
   if (loop.condition.valid() && !in_head) {
+    // Switched off, it asks nothing.
+    if (debug() && statement.valid()) Line("if (!" + On(statement) + ") break;");
     Range(loop.condition, 0, static_cast<uint32_t>(program_.regions[loop.condition].insts.size()));
-    Line("if (!" + Bracketed(LoopCondition(loop, statement)) + ") break;");
+    Line("if (!" + Bracketed(Spell(emittable_, program_.regions[loop.condition].insts.back())) + ") break;");
   }
   if (loop.kind == ir::LoopBound::kGuard) {
     Line("if (" + labels.counter + " == " + std::to_string(loop.bound) + ") {");

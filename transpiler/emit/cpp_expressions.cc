@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "transpiler/emit/cpp_printer.h"
 #include "transpiler/ir/builder.h"
@@ -67,18 +68,53 @@ std::optional<int64_t> SignedConstant(const ir::Program& program, ir::ValueId va
   return read;
 }
 
+/// "{0} != {1}" of "{0} == {1}".
+std::string Complement(std::string_view comparison) {
+  constexpr std::pair<std::string_view, std::string_view> kComplements[] = {
+      {" == ", " != "}, {" < ", " >= "}, {" <= ", " > "}, {" > ", " <= "}, {" >= ", " < "}, {" != ", " == "}};
+  for (const auto& [sign, complement] : kComplements) {
+    const size_t at = comparison.find(sign);
+    if (at == std::string_view::npos) continue;
+    return std::string(comparison).replace(at, sign.size(), complement);
+  }
+  PLCXX_UNREACHABLE();
+}
+
+/// A comparison of integers that is spelled with its operator; of floats one that does not hold may have no order.
+bool HasComplement(const Emittable& emittable, ir::ValueId value) {
+  const ir::Program& program = *emittable.program;
+  const ir::Inst& inst = program[value];
+  const Precedence precedence = ir::Info(inst.op).precedence;
+  if (precedence != Precedence::kRelational && precedence != Precedence::kEquality) return false;
+  if (emittable.forms[value.index] == Form::kLocal || IsForegone(program, inst)) return false;
+  const ir::Type type = program[ir::ValueId(inst.a)].type;
+  return type != ir::Type::kF32 && type != ir::Type::kF64;
+}
+
+Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::string_view pattern);
+
 Spelling SpellPure(const Emittable& emittable, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
-  const uint32_t words[] = {inst.a, inst.b, inst.c};
+  const ir::ValueId first(inst.a);
   // "{0}" alone: the conversion is C++'s own.
-  if (info.spelling == "{0}") return Spell(emittable, ir::ValueId(inst.a));
+  if (info.spelling == "{0}") return Spell(emittable, first);
   if (IsForegone(*emittable.program, inst)) {
-    return {Text(info.function) + "(" + Spell(emittable, ir::ValueId(inst.a)).text + ", " +
+    return {Text(info.function) + "(" + Spell(emittable, first).text + ", " +
                 Spell(emittable, ir::ValueId(inst.b)).text + ")",
             Precedence::kPrimary};
   }
+  if (inst.op == ir::OpKind::kBitNot && HasComplement(emittable, first)) {
+    const ir::Inst& comparison = (*emittable.program)[first];
+    return SpellPattern(emittable, comparison, Complement(ir::Info(comparison.op).spelling));
+  }
+  return SpellPattern(emittable, inst, info.spelling);
+}
+
+/// The operation as `pattern` spells it, which binds as the operation's own.
+Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::string_view pattern) {
+  const ir::OpInfo& info = ir::Info(inst.op);
+  const uint32_t words[] = {inst.a, inst.b, inst.c};
   Text out;
-  const std::string_view pattern = info.spelling;
   const bool operation = info.precedence != Precedence::kPrimary;
   for (size_t i = 0; i < pattern.size(); ++i) {
     // "S16({1})" of a constant is the number itself.

@@ -15,6 +15,24 @@ bool IsInside(const source::Range& inner, const source::Range& outer) {
   return outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
+/// Where a text that is wider than `width` is broken: as far outside of brackets as possible, so that what is compared
+/// or negated stays on one line, and behind its first third.
+size_t BreakIn(std::string_view text, size_t width) {
+  size_t best = std::string_view::npos;
+  int depth = 0, best_depth = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (text[i] != kBreak) continue;
+    if (i > width) return best != std::string_view::npos ? best : i;
+    if (best == std::string_view::npos || best < width / 3 || depth <= best_depth) {
+      best = i;
+      best_depth = depth;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 void PartPrinter::Own(ir::StatementId statement) {
@@ -47,24 +65,17 @@ void PartPrinter::Line(Text line_of) {
     out_ += '\n';
     return;
   }
-  std::string line(margin, ' ');
-  size_t last_break = std::string::npos;
-  for (const char c : text) {
-    if (c == kBreak) {
-      last_break = line.size();
-      line += ' ';
-    } else {
-      line += c;
-    }
-    if (line.size() > kLineWidth && last_break != std::string::npos) {
-      out_.append(line, 0, last_break);
-      out_ += '\n';
-      line = std::string(margin + 4, ' ') + line.substr(last_break + 1);
-      last_break = std::string::npos;
-    }
+  std::string_view rest = text;
+  for (size_t indent = margin; !rest.empty(); indent = margin + 4) {
+    size_t end = rest.size();
+    if (indent + end > kLineWidth) end = std::min(end, BreakIn(rest, kLineWidth - std::min(kLineWidth, indent)));
+    std::string line(rest.substr(0, end));
+    std::replace(line.begin(), line.end(), kBreak, ' ');
+    out_.append(indent, ' ');
+    out_ += line;
+    out_ += '\n';
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  out_ += line;
-  out_ += '\n';
 }
 
 /// The source's comments, then its lines as they stand there. A comment between these lines has its place among them.
@@ -172,9 +183,16 @@ void PartPrinter::Effect(ir::InstId id) {
   PLCXX_UNREACHABLE();
 }
 
+/// Of statements in something that does nothing.
+void PartPrinter::Comments(ir::InstId id) {
+  for (const ir::RegionId owned : ir::OwnedRegions(program_, program_[id])) RegionBody(owned);
+}
+
 void PartPrinter::Inst(ir::InstId id) {
   switch (emittable_.forms[id.index]) {
     case Form::kNowhere:
+      Comments(id);
+      return;
     case Form::kInside:
       return;
     case Form::kLocal:
@@ -213,6 +231,8 @@ void PartPrinter::OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end)
     if (form == Form::kLocal || (form == Form::kLine && HoldsOthers(program_[insts[i]]))) {
       close();
       Inst(insts[i]);
+    } else if (form == Form::kNowhere) {
+      Comments(insts[i]);
     } else if (form == Form::kLine) {
       if (!switched_) {
         Line("if (" + On() + ") {");
@@ -252,7 +272,7 @@ void PartPrinter::Range(ir::RegionId region, uint32_t begin, uint32_t end) {
   const auto& insts = program_.regions[region].insts;
   for (uint32_t i = begin; i < end;) {
     if (program_[insts[i]].op == ir::OpKind::kStatement) {
-      if (i > begin && indent_ == 1 && !out_.ends_with(":;\n")) out_ += '\n';
+      if (i > begin && indent_ == 1 && !out_.ends_with(":;\n") && !out_.ends_with("\n\n")) out_ += '\n';
       statement_ = ir::StatementId(program_[insts[i]].payload);
       switched_ = false;
       StatementComments(program_.statements[statement_]);

@@ -56,6 +56,7 @@ class PartPrinter {
   void OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end);
   bool HoldsOthers(const ir::Inst& inst) const;
   void Inst(ir::InstId id);
+  void Comments(ir::InstId id);
   void Effect(ir::InstId id);
   void Store(ir::InstId id);
   void LoadRetentive(ir::InstId id);

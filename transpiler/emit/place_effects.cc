@@ -5,12 +5,16 @@
 //   exit @1 if %1; store b, %2 ...    const bool t2 = m[a]; ...
 //   %1 = call S; exit @1 if %1   ->   S(m, host);                   where @1 ends here and the exit leads nowhere else
 //
+//   store a, (load a); if %1 { }   ->   nothing: what would change nothing has no text but its statements' comments
+//
 // An effect happens where its text is. So it is spelled inside another line only when that line is the next one behind
 // it; and when no line asks for its value, it is a line itself. The lists are read backwards: who asks is known first.
 
+#include "transpiler/emit/place_effects.h"
+
+#include <algorithm>
 #include <ranges>
 
-#include "transpiler/emit/emittable.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
 
@@ -115,13 +119,6 @@ void EffectPlacer::Place(InstId id) {
     case ir::Shape::kHostCall:
       Result(id);
       return;
-    case ir::Shape::kExit:
-      if (emittable.leaves.at(id.index) == Leave::kFallsThrough) {
-        emittable.forms[id.index] = Form::kNowhere;
-        return;
-      }
-      Line(id, Form::kLine);
-      return;
     case ir::Shape::kLoop:
       Loop(id);
       return;
@@ -133,9 +130,14 @@ void EffectPlacer::Place(InstId id) {
     case ir::Shape::kText:
     case ir::Shape::kIf:
     case ir::Shape::kSwitch:
+    case ir::Shape::kExit:
     case ir::Shape::kRepeat:
       for (const ir::RegionId owned : std::views::reverse(ir::OwnedRegions(program, inst))) Region(owned);
-      Line(id, Form::kLine);
+      if (ChangesNothing(emittable, id)) {
+        emittable.forms[id.index] = Form::kNowhere;
+      } else {
+        Line(id, Form::kLine);
+      }
       return;
     case ir::Shape::kJump:
     case ir::Shape::kLabel:
@@ -148,7 +150,38 @@ void EffectPlacer::Region(ir::RegionId region) {
   for (const InstId id : std::views::reverse(program.regions[region].insts)) Place(id);
 }
 
+/// `m[X] = m[X];`
+bool StoresWhatIsThere(const Emittable& emittable, const Inst& store) {
+  const ir::Program& program = *emittable.program;
+  const Inst& value = program[ir::ValueId(store.a)];
+  const ir::PlaceId place(store.payload);
+  // A local's store stays: with it, the local might lose its only use.
+  return value.op == ir::OpKind::kLoad && value.payload == store.payload && !program.places[place].indexed &&
+         emittable.forms[store.a] != Form::kLocal && emittable.layout.places[place.index].storage != Storage::kLocal;
+}
+
+bool HoldsNothing(const Emittable& emittable, ir::RegionId region) {
+  if (!region.valid()) return true;
+  return std::ranges::all_of(emittable.program->regions[region].insts, [&](InstId id) {
+    return emittable.forms[id.index] != Form::kLocal && (!IsEffect(emittable, id) || ChangesNothing(emittable, id));
+  });
+}
+
 }  // namespace
+
+bool ChangesNothing(const Emittable& emittable, ir::InstId id) {
+  const Inst& inst = (*emittable.program)[id];
+  switch (inst.op) {
+    case ir::OpKind::kExit:  // to what follows anyway
+      return emittable.leaves.at(id.index) == Leave::kFallsThrough;
+    case ir::OpKind::kStore:
+      return StoresWhatIsThere(emittable, inst);
+    case ir::OpKind::kIf:
+      return HoldsNothing(emittable, ir::RegionId(inst.b)) && HoldsNothing(emittable, ir::RegionId(inst.c));
+    default:
+      return false;
+  }
+}
 
 void PlaceEffects(Emittable& emittable) {
   const ir::Program& program = *emittable.program;

@@ -3,20 +3,10 @@
 #include <algorithm>
 
 #include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/place_effects.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::emit {
-namespace {
-
-/// A way out that leads to what follows anyway is the only instruction with an effect that has no text.
-bool NeedsText(const Emittable& emittable, ir::InstId id) {
-  if (!IsEffect(emittable, id)) return false;
-  const bool exit = (*emittable.program)[id].op == ir::OpKind::kExit;
-  return !exit || emittable.leaves.at(id.index) != Leave::kFallsThrough;
-}
-
-}  // namespace
-
 Text& Text::operator+=(const Text& more) {
   chars += more.chars;
   effects.insert(effects.end(), more.effects.begin(), more.effects.end());
@@ -33,7 +23,7 @@ void SpelledEffects::CheckOnce(const Emittable& emittable, const std::vector<Pie
   VisitFunction(emittable, function,
                 {.inst =
                      [&](ir::InstId id) {
-                       if (NeedsText(emittable, id)) needed.push_back(id);
+                       if (IsEffect(emittable, id) && !ChangesNothing(emittable, id)) needed.push_back(id);
                      },
                  .chunk = [](uint32_t) {}});
   const auto by_number = [](ir::InstId left, ir::InstId right) { return left.index < right.index; };

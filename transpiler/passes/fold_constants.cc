@@ -5,6 +5,7 @@
 
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
+#include "transpiler/passes/fold_integers.h"
 
 namespace plcxx::passes {
 namespace {
@@ -28,16 +29,26 @@ std::optional<bool> Folder::Constant(uint32_t value) const {
   return ir::ConstantValue(inst) != 0;
 }
 
-void MakeConstant(Inst& inst, bool value) {
-  inst = {.op = OpKind::kConst, .type = ir::Type::kBit, .range = inst.range, .a = value ? 1u : 0u, .b = 0, .c = 10};
+void MakeConstant(Inst& inst, uint64_t value) {
+  inst = {.op = OpKind::kConst,
+          .type = inst.type,
+          .range = inst.range,
+          .a = static_cast<uint32_t>(value),
+          .b = static_cast<uint32_t>(value >> 32),
+          .c = 10};
 }
 
 void Folder::Fold(InstId id) {
   Inst& inst = program[id];
   if (inst.op == OpKind::kBitNot) {
-    if (const std::optional<bool> operand = Constant(inst.a)) MakeConstant(inst, !*operand);
+    if (const std::optional<bool> operand = Constant(inst.a)) MakeConstant(inst, *operand ? 0 : 1);
     return;
   }
+  if (const std::optional<uint64_t> value = FoldedInteger(program, inst)) {
+    MakeConstant(inst, *value);
+    return;
+  }
+  if (const ir::ValueId whole = WholeOfHalves(program, inst); whole.valid()) same[id.index] = whole.index;
   if (inst.op != OpKind::kBitAnd && inst.op != OpKind::kBitOr) return;
   const bool neutral = inst.op == OpKind::kBitAnd;  // x & 1 is x, x & 0 is 0; x | 0 is x, x | 1 is 1
   for (const auto& [operand, other] : {std::pair(inst.a, inst.b), std::pair(inst.b, inst.a)}) {
@@ -46,7 +57,7 @@ void Folder::Fold(InstId id) {
     if (*value == neutral) {
       same[id.index] = other;
     } else {
-      MakeConstant(inst, !neutral);
+      MakeConstant(inst, neutral ? 0 : 1);
     }
     return;
   }

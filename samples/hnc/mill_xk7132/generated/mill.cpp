@@ -168,7 +168,7 @@ static void select_mode(State& m, Host& host) noexcept {
     for (; a < 3; a = Add16(a, 1)) {
       // if (!get_axis_den(a))
       const uint16_t t502 = get_axis_den(m, a, host);
-      if (!(t502 != 0)) {
+      if (t502 == 0) {
         // set_axis_stop(a);
         set_axis_stop(m, a, host);
         // return;
@@ -222,13 +222,13 @@ static void program_keys(State& m, Host&) noexcept {
   // if (HIT_SINGLE)
   if ((m[pressed_0] & 4) != 0) {
     // single_block = !single_block;
-    m[single_block] = (!(m[single_block] != 0) ? 1 : 0);
+    m[single_block] = (m[single_block] == 0 ? 1 : 0);
   }
 
   // if (HIT_DRY && !(*ch_stat(0) & CH_CYCLE_LAMP))
-  if (((m[pressed_0] & 8) != 0) & !((m[ch_stat_0] & 0x0020) != 0)) {
+  if (((m[pressed_0] & 8) != 0) & ((m[ch_stat_0] & 0x0020) == 0)) {
     // dry_run = !dry_run;
-    m[dry_run] = (!(m[dry_run] != 0) ? 1 : 0);
+    m[dry_run] = (m[dry_run] == 0 ? 1 : 0);
   }
 
   // if (single_block)
@@ -250,8 +250,8 @@ static void program_keys(State& m, Host&) noexcept {
   }
 
   // if (KEY_START && automatic && machine_on && alarms == 0 && DOOR_CLOSED)
-  if (((m[sample_0] & 1) != 0) & (automatic != 0) & (m[machine_on] != 0) & (m[alarms] == 0) & ((m[sample_4]
-      & 0x0080) != 0)) {
+  if (((m[sample_0] & 1) != 0) & (automatic != 0) & (m[machine_on] != 0) & (m[alarms] == 0)
+      & ((m[sample_4] & 0x0080) != 0)) {
     // *ch_ctrl(0) |= CH_CYCLE_SW;
     m[ch_ctrl_0] = m[ch_ctrl_0] | 0x0020;
   } else {
@@ -412,14 +412,14 @@ static uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   d = 0;
 
   // if (JOG_PLUS(a) && !JOG_MINUS(a))
-  if (((m[sample_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0) & !((m[sample_1]
-      & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0)) {
+  if (((m[sample_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0)
+      & ((m[sample_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) == 0)) {
     // d = 1;
     d = 1;
   }
   // if (JOG_MINUS(a) && !JOG_PLUS(a))
-  else if (((m[sample_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0) & !((m[sample_1]
-      & ShiftLeft16(1, Mul16(2, a) & 31)) != 0)) {
+  else if (((m[sample_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0)
+      & ((m[sample_1] & ShiftLeft16(1, Mul16(2, a) & 31)) == 0)) {
     // d = -1;
     d = Minus16(1);
   }
@@ -534,7 +534,7 @@ static void step(State& m, uint16_t a, Host& host) noexcept {
   } else {
     answer = get_axis_den(m, t480, host);
   }
-  if (!(answer != 0)) {
+  if (answer == 0) {
     // the step before it is still under way
     // return;
   } else {
@@ -546,7 +546,7 @@ static void step(State& m, uint16_t a, Host& host) noexcept {
       if (t250 > 255) {
         record_fault(m, 2, 0x6152BE05, host);
       }
-      both = !((m[At(G, t250)] & 1) != 0);
+      both = (m[At(G, t250)] & 1) == 0;
     }
     if (both) {
       // set_axis_step(a, (long) step_width);
@@ -566,7 +566,7 @@ static void step(State& m, uint16_t a, Host& host) noexcept {
         if (t204 > 255) {
           record_fault(m, 2, 0x0B09D997, host);
         }
-        both_local = !((m[At(G, t204)] & 2) != 0);
+        both_local = (m[At(G, t204)] & 2) == 0;
       }
       if (both_local) {
         // set_axis_step(a, -(long) step_width);
@@ -653,7 +653,7 @@ static void stop_axes(State& m, Host& host) noexcept {
     either_local = t480;
     if (!t480) {
       const uint16_t t481 = get_axis_den(m, a, host);
-      either_local = !(t481 != 0);
+      either_local = t481 == 0;
     }
     if (either_local) {
       // set_axis_stop(a);
@@ -694,7 +694,7 @@ static void axes(State& m, Host& host) noexcept {
   limit_switches(m, host);
 
   // if (!machine_on)
-  if (!(m[machine_on] != 0)) {
+  if (m[machine_on] == 0) {
     // stop_axes();
     stop_axes(m, host);
     // get_handwheel(0);
@@ -798,7 +798,7 @@ static void spindle(State& m, Host& host) noexcept {
   spindle_keys(m, host);
 
   // if (!machine_on || !CLAMPED && spindle_state != SPINDLE_ORIENT)
-  if ((!(m[machine_on] != 0)) | ((!((m[sample_7] & 4) != 0)) & (m[spindle_state] != 3))) {
+  if ((m[machine_on] == 0) | (((m[sample_7] & 4) == 0) & (m[spindle_state] != 3))) {
     // start_spindle(SPINDLE_STOPPED);
     start_spindle(m, 0, host);
   }
@@ -986,7 +986,7 @@ static uint16_t positive_turn(State& m, Host&) noexcept {
 // count_pockets()
 static void count_pockets(State& m, Host&) noexcept {
   // if (!HIT_POCKET)
-  if (!((m[pressed_7] & 0x0010) != 0)) {
+  if ((m[pressed_7] & 0x0010) == 0) {
     // return;
   }
   // if (Y[3] & 0x01)
@@ -1067,7 +1067,7 @@ static void tool_change(State& m, Host& host) noexcept {
       m[alarms] = m[alarms] | 0x0040;
     }
     // if (alarms & ALARM_CHANGE || !machine_on)
-    if (((m[alarms] & 0x0040) != 0) | !(m[machine_on] != 0)) {
+    if (((m[alarms] & 0x0040) != 0) | (m[machine_on] == 0)) {
       // stop_magazine();
       stop_magazine(m, host);
       // return;
@@ -1079,7 +1079,7 @@ static void tool_change(State& m, Host& host) noexcept {
           // start_spindle(SPINDLE_ORIENT);
           start_spindle(m, 3, host);
           // if (!ORIENTED)
-          if (!((m[sample_7] & 0x0040) != 0)) {
+          if ((m[sample_7] & 0x0040) == 0) {
             return;
           }
           // next_step(CHANGE_OUT);
@@ -1167,7 +1167,7 @@ static void tool_change(State& m, Host& host) noexcept {
           both_local_2 = t870;
           if (t870) {
             const uint16_t t871 = positive_turn(m, host);
-            both_local_2 = !(t871 != 0);
+            both_local_2 = t871 == 0;
           }
           if (both_local_2) {
             m[Y3] = m[Y3] | 2;
@@ -1224,7 +1224,7 @@ static void tool_change(State& m, Host& host) noexcept {
             m[Y2] = m[Y2] & 0x7F;
           }
           // if (!MAG_HOME)
-          if (!((m[sample_7] & 2) != 0)) {
+          if ((m[sample_7] & 2) == 0) {
             return;
           }
           // Y_MAG_BACK(0)
@@ -1387,7 +1387,7 @@ static void on_modal(State& m, uint16_t ch, Host& host) noexcept {
 // Emergency stop acts on the raw input, at once and without the filter.
 static void power(State& m, Host& host) noexcept {
   // if (!ESTOP_OK)
-  if (!((m[X4] & 1) != 0)) {
+  if ((m[X4] & 1) == 0) {
     // alarms |= ALARM_ESTOP;
     m[alarms] = m[alarms] | 1;
     // *ch_ctrl(0) |= CH_ESTOP;
@@ -1417,7 +1417,7 @@ static void power(State& m, Host& host) noexcept {
   }
 
   // machine_on = ESTOP_OK && !(alarms & ALARM_ESTOP);
-  m[machine_on] = ((((m[X4] & 1) != 0) & !((m[alarms] & 1) != 0)) ? 1 : 0);
+  m[machine_on] = ((((m[X4] & 1) != 0) & ((m[alarms] & 1) == 0)) ? 1 : 0);
 
   // Y_ENABLE(machine_on)
   if (m[machine_on] != 0) {
@@ -1435,7 +1435,7 @@ static void watch(State& m, Host&) noexcept {
   } else {
     // Drives need a second after they are enabled: 60 scans.
     // if (!machine_on || DRIVES_OK && SP_READY)
-    if ((!(m[machine_on] != 0)) | (((m[sample_4] & 2) != 0) & ((m[sample_4] & 4) != 0))) {
+    if ((m[machine_on] == 0) | (((m[sample_4] & 2) != 0) & ((m[sample_4] & 4) != 0))) {
       // drive_scans = 0;
       m[watch_drive_scans] = 0;
     }
@@ -1447,28 +1447,28 @@ static void watch(State& m, Host&) noexcept {
     // if (drive_scans == 60)
     if (m[watch_drive_scans] == 60) {
       // if (!DRIVES_OK)
-      if (!((m[sample_4] & 2) != 0)) {
+      if ((m[sample_4] & 2) == 0) {
         // alarms |= ALARM_DRIVES;
         m[alarms] = m[alarms] | 2;
       }
       // if (!SP_READY)
-      if (!((m[sample_4] & 4) != 0)) {
+      if ((m[sample_4] & 4) == 0) {
         // alarms |= ALARM_SPINDLE;
         m[alarms] = m[alarms] | 0x0080;
       }
     }
     // if (!AIR_OK)
-    if (!((m[sample_4] & 0x0010) != 0)) {
+    if ((m[sample_4] & 0x0010) == 0) {
       // alarms |= ALARM_AIR;
       m[alarms] = m[alarms] | 4;
     }
     // if (!OIL_OK)
-    if (!((m[sample_4] & 0x0020) != 0)) {
+    if ((m[sample_4] & 0x0020) == 0) {
       // alarms |= ALARM_OIL;
       m[alarms] = m[alarms] | 8;
     }
     // if (!COOLANT_OK)
-    if (!((m[sample_4] & 0x0040) != 0)) {
+    if ((m[sample_4] & 0x0040) == 0) {
       // alarms |= ALARM_COOLANT;
       m[alarms] = m[alarms] | 0x0010;
     }
@@ -1480,11 +1480,11 @@ static void coolant(State& m, Host&) noexcept {
   // if (HIT_COOLANT)
   if ((m[pressed_0] & 0x0020) != 0) {
     // coolant_wanted = !coolant_wanted;
-    m[coolant_wanted] = (!(m[coolant_wanted] != 0) ? 1 : 0);
+    m[coolant_wanted] = (m[coolant_wanted] == 0 ? 1 : 0);
   }
 
   // coolant_on = coolant_wanted && machine_on && !(alarms & ALARM_COOLANT);
-  m[coolant_on] = (((m[coolant_wanted] != 0) & (m[machine_on] != 0) & !((m[alarms] & 0x0010) != 0)) ? 1 : 0);
+  m[coolant_on] = (((m[coolant_wanted] != 0) & (m[machine_on] != 0) & ((m[alarms] & 0x0010) == 0)) ? 1 : 0);
 
   // Y_COOLANT(coolant_on)
   if (m[coolant_on] != 0) {
@@ -1499,7 +1499,7 @@ static void lubrication(State& m, Host&) noexcept {
   uint16_t limit = 0;
 
   // if (!machine_on)
-  if (!(m[machine_on] != 0)) {
+  if (m[machine_on] == 0) {
     // Y_LUBE(0)
     if (false) {
       m[Y2] = m[Y2] | 0x20;
@@ -1526,10 +1526,10 @@ static void lubrication(State& m, Host&) noexcept {
       // seconds = 0;
       m[lubrication_seconds] = 0;
       // pumping = !pumping;
-      m[lubrication_pumping] = (!(m[lubrication_pumping] != 0) ? 1 : 0);
+      m[lubrication_pumping] = (m[lubrication_pumping] == 0 ? 1 : 0);
     }
     // Y_LUBE(pumping && !(alarms & ALARM_OIL))
-    if ((m[lubrication_pumping] != 0) & !((m[alarms] & 8) != 0)) {
+    if ((m[lubrication_pumping] != 0) & ((m[alarms] & 8) == 0)) {
       m[Y2] = m[Y2] | 0x20;
     } else {
       m[Y2] = m[Y2] & 0xDF;
@@ -1680,7 +1680,7 @@ static void plc2(State& m, Host& host) noexcept {
 static uint16_t get_axis_den(State& m, uint16_t a, Host&) noexcept {
   uint16_t result = 0;
 
-  result = (m[At(G_ul_from_0_by_20, a)] == 0) & !(m[At(G_from_0_by_20_n, a)] != 0);
+  result = (m[At(G_ul_from_0_by_20, a)] == 0) & (m[At(G_from_0_by_20_n, a)] == 0);
   return result;
 }
 

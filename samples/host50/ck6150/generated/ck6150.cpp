@@ -386,8 +386,8 @@ static void SR10(State& m, Host&) noexcept {
   // ORB
   // RST  REQ_CW
   // RST  REQ_CCW
-  if ((!m[SAFE]) | !m[CHUCK_CLAMPED] | !m[INV_OK] | m[SP_FAULT] | m[NC_RESET] | ((!m[DOOR_CLOSED])
-      & !m[MODE_JOG])) {
+  if ((!m[SAFE]) | !m[CHUCK_CLAMPED] | !m[INV_OK] | m[SP_FAULT] | m[NC_RESET]
+      | ((!m[DOOR_CLOSED]) & !m[MODE_JOG])) {
     m[REQ_CW] = false;
     m[REQ_CCW] = false;
   }
@@ -533,7 +533,7 @@ static void SR20(State& m, Host& host) noexcept {
   // LD   1
   // EQ   TUR_STEP, 0
   // LBL  J90
-  if (!(m[TUR_STEP] == 0)) {
+  if (m[TUR_STEP] != 0) {
     // NETWORK L0006 "已到位 / already there"
     // LD   TUR_LOCKED
     // EQ   TUR_STEP, 1
@@ -982,8 +982,8 @@ static void SR50(State& m, Host& host) noexcept {
     m[Q1040] = false;
     m[QF0] = 1200.0F;
     m[QF10] = t182;
-    if ((!m[POSM_1_active]) | (BitsOfF32(t182) != BitsOfF32(m[POSM_1_position])) | (BitsOfF32(1200.0F)
-        != BitsOfF32(m[POSM_1_speed]))) {
+    if ((!m[POSM_1_active]) | (BitsOfF32(t182) != BitsOfF32(m[POSM_1_position]))
+        | (BitsOfF32(1200.0F) != BitsOfF32(m[POSM_1_speed]))) {
       axis_command(host, 0, axis_command_kind::POSM, true, 0, t182, 1200.0F);
       m[POSM_1_position] = t182;
       m[POSM_1_speed] = 1200.0F;

@@ -448,28 +448,28 @@ void fast(State& m, Host&) noexcept {
 
   // C10I(4) = ([C10W=0]*!SHFREQ + [C10W=1]*!SPZERO*!NOPULS
   // + [C10W=2]*!RNGOK + [C10W=3]*T11U)*/C10I
-  CountSlow(m[C10], (((m[C10W] == 0) & m[SHFREQ]) | ((m[C10W] == 1) & m[SPZERO] & m[NOPULS]) | ((m[C10W] == 2)
-      & m[RNGOK]) | ((m[C10W] == 3) & m[T11U])) & !m[C10I], 4, m[slow_cycle]);
+  CountSlow(m[C10], (((m[C10W] == 0) & m[SHFREQ]) | ((m[C10W] == 1) & m[SPZERO] & m[NOPULS])
+      | ((m[C10W] == 2) & m[RNGOK]) | ((m[C10W] == 3) & m[T11U])) & !m[C10I], 4, m[slow_cycle]);
 
   // T11I(3) = [C10W=3]
   OnDelay(m[T11], m[C10W] == 3, 300, m[now]);
 
   // T12I(!PRNGMAX) = /[C10W=0]
-  OnDelay(m[T12], !(m[C10W] == 0), Mul32(Pair16(m[PRNGMAX], m[W1T1]), 20), m[now]);
+  OnDelay(m[T12], m[C10W] != 0, Mul32(Pair16(m[PRNGMAX], m[W1T1]), 20), m[now]);
 
   // !RNGFLT = T12U + !RNGFLT*/!ACKN
   m[RNGFLT] = m[T12U] | (m[RNGFLT] & !m[ACKN]);
 
   // !RNGV1 = /[C10W<2]*[!RNGWANT=1]
-  m[RNGV1] = (!(m[C10W] < 2)) & (m[RNGWANT] == 1);
+  m[RNGV1] = (m[C10W] >= 2) & (m[RNGWANT] == 1);
 
   // !RNGV2 = /[C10W<2]*[!RNGWANT=2]
-  m[RNGV2] = (!(m[C10W] < 2)) & (m[RNGWANT] == 2);
+  m[RNGV2] = (m[C10W] >= 2) & (m[RNGWANT] == 2);
 }
 
 [[gnu::noinline]] static void slow_U4A9(State& m, Host& host) noexcept {
   // !RNGV3 = /[C10W<2]*[!RNGWANT=3]
-  m[RNGV3] = (!(m[C10W] < 2)) & (m[RNGWANT] == 3);
+  m[RNGV3] = (m[C10W] >= 2) & (m[RNGWANT] == 3);
 
   // the spindle rocks a little while the gears mesh: 0.3 s each way
   // !SHFOSC = [C10W=2]*!SPPERM*!GUARD
@@ -507,7 +507,7 @@ void fast(State& m, Host&) noexcept {
   m[SDIGIT] = HighNibble8(m[W8K1]);
 
   // !SEXE = I4K16 + !SHFREQ + /[C10W=0]
-  m[SEXE] = m[I4K16] | m[SHFREQ] | !(m[C10W] == 0);
+  m[SEXE] = m[I4K16] | m[SHFREQ] | (m[C10W] != 0);
 
   // --- M03 M04 M05 M19: done when the drive says so -----------------------------
   // !SPRDY = !SPREACH*(!SPCW + !SPCCW)
@@ -720,7 +720,7 @@ void fast(State& m, Host&) noexcept {
   }
 
   // !TVALID = [!TWANT>0]*/[!TWANT>!TOOLS]
-  m[TVALID] = (m[TWANT] > 0) & !(m[TWANT] > m[TOOLS]);
+  m[TVALID] = (m[TWANT] > 0) & (m[TWANT] <= m[TOOLS]);
 
   // !TBAD = I4K17*/!TVALID + !TBAD*/!ACKN*/I4K17
   m[TBAD] = (m[I4K17] & !m[TVALID]) | (m[TBAD] & !m[ACKN] & !m[I4K17]);
@@ -760,8 +760,8 @@ void fast(State& m, Host&) noexcept {
   m[TPERM] = m[MACON] & m[EMCHN] & m[THTUR] & !m[TFLT];
 
   // !TREQ = ((I4K17 + !M06)*!TVALID + P20)*/!TFOUND*!TPERM + !TREQ*[C20W=0]*/I0K1*!TPERM
-  m[TREQ] = ((((m[I4K17] | m[M06]) & m[TVALID]) | m[P20]) & !m[TFOUND] & m[TPERM]) | (m[TREQ] & (m[C20W] == 0)
-      & !m[I0K1] & m[TPERM]);
+  m[TREQ] = ((((m[I4K17] | m[M06]) & m[TVALID]) | m[P20]) & !m[TFOUND] & m[TPERM])
+      | (m[TREQ] & (m[C20W] == 0) & !m[I0K1] & m[TPERM]);
 
   // step 0 rest, 1 turn, 2 pause of the contactors, 3 press into the lock, 4 check
   // C20Z = I0K1 + !TFLT + !EMLAT
@@ -790,13 +790,13 @@ void fast(State& m, Host&) noexcept {
   m[TURREV] = (m[C20W] == 3) & m[TPERM] & !m[TURFWD];
 
   // T20I(!PTURMAX) = /[C20W=0]
-  OnDelay(m[T20], !(m[C20W] == 0), Mul32(Pair16(m[PTURMAX], m[W1T3]), 20), m[now]);
+  OnDelay(m[T20], m[C20W] != 0, Mul32(Pair16(m[PTURMAX], m[W1T3]), 20), m[now]);
 
   // !TFLT = T20U + /!THTUR + !TFLT*/!ACKN
   m[TFLT] = m[T20U] | !m[THTUR] | (m[TFLT] & !m[ACKN]);
 
   // !TEXE = I4K17 + !TREQ + !TBAD + /[C20W=0]
-  m[TEXE] = m[I4K17] | m[TREQ] | m[TBAD] | !(m[C20W] == 0);
+  m[TEXE] = m[I4K17] | m[TREQ] | m[TBAD] | (m[C20W] != 0);
 
   // DOF KEEP: [C20W=0]*!TLOCK*!TSTROB
   if ((m[C20W] == 0) & m[TLOCK] & m[TSTROB]) {
@@ -1050,7 +1050,7 @@ void fast(State& m, Host&) noexcept {
   m[W19N1] = LowNibble8(m[TDIST]) & Not8(0xF0);
 
   // !TURDIR = !TAHEAD*/[C20W=0]
-  m[TURDIR] = m[TAHEAD] & !(m[C20W] == 0);
+  m[TURDIR] = m[TAHEAD] & (m[C20W] != 0);
 
   // --- state of the machine for the diagnostic page / состояние --------------------------
   // DOF OFF: /!MACON

@@ -122,7 +122,7 @@ void init(State& m, Host& host) noexcept {
   // :!=
   // : K 0
   // :JC PIERW
-  if (!(m[DB502] == 0)) {
+  if (m[DB502] != 0) {
     // :EM
   } else {
     // PIERW :L
@@ -812,7 +812,7 @@ static void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcep
           {
             {
               {
-                if (!(t608 == 0x0003)) {
+                if (t608 != 0x0003) {
                   // :!=
                   // : K 04D
                   // :T OW 84

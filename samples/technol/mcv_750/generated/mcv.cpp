@@ -169,10 +169,10 @@ void init(State& m, Host& host) noexcept {
     // JL1  IN_KONEC
     const uint32_t t840 = UnsignedDiv32(dr, 1000);
     dr = t840;
-    if (!(t840 > 20)) {
+    if (t840 <= 20) {
       // EQ   CNST.0
       // JL1  IN_KONEC
-      if (!(dr == 0)) {
+      if (dr != 0) {
         // MULW CNST.60*SEKUNDA
         // STO  OTACKY
         m[OTACKY] = Mul32(LowHalf32(dr), 3000);
@@ -288,11 +288,11 @@ void requests(State& m, Host& host) noexcept {
       nc_table_refused(host, nc_table_refused_field::NCTAB_MOD);
     } else if ((t5 != 1) & (t5 != 2) & (t5 != 6)) {
       nc_table_refused(host, nc_table_refused_field::NCTAB_TAB);
-    } else if (((t5 == 1) & ((t6 < 1) | (t6 > 5))) | ((t5 == 2) & ((t6 < 1) | (t6 > 6))) | ((t5 == 6) & ((t6
-        < 1) | (t6 > 1)))) {
+    } else if (((t5 == 1) & ((t6 < 1) | (t6 > 5))) | ((t5 == 2) & ((t6 < 1) | (t6 > 6)))
+        | ((t5 == 6) & ((t6 < 1) | (t6 > 1)))) {
       nc_table_refused(host, nc_table_refused_field::NCTAB_SLOUPEC);
-    } else if (((t5 == 1) & ((t7 < 1) | (t7 > 99))) | ((t5 == 2) & ((t7 < 53) | (t7 > 59))) | ((t5 == 6) & (t7
-        > 95))) {
+    } else if (((t5 == 1) & ((t7 < 1) | (t7 > 99))) | ((t5 == 2) & ((t7 < 53) | (t7 > 59)))
+        | ((t5 == 6) & (t7 > 95))) {
       nc_table_refused(host, nc_table_refused_field::NCTAB_RADEK);
     } else if (HasNoDigit32(t8 & 0x7FFFFFFF)) {
       nc_table_refused(host, nc_table_refused_field::NCTAB_DATA);
@@ -551,7 +551,7 @@ static void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
     // JL1  MA_TAB
     const uint16_t t156 = Add16(m[VTERINA], 1);
     m[VTERINA] = LowByte16(t156);
-    if (!(t156 < 50)) {
+    if (t156 >= 50) {
       // LOD  CNST.0
       // STO  VTERINA
       m[VTERINA] = 0;
@@ -566,7 +566,7 @@ static void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
   // MA_TAB:   LOD  BYTE.TAB_TECHNOL.TCH_AKTIV
   // EQ   CNST.0
   // JL1  MA_EDIT
-  if (!(m[TAB_TECHNOL_TCH_AKTIV] == 0)) {
+  if (m[TAB_TECHNOL_TCH_AKTIV] != 0) {
     // LOD  CNST.0
     // STO  BYTE.TAB_TECHNOL.TCH_AKTIV
     m[TAB_TECHNOL_TCH_AKTIV] = 0;
@@ -598,7 +598,7 @@ static void MODULE_MAIN(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
     // MOV  DX,ZN_MAX*2
     // CMP  BX,DX
     // JAE  MA_RUCNE                ; pocket 0 is 0FFFEh here
-    if (!(bx >= 40)) {
+    if (bx < 40) {
       // LOD  WORD.IN17
       // STO  WORD.LABEL_MEM.ZN_T_TAB[BX]
       const uint16_t t815 = m[WORD_IN17];
@@ -813,7 +813,7 @@ static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx,
       const uint16_t t162 = m[WORD_IN11];
       m[T_PROG] = t162;
       m[HLEDANY] = t162;
-      if (!(t162 == m[LABEL_MEM_VR_T])) {
+      if (t162 != m[LABEL_MEM_VR_T]) {
         // CALL NAJDI
         if (NAJDI(m, bx, dx, rounds_left, host)) return;
         // LOD  LUZKO
@@ -821,7 +821,7 @@ static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx,
         // JL1  PF_NENI
         const uint16_t t107 = m[LUZKO];
         dr = t107;
-        if (!(t107 == 0)) {
+        if (t107 != 0) {
           // STO  CIL
           m[CIL] = LowHalf32(dr);
           // FL   1,OTOC_ZAS
@@ -845,7 +845,7 @@ static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx,
     // JL1  PF_M3
     const uint16_t t895 = m[IN10];
     dr = t895;
-    if (!(t895 == 0x00000003)) {
+    if (t895 != 0x00000003) {
       // EQ   CNST.4h
       // JL1  PF_M4
       if (LowHalf32(dr) == 0x00000004) goto to_PF_M4;
@@ -986,10 +986,10 @@ static void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) n
     // JL1  ZF_M5
     const uint16_t t487 = m[IN10];
     dr = t487;
-    if (!(t487 == 0x00000005)) {
+    if (t487 != 0x00000005) {
       // EQ   CNST.9h
       // JL1  ZF_M9
-      if (!(LowHalf32(dr) == 0x00000009)) {
+      if (LowHalf32(dr) != 0x00000009) {
         // EQ   CNST.30h
         // JL1  ZF_M30
         if (LowHalf32(dr) == 0x00000030) goto to_ZF_M30;
@@ -1258,7 +1258,7 @@ static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
       // LOD  CIL
       // EQ   LABEL_MEM.ZN_POZ
       // JL0  VN_CHYBA                ; zásobník nestojí na hledaném lůžku
-      if (!(m[CIL] == m[LABEL_MEM_ZN_POZ])) goto to_VN_CHYBA;
+      if (m[CIL] != m[LABEL_MEM_ZN_POZ]) goto to_VN_CHYBA;
       // ; lůžko dolů, ruka uchopí oba nástroje
       // POHYB O_LUZKO,I_LUZ_DOLE,DOBA_LUZKA,3
       m[O_LUZKO] = true;
@@ -1610,7 +1610,7 @@ to_OZ_KONEC:;
 
 // Mechanism RUCNE: goes on where it waits.
 static void mech_RUCNE(State& m, Host&) noexcept {
-  uint32_t dr_local = 0;
+  uint32_t dr_local_6 = 0;
 
   switch (m[RUCNE_step]) {
     default: {
@@ -1626,10 +1626,10 @@ static void mech_RUCNE(State& m, Host&) noexcept {
         // GT   CNST.ZN_MAX
         // JL0  RU_CIL
         const uint16_t t284 = Add16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local = t284;
+        dr_local_6 = t284;
         if (t284 > 20) {
           // LOD  CNST.1
-          dr_local = 1;
+          dr_local_6 = 1;
           // JUM  RU_CIL
         }
       } else {
@@ -1638,14 +1638,14 @@ static void mech_RUCNE(State& m, Host&) noexcept {
         // NE   CNST.0
         // JL1  RU_CIL
         const uint16_t t508 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local = t508;
-        if (!(t508 != 0)) {
+        dr_local_6 = t508;
+        if (t508 == 0) {
           // LOD  CNST.ZN_MAX
-          dr_local = 20;
+          dr_local_6 = 20;
         }
       }
       // RU_CIL:   STO  CIL
-      m[CIL] = LowHalf32(dr_local);
+      m[CIL] = LowHalf32(dr_local_6);
       // FL   1,OTOC_ZAS
       m[OTOC_ZAS] = true;
     }
@@ -2027,7 +2027,7 @@ static void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept
   const uint16_t t467 = LowHalf32(UnsignedDiv32(t466, 60));
   m[SEKUND] = LowHalf32(UnsignedRem32(t466, 60));
   dr = t467;
-  if (!(t467 == 0)) {
+  if (t467 != 0) {
     // MULW CNST.1000
     // STO  OTACKY
     m[OTACKY] = Mul32(LowHalf32(dr), 1000);
@@ -2157,7 +2157,7 @@ static void POSUN(State& m, uint32_t& dr, Host&) noexcept {
     // JL1  PO_ULOZ
     const uint16_t t630 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
     dr = t630;
-    if (!(t630 != 0)) {
+    if (t630 == 0) {
       // LOD  CNST.ZN_MAX
       dr = 20;
     }
