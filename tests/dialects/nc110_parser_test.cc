@@ -130,9 +130,12 @@ TEST(Nc110Parser, Warnings) {
   EXPECT_THAT(WarningsOf("$\nU4A0=[255<W1K0]"), ElementsAre("2:6 nc110-W322"));
   EXPECT_THAT(WarningsOf("$\nU4A0=[W1K0<1]+[W1K0>254]"), IsEmpty());
   EXPECT_THAT(WarningsOf("$\nU4A0=[ENC(W1K0)=3]"), ElementsAre("2:7 nc110-W330"));
-  EXPECT_THAT(WarningsOf("$\nW1K0=MUX(W1K0+1),(I0A0)"), ElementsAre("2:10 nc110-W330"));
+  EXPECT_THAT(WarningsOf("$\nW1K0=MUX(W1K0+80H),(I0A0)"), ElementsAre("2:10 nc110-W330"));
   EXPECT_THAT(WarningsOf("$\nW1K0=MUX(W1K0),(I0A0*I0A1)"), ElementsAre("2:17 nc110-W330"));
   EXPECT_THAT(WarningsOf("$\nU4A0=1"), ElementsAre("2:6 nc110-W330"));
+  EXPECT_THAT(WarningsOf("$\nU4A0=1\nU4A1=0"), ElementsAre("2:6 nc110-W330")) << "once in a file";
+  EXPECT_THAT(WarningsOf("$\nW200K0=W200K0+1"), ElementsAre("2:14 nc110-W323"));
+  EXPECT_THAT(WarningsOf("$\nW200K0=W200K0+80H"), IsEmpty());
 }
 
 // covers: NC110-226
