@@ -12,6 +12,11 @@ if(PLCXX_SANITIZE)
   target_compile_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE})
 endif()
+if(PLCXX_ODR)
+  target_compile_options(plcxx_options INTERFACE -flto=2)
+  target_link_options(plcxx_options INTERFACE -flto=2 -fuse-linker-plugin -Wodr -Wlto-type-mismatch -Werror=odr
+                      -Werror=lto-type-mismatch)
+endif()
 
 # Most of what a file costs the compiler is its headers, which eight files of a folder share this way.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)

@@ -45,9 +45,10 @@ std::string ProgramText(uint32_t first, uint32_t last, std::set<uint32_t>& words
   return ":MOD PM 0\n" + Lines({"AN I 20.0", "S F 250.0"}) + ":END PM 0\n:MOD PM 1\n" + code + ":END PM 1\n";
 }
 
-class Machine {
+class RetentiveMachine {
  public:
-  explicit Machine(const Compilation& compilation) : compilation_(compilation), simulator_(compilation.program) {
+  explicit RetentiveMachine(const Compilation& compilation)
+      : compilation_(compilation), simulator_(compilation.program) {
     simulator_.PowerOn();
   }
   void Write(const std::string& name, uint64_t value) { simulator_.Write(PlaceOf(name), value); }
@@ -76,7 +77,7 @@ void Check(uint32_t first, uint32_t last) {
   ASSERT_TRUE(compilation.ok()) << compilation.diagnostics.all().front().text;
   EXPECT_FALSE(emit::Legalize(compilation.program, {.name = "data"}).layout.places.empty());
 
-  Machine machine(compilation);
+  RetentiveMachine machine(compilation);
   std::array<uint8_t, kBytes> data{};
   std::mt19937 random(first * kBytes + last);
   const auto any_address = [&]() -> int32_t {

@@ -38,7 +38,9 @@ std::map<uint32_t, ItemEnd> EndsOfGroups(uint32_t bad, void (*harm)()) {
 void ExpectOnlyFailed(const std::map<uint32_t, ItemEnd>& ends, uint32_t bad) {
   EXPECT_EQ(ends.size(), 6u);
   for (const auto& [item, end] : ends) {
-    if (item != bad) EXPECT_EQ(end.result, "item " + std::to_string(item)) << end.why;
+    if (item != bad) {
+      EXPECT_EQ(end.result, "item " + std::to_string(item)) << end.why;
+    }
   }
   EXPECT_FALSE(ends.at(bad).result);
 }

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Makes docs/evidence.md: what plcxx promises, which check keeps each promise, and the figures of these checks.
+
+    dev/evidence                     counts what stands in the sources, writes the page anew
+    dev/evidence --record NAME FILE  takes the figures of a run (the text that it printed) into the record, then writes
+    dev/evidence --check             fails when the page is not what the record and the sources give
+
+The record is docs/evidence.json: for each run the commit that was measured, its command and its closing lines. Figures
+of long runs are only as old as their commit says; a figure is never changed by hand.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE, RECORD = ROOT / "docs/evidence.md", ROOT / "docs/evidence.json"
+
+# (promise, kept by, path that must be there, record or none)
+PROMISES = [
+    ("nc110 and host50 compute what their specifications say", "a second reading of each, written from the "
+     "specification alone, runs in lockstep over all scenarios and over random programs", "tests/reference", "soak"),
+    ("prostep and technol compute what their specifications say", "second readings, likewise", "tests/reference",
+     "soak"),
+    ("hnc computes what C with a 16-bit int says", "avr-gcc and libsimavr judge random programs and the whole matrix of "
+     "loops", "tests/judges/avr", "avr"),
+    ("every loop of hnc that is accepted ends, with the right value of its counter", "the matrix of types, relations, "
+     "steps and limits against exact arithmetic", "tests/differential/loops", None),
+    ("what hnc's lowering decides from ranges is so", "the facts are executed as assertions in all of hnc's scenarios "
+     "(`plcxx test --checked`)", "transpiler/dialects/hnc", None),
+    ("the simulator and the generated C++ are one meaning", "each scenario runs in both in lockstep, a part of them on "
+     "emulated Cortex-M and RISC-V", "tests/golden", None),
+    ("each effect of a program is in its C++ exactly once", "a record that the printer follows, and a check after "
+     "printing: otherwise nothing is written", "transpiler/emit/spelled_once.cc", None),
+    ("generated code is bounded, without heap, recursion or undefined behaviour", "`plcxx build` audits the object; "
+     "scenarios run under the sanitizers in the preset `asan`", "transpiler/compile/audit", None),
+    ("no type of the tool is two types", "a rule over all sources with a failing fixture", "tests/policy/namespaces.cc",
+     None),
+    ("each rule of a specification's checklist has a test", "`covers:` of tests against the checklists",
+     "tests/policy/coverage.cc", None),
+    ("each message has a page whose programs do what it says", "the programs of the pages are compiled",
+     "tests/policy/explain.cc", None),
+    ("code in a remedy compiles", "the code of the help texts is taken out and compiled (nc110, host50)",
+     "tests/fuzz/cases", None),
+    ("broken and hostile input gives a message, never a crash, a hang or a leak", "a fuzzer of whole cases over all "
+     "subcommands", "tests/fuzz/cases/run.py", "cases"),
+    ("each subcommand takes each program", "every form of every subcommand over goldens and samples",
+     "tests/fuzz/cases/everything.py", "everything"),
+    ("each option of each dialect changes something", "a row with a program for each option", "tests/options", None),
+    ("the whole suite", "`./dev/test`", "dev/test", "suite"),
+]
+
+NOT_PROMISED = [
+    "That a specification reads its control's manual rightly: a second reading shares the specification with the first.",
+    "The timing of a real machine: periods are simulated, and costs are estimates until `plcxx build` measures a target.",
+    "f64 of hnc against another machine: avr-gcc has none; it is compared with the host's compiler only.",
+    "That a range decides rightly in the languages other than hnc: only hnc's decisions are executed as assertions.",
+    "Targets that no emulator here runs, and compilers other than GCC and Clang.",
+]
+
+
+def commit():
+    return subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], cwd=ROOT, check=True, capture_output=True,
+                          text=True).stdout.strip()
+
+
+def count(pattern, *folders):
+    return sum(len(list((ROOT / folder).rglob(pattern))) for folder in folders)
+
+
+def counted():
+    """(what, number): from the sources themselves, so that --check sees them grow."""
+    rows = []
+    for dialect in ("nc110", "technol", "host50", "prostep", "hnc"):
+        ids = [line for line in (ROOT / f"tests/policy/checklist_{dialect}.txt").read_text().splitlines()
+               if re.match(r"[A-Z0-9]+-\w+", line)]
+        rows.append((dialect, count("*.yaml", f"tests/golden/{dialect}", f"samples/{dialect}"), len(ids)))
+    return rows
+
+
+def page(records):
+    lines = ["# Evidence", "", "What plcxx promises, the check that keeps each promise, and what was measured. Made by "
+             "`dev/evidence`; long", "runs are recorded with the commit that they looked at.", "",
+             "| promise | kept by | where | last run |", "|---|---|---|---|"]
+    for promise, kept, where, record in PROMISES:
+        if not (ROOT / where).exists():
+            raise SystemExit(f"evidence: '{where}' is not there: the promise '{promise}' has no check")
+        run = f"[{record}](#{record})" if record in records else "each `dev/test`"
+        lines.append(f"| {promise} | {kept} | `{where}` | {run} |")
+    lines += ["", "## In the sources", "", "| language | scenarios | rules of the checklist, each named by a test |",
+              "|---|---|---|"]
+    lines += [f"| {name} | {scenarios} | {rules} |" for name, scenarios, rules in counted()]
+    for name, record in sorted(records.items()):
+        lines += ["", f"## {name}", "", f"`{record['command']}` at {record['commit']}:", "", "```text",
+                  *record["figures"], "```"]
+    lines += ["", "## Not promised", "", *[f"- {text}" for text in NOT_PROMISED]]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--record", nargs=2, metavar=("NAME", "FILE"))
+    parser.add_argument("--command", help="of the recorded run")
+    parser.add_argument("--commit", help="that the recorded run looked at, when it is not the present one")
+    parser.add_argument("--check", action="store_true")
+    asked = parser.parse_args()
+    records = json.loads(RECORD.read_text()) if RECORD.exists() else {}
+    if asked.record:
+        name, file = asked.record
+        known = {record for *_, record in PROMISES if record}
+        if name not in known:
+            raise SystemExit(f"evidence: no promise names the run '{name}'; there are {', '.join(sorted(known))}")
+        if not asked.command:
+            raise SystemExit("evidence: --command says how to run it again")
+        text = pathlib.Path(file).read_text().rstrip().splitlines()
+        records[name] = {"command": asked.command, "commit": asked.commit or commit(), "figures": text}
+        RECORD.write_text(json.dumps(records, indent=1, ensure_ascii=False, sort_keys=True) + "\n")
+    text = page(records)
+    if asked.check:
+        if not PAGE.exists() or PAGE.read_text() != text:
+            sys.exit("docs/evidence.md is not what the sources and docs/evidence.json give: run dev/evidence")
+        return
+    PAGE.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
