@@ -124,6 +124,11 @@ class Widths {
         break;
     }
     if (!info.assembler) return width;
+    // A shift by the constant 0 (of 5 bits) changes nothing (6.9), so that it is no write.
+    if (info.form == technol::Form::kShift && operand(1).kind == OperandKind::kConstant &&
+        (operand(1).value & 31) == 0) {
+      return width;
+    }
     for (uint32_t k = 0; k < instruction.operands.count; ++k) {
       const bool writes = k == 0 ? info.first == technol::Access::kWrite || info.first == technol::Access::kReadWrite
                                  : instruction.op == Op::kXchg;
