@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes docs/evidence.md: what plcxx promises, which check keeps each promise, and the figures of these checks.
 
-    dev/evidence                     counts what stands in the sources, writes the page anew
+    dev/evidence                     counts scenarios and rules of the present commit, writes the page anew
     dev/evidence --record NAME FILE  takes the figures of a run (the text that it printed) into the record, then writes
     dev/evidence --check             fails when the page is not what the record and the sources give
 
@@ -71,12 +71,12 @@ def count(pattern, *folders):
 
 
 def counted():
-    """(what, number): from the sources themselves, so that --check sees them grow."""
+    """For each language its scenarios, and the rules of its checklist."""
     rows = []
     for dialect in ("nc110", "technol", "host50", "prostep", "hnc"):
         ids = [line for line in (ROOT / f"tests/policy/checklist_{dialect}.txt").read_text().splitlines()
                if re.match(r"[A-Z0-9]+-\w+", line)]
-        rows.append((dialect, count("*.yaml", f"tests/golden/{dialect}", f"samples/{dialect}"), len(ids)))
+        rows.append([dialect, count("*.yaml", f"tests/golden/{dialect}", f"samples/{dialect}"), len(ids)])
     return rows
 
 
@@ -89,9 +89,10 @@ def page(records):
             raise SystemExit(f"evidence: '{where}' is not there: the promise '{promise}' has no check")
         run = f"[{record}](#{record})" if record in records else "each `dev/test`"
         lines.append(f"| {promise} | {kept} | `{where}` | {run} |")
-    lines += ["", "## In the sources", "", "| language | scenarios | rules of the checklist, each named by a test |",
+    sources = records.pop("sources")
+    lines += ["", "## In the sources", "", f"At {sources['commit']}:", "", "| language | scenarios | rules of the checklist, each named by a test |",
               "|---|---|---|"]
-    lines += [f"| {name} | {scenarios} | {rules} |" for name, scenarios, rules in counted()]
+    lines += [f"| {name} | {scenarios} | {rules} |" for name, scenarios, rules in sources["figures"]]
     for name, record in sorted(records.items()):
         lines += ["", f"## {name}", "", f"`{record['command']}` at {record['commit']}:", "", "```text",
                   *record["figures"], "```"]
@@ -116,6 +117,8 @@ def main():
             raise SystemExit("evidence: --command says how to run it again")
         text = pathlib.Path(file).read_text().rstrip().splitlines()
         records[name] = {"command": asked.command, "commit": asked.commit or commit(), "figures": text}
+    if not asked.check:
+        records["sources"] = {"commit": commit(), "figures": counted()}
         RECORD.write_text(json.dumps(records, indent=1, ensure_ascii=False, sort_keys=True) + "\n")
     text = page(records)
     if asked.check:

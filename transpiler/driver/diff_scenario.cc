@@ -8,6 +8,7 @@
 #include "transpiler/driver/diff_machine.h"
 #include "transpiler/driver/diff_runs.h"
 #include "transpiler/driver/diff_shorten.h"
+#include "transpiler/driver/project_files.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_suite.h"
 #include "transpiler/driver/yaml_words.h"
@@ -103,15 +104,17 @@ std::string RelativePath(const std::string& path, const std::string& directory) 
 }
 
 std::string Heading(const DiffSide& side, const DiffOptions& options) {
-  std::string text = "dialect: " + std::string(side.compilation.dialect->name) + "\nsources: [";
-  std::string separator;
+  std::vector<std::string> sources;
+  std::string names, separator;
   for (const std::string& source : side.request.sources) {
     const std::string& name = side.file_name.empty() ? source : side.file_name;
-    const std::string path = (std::filesystem::path(side.scenario_base) / name).string();
-    text += separator + Quoted(RelativePath(path, options.scenario_directory));
+    sources.push_back(
+        RelativePath((std::filesystem::path(side.scenario_base) / name).string(), options.scenario_directory));
+    names += separator + Quoted(sources.back());
     separator = ", ";
   }
-  text += "]\n";
+  std::string text = ReplayComment(options.scenario_directory, sources) +
+                     "dialect: " + std::string(side.compilation.dialect->name) + "\nsources: [" + names + "]\n";
   if (!side.request.options.empty()) {
     text += "options: {";
     separator.clear();

@@ -37,4 +37,12 @@ std::optional<std::string> OutsideOfProject(const std::string& file, const std::
   return project.string();
 }
 
+std::string ReplayComment(const std::string& directory, std::span<const std::string> sources) {
+  const std::string scenario = (fs::path(directory) / "scenario.yaml").string();
+  const bool outside = std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+    return OutsideOfProject(scenario, source).has_value();
+  });
+  return outside ? "# The sources are in another project: plcxx test --allow-outside\n" : "";
+}
+
 }  // namespace plcxx::driver

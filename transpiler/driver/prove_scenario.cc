@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "transpiler/driver/project_files.h"
 #include "transpiler/driver/scenario.h"
 #include "transpiler/driver/scenario_program.h"
 #include "transpiler/driver/scenario_suite.h"
@@ -31,13 +32,15 @@ std::string Heading(const ProveMachine& machine, const CompilationRequest& reque
   std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
                          ? "# A run behind which no inputs move the output in time.\n"
                          : "# A run that violates the property: it passes when the program has been repaired.\n";
-  text += "dialect: " + std::string(machine.compilation.dialect->name) + "\nsources: [";
-  std::string separator;
+  std::vector<std::string> sources;
+  std::string names, separator;
   for (const std::string& source : request.sources) {
-    text += separator + Scalar(PathFrom(directory, request, source));
+    sources.push_back(PathFrom(directory, request, source));
+    names += separator + Scalar(sources.back());
     separator = ", ";
   }
-  text += "]\n";
+  text += ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
+          "\nsources: [" + names + "]\n";
   separator.clear();
   std::string options;
   for (const auto& [key, value] : machine.compilation.options) {

@@ -45,7 +45,7 @@ struct Child {
 
 std::string TextOf(std::FILE* file) {
   std::string text(kMostErrorBytes, '\0');
-  std::rewind(file);
+  if (std::fseek(file, 0, SEEK_SET) != 0) return {};
   text.resize(std::fread(text.data(), 1, text.size(), file));
   while (text.ends_with('\n')) text.pop_back();
   return text;

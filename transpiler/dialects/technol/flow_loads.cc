@@ -128,14 +128,12 @@ void LoadChecker::Check(InstructionId entry, const Missing& initial) {
 /// The last one above in the same unit, else the first one below, from which a jump leads back.
 InstructionId LoadChecker::WaitBefore(InstructionId id) const {
   const UnitId unit = program_.instructions[id].unit;
-  const auto is_wait = [&](uint32_t i) {
-    return program_.instructions[InstructionId(i)].unit == unit && IsWait(program_.instructions[InstructionId(i)].op);
-  };
-  for (uint32_t i = id.index; i-- > 0 && program_.instructions[InstructionId(i)].unit == unit;) {
-    if (is_wait(i)) return InstructionId(i);
+  const auto is_inside = [&](uint32_t i) { return program_.instructions[InstructionId(i)].unit == unit; };
+  const auto is_wait = [&](uint32_t i) { return IsWait(program_.instructions[InstructionId(i)].op); };
+  for (uint32_t i = id.index; i > 0 && is_inside(i - 1); --i) {
+    if (is_wait(i - 1)) return InstructionId(i - 1);
   }
-  for (uint32_t i = id.index; i < program_.instructions.size(); ++i) {
-    if (program_.instructions[InstructionId(i)].unit != unit) break;
+  for (uint32_t i = id.index; i < program_.instructions.size() && is_inside(i); ++i) {
     if (is_wait(i)) return InstructionId(i);
   }
   return {};
