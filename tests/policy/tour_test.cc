@@ -26,6 +26,7 @@ TEST(Tour, GuideIsTrue) {
   const std::vector<std::string> pages = FilesBelow(Root(), "docs", {".md"});
   EXPECT_GE(pages.size(), 7u);
   for (const std::string& page : pages) {
+    if (page == "docs/evidence.md") continue;  // figures of runs: ctest `evidence` compares them with their record
     const Findings findings = RunTour(page, ReadFile(Root() + "/" + page), ToolDirectory());
     EXPECT_THAT(findings, IsEmpty()) << Joined(findings);
   }

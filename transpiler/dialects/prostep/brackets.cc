@@ -14,6 +14,7 @@ void BracketChecker::Instruction(Op op, source::Range range, std::string_view te
     if (text.ends_with('(')) {
       Open(range, text);
       levels_.back().has_content = true;
+      levels_.back().is_misspelt = true;
     }
     return;
   }
@@ -42,6 +43,13 @@ void BracketChecker::Instruction(Op op, source::Range range, std::string_view te
   }
 }
 
+const BracketChecker::Level* BracketChecker::InnermostOpen() const {
+  for (size_t i = levels_.size(); i-- > 1;) {
+    if (!levels_[i].is_misspelt) return &levels_[i];
+  }
+  return nullptr;
+}
+
 void BracketChecker::Open(source::Range range, std::string_view text) {
   levels_.push_back({.open = range});
   forgiven_ = 0;
@@ -68,9 +76,10 @@ void BracketChecker::Close(source::Range range) {
 }
 
 void BracketChecker::Outside(source::Range range, std::string_view text) {
+  if (const Level* open = InnermostOpen()) {
+    diagnostics_.Report(range, diag::ProstepBracketNotClosed, text).notes.push_back({open->open, "it was opened here"});
+  }
   if (levels_.size() > 1) {
-    diagnostics_.Report(range, diag::ProstepBracketNotClosed, text)
-        .notes.push_back({levels_.back().open, "it was opened here"});
     forgiven_ = levels_.size() - 1;
     levels_.resize(1);
   }
@@ -78,9 +87,9 @@ void BracketChecker::Outside(source::Range range, std::string_view text) {
 }
 
 void BracketChecker::Label(std::string_view name, source::Range range) {
-  if (levels_.size() > 1) {
+  if (const Level* open = InnermostOpen()) {
     diagnostics_.Report(range, diag::ProstepLabelInBracket, name)
-        .notes.push_back({levels_.back().open, "the bracket was opened here"});
+        .notes.push_back({open->open, "the bracket was opened here"});
   } else if (levels_.back().in_string) {
     diagnostics_.Report(range, diag::ProstepLabelInString, name);
   }

@@ -28,8 +28,11 @@ class BracketChecker {
     source::Range open;
     bool has_content = false;  // a logic operation or a comparison
     bool in_string = false;    // an operand-less O waits for its fold
+    bool is_misspelt = false;  // opened by what is no instruction, which was reported
   };
 
+  /// The innermost bracket that a right instruction opened; none: nothing but misspelt ones are open.
+  const Level* InnermostOpen() const;
   void Open(source::Range range, std::string_view text);
   void Close(source::Range range);
   /// What ends a sequence and what jumps stands outside brackets.

@@ -18,10 +18,11 @@ void PulseSlow(OneShotValues& shot, Bit input, I32 slow_cycle) {
 
 /// A running pulse stays as it is. A new one ends after a complete slow cycle: with one in progress, after the next.
 void PulseFast(OneShotValues& shot, Bit input, I32 slow_done, I8 slice) {
-  const Value running = shot.pulse & Not(IsReached(slow_done, shot.target));
+  const Value reached = IsReached(slow_done, shot.target);
+  const Value running = shot.pulse & Not(reached);
   const Value starts = Not(running) & input & Not(shot.previous);
   const Value complete = Select(slice == 0, slow_done + 1, slow_done + 2);
-  shot.target = Select(running, shot.target, Select(starts, complete, slow_done));
+  shot.target = Select(starts, complete, Select(reached, slow_done, shot.target));
   shot.pulse = running | starts;
   shot.fast = shot.fast | starts;
   shot.previous = input;
