@@ -17,7 +17,7 @@ void Lowering::LabelStatement(const Statement& statement, bool last) {
     std::vector<StatementId> back;
     ForEachStatement(unit_, function_->body, [&](StatementId id) {
       const Statement& jump = unit_.statements[id];
-      if (jump.kind == StatementKind::kGoto && jump.label == statement.label && IsBefore(label.statement, id)) {
+      if (live_gotos_.contains(id.index) && jump.label == statement.label && IsBefore(label.statement, id)) {
         back.push_back(id);
       }
     });

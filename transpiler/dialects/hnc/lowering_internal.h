@@ -17,6 +17,7 @@
 
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/hnc/facts.h"
+#include "transpiler/dialects/hnc/live_jumps.h"
 #include "transpiler/dialects/hnc/loop_counts.h"
 #include "transpiler/dialects/hnc/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
@@ -236,7 +237,7 @@ class Lowering {
   void TakeComments(source::Offset until, std::vector<source::Range>& to);
   void CommentsAtEnd(source::Range close);
   std::string SubjectOf(const Statement& statement) const;
-  bool HasLabel(StatementId id) const;
+  bool IsEntered(StatementId id) const { return id.valid() && entered_.contains(id.index); }
   uint32_t NewLabel() { return next_label_++; }
   void JumpTo(uint32_t label);
   void PlaceLabel(uint32_t label);
@@ -251,6 +252,7 @@ class Lowering {
   StatementId LastBreak(StatementId id) const;
   void CheckFallThrough(StatementId from, StatementId to);
   void FindLabels(const Function& function);
+  void FindEntries(const Function& function);
   void CheckJumps(const Function& function);
   StatementId ParentOf(StatementId id) const;
   /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
@@ -287,7 +289,6 @@ class Lowering {
   bool IsLocalObject(ObjectId object) const;
   bool GoesOn(StatementId id, bool& continues) const;
   bool Continues(StatementId id, StatementId outer) const;
-  std::optional<bool> ConstantCondition(ExprId id) const;
   void ForgetWrites(StatementId id);
   void ForgetWritesOf(ExprId id);
   void CheckRounds(source::Range keyword, uint64_t rounds);
@@ -432,7 +433,8 @@ class Lowering {
   std::unordered_set<uint32_t> flat_;                       // by StatementId: ifs and switches that jumps lead into
   std::unordered_map<uint32_t, uint32_t> case_labels_;      // by StatementId of a case, of a flat switch
   std::unordered_map<uint32_t, ir::PlaceId> goto_budgets_;  // by LabelId
-  std::unordered_set<uint32_t> has_label_;                  // by StatementId: a label or case stands in it
+  std::unordered_set<uint32_t> live_gotos_;                 // by StatementId
+  std::unordered_set<uint32_t> entered_;                    // by StatementId: a jump from outside leads into it
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
   std::unordered_map<uint32_t, uint32_t> order_;            // by StatementId
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back

@@ -33,11 +33,10 @@ uint64_t RawValue(int64_t value, const Type& type) {
 
 }  // namespace
 
-/// Which statement holds which, and which hold labels.
+/// Which statement holds which, and what jumps lead into.
 void Lowering::FindLabels(const Function& function) {
   parents_.clear();
   order_.clear();
-  has_label_.clear();
   flat_.clear();
   goto_labels_.clear();
   case_labels_.clear();
@@ -48,15 +47,40 @@ void Lowering::FindLabels(const Function& function) {
     for (const StatementId child : statement.body) parents_[child.index] = id;
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
-    const bool label =
-        statement.kind == StatementKind::kLabel && statement.label.valid() && unit_.labels[statement.label].used;
-    if (!label && !IsCase(statement.kind)) return;
-    for (StatementId at = id; at.valid() && has_label_.insert(at.index).second;) {
-      const auto parent = parents_.find(at.index);
-      at = parent == parents_.end() ? StatementId() : parent->second;
+  });
+  live_gotos_ = FindLiveGotos(unit_, function.body);
+  FindEntries(function);
+  CheckJumps(function);
+}
+
+/// What is lowered although control does not come to its beginning: a live goto or a switch outside of it leads to a
+/// label in it. A switch with one in front of its cases becomes flat, for there is no arm that holds the label.
+void Lowering::FindEntries(const Function& function) {
+  entered_.clear();
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    if (statement.kind == StatementKind::kGoto && live_gotos_.contains(id.index)) {
+      std::unordered_set<uint32_t> around;
+      for (StatementId at = id; at.valid(); at = ParentOf(at)) around.insert(at.index);
+      for (StatementId at = unit_.labels[statement.label].statement; at.valid() && !around.contains(at.index);
+           at = ParentOf(at)) {
+        entered_.insert(at.index);
+      }
+    }
+    if (!IsCase(statement.kind)) return;
+    for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
+      entered_.insert(at.index);
     }
   });
-  CheckJumps(function);
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    if (unit_.statements[id].kind != StatementKind::kSwitch) return;
+    const Statement& body = unit_.statements[unit_.statements[id].then];
+    if (body.kind != StatementKind::kCompound) return;
+    for (const StatementId part : body.body) {
+      if (IsCase(unit_.statements[part].kind)) return;
+      if (IsEntered(part)) flat_.insert(id.index);
+    }
+  });
 }
 
 StatementId Lowering::ParentOf(StatementId id) const {
