@@ -66,6 +66,8 @@ constexpr bool IsLoop(StatementKind kind) {
   return kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor;
 }
 
+constexpr bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
+
 inline constexpr uint32_t kNullOffset = 0x80000000;
 inline constexpr uint32_t kMostTargets = 16;
 
@@ -253,6 +255,7 @@ class Lowering {
   void CheckFallThrough(StatementId from, StatementId to);
   void FindLabels(const Function& function);
   void FindEntries(const Function& function);
+  bool AreInOneArm(StatementId list, StatementId a, StatementId b) const;
   void CheckJumps(const Function& function);
   StatementId ParentOf(StatementId id) const;
   /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
@@ -269,7 +272,9 @@ class Lowering {
   };
   Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
   bool IsEnteredElsewhere(const Span& span) const;
-  bool HasChoiceAround(StatementId label) const;
+  bool HasChoiceAround(StatementId label, StatementId jump) const;
+  void SetBudget(ir::PlaceId budget, uint32_t left, StatementId label);
+  void SetBudgetBefore(ir::RegionId region, size_t at, ir::PlaceId budget, uint32_t left);
   void PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps);
 
   // --- loops (lowering_loops.cc, loop_bounds.cc) ---
@@ -278,9 +283,20 @@ class Lowering {
     ExprId condition, step;
     std::vector<StatementId> body;
     bool tests_first = true;
-    bool is_statement = true;       // 0: a label and the goto back to it
-    bool enters_elsewhere = false;  // not only at its beginning
+    bool holds = true;               // 0: it goes round where the condition does not hold
+    bool is_statement = true;        // 0: a label and the goto back to it
+    Span region = {};                // from the label to the goto
+    std::vector<StatementId> tests;  // ifs around the goto: their conditions are evaluated in every round
   };
+  /// An if around a jump back, which goes on to the jump where its condition is `holds`.
+  struct RoundTest {
+    StatementId test;
+    bool holds = true;
+    size_t in_front = 0;  // statements of the round in front of it
+  };
+  std::optional<uint64_t> RoundsOfGoto(StatementId label, StatementId jump);
+  bool PathBack(StatementId label, StatementId jump, std::vector<StatementId>& body,
+                std::vector<RoundTest>& tests) const;
   void LoopStatement(const Statement& statement);
   void Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue);
   void ConditionRegion(ExprId id, ir::RegionId region);
@@ -302,6 +318,8 @@ class Lowering {
   bool IsUnconditional(ExprId change, ExprId root) const;
   bool IsInEveryRound(ExprId change, const LoopShape& loop) const;
   bool IsJumpedOver(StatementId place, const LoopShape& loop) const;
+  bool IsPassedBy(StatementId place, const LoopShape& loop) const;
+  bool IsPartOf(StatementId id, const std::vector<StatementId>& statements) const;
   bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
   Bounds BoundsOfExpr(ExprId id);
@@ -425,8 +443,15 @@ class Lowering {
     bool is_loop = false;
   };
   std::vector<Around> around_;
-  StatementId elided_break_;         // ends the case that is being lowered
-  std::vector<Flow> end_of_switch_;  // behind such breaks
+  std::vector<ir::RegionId> iterated_;  // the bodies of the loops around, those that are executed once left out
+  struct BackLabel {
+    ir::RegionId region;
+    ir::InstId label;
+    Span span;  // what is executed in its iterations
+  };
+  std::vector<BackLabel> back_labels_;  // of the function so far
+  StatementId elided_break_;            // ends the case that is being lowered
+  std::vector<Flow> end_of_switch_;     // behind such breaks
   std::optional<Bounds> result_bounds_;
   std::unordered_map<uint32_t, Bounds> bounds_of_results_;  // by FunctionId
   std::unordered_map<uint32_t, uint32_t> goto_labels_;      // by LabelId

@@ -200,7 +200,9 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
   }
   const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
   builder_.SetRegion(loop.body);
+  iterated_.push_back(loop.body);
   Lower(statement.then, false);
+  iterated_.pop_back();
   PlaceLabel(on_continue);
   ValueId again;
   if (is_for && statement.step.valid() && flow_.reachable) {

@@ -12,8 +12,6 @@ using ir::ValueId;
 
 namespace {
 
-bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
-
 std::string_view WordOf(StatementKind kind) {
   switch (kind) {
     case StatementKind::kWhile:
@@ -41,6 +39,7 @@ void Lowering::FindLabels(const Function& function) {
   goto_labels_.clear();
   case_labels_.clear();
   goto_budgets_.clear();
+  back_labels_.clear();
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
@@ -54,33 +53,37 @@ void Lowering::FindLabels(const Function& function) {
 }
 
 /// What is lowered although control does not come to its beginning: a live goto or a switch outside of it leads to a
-/// label in it. A switch with one in front of its cases becomes flat, for there is no arm that holds the label.
+/// label in it. A switch with a goto to what is not in the same arm becomes flat.
 void Lowering::FindEntries(const Function& function) {
   entered_.clear();
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     if (statement.kind == StatementKind::kGoto && live_gotos_.contains(id.index)) {
-      std::unordered_set<uint32_t> around;
-      for (StatementId at = id; at.valid(); at = ParentOf(at)) around.insert(at.index);
-      for (StatementId at = unit_.labels[statement.label].statement; at.valid() && !around.contains(at.index);
-           at = ParentOf(at)) {
-        entered_.insert(at.index);
-      }
+      std::unordered_map<uint32_t, StatementId> part_of;  // by StatementId around the goto: its part with the goto
+      for (StatementId at = id, part; at.valid(); part = at, at = ParentOf(at)) part_of.emplace(at.index, part);
+      StatementId at = unit_.labels[statement.label].statement, part;
+      for (; at.valid() && !part_of.contains(at.index); part = at, at = ParentOf(at)) entered_.insert(at.index);
+      if (at.valid() && part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
     }
     if (!IsCase(statement.kind)) return;
     for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
       entered_.insert(at.index);
     }
   });
-  ForEachStatement(unit_, function.body, [&](StatementId id) {
-    if (unit_.statements[id].kind != StatementKind::kSwitch) return;
-    const Statement& body = unit_.statements[unit_.statements[id].then];
-    if (body.kind != StatementKind::kCompound) return;
-    for (const StatementId part : body.body) {
-      if (IsCase(unit_.statements[part].kind)) return;
-      if (IsEntered(part)) flat_.insert(id.index);
-    }
-  });
+}
+
+/// Whether parts of a list are executed in one arm where that is the body of a switch: behind the same labels, and not
+/// in front of the first ones.
+bool Lowering::AreInOneArm(StatementId list, StatementId a, StatementId b) const {
+  const StatementId parent = ParentOf(list);
+  if (!parent.valid() || unit_.statements[parent].kind != StatementKind::kSwitch) return true;
+  uint32_t arm = 0, arm_of_a = 0, arm_of_b = 0;
+  for (const StatementId part : unit_.statements[list].body) {
+    if (IsCase(unit_.statements[part].kind)) ++arm;
+    if (part == a) arm_of_a = arm;
+    if (part == b) arm_of_b = arm;
+  }
+  return arm_of_a == arm_of_b && arm_of_a != 0;
 }
 
 StatementId Lowering::ParentOf(StatementId id) const {
