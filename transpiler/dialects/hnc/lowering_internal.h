@@ -358,6 +358,7 @@ class Lowering {
   void Copy(Area area, uint32_t to, uint32_t from, uint32_t bytes);
   void CallEntry(FunctionId function);
   void Cycle();
+  uint32_t LongestPeriod(Storage storage) const;
   void FillSchedule();
   void AddDispatcher();
   ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
