@@ -10,7 +10,9 @@
 namespace plcxx::driver {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// 2^30 calls in a period: each function calls the one before it twice.
 std::string Doubling() {
@@ -37,7 +39,23 @@ TEST(SimLimits, TheTimeLimitHoldsWithinAPeriod) {
 TEST(SimLimits, AnEstimateAboveThePeriodIsAWarning) {
   const Workplace work;
   work.Write("exp.cld", Doubling());
-  EXPECT_THAT(work.Run("check exp.cld").errors, HasSubstr("[plcxx-25]"));
+  EXPECT_THAT(work.Run("check exp.cld").errors, ContainsRegex("of a period of 8000 us.*\\[plcxx-25\\]"));
+}
+
+/// A loop of some milliseconds in the fast part, which sets its time by itself.
+std::string ChecksOfLoop(const std::string& time) {
+  const Workplace work;
+  work.Write("loop.cld",
+             "#include \"plc.h\"\nunsigned n, p;\nvoid init(void) { plc1_time = 16; plc2_time = 32; }\n"
+             "void plc1(void)\n{\n\tunsigned i;\n\n\tfor (i = 0; i < 5000; i++)\n\t\tn += i;\n\tY[0] = n;\n\t"
+             "plc1_time = " +
+                 time + ";\n}\nvoid plc2(void) { if (X[0]) p = 3; }\n");
+  return work.Run("check loop.cld").errors;
+}
+
+TEST(SimLimits, AnEstimateIsComparedWithTheTimeThatTheProgramSets) {
+  EXPECT_THAT(ChecksOfLoop("16"), Not(HasSubstr("[plcxx-25]")));
+  EXPECT_THAT(ChecksOfLoop("p"), Not(HasSubstr("[plcxx-25]")));
 }
 
 }  // namespace

@@ -74,7 +74,10 @@ void CheckPeriod(Compilation& compilation, std::string_view what, uint64_t neede
 void CheckPeriods(Compilation& compilation, uint64_t fast_ns, uint64_t slow_ns) {
   const ir::Schedule& schedule = compilation.program.schedule;
   const uint64_t slice_ns = slow_ns / std::max(1u, compilation.estimates.slices);
-  if (schedule.fast_ms != 0) {
+  if (schedule.fast_done.valid()) {  // each part comes at times of its own, which the program sets
+    CheckPeriod(compilation, "the fast part", fast_ns, schedule.fast_every_ms);
+    CheckPeriod(compilation, "the slow part", slow_ns, schedule.slow_every_ms);
+  } else if (schedule.fast_ms != 0) {
     CheckPeriod(compilation, "the fast part", fast_ns, schedule.fast_ms);
     CheckPeriod(compilation, "the slow part", slow_ns, schedule.period_ms);
   } else if (slow_ns == 0) {

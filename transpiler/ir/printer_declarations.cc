@@ -173,6 +173,8 @@ void Printer::PrintSchedule() {
   if (schedule.slices_by_cost) entry("slices_by_cost", "1");
   if (schedule.slow_done.valid()) entry("slow_done", PlaceName(schedule.slow_done));
   if (schedule.fast_done.valid()) entry("fast_done", PlaceName(schedule.fast_done));
+  if (schedule.fast_every_ms != 0) entry("fast_every_ms", Decimal(schedule.fast_every_ms));
+  if (schedule.slow_every_ms != 0) entry("slow_every_ms", Decimal(schedule.slow_every_ms));
   if (schedule.most_periods != usual.most_periods) entry("most_periods", Decimal(schedule.most_periods));
   if (schedule.now.valid()) entry("now", host_functions[schedule.now.index]);
   if (schedule.retentive_load.valid()) entry("retentive_load", host_functions[schedule.retentive_load.index]);

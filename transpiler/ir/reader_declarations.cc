@@ -282,6 +282,10 @@ void Reader::ReadScheduleEntry() {
     schedule.slow_done = Known(places, "place");
   } else if (key == "fast_done") {
     schedule.fast_done = Known(places, "place");
+  } else if (key == "fast_every_ms") {
+    schedule.fast_every_ms = Number32();
+  } else if (key == "slow_every_ms") {
+    schedule.slow_every_ms = Number32();
   } else if (key == "most_periods") {
     schedule.most_periods = Number32();
   } else if (key == "now") {

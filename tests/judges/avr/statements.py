@@ -6,8 +6,8 @@ from expressions import Expressions, Object
 from spelled import INTEGERS, NOTHING, SIZES, Spelled, Struct
 
 MOST_ROUNDS = 1500
-# again: { ...; if (i < n) goto again; } is refused so far (E032), although its counter changes once in every round.
-GOTO_BODY_IN_BRACES = False
+# again: { ...; if (i < n) goto again; }
+GOTO_BODY_IN_BRACES = True
 
 
 @dataclasses.dataclass

@@ -169,6 +169,9 @@ bool Lowering::IsUnconditional(ExprId change, ExprId root) const {
 /// Whether the change is executed exactly once in each iteration that comes to the next test.
 bool Lowering::IsInEveryRound(ExprId change, const LoopShape& loop) const {
   if (loop.step.valid() && IsUnconditional(change, loop.step)) return true;
+  for (const StatementId test : loop.tests) {
+    if (IsUnconditional(change, unit_.statements[test].expression)) return !IsJumpedOver(test, loop);
+  }
   // Statements one after the other.
   std::vector<StatementId> list(loop.body.rbegin(), loop.body.rend());
   while (!list.empty()) {
@@ -197,13 +200,8 @@ bool Lowering::IsInEveryRound(ExprId change, const LoopShape& loop) const {
 
 /// Whether a jump inside of an iteration leads over the place, or back in front of it: `continue` of this loop, `goto`.
 bool Lowering::IsJumpedOver(StatementId place, const LoopShape& loop) const {
+  if (!loop.is_statement) return IsPassedBy(place, loop);  // `continue` belongs to a loop around it, and leaves it
   bool over = false;
-  const auto is_inside = [&](StatementId id) {
-    for (StatementId at = id; at.valid(); at = ParentOf(at)) {
-      if (std::ranges::find(loop.body, at) != loop.body.end()) return true;
-    }
-    return false;
-  };
   for (const StatementId part : loop.body) {
     if (!part.valid()) continue;
     ForEachStatement(unit_, part, [&](StatementId id) {
@@ -213,15 +211,14 @@ bool Lowering::IsJumpedOver(StatementId place, const LoopShape& loop) const {
       if (jump.kind != StatementKind::kGoto || !jump.label.valid()) return;
       const Label& label = unit_.labels[jump.label];
       const bool leads_in_front = label.statement == place || IsBefore(label.statement, place);
-      if (is_inside(label.statement)) over = over || in_front != leads_in_front;
+      if (IsPartOf(label.statement, loop.body)) over = over || in_front != leads_in_front;
     });
   }
   return over;
 }
 
-/// Whether the `continue` belongs to a loop in the body. One of a loop around a label and its goto leaves both.
+/// Whether the `continue` belongs to a loop in the body.
 bool Lowering::GoesToInnerLoop(StatementId id, const LoopShape& loop) const {
-  if (!loop.is_statement) return true;
   for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
     if (IsLoop(unit_.statements[at].kind)) {
       return std::ranges::find(loop.body, unit_.statements[at].then) == loop.body.end();
@@ -247,7 +244,8 @@ std::optional<LoopProof> Lowering::Prove(const LoopShape& loop) {
   // Everything that is executed in a round.
   std::vector<ExprId> parts;
   const auto collect = [&](ExprId id) { parts.push_back(id); };
-  ForEachExpr(unit_, loop.condition, collect);
+  if (loop.tests.empty()) ForEachExpr(unit_, loop.condition, collect);
+  for (const StatementId test : loop.tests) ForEachExpr(unit_, unit_.statements[test].expression, collect);
   if (loop.step.valid()) ForEachExpr(unit_, loop.step, collect);
   for (const StatementId id : loop.body) ForEachExprIn(unit_, id, collect);
   // Declarations with initialisers are stores, too.
@@ -261,9 +259,11 @@ std::optional<LoopProof> Lowering::Prove(const LoopShape& loop) {
       }
     });
   }
+  // That none of `a || b` holds is what both of `!a && !b` say.
   std::vector<ExprId> conjuncts;
+  const ExprKind joins = loop.holds ? ExprKind::kAnd : ExprKind::kOr;
   ExprId left = loop.condition;
-  for (; ExprAt(left).kind == ExprKind::kAnd; left = ExprAt(left).a) conjuncts.push_back(ExprAt(left).b);
+  for (; ExprAt(left).kind == joins; left = ExprAt(left).a) conjuncts.push_back(ExprAt(left).b);
   conjuncts.push_back(left);
   std::optional<LoopProof> best;
   for (size_t i = conjuncts.size(); i-- > 0;) {
@@ -329,7 +329,7 @@ bool Lowering::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const
 std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
                                            const ObjectSet& declared) {
   ExprId root = conjunct;
-  bool negated = false;
+  bool negated = !loop.holds;
   while (ExprAt(root).kind == ExprKind::kUnary && ExprAt(root).unary == UnaryOp::kNot) {
     negated = !negated;
     root = ExprAt(root).a;
@@ -373,7 +373,7 @@ std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loo
       continue;
     }
     const Bounds all = BoundsOf(type);
-    const std::optional<Bounds> known = loop.enters_elsewhere ? std::nullopt : flow_.Find(cell);
+    const std::optional<Bounds> known = flow_.Find(cell);
     const Bounds entered = known && known->Within(all) ? *known : all;
     const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
     Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;

@@ -17,7 +17,7 @@ void Lowering::LabelStatement(const Statement& statement, bool last) {
     std::vector<StatementId> back;
     ForEachStatement(unit_, function_->body, [&](StatementId id) {
       const Statement& jump = unit_.statements[id];
-      if (jump.kind == StatementKind::kGoto && jump.label == statement.label && IsBefore(label.statement, id)) {
+      if (live_gotos_.contains(id.index) && jump.label == statement.label && IsBefore(label.statement, id)) {
         back.push_back(id);
       }
     });
@@ -28,6 +28,9 @@ void Lowering::LabelStatement(const Statement& statement, bool last) {
       flow_.reachable = true;
       PrepareBackJump(statement, back);
       builder_.Label(number);
+      back_labels_.push_back({.region = builder_.region(),
+                              .label = program_.regions[builder_.region()].insts.back(),
+                              .span = Repeated(statement.label, back)});
       placed_labels_.insert(statement.label.index);
     }
   }
@@ -42,60 +45,26 @@ uint32_t Lowering::GotoLabel(LabelId id) {
 
 /// Bounds the rounds of a label with jumps back to it; refused where neither a proof nor an annotation does.
 void Lowering::PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps) {
-  const StatementId back = jumps.back();
   const Statement& jump = unit_.statements[jumps.front()];
   uint64_t rounds = label.loop_bound ? label.loop_bound->rounds : 0;
   const bool annotated = rounds != 0;
   const Span again = Repeated(label.label, jumps);
-  // Everything between the label and the jump may have been executed.
-  std::vector<StatementId> body;
   const StatementId self = unit_.labels[label.label].statement;
-  const StatementId list = ParentOf(self);
-  bool inside = false;
-  StatementId guard = back;
-  while (guard.valid() && ParentOf(guard) != list) guard = ParentOf(guard);
-  if (list.valid()) {
-    for (const StatementId id : unit_.statements[list].body) {
-      inside = inside || id == self;
-      if (inside) body.push_back(id == self ? label.then : id);
-      if (id == guard) break;
-    }
-  }
   if (!annotated) {
-    std::optional<LoopProof> proof;
-    // `label: A; if (c) { B; goto label; }` goes round as long as c holds; a second way back would not ask for c.
-    const StatementId test = guard == self ? label.then : guard;
-    const bool is_if = test.valid() && test != back && unit_.statements[test].kind == StatementKind::kIf &&
-                       !unit_.statements[test].otherwise.valid();
-    if (is_if && jumps.size() == 1) {
-      std::vector<StatementId> round = body;
-      round.pop_back();
-      const size_t in_front = round.size();
-      const Statement& then = unit_.statements[unit_.statements[test].then];
-      if (then.kind == StatementKind::kCompound && !then.body.empty() && then.body.back() == back) {
-        round.insert(round.end(), then.body.begin(), then.body.end() - 1);
-      } else if (unit_.statements[test].then != back) {
-        round.push_back(unit_.statements[test].then);
-      }
-      proof = Prove({.condition = unit_.statements[test].expression,
-                     .step = {},
-                     .body = round,
-                     .tests_first = in_front == 0,
-                     .is_statement = false,
-                     .enters_elsewhere = IsEnteredElsewhere(again)});
-      // The test may come before the first change: one round more at most.
-      if (proof && (in_front == 0 || round.size() > in_front)) ++proof->count.iterations;
-    }
-    if (!proof) {
+    // A second way back would not ask for what the first one asks for.
+    std::optional<uint64_t> proved;
+    const Flow known = flow_;
+    // Who comes another way knows nothing of what is known at the label.
+    if (IsEnteredElsewhere(again)) flow_.ForgetAll();
+    if (jumps.size() == 1) proved = RoundsOfGoto(self, jumps.front());
+    flow_ = known;
+    if (!proved) {
       diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,
                           "nothing shows that the jump back to '" + unit_.labels[label.label].name + "' ends");
-    } else {
-      rounds = proof->count.iterations;
-      CheckRounds(jump.keyword, rounds);
     }
-  } else {
-    CheckRounds(jump.keyword, rounds);
+    rounds = proved.value_or(0);
   }
+  if (rounds != 0) CheckRounds(jump.keyword, rounds);
   ForEachStatement(unit_, function_->body, [&](StatementId id) {
     if (!again.Holds(order_.at(id.index))) return;
     ForEachOwnExpr(unit_, unit_.statements[id],
@@ -105,14 +74,32 @@ void Lowering::PrepareBackJump(const Statement& label, const std::vector<Stateme
   goto_budgets_[label.label.index] = budget;
   annotated_labels_[label.label.index] = annotated;
   const auto left = static_cast<uint32_t>(rounds == 0 ? 0 : rounds - 1);
-  if (IsEnteredElsewhere(again) || HasChoiceAround(self)) {
-    // A way that does not pass the label comes to the jump back, too.
-    const ir::RegionId behind = builder_.region();
-    builder_.SetRegion(program_.routines[routines_[function_id_.index]].prologue);
-    builder_.Store(budget, Long(left));
-    builder_.SetRegion(behind);
-  }
+  if (IsEnteredElsewhere(again) || HasChoiceAround(self, jumps.back())) SetBudget(budget, left, self);
   builder_.Store(budget, Long(left));
+}
+
+/// A way that does not pass the label comes to the jump back, too: it finds the count as it is in front of the
+/// function, and in each iteration of what goes round about the loop anew, not what an entry before has left of it.
+void Lowering::SetBudget(ir::PlaceId budget, uint32_t left, StatementId label) {
+  const ir::RegionId prologue = program_.routines[routines_[function_id_.index]].prologue;
+  SetBudgetBefore(prologue, program_.regions[prologue].insts.size(), budget, left);
+  if (!iterated_.empty()) SetBudgetBefore(iterated_.back(), 0, budget, left);
+  for (const BackLabel& outer : back_labels_) {
+    if (!outer.span.Holds(order_.at(label.index))) continue;
+    const std::vector<ir::InstId>& insts = program_.regions[outer.region].insts;
+    const auto at = std::ranges::find(insts, outer.label);
+    SetBudgetBefore(outer.region, static_cast<size_t>(at - insts.begin()) + 1, budget, left);
+  }
+}
+
+void Lowering::SetBudgetBefore(ir::RegionId region, size_t at, ir::PlaceId budget, uint32_t left) {
+  const ir::RegionId here = builder_.region(), store = builder_.NewRegion();
+  builder_.SetRegion(store);
+  builder_.Store(budget, Long(left));
+  builder_.SetRegion(here);
+  const std::vector<ir::InstId> added = std::exchange(program_.regions[store].insts, {});
+  std::vector<ir::InstId>& insts = program_.regions[region].insts;
+  insts.insert(insts.begin() + static_cast<std::ptrdiff_t>(at), added.begin(), added.end());
 }
 
 /// The statements that can be executed between a label and a jump back to it: those between them in the source, the
@@ -139,11 +126,16 @@ Lowering::Span Lowering::Repeated(LabelId label, const std::vector<StatementId>&
   return span;
 }
 
-/// Whether a goto leads into the statements from outside, past the first of them.
+/// Whether a goto or a switch leads into the statements from outside, past the first of them.
 bool Lowering::IsEnteredElsewhere(const Span& span) const {
   bool elsewhere = false;
   ForEachStatement(unit_, function_->body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
+    if (IsCase(statement.kind) && order_.at(id.index) > span.first && span.Holds(order_.at(id.index))) {
+      StatementId head = id;
+      while (head.valid() && unit_.statements[head].kind != StatementKind::kSwitch) head = ParentOf(head);
+      elsewhere = elsewhere || (head.valid() && !span.Holds(order_.at(head.index)));
+    }
     if (statement.kind != StatementKind::kGoto || !statement.label.valid()) return;
     const uint32_t to = order_.at(unit_.labels[statement.label].statement.index);
     elsewhere = elsewhere || (to > span.first && to <= span.last && !span.Holds(order_.at(id.index)));
@@ -151,9 +143,11 @@ bool Lowering::IsEnteredElsewhere(const Span& span) const {
   return elsewhere;
 }
 
-/// Whether an if or a switch around the label decides if it is passed.
-bool Lowering::HasChoiceAround(StatementId label) const {
-  for (StatementId at = ParentOf(label); at.valid(); at = ParentOf(at)) {
+/// Whether an if or a switch around the label, but not around the jump back, decides if it is passed.
+bool Lowering::HasChoiceAround(StatementId label, StatementId jump) const {
+  std::unordered_set<uint32_t> around;
+  for (StatementId at = jump; at.valid(); at = ParentOf(at)) around.insert(at.index);
+  for (StatementId at = ParentOf(label); at.valid() && !around.contains(at.index); at = ParentOf(at)) {
     const StatementKind kind = unit_.statements[at].kind;
     if (kind == StatementKind::kIf || kind == StatementKind::kSwitch) return true;
   }

@@ -17,6 +17,7 @@
 
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/hnc/facts.h"
+#include "transpiler/dialects/hnc/live_jumps.h"
 #include "transpiler/dialects/hnc/loop_counts.h"
 #include "transpiler/dialects/hnc/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
@@ -64,6 +65,8 @@ struct PointerPlaces {
 constexpr bool IsLoop(StatementKind kind) {
   return kind == StatementKind::kWhile || kind == StatementKind::kDo || kind == StatementKind::kFor;
 }
+
+constexpr bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
 
 inline constexpr uint32_t kNullOffset = 0x80000000;
 inline constexpr uint32_t kMostTargets = 16;
@@ -236,7 +239,7 @@ class Lowering {
   void TakeComments(source::Offset until, std::vector<source::Range>& to);
   void CommentsAtEnd(source::Range close);
   std::string SubjectOf(const Statement& statement) const;
-  bool HasLabel(StatementId id) const;
+  bool IsEntered(StatementId id) const { return id.valid() && entered_.contains(id.index); }
   uint32_t NewLabel() { return next_label_++; }
   void JumpTo(uint32_t label);
   void PlaceLabel(uint32_t label);
@@ -251,6 +254,8 @@ class Lowering {
   StatementId LastBreak(StatementId id) const;
   void CheckFallThrough(StatementId from, StatementId to);
   void FindLabels(const Function& function);
+  void FindEntries(const Function& function);
+  bool AreInOneArm(StatementId list, StatementId a, StatementId b) const;
   void CheckJumps(const Function& function);
   StatementId ParentOf(StatementId id) const;
   /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
@@ -267,7 +272,9 @@ class Lowering {
   };
   Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
   bool IsEnteredElsewhere(const Span& span) const;
-  bool HasChoiceAround(StatementId label) const;
+  bool HasChoiceAround(StatementId label, StatementId jump) const;
+  void SetBudget(ir::PlaceId budget, uint32_t left, StatementId label);
+  void SetBudgetBefore(ir::RegionId region, size_t at, ir::PlaceId budget, uint32_t left);
   void PrepareBackJump(const Statement& label, const std::vector<StatementId>& jumps);
 
   // --- loops (lowering_loops.cc, loop_bounds.cc) ---
@@ -276,9 +283,20 @@ class Lowering {
     ExprId condition, step;
     std::vector<StatementId> body;
     bool tests_first = true;
-    bool is_statement = true;       // 0: a label and the goto back to it
-    bool enters_elsewhere = false;  // not only at its beginning
+    bool holds = true;               // 0: it goes round where the condition does not hold
+    bool is_statement = true;        // 0: a label and the goto back to it
+    Span region = {};                // from the label to the goto
+    std::vector<StatementId> tests;  // ifs around the goto: their conditions are evaluated in every round
   };
+  /// An if around a jump back, which goes on to the jump where its condition is `holds`.
+  struct RoundTest {
+    StatementId test;
+    bool holds = true;
+    size_t in_front = 0;  // statements of the round in front of it
+  };
+  std::optional<uint64_t> RoundsOfGoto(StatementId label, StatementId jump);
+  bool PathBack(StatementId label, StatementId jump, std::vector<StatementId>& body,
+                std::vector<RoundTest>& tests) const;
   void LoopStatement(const Statement& statement);
   void Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue);
   void ConditionRegion(ExprId id, ir::RegionId region);
@@ -287,7 +305,6 @@ class Lowering {
   bool IsLocalObject(ObjectId object) const;
   bool GoesOn(StatementId id, bool& continues) const;
   bool Continues(StatementId id, StatementId outer) const;
-  std::optional<bool> ConstantCondition(ExprId id) const;
   void ForgetWrites(StatementId id);
   void ForgetWritesOf(ExprId id);
   void CheckRounds(source::Range keyword, uint64_t rounds);
@@ -301,6 +318,8 @@ class Lowering {
   bool IsUnconditional(ExprId change, ExprId root) const;
   bool IsInEveryRound(ExprId change, const LoopShape& loop) const;
   bool IsJumpedOver(StatementId place, const LoopShape& loop) const;
+  bool IsPassedBy(StatementId place, const LoopShape& loop) const;
+  bool IsPartOf(StatementId id, const std::vector<StatementId>& statements) const;
   bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
   Bounds BoundsOfExpr(ExprId id);
@@ -339,6 +358,7 @@ class Lowering {
   void Copy(Area area, uint32_t to, uint32_t from, uint32_t bytes);
   void CallEntry(FunctionId function);
   void Cycle();
+  uint32_t LongestPeriod(Storage storage) const;
   void FillSchedule();
   void AddDispatcher();
   ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
@@ -424,15 +444,23 @@ class Lowering {
     bool is_loop = false;
   };
   std::vector<Around> around_;
-  StatementId elided_break_;         // ends the case that is being lowered
-  std::vector<Flow> end_of_switch_;  // behind such breaks
+  std::vector<ir::RegionId> iterated_;  // the bodies of the loops around, those that are executed once left out
+  struct BackLabel {
+    ir::RegionId region;
+    ir::InstId label;
+    Span span;  // what is executed in its iterations
+  };
+  std::vector<BackLabel> back_labels_;  // of the function so far
+  StatementId elided_break_;            // ends the case that is being lowered
+  std::vector<Flow> end_of_switch_;     // behind such breaks
   std::optional<Bounds> result_bounds_;
   std::unordered_map<uint32_t, Bounds> bounds_of_results_;  // by FunctionId
   std::unordered_map<uint32_t, uint32_t> goto_labels_;      // by LabelId
   std::unordered_set<uint32_t> flat_;                       // by StatementId: ifs and switches that jumps lead into
   std::unordered_map<uint32_t, uint32_t> case_labels_;      // by StatementId of a case, of a flat switch
   std::unordered_map<uint32_t, ir::PlaceId> goto_budgets_;  // by LabelId
-  std::unordered_set<uint32_t> has_label_;                  // by StatementId: a label or case stands in it
+  std::unordered_set<uint32_t> live_gotos_;                 // by StatementId
+  std::unordered_set<uint32_t> entered_;                    // by StatementId: a jump from outside leads into it
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
   std::unordered_map<uint32_t, uint32_t> order_;            // by StatementId
   std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back

@@ -51,7 +51,7 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
     case StatementKind::kCompound: {
       bool on = true;
       for (const StatementId part : statement.body) {
-        if (!on && !HasLabel(part)) continue;
+        if (!on && !IsEntered(part)) continue;
         on = GoesOn(part, continues);
       }
       return on;
@@ -61,7 +61,7 @@ bool Lowering::GoesOn(StatementId id, bool& continues) const {
       return false;
     case StatementKind::kGoto:
       // Out of the loop, or to a label in it, behind which all is looked at as well.
-      return false;
+      return MayBeRefused(unit_, statement);
     case StatementKind::kContinue:
       continues = true;
       return false;
@@ -91,7 +91,7 @@ bool Lowering::Continues(StatementId id, StatementId outer) const {
 void Lowering::LoopStatement(const Statement& statement) {
   const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
   if (is_for) Execute(statement.first);
-  const std::optional<bool> always = ConstantCondition(statement.expression);
+  const std::optional<bool> always = ConstantCondition(unit_, statement.expression);
   const bool endless = !statement.expression.valid() || always == true;
   bool continues = false;
   const bool leaves = endless && !GoesOn(statement.then, continues) && !continues;
@@ -116,11 +116,6 @@ void Lowering::LoopStatement(const Statement& statement) {
   PlaceLabel(on_break);
   elided_break_ = outer_elided;
   unreachable_reported_ = false;
-}
-
-std::optional<bool> Lowering::ConstantCondition(ExprId id) const {
-  if (!id.valid() || !ExprAt(id).constant || !IsInteger(TypeAt(ExprAt(id).type))) return std::nullopt;
-  return ExprAt(id).constant->integer != 0;
 }
 
 /// The condition's value as the last instruction of its region.
@@ -205,7 +200,9 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
   }
   const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
   builder_.SetRegion(loop.body);
+  iterated_.push_back(loop.body);
   Lower(statement.then, false);
+  iterated_.pop_back();
   PlaceLabel(on_continue);
   ValueId again;
   if (is_for && statement.step.valid() && flow_.reachable) {

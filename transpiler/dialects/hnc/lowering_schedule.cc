@@ -197,6 +197,38 @@ void Lowering::Cycle() {
            ir::HostAccess::kReadsRetentive);
 }
 
+/// The longest time that the program sets between two calls of a part; 0: not known before it runs.
+uint32_t Lowering::LongestPeriod(Storage storage) const {
+  uint32_t longest = 0;
+  bool known = true;
+  const auto take = [&](ExprId value) {
+    const std::optional<Constant>& ms = ExprAt(value).constant;
+    known = known && ms && IsInteger(TypeAt(ExprAt(value).type));
+    // Without a time between them the calls come in each base cycle.
+    if (known) longest = std::max({longest, settings_.base_cycle_ms, static_cast<uint32_t>(ms->integer & 0xFFFF)});
+  };
+  for (uint32_t i = 0; i < unit_.variables.size(); ++i) {
+    const Variable& variable = unit_.variables[VariableId(i)];
+    if (variable.storage != storage) continue;
+    for (const InitialValue& initial : variable.initial) take(initial.value);
+    const ObjectId object = objects_.OfVariable(VariableId(i));
+    if (!object.valid()) continue;
+    for (const FunctionId id : unit_.definitions) {
+      if (facts_.PartsOf(id) == 0 || !facts_.WritesOf(id).Has(object)) continue;
+      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+        const Expr& expr = ExprAt(part);
+        if (!facts_.WritesOf(expr).Has(object)) return;
+        if (expr.kind == ExprKind::kCall && expr.function.valid() && unit_.functions[expr.function].body.valid())
+          return;
+        const bool plain = expr.kind == ExprKind::kAssign && facts_.AddressOf(expr.a) == StaticAddress{object, 0};
+        if (plain) take(expr.b);
+        known = known && plain;
+      });
+    }
+  }
+  return known ? longest : 0;
+}
+
 void Lowering::FillSchedule() {
   ir::Schedule& schedule = program_.schedule;
   schedule.init = init_;
@@ -206,6 +238,8 @@ void Lowering::FillSchedule() {
   schedule.slot_ms = settings_.base_cycle_ms;
   schedule.slow_done = slow_done_;
   schedule.fast_done = fast_done_;
+  schedule.fast_every_ms = LongestPeriod(Storage::kPlc1Time);
+  schedule.slow_every_ms = LongestPeriod(Storage::kPlc2Time);
   schedule.most_periods = kLongestPeriod + 1;
   schedule.now = host_.at("now_ms");
   schedule.retentive_load = host_.at("retentive_load");

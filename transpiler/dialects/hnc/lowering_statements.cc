@@ -101,8 +101,6 @@ void Lowering::CommentsAtEnd(source::Range close) {
   MarkText({close.begin, close.begin}, "", false);
 }
 
-bool Lowering::HasLabel(StatementId id) const { return id.valid() && has_label_.contains(id.index); }
-
 void Lowering::JumpTo(uint32_t label) {
   if (!flow_.reachable) return;
   builder_.Jump(label);
@@ -127,7 +125,7 @@ void Lowering::PlaceLabel(uint32_t label) {
 void Lowering::Lower(StatementId id, bool last) {
   if (!id.valid()) return;
   const Statement& statement = unit_.statements[id];
-  if (!flow_.reachable && !HasLabel(id)) {
+  if (!flow_.reachable && !IsEntered(id)) {
     const bool says_nothing = statement.kind == StatementKind::kEmpty ||
                               statement.kind == StatementKind::kDeclaration ||
                               (statement.kind == StatementKind::kCompound && statement.body.empty());

@@ -12,8 +12,6 @@ using ir::ValueId;
 
 namespace {
 
-bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
-
 std::string_view WordOf(StatementKind kind) {
   switch (kind) {
     case StatementKind::kWhile:
@@ -33,30 +31,59 @@ uint64_t RawValue(int64_t value, const Type& type) {
 
 }  // namespace
 
-/// Which statement holds which, and which hold labels.
+/// Which statement holds which, and what jumps lead into.
 void Lowering::FindLabels(const Function& function) {
   parents_.clear();
   order_.clear();
-  has_label_.clear();
   flat_.clear();
   goto_labels_.clear();
   case_labels_.clear();
   goto_budgets_.clear();
+  back_labels_.clear();
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
     for (const StatementId child : statement.body) parents_[child.index] = id;
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
-    const bool label =
-        statement.kind == StatementKind::kLabel && statement.label.valid() && unit_.labels[statement.label].used;
-    if (!label && !IsCase(statement.kind)) return;
-    for (StatementId at = id; at.valid() && has_label_.insert(at.index).second;) {
-      const auto parent = parents_.find(at.index);
-      at = parent == parents_.end() ? StatementId() : parent->second;
+  });
+  live_gotos_ = FindLiveGotos(unit_, function.body);
+  FindEntries(function);
+  CheckJumps(function);
+}
+
+/// What is lowered although control does not come to its beginning: a live goto or a switch outside of it leads to a
+/// label in it. A switch with a goto to what is not in the same arm becomes flat.
+void Lowering::FindEntries(const Function& function) {
+  entered_.clear();
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    if (statement.kind == StatementKind::kGoto && live_gotos_.contains(id.index)) {
+      std::unordered_map<uint32_t, StatementId> part_of;  // by StatementId around the goto: its part with the goto
+      for (StatementId at = id, part; at.valid(); part = at, at = ParentOf(at)) part_of.emplace(at.index, part);
+      StatementId at = unit_.labels[statement.label].statement, part;
+      for (; at.valid() && !part_of.contains(at.index); part = at, at = ParentOf(at)) entered_.insert(at.index);
+      if (at.valid() && part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
+    }
+    if (!IsCase(statement.kind)) return;
+    for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
+      entered_.insert(at.index);
     }
   });
-  CheckJumps(function);
+}
+
+/// Whether parts of a list are executed in one arm where that is the body of a switch: behind the same labels, and not
+/// in front of the first ones.
+bool Lowering::AreInOneArm(StatementId list, StatementId a, StatementId b) const {
+  const StatementId parent = ParentOf(list);
+  if (!parent.valid() || unit_.statements[parent].kind != StatementKind::kSwitch) return true;
+  uint32_t arm = 0, arm_of_a = 0, arm_of_b = 0;
+  for (const StatementId part : unit_.statements[list].body) {
+    if (IsCase(unit_.statements[part].kind)) ++arm;
+    if (part == a) arm_of_a = arm;
+    if (part == b) arm_of_b = arm;
+  }
+  return arm_of_a == arm_of_b && arm_of_a != 0;
 }
 
 StatementId Lowering::ParentOf(StatementId id) const {
