@@ -9,6 +9,11 @@
 
 namespace plcxx {
 
+/// RingCounter::part: where the carry was set last. A carry that the host wrote before any statement did belongs to no
+/// part, so the part that drives the counter ends it (7.2: every counter of that part with an older stamp).
+inline constexpr uint8_t kCarryOfSlowPart = 1;
+inline constexpr uint8_t kCarryOfFastPart = 2;
+
 struct RingCounter {
   uint32_t stamp;  // the slow cycle or fast execution in which the carry was set
   uint8_t count;   // CnnW
@@ -16,7 +21,7 @@ struct RingCounter {
   bool down;       // CnnA: direction
   bool reset;      // CnnZ
   bool carry;      // CnnR
-  bool fast;       // the part in which the carry was set
+  uint8_t part;    // 0 or the part in which the carry was set: kCarryOf...
 };
 
 /// Takes the input; true when it is an edge to count. A part of the Count functions.
@@ -53,7 +58,7 @@ constexpr bool CountSlow(RingCounter& counter, bool input, uint16_t modulus, uin
   const bool counted = CountEdge(counter, modulus);
   if (counter.carry) {
     counter.stamp = slow_cycle;
-    counter.fast = false;
+    counter.part = kCarryOfSlowPart;
   }
   return counted;
 }
@@ -65,7 +70,7 @@ constexpr bool CountFast(RingCounter& counter, bool input, uint16_t modulus, uin
   const bool counted = CountEdge(counter, modulus);
   if (counter.carry) {
     counter.stamp = fast_count;
-    counter.fast = true;
+    counter.part = kCarryOfFastPart;
   }
   return counted;
 }
@@ -94,15 +99,15 @@ constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
   counter.reset = z;
 }
 
-/// End of a slow cycle, carry=scan: a carry set in the slow part ends when its statement was not executed in this
+/// End of a slow cycle, carry=scan: a carry not set in the fast part ends when its statement was not executed in this
 /// cycle. Any other stamp is an older one, so the numbers may wrap.
 constexpr void ExpireSlow(RingCounter& counter, uint32_t slow_cycle) noexcept {
-  if (!counter.fast && counter.stamp != slow_cycle) counter.carry = false;
+  if (counter.part != kCarryOfFastPart && counter.stamp != slow_cycle) counter.carry = false;
 }
 
-/// End of an execution of the fast part, carry=scan: the same for a carry set in the fast part.
+/// End of an execution of the fast part, carry=scan: the same for a carry not set in the slow part.
 constexpr void ExpireFast(RingCounter& counter, uint32_t fast_count) noexcept {
-  if (counter.fast && counter.stamp != fast_count) counter.carry = false;
+  if (counter.part != kCarryOfSlowPart && counter.stamp != fast_count) counter.carry = false;
 }
 
 }  // namespace plcxx

@@ -218,6 +218,18 @@ TEST(Host50Blocks, AKnownAxis) {
   EXPECT_THAT(body, ElementsAreArray(expected));
 }
 
+// covers: HOST50-217
+TEST(Host50Blocks, TwoNansAreOneRequest) {
+  const Text body = SlowBody("LD %I0;VELP 3, %F1");
+  EXPECT_EQ(
+      std::ranges::count_if(body, [](const std::string& line) { return line.find(" = eq.f32 ") != std::string::npos; }),
+      2);
+  const Text numbers = SlowBody("LD %I0;POSA 3, %W5, 100");  // never a NaN: the bit patterns alone are compared
+  EXPECT_EQ(
+      std::ranges::count_if(numbers, [](const std::string& line) { return line.find("eq.f32") != std::string::npos; }),
+      0);
+}
+
 // covers: HOST50-215 HOST50-216
 TEST(Host50Blocks, AComputedAxisIsAChoice) {
   const Text body = SlowBody("LD %I0;VELN %W5, %F1", {{"AXISBASE", "0"}});

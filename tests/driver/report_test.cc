@@ -145,5 +145,29 @@ TEST(Report, NoPageOfAProgramWithErrors) {
       << "a file stands where the directory goes";
 }
 
+/// A direct output is a cell of the control, not a place in a memory: the tables of uses have to find it nevertheless.
+TEST(Report, UsesOfDirectOutputs) {
+  const Workplace work;
+  work.Write("direct.plc", ":MOD PM 9\n:= P 7.6\n:END PM 9\n");
+  const Ran symbols = work.Run("report --dialect prostep --print-symbols direct.plc");
+  EXPECT_EQ(symbols.code, 0) << symbols;
+  const Ran uses = work.Run("report --dialect prostep --cross-reference direct.plc");
+  EXPECT_EQ(uses.code, 0) << uses;
+  EXPECT_THAT(uses.out, HasSubstr("P 7.6\n  written: direct.plc:2\n"));
+}
+
+TEST(Report, UsesInAMachineWithDirectOutputs) {
+  const Workplace work;
+  const std::string machine = PLCXX_ROOT "/samples/prostep/mill_fnd32/";
+  std::string sources;
+  for (const char* const name : {"mill", "texts", "fast", "loop", "magazine"}) sources += " " + machine + name + ".plc";
+  const Ran symbols = work.Run("report --print-symbols" + sources);
+  EXPECT_EQ(symbols.code, 0) << symbols;
+  EXPECT_THAT(symbols.out, StartsWith("symbol "));
+  const Ran uses = work.Run("report --cross-reference" + sources);
+  EXPECT_EQ(uses.code, 0) << uses;
+  EXPECT_THAT(uses.out, HasSubstr("\nP 3.0"));
+}
+
 }  // namespace
 }  // namespace plcxx::driver

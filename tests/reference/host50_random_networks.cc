@@ -263,9 +263,8 @@ std::string Networks::Axis() {
   const bool outside =
       axis.find_first_of("%'") == std::string::npos && std::isalpha(static_cast<unsigned char>(axis[0])) == 0;
   const std::string number = outside ? std::to_string(random_.Between(1, 9)) : axis;
-  // No NaN that the program has computed: its sign is the processor's matter, and a new one is another request (6.8).
-  const std::string speed = random_.OneIn(3) ? "%IF300" : RealConstant();
-  const std::string position = random_.OneIn(3) ? speed : Whole();
+  const std::string speed = Real();
+  const std::string position = random_.OneIn(2) ? Real() : Whole();
   switch (random_.Below(5)) {
     case 0:
       return "HOME " + number + ", " + Whole() + ", " + speed;

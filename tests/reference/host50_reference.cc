@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -31,6 +32,11 @@ struct AxisState {
   uint32_t axis = 0;
   std::array<uint32_t, 3> sent{};  // method, position, speed
 };
+
+/// Of a part of an axis request (6.8). Two NaNs are the same: which one an operation yields is the processor's choice.
+bool SentAlready(uint32_t wanted, uint32_t sent, bool real) {
+  return wanted == sent || (real && std::isnan(std::bit_cast<float>(wanted)) && std::isnan(std::bit_cast<float>(sent)));
+}
 
 class Host50 : public Host50Machine {
  public:
@@ -499,7 +505,10 @@ class Host50 : public Host50Machine {
     if (op == Op::kHome) image_.SetUnit(Area::kQw, i, wanted[0]);
     if (op == Op::kPosa || op == Op::kPosm) image_.SetUnit(Area::kQf, 10 + i, wanted[1]);
     image_.SetUnit(Area::kQf, i, wanted[2]);
-    if (!state.active || wanted != state.sent) Call("axis_command", {i, kind, 1, wanted[0], wanted[1], wanted[2]});
+    const bool sent_already = SentAlready(wanted[0], state.sent[0], false) &&
+                              SentAlready(wanted[1], state.sent[1], true) &&
+                              SentAlready(wanted[2], state.sent[2], true);
+    if (!state.active || !sent_already) Call("axis_command", {i, kind, 1, wanted[0], wanted[1], wanted[2]});
     state.sent = wanted;
     state.active = true;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace plcxx::reference::nc110_elements {
 
@@ -44,7 +45,7 @@ struct Counter {  // 7.2
   bool input = false, down = false, reset = false, carry = false;
   uint8_t count = 0;
   uint32_t stamp = 0;
-  Part part = Part::kSlow;
+  std::optional<Part> part;  // of the carry; none: the host wrote it
 
   void Reset(bool v) {
     if (v && !reset) {
@@ -83,7 +84,7 @@ struct Counter {  // 7.2
 
   void Expire(Part ended, const Cycles& now) {
     const uint32_t current = ended == Part::kSlow ? now.slow_cycle : now.fast_executions;
-    if (part == ended && carry && stamp != current) carry = false;
+    if (part.value_or(ended) == ended && carry && stamp != current) carry = false;
   }
 };
 

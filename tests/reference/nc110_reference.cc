@@ -53,6 +53,12 @@ class Nc110 : public Reference {
     }
     for (const Literal& literal : tree_.literals) texts_.emplace_back(request.sources->Text(literal.range));
     fast_end_ = tree_.first_cycle_mark.valid() ? tree_.first_cycle_mark.index : tree_.items.size();
+    for (uint32_t i = 0; i < tree_.items.size(); ++i) {
+      const Item& item = tree_.items[ItemId(i)];
+      if (item.kind != ItemKind::kAssignment) continue;
+      const Operand& target = tree_.assignments[item.assignment()].target.operand;
+      if (target.kind == OperandKind::kCounterInput) counts_in_[i < fast_end_ ? 0 : 1][target.number] = true;
+    }
   }
 
   void Take(const Choices& choices) override {
@@ -166,8 +172,9 @@ class Nc110 : public Reference {
   }
 
   void Expire(Part ended) {
-    for (Counter& counter : counters_) {
-      if (settings_.carry == CarryEnd::kScan) counter.Expire(ended, cycles_);
+    for (size_t i = 0; i < counters_.size(); ++i) {
+      const bool of_part = counts_in_[ended == Part::kFast ? 0 : 1][i];
+      if (of_part && settings_.carry == CarryEnd::kScan) counters_[i].Expire(ended, cycles_);
     }
     for (OneShot& one_shot : one_shots_) one_shot.Expire(ended, cycles_);
     PutBackForced();
@@ -488,6 +495,7 @@ class Nc110 : public Reference {
   std::vector<std::vector<uint8_t>> latched_;  // by package: inputs as the slow part sees them
   std::array<Timer, 255> timers_{};
   std::array<Counter, 100> counters_{};
+  std::array<std::array<bool, 100>, 2> counts_in_{};  // the fast part, the slow part: counters with a statement there
   std::array<OneShot, 100> one_shots_{};
   Cycles cycles_;
   uint32_t slice_ = 0;  // j

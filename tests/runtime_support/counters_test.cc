@@ -224,7 +224,8 @@ TEST(RingCounter, CarryBelongsToThePartThatSetItLast) {
   RingCounter c{};
   c.count = 1;
   CountFast(c, true, 2, 100);
-  EXPECT_TRUE(c.carry && c.fast);
+  EXPECT_TRUE(c.carry);
+  EXPECT_EQ(c.part, kCarryOfFastPart);
   CountSlow(c, false, 2, 7);
   c.count = 1;
   CountSlow(c, true, 2, 8);
@@ -232,6 +233,15 @@ TEST(RingCounter, CarryBelongsToThePartThatSetItLast) {
   EXPECT_TRUE(c.carry);
   ExpireSlow(c, 9);
   EXPECT_FALSE(c.carry);
+}
+
+TEST(RingCounter, CarryWrittenByTheHostEndsInEitherPart) {
+  RingCounter in_slow{}, in_fast{};
+  in_slow.carry = in_fast.carry = true;
+  ExpireSlow(in_slow, 1);
+  ExpireFast(in_fast, 1);
+  EXPECT_FALSE(in_slow.carry);
+  EXPECT_FALSE(in_fast.carry);
 }
 
 TEST(RingCounter, SlowCycleMayWrap) {

@@ -66,18 +66,28 @@ void Lowering::WriteAxisSignals(const AxisRequest& request, uint32_t axis) {
   if (block.position != AxisValue::kNotWritten) Store(SignalAt(Area::kQf, kAxisPosition + axis), request.position);
 }
 
+/// As bit patterns, except that two NaNs are the same: which NaN an operation yields is the processor's choice.
+ValueId Lowering::RealsDiffer(ValueId now, ValueId before) {
+  const ValueId now_bits = builder_.Pure(OpKind::kBitsOfF32, {now});
+  const ValueId bits_before = builder_.Pure(OpKind::kBitsOfF32, {before});
+  const ValueId bits_differ = builder_.Pure(OpKind::kNotEqual32, {now_bits, bits_before});
+  // A constant is a number, and so is what was an integer.
+  const OpKind origin = program_[now].op;
+  if (origin == OpKind::kConst || origin == OpKind::kSignedToF32) return bits_differ;
+  const ValueId now_number = builder_.Pure(OpKind::kEqualF32, {now, now});
+  const ValueId number_before = builder_.Pure(OpKind::kEqualF32, {before, before});
+  const ValueId a_number = Or(now_number, number_before);
+  return And(bits_differ, a_number);
+}
+
 void Lowering::SendRequest(const AxisRequest& request, ValueId axis) {
   const AxisBlock& block = *request.block;
   ValueId changed = Not(builder_.Load(AxisField(request, "active")));
   const auto compare = [&](AxisValue value, ValueId now, std::string_view field) {
     if (value == AxisValue::kNotWritten) return;
-    ValueId before = builder_.Load(AxisField(request, field));
-    if (program_[now].type == ir::Type::kF32) {
-      now = builder_.Pure(OpKind::kBitsOfF32, {now});
-      before = builder_.Pure(OpKind::kBitsOfF32, {before});
-    }
-    const ValueId differs = builder_.Pure(OpKind::kNotEqual32, {now, before});
-    changed = Or(changed, differs);
+    const ValueId before = builder_.Load(AxisField(request, field));
+    const bool real = program_[now].type == ir::Type::kF32;
+    changed = Or(changed, real ? RealsDiffer(now, before) : builder_.Pure(OpKind::kNotEqual32, {now, before}));
   };
   compare(block.method, request.method, "method");
   compare(block.position, request.position, "position");

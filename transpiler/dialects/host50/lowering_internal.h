@@ -148,6 +148,8 @@ class Lowering {
   void WriteAxisSignals(const AxisRequest& request, uint32_t axis);
   /// Tells the control when the request is new or other than before.
   void SendRequest(const AxisRequest& request, ir::ValueId axis);
+  /// Whether a position or speed is another than the one last sent.
+  ir::ValueId RealsDiffer(ir::ValueId now, ir::ValueId before);
   void SwitchOverAxes(ir::ValueId axis, const std::function<void(uint32_t)>& arm);
   ir::PlaceId AxisField(const AxisRequest& request, std::string_view field);
 

@@ -4,6 +4,9 @@
 namespace plcxx::prove::meaning {
 namespace {
 
+/// Where the carry was set last; 0 is nowhere yet, so a carry is the host's.
+constexpr uint8_t kInSlowPart = 1, kInFastPart = 2;
+
 /// Takes the input: gives whether it counts. During a reset it does not, and counts as 0.
 Value TakeInput(RingCounterValues& counter, Value input) {
   const Value taken = input & Not(counter.reset);
@@ -26,23 +29,23 @@ Bit Count(RingCounterValues& counter, Value when, Value modulus) {
   return Not(when) | fits;
 }
 
-/// The carry ends with the statement's next execution; `stamp` says when it was set, `fast` in which part.
-Bit CountInScan(RingCounterValues& counter, Value input, Value modulus, Value stamp, Value fast) {
+/// The carry ends with the statement's next execution; `stamp` says when it was set, `part` in which part.
+Bit CountInScan(RingCounterValues& counter, Value input, Value modulus, Value stamp, uint8_t part) {
   counter.carry = input.Bit(false);
   const Value rises = TakeInput(counter, input);
   const Value done = Count(counter, rises, modulus);
   SetIf(counter.carry, counter.stamp, stamp);
-  SetIf(counter.carry, counter.fast, fast);
+  SetIf(counter.carry, counter.part, counter.part.Same(part));
   return done;
 }
 
 }  // namespace
 
 Bit CountSlow(RingCounterValues& counter, Bit input, I16 modulus, I32 slow_cycle) {
-  return CountInScan(counter, input, modulus, slow_cycle, input.Bit(false));
+  return CountInScan(counter, input, modulus, slow_cycle, kInSlowPart);
 }
 Bit CountFast(RingCounterValues& counter, Bit input, I16 modulus, I32 fast_count) {
-  return CountInScan(counter, input, modulus, fast_count, input.Bit(true));
+  return CountInScan(counter, input, modulus, fast_count, kInFastPart);
 }
 
 /// The carry stays while the input is 1.
@@ -69,10 +72,10 @@ void ResetCounter(RingCounterValues& counter, Bit z) {
 }
 
 void ExpireCounterSlow(RingCounterValues& counter, I32 slow_cycle) {
-  counter.carry = counter.carry & (counter.fast | (counter.stamp == slow_cycle));
+  counter.carry = counter.carry & ((counter.part == kInFastPart) | (counter.stamp == slow_cycle));
 }
 void ExpireCounterFast(RingCounterValues& counter, I32 fast_count) {
-  counter.carry = counter.carry & (Not(counter.fast) | (counter.stamp == fast_count));
+  counter.carry = counter.carry & ((counter.part == kInSlowPart) | (counter.stamp == fast_count));
 }
 
 }  // namespace plcxx::prove::meaning

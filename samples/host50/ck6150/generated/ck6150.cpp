@@ -10,6 +10,7 @@ using plcxx::AddF32;
 using plcxx::BitAt32;
 using plcxx::BitsOfF32;
 using plcxx::Clear;
+using plcxx::EqualF32;
 using plcxx::Mul32;
 using plcxx::OnRing;
 using plcxx::Pins;
@@ -982,7 +983,9 @@ static void SR50(State& m, Host& host) noexcept {
     m[Q1040] = false;
     m[QF0] = 1200.0F;
     m[QF10] = t182;
-    if ((!m[POSM_1_active]) | (BitsOfF32(t182) != BitsOfF32(m[POSM_1_position]))
+    const float t183 = m[POSM_1_position];
+    if ((!m[POSM_1_active]) | ((BitsOfF32(t182) != BitsOfF32(t183))
+        & (EqualF32(t182, t182) | EqualF32(t183, t183)))
         | (BitsOfF32(1200.0F) != BitsOfF32(m[POSM_1_speed]))) {
       axis_command(host, 0, axis_command_kind::POSM, true, 0, t182, 1200.0F);
       m[POSM_1_position] = t182;
@@ -994,8 +997,8 @@ static void SR50(State& m, Host& host) noexcept {
     m[POSM_1_active] = false;
     axis_command(host, 0, axis_command_kind::POSM, false, 0, 0.0F, 0.0F);
   }
-  const bool t183 = Rising(m[BAR_THERE_edge], m[BAR_THERE]);
-  if (t181 & t183) {
+  const bool t184 = Rising(m[BAR_THERE_edge], m[BAR_THERE]);
+  if (t181 & t184) {
     m[BAR_REQ] = false;
     m[M_ANSWER] = true;
   }
