@@ -104,12 +104,6 @@ class Host50 : public Host50Machine {
       if (field != "output") return std::nullopt;
       return Element{[&element] { return uint64_t{element.q}; }, [&element](uint64_t v) { element.q = v != 0; }};
     };
-    // An instance has the name of its symbol where there is one.
-    for (const Symbol& symbol : tree_.symbols) {
-      if (symbol.name != instance) continue;
-      if (symbol.address.area == Area::kTm) return known(timers_[symbol.address.number]);
-      if (symbol.address.area == Area::kC) return known(counters_[symbol.address.number]);
-    }
     const auto number = [&](size_t letters) {
       const std::string digits(instance.substr(letters));
       return digits.find_first_not_of("0123456789") == std::string::npos ? std::strtoul(digits.c_str(), nullptr, 10)
@@ -117,6 +111,12 @@ class Host50 : public Host50Machine {
     };
     if (instance.starts_with("TM") && number(2) < timers_.size()) return known(timers_[number(2)]);
     if (instance.starts_with('C') && number(1) < counters_.size()) return known(counters_[number(1)]);
+    // Else it has the name of its symbol: one that looks like an address would be mistaken for it.
+    for (const Symbol& symbol : tree_.symbols) {
+      if (symbol.name != instance) continue;
+      if (symbol.address.area == Area::kTm) return known(timers_[symbol.address.number]);
+      if (symbol.address.area == Area::kC) return known(counters_[symbol.address.number]);
+    }
     return std::nullopt;
   }
 

@@ -110,7 +110,8 @@ std::string PlacesText(const Compilation& compilation, const std::vector<source:
   for (const source::Range& range : ranges) {
     const source::Position at = compilation.sources->Locate(range.begin);
     if (!at.file.valid()) continue;
-    out += (out.empty() ? "" : " ") + compilation.sources->Get(at.file).path + ":" + std::to_string(at.line);
+    out += (out.empty() ? "" : " ") + diag::Escaped(compilation.sources->Get(at.file).path) + ":" +
+           std::to_string(at.line);
   }
   return out.empty() ? "-" : out;
 }
@@ -132,7 +133,7 @@ void PrintSymbols(const Compilation& compilation) {
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {
-    std::cout << LeftAligned(name, 17) << ' ' << LeftAligned(row.address, 9) << ' '
+    std::cout << LeftAligned(diag::Escaped(name), 17) << ' ' << LeftAligned(row.address, 9) << ' '
               << LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
               << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
   }
@@ -141,11 +142,11 @@ void PrintSymbols(const Compilation& compilation) {
 void PrintCrossReference(const Compilation& compilation) {
   const UsesByBits uses = CollectUses(compilation.program);
   for (const ir::Documentation& known : compilation.program.documentation) {
-    std::cout << known.address;
-    if (!known.symbols.empty()) std::cout << "  " << known.symbols;
-    if (!known.predefined.empty()) std::cout << "  (" << known.predefined << ')';
+    std::cout << diag::Escaped(known.address);
+    if (!known.symbols.empty()) std::cout << "  " << diag::Escaped(known.symbols);
+    if (!known.predefined.empty()) std::cout << "  (" << diag::Escaped(known.predefined) << ')';
     const std::string& text = known.help.empty() ? known.meaning : known.help;
-    if (!text.empty()) std::cout << "  " << text;
+    if (!text.empty()) std::cout << "  " << diag::Escaped(text);
     const Uses* used = UsesOf(compilation, uses, known.address);
     std::cout << "\n  written: " << (used == nullptr ? "-" : PlacesText(compilation, used->writes))
               << "\n  read:    " << (used == nullptr ? "-" : PlacesText(compilation, used->reads)) << '\n';
