@@ -75,6 +75,8 @@ class ExpressionChecks {
         Order(statement.expression);
         break;
       case StatementKind::kIf:
+        EmptyBody(statement);
+        [[fallthrough]];
       case StatementKind::kWhile:
       case StatementKind::kDo:
         AssignmentInstead(statement.expression);
@@ -96,6 +98,17 @@ class ExpressionChecks {
       default:
         break;
     }
+  }
+
+  /// W29: nothing but blanks in front of the ';', in the same line. A macro that is empty may be there on purpose.
+  void EmptyBody(const Statement& statement) {
+    const Statement& then = unit_.statements[statement.then];
+    if (then.kind != StatementKind::kEmpty || then.macro.valid() || statement.macro.valid()) return;
+    if (statement.otherwise.valid() || then.range.begin < statement.head.end) return;
+    const std::string_view between = context_.sources.Text({statement.head.end, then.range.begin});
+    if (between.find_first_not_of(" \t") != std::string_view::npos) return;
+    if (context_.sources.Text({then.range.begin, then.range.begin + 1}) != ";") return;
+    context_.diagnostics.Report(then.range, diag::HncEmptyBody);
   }
 
   /// W3

@@ -174,6 +174,10 @@ ExprId Converter::Cast(const clang::CastExpr* expr) {
       return Poison(expr);
     }
     case clang::CK_PointerToIntegral:
+      if (operand->IgnoreParenImpCasts()->getType()->isArrayType()) {
+        findings().Report(RangeOf(operand), diag::HncAreaAsValue, Written(RangeOf(operand)));
+        return Poison(expr);
+      }
       findings().Report(RangeOf(operand), diag::HncPointerAsValue, "'" + Written(RangeOf(operand)) + "' is an address");
       return Poison(expr);
     case clang::CK_FunctionToPointerDecay:

@@ -13,7 +13,9 @@
 #include <clang/Parse/Parser.h>
 
 #include <algorithm>
+#include <cstdio>
 
+#include "transpiler/dialects/hnc/characters.h"
 #include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/parser/product_names.h"
 
@@ -303,11 +305,36 @@ source::Range Diagnoser::RangeOf(const clang::Diagnostic& info) const {
   return range.begin == 0 ? session_.output.unit.last_token : range;
 }
 
+/// The manual's own notation of a bit, `X0.1`, where the undeclared name `X0` was found.
+bool Diagnoser::ManualNotation(source::Range range, const std::string& name) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (name.size() < 2 || !std::ranges::all_of(name.substr(1), is_digit)) return false;
+  const bool byte = name[0] == 'X' || name[0] == 'Y' || name[0] == 'R', table = name[0] == 'F' || name[0] == 'G';
+  if (!byte && !table && name[0] != 'P' && name[0] != 'B') return false;
+  const std::string behind = Written({range.end, range.end + 4});
+  const std::string number(behind.begin() + (behind.empty() ? 0 : 1),
+                           std::find_if_not(behind.begin() + (behind.empty() ? 0 : 1), behind.end(), is_digit));
+  if (!behind.starts_with('.') || number.empty() || number.size() > 2) return false;
+  const int bit = std::stoi(number);
+  if (bit >= (byte ? 8 : 16)) return false;
+  char mask[8];
+  std::snprintf(mask, sizeof mask, byte ? "0x%02X" : "0x%04X", 1u << bit);
+  const std::string cell = (table ? "*" : "") + name.substr(0, 1) + "[" + name.substr(1) + "]";
+  session_.findings().Report({range.begin, range.end + 1 + static_cast<source::Offset>(number.size())},
+                             diag::HncManualNotation, name, name + "." + number, cell + " & " + mask,
+                             cell + " |= " + mask);
+  return true;
+}
+
 std::string Diagnoser::TokenAt(source::Range range) const {
   const clang::Token* current = session_.parser == nullptr ? nullptr : &session_.parser->getCurToken();
   if (current != nullptr && current->is(clang::tok::eof)) return "the end of the file";
   if (current != nullptr && session_.places.OfToken(current->getLocation()) == range && !current->isAnnotation()) {
-    return Quoted(session_.clang.getPreprocessor().getSpelling(*current));
+    const std::string token = Quoted(session_.clang.getPreprocessor().getSpelling(*current));
+    if (!current->getLocation().isMacroID()) return token;
+    const std::string macro = Written(range);
+    return std::ranges::all_of(macro, IsWord) && Quoted(macro) != token ? token + " of the macro " + Quoted(macro)
+                                                                        : token;
   }
   return Quoted(Written(range));
 }
@@ -327,6 +354,7 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
                       text == "plc2_time";
   const bool type =
       info.getID() == cd::err_redefinition_different_type || info.getID() == cd::err_redeclaration_different_type;
+  if (rule->message == &diag::HncUndeclared && ManualNotation(range, text)) return true;
   if (system && type) {
     session_.findings().Report(range, diag::HncConflictingTypes, text);
   } else if (rule->message == &diag::HncRedefinition && system) {

@@ -21,6 +21,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   bool Operands(const clang::Diagnostic& info);
   bool Conversions(const clang::Diagnostic& info);
   void Syntax(const clang::Diagnostic& info);
+  bool ManualNotation(source::Range range, const std::string& name);
   void AddNote(const clang::Diagnostic& info);
 
   source::Range RangeOf(const clang::Diagnostic& info) const;
