@@ -1610,7 +1610,7 @@ to_OZ_KONEC:;
 
 // Mechanism RUCNE: goes on where it waits.
 static void mech_RUCNE(State& m, Host&) noexcept {
-  uint32_t dr_local_6 = 0;
+  uint32_t dr_local = 0;
 
   switch (m[RUCNE_step]) {
     default: {
@@ -1626,10 +1626,10 @@ static void mech_RUCNE(State& m, Host&) noexcept {
         // GT   CNST.ZN_MAX
         // JL0  RU_CIL
         const uint16_t t284 = Add16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local_6 = t284;
+        dr_local = t284;
         if (t284 > 20) {
           // LOD  CNST.1
-          dr_local_6 = 1;
+          dr_local = 1;
           // JUM  RU_CIL
         }
       } else {
@@ -1638,14 +1638,14 @@ static void mech_RUCNE(State& m, Host&) noexcept {
         // NE   CNST.0
         // JL1  RU_CIL
         const uint16_t t508 = Sub16(m[LABEL_MEM_ZN_POZ], 1);
-        dr_local_6 = t508;
+        dr_local = t508;
         if (t508 == 0) {
           // LOD  CNST.ZN_MAX
-          dr_local_6 = 20;
+          dr_local = 20;
         }
       }
       // RU_CIL:   STO  CIL
-      m[CIL] = LowHalf32(dr_local_6);
+      m[CIL] = LowHalf32(dr_local);
       // FL   1,OTOC_ZAS
       m[OTOC_ZAS] = true;
     }
