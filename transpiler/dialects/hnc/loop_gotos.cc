@@ -4,6 +4,7 @@
 // Example: in `again: { g++; i++; if (i < 5) goto again; else h++; }` a round is `g++; i++;` and the test `i < 5`.
 
 #include <algorithm>
+#include <limits>
 
 #include "transpiler/dialects/hnc/lowering_internal.h"
 
@@ -76,7 +77,7 @@ std::optional<uint64_t> Lowering::RoundsOfGoto(StatementId label, StatementId ju
                          .tests_first = is_first,
                          .holds = tests[i].holds,
                          .is_statement = false,
-                         .region = {order_.at(label.index), order_.at(jump.index)},
+                         .region = {OrderOf(label), OrderOf(jump)},
                          .tests = heads};
     const std::optional<LoopProof> proof = IsPassedBy(tests[i].test, loop) ? std::nullopt : Prove(loop);
     if (!proof) continue;
@@ -85,6 +86,11 @@ std::optional<uint64_t> Lowering::RoundsOfGoto(StatementId label, StatementId ju
     if (!best || rounds < *best) best = rounds;
   }
   return best;
+}
+
+uint32_t Lowering::OrderOf(StatementId id) const {
+  const auto found = order_.find(id.index);
+  return found == order_.end() ? std::numeric_limits<uint32_t>::max() : found->second;
 }
 
 bool Lowering::IsPartOf(StatementId id, const std::vector<StatementId>& statements) const {
@@ -103,11 +109,11 @@ bool Lowering::IsPassedBy(StatementId place, const LoopShape& loop) const {
     if (jump.kind != StatementKind::kGoto || !jump.label.valid()) return;
     const StatementId target = unit_.labels[jump.label].statement;
     if (!target.valid()) return;
-    const uint32_t from = order_.at(id.index), to = order_.at(target.index);
+    const uint32_t from = OrderOf(id), to = OrderOf(target);
     // To the label itself only the jump back leads, and what enters the loop.
     if (to <= loop.region.first || to > loop.region.last || from < loop.region.first) return;
     const bool on_path = from <= loop.region.last && IsPartOf(id, loop.body);
-    const uint32_t middle = order_.at(place.index);
+    const uint32_t middle = OrderOf(place);
     passed = passed || !on_path || (from < middle) != (to <= middle);
   });
   return passed;

@@ -66,7 +66,7 @@ void Lowering::PrepareBackJump(const Statement& label, const std::vector<Stateme
   }
   if (rounds != 0) CheckRounds(jump.keyword, rounds);
   ForEachStatement(unit_, function_->body, [&](StatementId id) {
-    if (!again.Holds(order_.at(id.index))) return;
+    if (!again.Holds(OrderOf(id))) return;
     ForEachOwnExpr(unit_, unit_.statements[id],
                    [&](ExprId expr) { ForEachExpr(unit_, expr, [&](ExprId part) { ForgetWritesOf(part); }); });
   });
@@ -85,7 +85,7 @@ void Lowering::SetBudget(ir::PlaceId budget, uint32_t left, StatementId label) {
   SetBudgetBefore(prologue, program_.regions[prologue].insts.size(), budget, left);
   if (!iterated_.empty()) SetBudgetBefore(iterated_.back(), 0, budget, left);
   for (const BackLabel& outer : back_labels_) {
-    if (!outer.span.Holds(order_.at(label.index))) continue;
+    if (!outer.span.Holds(OrderOf(label))) continue;
     const std::vector<ir::InstId>& insts = program_.regions[outer.region].insts;
     const auto at = std::ranges::find(insts, outer.label);
     SetBudgetBefore(outer.region, static_cast<size_t>(at - insts.begin()) + 1, budget, left);
@@ -105,22 +105,22 @@ void Lowering::SetBudgetBefore(ir::RegionId region, size_t at, ir::PlaceId budge
 /// The statements that can be executed between a label and a jump back to it: those between them in the source, the
 /// loops that begin there, and what leads back into them from further down.
 Lowering::Span Lowering::Repeated(LabelId label, const std::vector<StatementId>& jumps) const {
-  Span span{order_.at(unit_.labels[label].statement.index), 0};
-  for (const StatementId jump : jumps) span.last = std::max(span.last, order_.at(jump.index));
+  Span span{OrderOf(unit_.labels[label].statement), 0};
+  for (const StatementId jump : jumps) span.last = std::max(span.last, OrderOf(jump));
   for (bool grown = true; grown;) {
     grown = false;
     const auto grow = [&](StatementId to) {
-      if (order_.at(to.index) <= span.last) return;
-      span.last = order_.at(to.index);
+      if (OrderOf(to) <= span.last) return;
+      span.last = OrderOf(to);
       grown = true;
     };
     ForEachStatement(unit_, function_->body, [&](StatementId id) {
       const Statement& statement = unit_.statements[id];
-      const bool inside = span.Holds(order_.at(id.index));
+      const bool inside = span.Holds(OrderOf(id));
       if (inside && IsLoop(statement.kind)) ForEachStatement(unit_, id, grow);
       if (inside || statement.kind != StatementKind::kGoto || !statement.label.valid()) return;
       const StatementId target = unit_.labels[statement.label].statement;
-      if (IsBefore(target, id) && span.Holds(order_.at(target.index))) grow(id);
+      if (IsBefore(target, id) && span.Holds(OrderOf(target))) grow(id);
     });
   }
   return span;
@@ -131,14 +131,14 @@ bool Lowering::IsEnteredElsewhere(const Span& span) const {
   bool elsewhere = false;
   ForEachStatement(unit_, function_->body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
-    if (IsCase(statement.kind) && order_.at(id.index) > span.first && span.Holds(order_.at(id.index))) {
+    if (IsCase(statement.kind) && OrderOf(id) > span.first && span.Holds(OrderOf(id))) {
       StatementId head = id;
       while (head.valid() && unit_.statements[head].kind != StatementKind::kSwitch) head = ParentOf(head);
-      elsewhere = elsewhere || (head.valid() && !span.Holds(order_.at(head.index)));
+      elsewhere = elsewhere || (head.valid() && !span.Holds(OrderOf(head)));
     }
     if (statement.kind != StatementKind::kGoto || !statement.label.valid()) return;
-    const uint32_t to = order_.at(unit_.labels[statement.label].statement.index);
-    elsewhere = elsewhere || (to > span.first && to <= span.last && !span.Holds(order_.at(id.index)));
+    const uint32_t to = OrderOf(unit_.labels[statement.label].statement);
+    elsewhere = elsewhere || (to > span.first && to <= span.last && !span.Holds(OrderOf(id)));
   });
   return elsewhere;
 }

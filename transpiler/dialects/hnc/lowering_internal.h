@@ -259,7 +259,7 @@ class Lowering {
   void CheckJumps(const Function& function);
   StatementId ParentOf(StatementId id) const;
   /// In the source; ranges do not tell, for all that one use of a macro makes has its range.
-  bool IsBefore(StatementId a, StatementId b) const { return order_.at(a.index) < order_.at(b.index); }
+  bool IsBefore(StatementId a, StatementId b) const { return OrderOf(a) < OrderOf(b); }
 
   // --- goto (lowering_goto.cc) ---
   void Goto(const Statement& statement);
@@ -319,6 +319,9 @@ class Lowering {
   bool IsInEveryRound(ExprId change, const LoopShape& loop) const;
   bool IsJumpedOver(StatementId place, const LoopShape& loop) const;
   bool IsPassedBy(StatementId place, const LoopShape& loop) const;
+  /// The place of a statement in the function's text. What is in no body comes after all: the statement of a label that
+  /// is not declared, which was reported.
+  uint32_t OrderOf(StatementId id) const;
   bool IsPartOf(StatementId id, const std::vector<StatementId>& statements) const;
   bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
