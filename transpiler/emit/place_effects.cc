@@ -171,16 +171,11 @@ bool HoldsNothing(const Emittable& emittable, ir::RegionId region) {
 
 bool ChangesNothing(const Emittable& emittable, ir::InstId id) {
   const Inst& inst = (*emittable.program)[id];
-  switch (inst.op) {
-    case ir::OpKind::kExit:  // to what follows anyway
-      return emittable.leaves.at(id.index) == Leave::kFallsThrough;
-    case ir::OpKind::kStore:
-      return StoresWhatIsThere(emittable, inst);
-    case ir::OpKind::kIf:
-      return HoldsNothing(emittable, ir::RegionId(inst.b)) && HoldsNothing(emittable, ir::RegionId(inst.c));
-    default:
-      return false;
-  }
+  // An exit to what follows anyway.
+  if (inst.op == ir::OpKind::kExit) return emittable.leaves.at(id.index) == Leave::kFallsThrough;
+  if (inst.op == ir::OpKind::kStore) return StoresWhatIsThere(emittable, inst);
+  return inst.op == ir::OpKind::kIf && HoldsNothing(emittable, ir::RegionId(inst.b)) &&
+         HoldsNothing(emittable, ir::RegionId(inst.c));
 }
 
 void PlaceEffects(Emittable& emittable) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/support/check.h"
+
 namespace plcxx::hnc {
 
 BinaryOp Turned(BinaryOp op) {
@@ -14,9 +16,24 @@ BinaryOp Turned(BinaryOp op) {
       return BinaryOp::kGreaterEqual;
     case BinaryOp::kGreaterEqual:
       return BinaryOp::kLessEqual;
-    default:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       return op;
   }
+  PLCXX_UNREACHABLE();
 }
 
 BinaryOp Negated(BinaryOp op) {
@@ -33,9 +50,22 @@ BinaryOp Negated(BinaryOp op) {
       return BinaryOp::kNotEqual;
     case BinaryOp::kNotEqual:
       return BinaryOp::kEqual;
-    default:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       return op;
   }
+  PLCXX_UNREACHABLE();
 }
 
 namespace {
@@ -52,9 +82,23 @@ bool RelationHolds(BinaryOp op, int64_t a, int64_t b) {
       return a >= b;
     case BinaryOp::kEqual:
       return a == b;
-    default:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       return a != b;
   }
+  PLCXX_UNREACHABLE();
 }
 
 int64_t SizeOf(const Bounds& type) { return type.high - type.low + 1; }
