@@ -47,7 +47,7 @@ TEST(Causes, AByteBehindAComputedIndexHasItsNameAndItsScenario) {
   ASSERT_EQ(diff.items.size(), 1U);
   EXPECT_EQ(diff.items[0].name, "Y[5]");
   ASSERT_TRUE(diff.items[0].counterexample.has_value());
-  EXPECT_TRUE(diff.items[0].counterexample->confirmed);
+  EXPECT_EQ(diff.items[0].counterexample->replay, Replay::kSimulator);
 }
 
 }  // namespace

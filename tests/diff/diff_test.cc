@@ -76,7 +76,7 @@ TEST(Diff, ABrokenInterlockIsShownByItsShortestRun) {
   EXPECT_EQ(broken->new_statements[0].text, "U4A8=I0A3");
   EXPECT_TRUE(broken->new_statements[0].changed);
   ASSERT_TRUE(broken->counterexample.has_value());
-  EXPECT_TRUE(broken->counterexample->confirmed);
+  EXPECT_EQ(broken->counterexample->replay, Replay::kSimulator);
   EXPECT_EQ(broken->counterexample->steps, "I0A3=1, I0A4=1, slow 1");
   EXPECT_EQ(broken->counterexample->old_value, "0");
   EXPECT_EQ(broken->counterexample->new_value, "1");
@@ -92,7 +92,7 @@ TEST(Diff, ALatchThatHoldsLongerIsFound) {
   const DiffItem* const item = compared.Find("U4A8");
   ASSERT_NE(item, nullptr);
   ASSERT_TRUE(item->counterexample.has_value());
-  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
   EXPECT_EQ(item->counterexample->steps, "I0A3=1, slow 1, I0A3=0, I0A4=1, slow 1");
 }
 
@@ -102,7 +102,7 @@ TEST(Diff, ATimeThatChangedIsFoundByWaiting) {
   ASSERT_NE(item, nullptr);
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
   ASSERT_TRUE(item->counterexample.has_value());
-  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
 }
 
 TEST(Diff, EqualWhereItCanBeReachedOnly) {
@@ -125,7 +125,7 @@ TEST(Diff, APresetThatChangedByALittleIsFound) {
   ASSERT_NE(item, nullptr);
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
   ASSERT_TRUE(item->counterexample.has_value());
-  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
   EXPECT_FALSE(item->counterexample->from_state);
 }
 

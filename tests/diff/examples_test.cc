@@ -19,7 +19,7 @@ void ExpectShown(const Diff& diff, const std::string& name) {
   ASSERT_NE(item, nullptr) << NamesIn(diff);
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << item->reason;
   ASSERT_TRUE(item->counterexample.has_value());
-  EXPECT_TRUE(item->counterexample->confirmed) << item->counterexample->scenario;
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator) << item->counterexample->scenario;
   EXPECT_FALSE(item->counterexample->from_state);
 }
 
@@ -77,7 +77,7 @@ TEST(DiffExamples, CallsAreExpected) {
   EXPECT_THAT(item->counterexample->scenario, HasSubstr("- expect_calls: []"));
   EXPECT_EQ(item->counterexample->old_value, "no call");
   EXPECT_THAT(item->counterexample->new_value, HasSubstr("fault(kind: PARAM_RANGE, index: 20"));
-  EXPECT_TRUE(item->counterexample->confirmed) << item->counterexample->scenario;
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator) << item->counterexample->scenario;
 }
 
 TEST(DiffExamples, NamesOfTheSourceComeFirst) {

@@ -284,7 +284,7 @@ DAL:
   ASSERT_NE(item, nullptr);
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent);
   ASSERT_TRUE(item->counterexample.has_value());
-  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
   EXPECT_FALSE(item->counterexample->from_state);
 }
 

@@ -19,7 +19,7 @@ std::string RunThatShowsQ(const Diff& diff) {
   const DiffItem* const item = ItemNamed(diff, "Q");
   if (item == nullptr || !item->counterexample) return "none";
   EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << item->reason;
-  EXPECT_TRUE(item->counterexample->confirmed);
+  EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
   EXPECT_FALSE(item->counterexample->from_state);
   return item->counterexample->steps;
 }

@@ -73,6 +73,11 @@ TEST(ScenarioRun, HostCalls) {
   EXPECT_EQ(ScenarioBench().Run("- set: {W1: 3}\n- run: {slow: 1}\n- expect_calls: [{fault: {index: 21}}]\n"),
             "s.yaml:4:3: step 3 (expect_calls), at 10 ms: expected host calls fault(index: 21), "
             "found fault(kind: LOOP_LIMIT, index: 20)");
+  // A function that must not be called, also one that the program does not know.
+  EXPECT_EQ(ScenarioBench().Run("- run: {slow: 1}\n- expect_calls: [{fault: none}, {axis_home: none}]\n"), "passed");
+  EXPECT_EQ(ScenarioBench().Run("- set: {W1: 3}\n- run: {slow: 1}\n- expect_calls: [{fault: none}]\n"),
+            "s.yaml:4:3: step 3 (expect_calls), at 10 ms: expected host calls no fault, "
+            "found fault(kind: LOOP_LIMIT, index: 20)");
   EXPECT_EQ(
       ScenarioBench().Run("- expect_calls: [{axis_home: {axis: 1}}]\n"),
       "s.yaml:2:3: step 1 (expect_calls), at 0 ms: expected host calls axis_home(axis: 1), found none\n"

@@ -8,15 +8,13 @@
 namespace plcxx::driver {
 namespace {
 
-constexpr int kCompileSeconds = 300;
-
 class Batch {
  public:
   Batch(const std::shared_ptr<const Platform>& platform, std::span<const ProgramToCompile> programs)
       : platform_(platform), programs_(programs), executable_(std::make_shared<Executable>()) {}
 
   /// None: compiled.
-  std::variant<std::monostate, CompileFailure> Compile() {
+  std::variant<std::monostate, CompileFailure> Compile(int seconds) {
     const compile::TemporaryDirectory& directory = executable_->directory();
     if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
     arguments_ = platform_->compile;
@@ -27,7 +25,7 @@ class Batch {
     if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
     arguments_.push_back(directory.path() + "/harness.cpp");
     arguments_.insert(arguments_.end(), platform_->link.begin(), platform_->link.end());
-    const compile::ProcessResult result = compile::RunProcess(arguments_, kCompileSeconds);
+    const compile::ProcessResult result = compile::RunProcess(arguments_, seconds);
     if (result.exit_code == 0) return std::monostate();
     return CompileFailure{"'" + arguments_[0] + "' cannot compile the generated code:\n" + FirstLines(result.output)};
   }
@@ -69,16 +67,16 @@ class Batch {
 }  // namespace
 
 std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platform>& platform,
-                                               std::span<const ProgramToCompile> programs) {
+                                               std::span<const ProgramToCompile> programs, int seconds) {
   std::vector<CompiledOrFailure> results;
   if (programs.empty()) return results;
   Batch batch(platform, programs);
-  const auto compiled = batch.Compile();
+  const auto compiled = batch.Compile(seconds);
   if (const auto* failure = std::get_if<CompileFailure>(&compiled)) {
     if (programs.size() == 1) return {*failure};
     const size_t half = programs.size() / 2;
-    results = CompileTogether(platform, programs.first(half));
-    for (CompiledOrFailure& result : CompileTogether(platform, programs.subspan(half)))
+    results = CompileTogether(platform, programs.first(half), seconds);
+    for (CompiledOrFailure& result : CompileTogether(platform, programs.subspan(half), seconds))
       results.push_back(std::move(result));
     return results;
   }
@@ -87,9 +85,9 @@ std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platf
 }
 
 CompiledOrFailure CompileFor(const std::shared_ptr<const Platform>& platform, const ir::Program& program,
-                             const source::SourceManager& sources) {
+                             const source::SourceManager& sources, int seconds) {
   const ProgramToCompile one{&program, &sources};
-  return CompileTogether(platform, {&one, 1}).front();
+  return CompileTogether(platform, {&one, 1}, seconds).front();
 }
 
 }  // namespace plcxx::driver

@@ -43,6 +43,8 @@ struct CompiledProgram {
 
 using CompiledOrFailure = std::variant<std::shared_ptr<CompiledProgram>, CompileFailure>;
 
+inline constexpr int kMostCompileSeconds = 300;
+
 /// `program` must be structured and outlive the result.
 struct ProgramToCompile {
   const ir::Program* program = nullptr;
@@ -50,11 +52,13 @@ struct ProgramToCompile {
 };
 
 /// A result for each. When the compiler refuses them together, or they do not fit into a processor's memory together,
-/// each half is compiled by itself: a failure is that of one program, and the others do not notice.
+/// each half is compiled by itself: a failure is that of one program, and the others do not notice. A compiler that
+/// does not end in `seconds` fails.
 std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platform>& platform,
-                                               std::span<const ProgramToCompile> programs);
+                                               std::span<const ProgramToCompile> programs,
+                                               int seconds = kMostCompileSeconds);
 
 CompiledOrFailure CompileFor(const std::shared_ptr<const Platform>& platform, const ir::Program& program,
-                             const source::SourceManager& sources);
+                             const source::SourceManager& sources, int seconds = kMostCompileSeconds);
 
 }  // namespace plcxx::driver

@@ -38,13 +38,21 @@ struct ItemStatement {
   bool changed = false;  // the other version has no statement with this text
 };
 
-/// A difference that can be seen by running: a scenario that passes on the old version and fails on the new one.
+/// How a difference was seen.
+enum class Replay : uint8_t {
+  kSideBySide,  // both versions in the simulator; no scenario can say it, or the time was over
+  kRefuted,     // the scenario does not pass on the old version, or passes on the new one
+  kSimulator,   // the scenario passes on the old version and fails on the new one, in the simulator
+  kCompiled     // and as generated code, compiled here
+};
+
+/// A difference that can be seen by running both versions.
 struct Counterexample {
-  std::string scenario;              // YAML
-  std::string steps;                 // the same in one line: "I0A3=1, slow 1"
+  std::string scenario;              // YAML; empty where none can say it
+  std::string steps;                 // the same in one line: "I0A3=1, slow 1"; empty as above
   std::string old_value, new_value;  // of the item behind the last step
   bool from_state = false;           // it begins with a state that is set; nobody knows whether the machine comes there
-  bool confirmed = false;            // it was run on both
+  Replay replay = Replay::kSideBySide;
 };
 
 struct DiffItem {
@@ -65,12 +73,15 @@ struct Diff {
   uint32_t equal = 0;           // items proved equal, which are not listed
   uint32_t invariants = 0;      // that their proofs needed
   std::string refusal;          // not empty: nothing was compared, and why
+  /// Why what is shown was not run as generated code, where it should have been; else empty.
+  std::string not_compiled;
 };
 
 struct DiffOptions {
   std::vector<std::pair<std::string, std::string>> same;  // --map OLD=NEW, as scenarios write locations
   uint64_t time_ms = 60'000;
   std::string scenario_directory;  // where scenarios will stand; their sources are named from there
+  std::string compiler;            // what is shown is run as generated code, too; empty: in the simulator only
   std::function<void(const std::string& what)> progress;
 };
 

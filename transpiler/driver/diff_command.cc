@@ -12,6 +12,7 @@
 #include "transpiler/driver/diff_sources.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/platform.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 
@@ -117,7 +118,11 @@ int RunDiff(const DiffSettings& settings) {
     std::cout << requests.one_sided << "\n";
     return kDone;
   }
-  DiffOptions options{.same = {}, .time_ms = *time_ms, .scenario_directory = settings.scenarios, .progress = {}};
+  DiffOptions options{.same = {},
+                      .time_ms = *time_ms,
+                      .scenario_directory = settings.scenarios,
+                      .compiler = FindCompiler(),
+                      .progress = {}};
   for (const std::string& pair : settings.same) {
     const size_t equals = pair.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size()) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "transpiler/driver/diff.h"
+#include "transpiler/driver/diff_confirm.h"
 #include "transpiler/driver/diff_items.h"
 #include "transpiler/driver/diff_runs.h"
 #include "transpiler/driver/diff_statements.h"
@@ -218,6 +219,32 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
   }
 }
 
+/// What a solver says counts when both versions were run. `is_seen`: they were, beside each other in the simulator, and
+/// differed.
+void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
+  const auto not_decided = [&item](const std::string& reason) {
+    item.verdict = ItemVerdict::kUndecided;
+    item.reason = reason;
+    item.counterexample.reset();
+  };
+  if (!item.counterexample) {
+    if (item.verdict == ItemVerdict::kDifferent && !is_seen)
+      not_decided("a run was computed that should show a difference, and could not be repeated");
+    return;
+  }
+  switch (item.counterexample->replay) {
+    case Replay::kSideBySide:
+    case Replay::kSimulator:
+    case Replay::kCompiled:
+      // A state from which they differ is a difference when it can be set and both were run from it.
+      item.verdict = ItemVerdict::kDifferent;
+      return;
+    case Replay::kRefuted:
+      not_decided("a run shows a difference that its scenario does not show");
+      return;
+  }
+}
+
 /// The places of --map; the first word that is no place of its program, otherwise.
 std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& new_side, const DiffOptions& options,
                                     std::vector<std::pair<ir::Place, ir::Place>>& same) {
@@ -342,16 +369,13 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     if (is_shown(gathered) && !example && budget.left > 0 && Clock::now() < reused_end) {
       example = FindAmongShown(old_side, new_side, request, options, budget);
     }
-    // A state from which they differ is a difference when it can be set and both were run from it.
-    if (gathered.item.verdict == ItemVerdict::kUndecided && gathered.item.counterexample) {
-      if (gathered.item.counterexample->confirmed) {
-        gathered.item.verdict = ItemVerdict::kDifferent;
-      } else {
-        gathered.item.counterexample.reset();
-      }
-    }
+    const bool is_seen =
+        std::ranges::any_of(gathered.old_cells, [&runs](CellId cell) { return runs.difference_of.contains(cell); });
+    const bool is_comparable = !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size();
+    if (is_comparable) KeepWhatWasReplayed(gathered.item, is_seen);
     diff.items.push_back(std::move(gathered.item));
   }
+  if (!options.compiler.empty()) ConfirmCompiled(old_side, new_side, options, last_end, diff);
   return diff;
 }
 

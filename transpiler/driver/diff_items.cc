@@ -154,12 +154,19 @@ std::optional<CellWord> CellWords::FromSymbols(const Cell& cell) const {
 
 std::optional<CellWord> CellWords::FromDialect(const Cell& cell) const {
   const ir::Program& program = *version_.program;
-  const std::string &space = program.spaces[cell.space].name, offset = std::to_string(cell.offset);
-  for (const std::string& name : {space + "[" + offset + "]", space + "+" + offset + ":8"}) {
+  const std::string& space = program.spaces[cell.space].name;
+  // An element may have one, two or four bytes.
+  std::vector<std::string> names{space + "+" + std::to_string(cell.offset) + ":8"};
+  for (const uint32_t bytes : {4U, 2U, 1U}) {
+    names.insert(names.begin(), space + "[" + std::to_string(cell.offset / bytes) + "]");
+  }
+  for (const std::string& name : names) {
     const std::optional<dialects::Location> location = compilation_.dialect->locate(program, name);
     if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) continue;
     ir::Place place = location->place;
-    if (place.space != cell.space || place.offset != cell.offset || place.type != ir::Type::kI8) continue;
+    const bool is_inside = place.space == cell.space && !place.is_field() && place.type != ir::Type::kBit &&
+                           place.offset <= cell.offset && cell.offset - place.offset < ir::Bytes(place.type);
+    if (!is_inside) continue;
     place.name = name;
     place.address.clear();
     return OfPlace(place);

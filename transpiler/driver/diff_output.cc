@@ -94,12 +94,12 @@ void AddStatements(std::string& text, std::string_view side, const std::vector<I
 }
 
 std::string ExampleText(const Counterexample& example, const DiffNames&) {
-  std::string text = example.steps + ": ";
+  std::string text = (example.steps.empty() ? "a run that no scenario can say" : example.steps) + ": ";
   text += example.old_value == example.new_value
               ? "the calls differ"
               : example.old_value + " in the old version, " + example.new_value + " in the new one";
   if (example.from_state) text += " (from this state; no run from power-on to it is known)";
-  if (!example.confirmed && example.old_value != example.new_value) text += " (seen in the simulator only)";
+  if (example.replay == Replay::kSideBySide) text += " (both versions beside each other; not as a scenario)";
   return text;
 }
 
@@ -224,10 +224,13 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
                   {"newStatements", ToJson(item.new_statements)}};
     if (!item.reason.empty() && item.verdict == ItemVerdict::kUndecided) entry["reason"] = item.reason;
     if (item.counterexample) {
-      entry["counterexample"] = {
-          {"steps", item.counterexample->steps},         {"old", item.counterexample->old_value},
-          {"new", item.counterexample->new_value},       {"fromState", item.counterexample->from_state},
-          {"confirmed", item.counterexample->confirmed}, {"scenario", item.counterexample->scenario}};
+      entry["counterexample"] = {{"steps", item.counterexample->steps},
+                                 {"old", item.counterexample->old_value},
+                                 {"new", item.counterexample->new_value},
+                                 {"fromState", item.counterexample->from_state},
+                                 {"confirmed", item.counterexample->replay >= Replay::kSimulator},
+                                 {"compiled", item.counterexample->replay == Replay::kCompiled},
+                                 {"scenario", item.counterexample->scenario}};
     }
     json["items"].push_back(std::move(entry));
   }

@@ -37,8 +37,8 @@ std::string TextOf(const DiffItem& item) {
   std::string text = item.meaning.empty() ? "" : item.meaning + ". ";
   if (item.counterexample) {
     text += "Behind " + item.counterexample->steps + ": " + item.counterexample->old_value + " in the old version, " +
-            item.counterexample->new_value + " in the new one" + (item.counterexample->confirmed ? "" : " (not run)") +
-            ". ";
+            item.counterexample->new_value + " in the new one" +
+            (item.counterexample->replay == Replay::kSideBySide ? " (not as a scenario)" : "") + ". ";
   }
   if (!item.reason.empty()) text += "Not decided: " + item.reason + ". ";
   if (!item.through.empty()) {

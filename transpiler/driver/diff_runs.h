@@ -76,7 +76,7 @@ struct ExampleBudget {
   std::vector<std::shared_ptr<const ShownRun>> shown;
 };
 
-/// The shortest scenario that could be found: it has been run on both versions, unless `confirmed` is false.
+/// The shortest scenario that could be found.
 std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
                                                  const CounterexampleRequest& request, const DiffOptions& options,
                                                  ExampleBudget& budget);

@@ -1,6 +1,7 @@
 // From a difference to a scenario that shows it: shortened as far as it still does, and run on both versions.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <variant>
 
@@ -18,8 +19,6 @@ namespace plcxx::driver {
 namespace {
 
 using prove::execute::CellId;
-
-constexpr size_t kMostShown = 12;  // of what one step sets, in the line of text; the scenario has all
 
 /// As the old version names the cell, or the new one where only that one does; the cells are the old version's.
 CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
@@ -68,27 +67,32 @@ std::string WordText(const CellWord& word, uint64_t value) {
   return is_float ? sim::ValueDigits(word.place->type, value) : std::to_string(value);
 }
 
-/// Inputs as a scenario writes them: whole words where the program has no bit of that name.
-std::vector<std::pair<std::string, std::string>> SetsOf(const DiffSide& old_side, const DiffSide& new_side,
-                                                        const CounterexampleRequest& request,
-                                                        const std::vector<prove::compare::SetCell>& inputs,
-                                                        std::map<CellId, uint64_t>& now) {
+using Sets = std::vector<std::pair<std::string, std::string>>;  // location, value
+
+/// Inputs as a scenario writes them: whole words where the program has no bit of that name, of which the other bits
+/// stay as they are in `machine`, the old version before this step. None: one of them has no name.
+std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                           const std::vector<prove::compare::SetCell>& inputs, DiffMachine& machine) {
   std::vector<CellWord> words;
   std::set<std::string> taken;
+  std::map<CellId, uint64_t> values;
   for (const prove::compare::SetCell& input : inputs) {
-    now[input.old_cell] = input.value;
+    values[input.old_cell] = input.value;
     CellWord word = WordOfBoth(request, input.old_cell);
-    if (HasNoName(word)) continue;
+    if (HasNoName(word)) return std::nullopt;
     if (taken.insert(word.name).second) words.push_back(std::move(word));
   }
-  std::vector<std::pair<std::string, std::string>> sets;
+  machine.Look();
+  Sets sets;
   for (const CellWord& word : words) {
     uint64_t value = 0;
     for (size_t i = 0; i < word.cells.size() && i < 64; ++i) {
-      const auto cell = now.find(word.cells[i]);
-      if (cell != now.end()) value |= cell->second << i;
+      const auto set = values.find(word.cells[i]);
+      value |= (set != values.end() ? set->second : machine.Seen(word.cells[i])) << i;
     }
-    sets.emplace_back(ScenarioName(old_side, new_side, request, word), WordText(word, value));
+    const std::string name = ScenarioName(old_side, new_side, request, word);
+    if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+    sets.emplace_back(name, WordText(word, value));
   }
   return sets;
 }
@@ -151,8 +155,22 @@ struct Candidate {
   Stimuli stimuli;
   bool from_state = false;
 };
+/// The run without what no scenario has a name for.
+Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                 Stimuli stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    std::erase_if(stimulus.inputs, [&](const prove::compare::SetCell& input) {
+      const CellWord word = WordOfBoth(request, input.old_cell);
+      return HasNoName(word) || !old_side.compilation.dialect->locate(old_side.compilation.program,
+                                                                      ScenarioName(old_side, new_side, request, word));
+    });
+  }
+  return stimuli;
+}
+
 /// The runs that may show the difference, the best one first.
-std::vector<Candidate> Candidates(const DiffSide& old_side, const CounterexampleRequest& request) {
+std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_side,
+                                  const CounterexampleRequest& request) {
   std::vector<Candidate> candidates;
   if (request.run) {
     // An arbitrary state is set before the first period; later inputs stay.
@@ -175,6 +193,12 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const Counterexample
   if (shortest != nullptr) {
     const Stimuli& run = request.runs.runs[shortest->run];
     candidates.push_back({Stimuli(run.begin(), run.begin() + shortest->steps)});
+  }
+  // Better one that a scenario can say; else any.
+  const size_t count = candidates.size();
+  for (size_t i = 0; i < count; ++i) {
+    candidates.push_back(candidates[i]);
+    candidates[i].stimuli = Nameable(old_side, new_side, request, std::move(candidates[i].stimuli));
   }
   return candidates;
 }
@@ -222,24 +246,26 @@ SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) 
 struct WrittenSteps {
   std::string scenario, line;
 };
-WrittenSteps Write(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
-                   const Stimuli& stimuli) {
+/// None: the run sets what a scenario has no name for.
+std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_side,
+                                  const CounterexampleRequest& request, const Stimuli& stimuli) {
   WrittenSteps written;
-  std::map<CellId, uint64_t> now;
+  DiffMachine machine(old_side, request.old_version);
   const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const Stimulus& stimulus : stimuli) {
-    std::vector<std::pair<std::string, std::string>> sets = SetsOf(old_side, new_side, request, stimulus.inputs, now);
-    sets.insert(sets.end(), stimulus.words.begin(), stimulus.words.end());
-    std::erase_if(sets, [&old_side](const auto& set) {
-      return !old_side.compilation.dialect->locate(old_side.compilation.program, set.first);
+    std::optional<Sets> sets = SetsOf(old_side, new_side, request, stimulus.inputs, machine);
+    if (!sets) return std::nullopt;
+    // A word of a scenario beside the program that the old version does not know sets nothing there.
+    std::ranges::copy_if(stimulus.words, std::back_inserter(*sets), [&old_side](const auto& set) {
+      return old_side.compilation.dialect->locate(old_side.compilation.program, set.first).has_value();
     });
+    machine.Apply(stimulus, &prove::compare::SetCell::old_cell);
     std::string assignments;
-    for (const auto& [name, value] : sets) add(assignments, Quoted(name) + ": " + Quoted(value));
-    for (size_t i = 0; i < sets.size() && i < kMostShown; ++i) {
-      add(written.line, sets[i].first + "=" + sets[i].second);
+    for (const auto& [name, value] : *sets) {
+      add(assignments, Quoted(name) + ": " + Quoted(value));
+      add(written.line, name + "=" + value);
     }
-    if (sets.size() > kMostShown) add(written.line, std::to_string(sets.size() - kMostShown) + " more");
-    if (!sets.empty()) written.scenario += "- set: {" + assignments + "}\n";
+    if (!sets->empty()) written.scenario += "- set: {" + assignments + "}\n";
     const bool by_pass = stimulus.slow != 0;
     const std::string count = std::to_string(by_pass ? stimulus.slow : stimulus.ms);
     written.scenario += std::string("- run: {") + (by_pass ? "slow: " : "ms: ") + count + "}\n";
@@ -295,20 +321,25 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
 Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const CounterexampleRequest& request,
                         const ShownRun& run, const DiffOptions& options, ExampleBudget& budget) {
   Counterexample example{.from_state = run.from_state};
-  WrittenSteps steps = Write(old_side, new_side, request, run.stimuli);
-  example.steps = std::move(steps.line);
+  const std::optional<WrittenSteps> steps = Write(old_side, new_side, request, run.stimuli);
   const std::optional<std::string> expectation = Expectation(old_side, new_side, request, run.ends, example);
+  if (!steps) return example;
+  example.steps = steps->line;
   if (!expectation) return example;
   const bool is_value = request.kind != ItemKind::kCalls;
   const std::string heading =
       is_value ? "# " + request.name + " is " + example.old_value + " in the old version and " + example.new_value
                : "# " + request.name + ": " + example.old_value + " in the old version, " + example.new_value;
-  example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps.scenario + "- " +
+  example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps->scenario + "- " +
                      *expectation + "\n";
   // To run it once more costs about the same.
-  example.confirmed = std::chrono::steady_clock::now() + run.cost < budget.all_end &&
-                      Passes(example.scenario, budget.old_program, options) &&
-                      !Passes(example.scenario, budget.new_program, options);
+  if (std::chrono::steady_clock::now() + run.cost >= budget.all_end) {
+    example.scenario.clear();
+    return example;
+  }
+  const bool confirmed =
+      Passes(example.scenario, budget.old_program, options) && !Passes(example.scenario, budget.new_program, options);
+  example.replay = confirmed ? Replay::kSimulator : Replay::kRefuted;
   return example;
 }
 
@@ -321,7 +352,7 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
   for (const CellId cell : request.old_cells) new_cells.push_back(request.match.new_of_old[cell.index]);
   Shortener shortener(old_side, new_side, request.old_version, request.new_version, request.old_cells, new_cells,
                       budget.end);
-  for (Candidate& candidate : Candidates(old_side, request)) {
+  for (Candidate& candidate : Candidates(old_side, new_side, request)) {
     if (!shortener.Shows(candidate.stimuli, budget.last_end)) continue;
     --budget.left;
     Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));

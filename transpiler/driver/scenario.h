@@ -62,10 +62,11 @@ struct RunStep {
   std::vector<RunPart> parts;  // in the order written
 };
 
-/// `axis_home: {axis: 1}`
+/// `axis_home: {axis: 1}`; `axis_home: none`: there is none.
 struct ExpectedCall {
   MarkedText function;
   std::vector<Assignment> arguments;
+  bool none = false;
 };
 struct ExpectCallsStep {
   std::vector<ExpectedCall> calls;

@@ -1,6 +1,7 @@
 #include "transpiler/driver/scenario_calls.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "transpiler/driver/lockstep.h"
 
@@ -28,6 +29,7 @@ bool Matches(const ir::Program& program, const PlannedCall& call, const sim::Hos
 }
 
 std::string WrittenText(const PlannedCall& call) {
+  if (call.written->none) return "no " + call.written->function.text;
   std::string text = call.written->function.text + "(";
   for (const Assignment& argument : call.written->arguments) {
     if (text.back() != '(') text += ", ";
@@ -50,10 +52,10 @@ std::string ImpossibleCalls(const ir::Program& program, const std::vector<Planne
   std::string text;
   for (const PlannedCall& call : expected) {
     const std::string& name = call.written->function.text;
-    if (!call.function.valid()) {
+    if (!call.function.valid() && !call.written->none) {
       text += "\n  the program never calls '" + name +
               "', so the list cannot match; it may call: " + (known.empty() ? "nothing" : known);
-    } else if (program.host_functions[call.function].routine_exchange) {
+    } else if (call.function.valid() && program.host_functions[call.function].routine_exchange) {
       text += "\n  '" + name + "' is part of the routine exchange, of which no record is kept";
     }
   }
@@ -72,9 +74,12 @@ std::optional<std::string> CallsMismatch(const ir::Program& program, const std::
     });
     if (listed && !event.exchange && !function.routine_exchange) counted.push_back(event);
   }
-  const bool equal =
-      std::equal(expected.begin(), expected.end(), counted.begin(), counted.end(),
-                 [&](const PlannedCall& call, const sim::HostEvent& event) { return Matches(program, call, event); });
+  std::vector<PlannedCall> calls;
+  std::ranges::copy_if(expected, std::back_inserter(calls),
+                       [](const PlannedCall& call) { return !call.written->none; });
+  const bool equal = std::ranges::equal(calls, counted, [&](const PlannedCall& call, const sim::HostEvent& event) {
+    return Matches(program, call, event);
+  });
   if (equal) return std::nullopt;
   return "expected host calls " + WrittenText(expected) + ", found " + ToText(program, counted) +
          ImpossibleCalls(program, expected);

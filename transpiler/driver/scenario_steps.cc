@@ -115,7 +115,7 @@ std::optional<RunPart> ScenarioReader::ReadRunPart(const YamlEntry& entry) {
 ExpectCallsStep ScenarioReader::ReadCalls(const YAML::Node& node) {
   ExpectCallsStep step;
   if (!node.IsSequence()) {
-    Fail(Mark(node), "'expect_calls' is a list of '{function: {parameter: value}}'");
+    Fail(Mark(node), "'expect_calls' is a list of '{function: {parameter: value}}' and '{function: none}'");
     return step;
   }
   for (const YAML::Node& item : node) {
@@ -129,7 +129,9 @@ ExpectCallsStep ScenarioReader::ReadCalls(const YAML::Node& node) {
     if (item.IsMap() && entries.empty()) Fail(Mark(item), "a call without a function");
     if (entries.empty()) continue;
     ExpectedCall call{entries[0].key, {}};
-    if (!entries[0].value.IsNull()) {
+    if (entries[0].value.IsScalar() && entries[0].value.Scalar() == "none") {
+      call.none = true;
+    } else if (!entries[0].value.IsNull()) {
       call.arguments = Assignments(entries[0].value, "what '" + entries[0].key.text + "' is called with");
     }
     step.calls.push_back(std::move(call));

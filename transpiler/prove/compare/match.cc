@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "transpiler/ir/accesses.h"
@@ -10,6 +11,36 @@
 
 namespace plcxx::prove::compare {
 namespace {
+
+constexpr bool IsInteger(ir::Type type) { return ir::Type::kI8 <= type && type <= ir::Type::kI64; }
+
+/// The variables of a version, by the cells that they are in.
+class VariableNames {
+ public:
+  explicit VariableNames(const Version& version) : by_cell_(version.cells.count) {
+    const ir::Program& program = *version.program;
+    const auto add = [&](const std::string& name, const ir::Place& place) {
+      if (name.empty() || place.is_field() || !execute::IsInside(program, place)) return;
+      all_.insert(name);
+      for (const execute::CellId cell : execute::CellsOf(program, version.cells, place)) {
+        std::vector<std::string>& names = by_cell_[cell.index];
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      }
+    };
+    for (const ir::Place& place : program.places) add(place.name, place);
+    for (const ir::Symbol& symbol : program.symbols) {
+      if (!symbol.indices.empty()) continue;
+      add(symbol.name, {.type = symbol.type, .space = symbol.space, .offset = symbol.offset, .bit = symbol.bit});
+    }
+  }
+
+  bool Has(const std::string& name) const { return all_.contains(name); }
+  const std::vector<std::string>& Of(execute::CellId cell) const { return by_cell_[cell.index]; }
+
+ private:
+  std::set<std::string> all_;
+  std::vector<std::vector<std::string>> by_cell_;
+};
 
 class Matcher {
  public:
@@ -54,8 +85,9 @@ void Matcher::Places(const ir::Place& one, const ir::Place& other) {
       Instance(one.state, other.state);
     return;
   }
-  if (one.type != other.type || !execute::IsInside(*old_.program, one) || !execute::IsInside(*new_.program, other))
-    return;
+  // Of integers of two widths those digits are the same that both have; a number and a floating-point one share none.
+  const bool alike = one.type == other.type || (IsInteger(one.type) && IsInteger(other.type));
+  if (!alike || !execute::IsInside(*old_.program, one) || !execute::IsInside(*new_.program, other)) return;
   const std::vector<execute::CellId> from = execute::CellsOf(*old_.program, old_.cells, one);
   const std::vector<execute::CellId> to = execute::CellsOf(*new_.program, new_.cells, other);
   for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
@@ -86,8 +118,18 @@ void Matcher::InputsAndOutputs() {
   });
 }
 
+/// What has a name that the other version knows as well is there, whatever stands at its old address now.
 void Matcher::ByAddress() {
-  Spaces([](execute::CellId, execute::CellId) { return true; });
+  const VariableNames old_names(old_), new_names(new_);
+  Spaces([&](execute::CellId one, execute::CellId other) {
+    const auto all_are_common = [](const VariableNames& from, execute::CellId cell, const VariableNames& to,
+                                   execute::CellId same) {
+      return std::ranges::all_of(from.Of(cell), [&](const std::string& name) {
+        return !to.Has(name) || std::ranges::find(to.Of(same), name) != to.Of(same).end();
+      });
+    };
+    return all_are_common(old_names, one, new_names, other) && all_are_common(new_names, other, old_names, one);
+  });
 }
 
 void Matcher::InternalByName() {
@@ -116,7 +158,7 @@ void Matcher::SymbolsByName() {
     const auto found = by_name.find(symbol.name);
     if (found == by_name.end()) continue;
     const ir::Symbol& other = *found->second;
-    const bool alike = symbol.type == other.type && symbol.indices.size() == other.indices.size() &&
+    const bool alike = symbol.indices.size() == other.indices.size() &&
                        old_.program->spaces[symbol.space].name == new_.program->spaces[other.space].name &&
                        old_.program->spaces[symbol.space].lifetime != ir::Lifetime::kRoutine;
     if (!alike) continue;

@@ -128,7 +128,8 @@ void EvaluateCone(const terms::Terms& terms, std::span<const terms::TermId> cone
   }
 }
 
-/// The solver's values for all that the pair is made of; what it makes up for unknown functions, too.
+/// The solver's values for the variables and for functions of which nothing is known, and what follows from them: the
+/// solver makes up values of functions that can be evaluated, too, and these do not count.
 std::vector<uint64_t> SolversValues(Comparison& comparison, std::span<const terms::TermId> cone) {
   const terms::Terms& terms = comparison.terms;
   std::vector<uint64_t> values(terms.size());
@@ -261,6 +262,8 @@ void SearchRuns(Comparison& comparison) {
       if (answer != solver::Answer::kPossible) continue;
       const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
       const std::vector<uint64_t> values = SolversValues(comparison, cone);
+      // It differs only with what the solver made up for functions whose values are known.
+      if (values[pair.differ.index] == 0) continue;
       const std::vector<terms::Reason> reasons =
           terms::Justification(comparison.terms, cone, values).ReasonsFor(pair.differ);
       // Otherwise it is a run to be tried.
@@ -371,6 +374,7 @@ void SearchStates(Comparison& comparison) {
     if (answer != solver::Answer::kPossible) continue;
     const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
     const std::vector<uint64_t> values = SolversValues(comparison, cone);
+    if (values[pair.differ.index] == 0) continue;
     pair.result->run =
         variables.StateOf(terms::Justification(comparison.terms, cone, values).ReasonsFor(pair.differ), values);
   }
