@@ -28,13 +28,14 @@ uint64_t Mixed(uint64_t hash, uint64_t value) {
 }
 
 /// Whose answers a program gets: those of the dialect's simulated control, which look at all the state; or a function's
-/// own, which depend on its calls alone and on the seed.
+/// own, which depend on the seed and on all calls before, of the regular exchange on that function's calls alone.
 enum class Answers : uint8_t { kOfControl, kOfCalls };
 
 class Machine {
  public:
   Machine(const DiffSide& side, Answers answers, uint64_t seed)
       : program_(side.compilation.program),
+        is_ordered_(prove::execute::MakeCells(program_).is_ordered),
         simulator_(program_),
         control_(program_, *side.compilation.dialect, simulator_,
                  answers == Answers::kOfControl
@@ -65,13 +66,17 @@ class Machine {
   uint64_t Read(const ir::Place& place) { return simulator_.Read(place); }
   sim::Clock& clock() { return clock_; }
 
-  /// By function: all its calls so far.
+  /// By function: all its calls so far; of all that are no exchange, in their order, under no name.
   const std::map<std::string, uint64_t>& Calls() {
     for (const sim::HostEvent& event : simulator_.TakeEvents()) {
       if (event.exchange) continue;
       uint64_t& calls = calls_[program_.host_functions[event.function].name];
       for (const uint64_t argument : event.arguments) calls = Mixed(calls, argument);
       calls = Mixed(calls, 1);
+      if (!is_ordered_[event.function.index]) continue;
+      uint64_t& all = calls_[""];
+      for (const char c : program_.host_functions[event.function].name) all = Mixed(all, static_cast<unsigned char>(c));
+      all = Mixed(all, calls);
     }
     return calls_;
   }
@@ -79,7 +84,7 @@ class Machine {
  private:
   sim::HostAnswer Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments, uint64_t seed) {
     const ir::HostFunction& function = program_.host_functions[id];
-    uint64_t& asked = asked_[function.name];
+    uint64_t& asked = asked_[is_ordered_[id.index] ? std::string() : function.name];
     asked = Mixed(asked, seed);
     for (const uint64_t argument : arguments) asked = Mixed(asked, argument);
     for (const char c : function.name) asked = Mixed(asked, static_cast<unsigned char>(c));
@@ -96,6 +101,7 @@ class Machine {
   }
 
   const ir::Program& program_;
+  std::vector<bool> is_ordered_;
   sim::Simulator simulator_;
   ScenarioControl control_;
   sim::Clock clock_;
@@ -168,7 +174,12 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     const bool is_listed = listed.contains(name) || listed.contains(new_words.WordOf(new_cell).name);
     const Cell cell = prove::execute::CellAt(*old_version.program, old_version.cells, old_cell);
     if (cell.kind == CellKind::kCalls) {
-      if (!is_listed) locations.equal_calls.insert(old_version.program->host_functions[cell.host].name);
+      const bool any_calls = std::ranges::any_of(diff.items, [](const DiffItem& item) {
+        return item.kind == ItemKind::kCalls;  // the order follows from them
+      });
+      if (!is_listed && cell.host.valid())
+        locations.equal_calls.insert(old_version.program->host_functions[cell.host].name);
+      if (!cell.host.valid() && !any_calls) locations.equal_calls.insert("");
       continue;
     }
     const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
@@ -192,6 +203,7 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
                                         const DiffOptions& options, SimulatedRuns runs, Random& random) {
   const Locations locations = LocationsOf(old_side, new_side, diff, options);
   const ir::Schedule& schedule = old_side.compilation.program.schedule;
+  const bool has_fast = schedule.fast_only.valid() && schedule.fast_only != schedule.period;
   for (int run = 0; run < runs.runs; ++run) {
     // The simulated control answers what it sees, so it goes with programs that are equal in everything.
     const Answers answers = diff.items.empty() && run % 2 == 0 ? Answers::kOfControl : Answers::kOfCalls;
@@ -214,7 +226,7 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
           clock.RunMs(schedule.period_ms * length);
         } else if (what < 11) {
           clock.RunMs(137 * length);
-        } else if (what < 14 && schedule.fast_ms != 0) {
+        } else if (what < 14 && has_fast) {
           clock.RunFast(1);
         } else {
           clock.RunSlow(1);

@@ -30,7 +30,8 @@ std::vector<const sim::HostEvent*> CallsOf(const ir::Program& program, const std
                                            const std::string& function) {
   std::vector<const sim::HostEvent*> calls;
   for (const sim::HostEvent& event : events) {
-    if (!event.exchange && program.host_functions[event.function].name == function) calls.push_back(&event);
+    const ir::HostFunction& of = program.host_functions[event.function];
+    if (!event.exchange && (of.name == function || (function.empty() && !of.routine_exchange))) calls.push_back(&event);
   }
   return calls;
 }
@@ -40,17 +41,18 @@ std::vector<const sim::HostEvent*> CallsOf(const ir::Program& program, const std
 std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::vector<sim::HostEvent>& events,
                                          const std::string& function) {
   const auto called = std::ranges::find(program.host_functions, function, &ir::HostFunction::name);
-  if (called == program.host_functions.end() || called->routine_exchange) return std::nullopt;
+  const bool of_all = function.empty();
+  if (!of_all && (called == program.host_functions.end() || called->routine_exchange)) return std::nullopt;
   // A polled function counts where it is named, and is named when it is not called, too.
   const auto is_call = [&](const sim::HostEvent& event) {
     return !event.exchange && program.host_functions[event.function].name == function;
   };
   std::string list;
-  if (called->polled && std::ranges::none_of(events, is_call)) list = "{" + function + ": none}";
+  if (!of_all && called->polled && std::ranges::none_of(events, is_call)) list = "{" + function + ": none}";
   size_t count = 0;
   for (const sim::HostEvent& event : events) {
     const ir::HostFunction& of = program.host_functions[event.function];
-    if (event.exchange || of.routine_exchange || (of.polled && of.name != function)) continue;
+    if (event.exchange || of.routine_exchange || (of.polled && !of_all && of.name != function)) continue;
     if (++count > kMostCalls) return std::nullopt;
     list += (list.empty() ? "" : ", ") + CallText(of, event);
   }
@@ -63,7 +65,11 @@ FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::
   const std::vector<const sim::HostEvent*> old_calls = CallsOf(old_program, old_events, function),
                                            new_calls = CallsOf(new_program, new_events, function);
   size_t at = 0;
-  while (at < old_calls.size() && at < new_calls.size() && old_calls[at]->arguments == new_calls[at]->arguments) {
+  const auto is_same = [&](const sim::HostEvent& one, const sim::HostEvent& other) {
+    return one.arguments == other.arguments &&
+           old_program.host_functions[one.function].name == new_program.host_functions[other.function].name;
+  };
+  while (at < old_calls.size() && at < new_calls.size() && is_same(*old_calls[at], *new_calls[at])) {
     ++at;
   }
   const auto text = [at](const ir::Program& program, const std::vector<const sim::HostEvent*>& calls) {

@@ -106,6 +106,20 @@ std::vector<Gathered> Gather(const prove::compare::CompareResult& result, const 
   return items;
 }
 
+/// The order of calls is news where no function by itself is called otherwise.
+void DropOrderOfCalls(std::vector<Gathered>& items, CellId order) {
+  const auto is_order = [order](const Gathered& gathered) {
+    return std::ranges::find(gathered.old_cells, order) != gathered.old_cells.end();
+  };
+  const bool is_explained = std::ranges::any_of(items, [&](const Gathered& gathered) {
+    const DiffItem& item = gathered.item;
+    return item.kind == ItemKind::kCalls && item.verdict == ItemVerdict::kDifferent && !is_order(gathered);
+  });
+  std::erase_if(items, [&](const Gathered& gathered) {
+    return is_order(gathered) && (is_explained || gathered.item.verdict == ItemVerdict::kEqual);
+  });
+}
+
 constexpr uint32_t kNoItem = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
 constexpr uint64_t kExampleShare = 50;  // of the time: for shorter runs
@@ -321,6 +335,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   std::vector<Gathered> items = Gather(result, old_named, new_named);
+  DropOrderOfCalls(items, old_version.cells.OfOrder());
   AddCauses(items, old_named, new_named);
   // Outputs first, and what changed itself: with many differences not every one gets a run of its own.
   std::ranges::stable_sort(

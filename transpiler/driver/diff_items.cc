@@ -79,7 +79,9 @@ class AccessWalk {
     };
     ir::ForEachAccess(program_, inst, on_place, on_instance);
     if (ir::Info(inst.op).shape != ir::Shape::kHostCall) return;
-    add({version_.cells.OfCalls(program_.calls[ir::CallId(inst.payload)].host)}, true);
+    const ir::HostFunctionId host = program_.calls[ir::CallId(inst.payload)].host;
+    add({version_.cells.OfCalls(host)}, true);
+    if (version_.cells.is_ordered[host.index]) add({version_.cells.OfOrder()}, true);
   }
 
   const Version& version_;

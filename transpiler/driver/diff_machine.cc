@@ -43,7 +43,7 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& ve
                side.compilation.dialect->make_stub(side.compilation.program, side.compilation.options)),
       clock_(side.compilation.program, {&simulator_}),
       byte_of_(MakeBytesOf(version)),
-      calls_(side.compilation.program.host_functions.size()) {
+      calls_(version.cells.CallCells()) {
   clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
   clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
   if (end != Time::max()) clock_.interrupted = [end] { return std::chrono::steady_clock::now() >= end; };
@@ -97,7 +97,9 @@ bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::
 }
 
 bool DiffMachine::Advance(const Stimulus& stimulus) {
-  const sim::Step step = stimulus.slow != 0 ? clock_.RunSlow(stimulus.slow) : clock_.RunMs(stimulus.ms);
+  const sim::Step step = stimulus.slow != 0   ? clock_.RunSlow(stimulus.slow)
+                         : stimulus.fast != 0 ? clock_.RunFast(stimulus.fast)
+                                              : clock_.RunMs(stimulus.ms);
   return step == sim::Step::kDone;
 }
 
@@ -106,9 +108,16 @@ void DiffMachine::Look() {
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
     if (event.exchange) continue;
-    uint64_t& hash = calls_[event.function.index];
-    for (const uint64_t argument : event.arguments) hash = (hash ^ argument) * 0x9E3779B97F4A7C15;
-    hash = (hash ^ (hash >> 31)) + 1;
+    const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };
+    uint64_t& own = calls_[event.function.index];
+    for (const uint64_t argument : event.arguments) add(own, argument);
+    own = (own ^ (own >> 31)) + 1;
+    if (!version_.cells.is_ordered[event.function.index]) continue;
+    // By its name: two versions number their functions differently.
+    uint64_t& all = calls_.back();
+    for (const char c : program_.host_functions[event.function].name) add(all, static_cast<unsigned char>(c));
+    for (const uint64_t argument : event.arguments) add(all, argument);
+    all = (all ^ (all >> 31)) + 1;
   }
 }
 

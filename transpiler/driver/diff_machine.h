@@ -48,7 +48,7 @@ class DiffMachine {
   std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNowhere: nowhere
   std::vector<uint8_t> picture_;
   std::vector<sim::HostEvent> events_;
-  std::vector<uint64_t> calls_;  // by host function: a hash of its calls so far
+  std::vector<uint64_t> calls_;  // a hash of the calls so far: by host function, and of all that are ordered
 };
 
 }  // namespace plcxx::driver

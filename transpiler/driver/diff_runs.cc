@@ -10,6 +10,7 @@
 #include "transpiler/driver/diff_stimuli.h"
 #include "transpiler/driver/known_runs.h"
 #include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::driver {
@@ -56,7 +57,8 @@ void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>&
 enum class Waits : uint8_t { kNone, kSome };
 
 /// Inputs change seldom in some runs and often in others.
-Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& inputs, int run, Waits waits) {
+Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& inputs, int run, Waits waits,
+                    bool has_fast) {
   const uint64_t one_in = uint64_t{2} << (run % 6);
   const uint64_t density = 1 + static_cast<uint64_t>(run) % 3;  // of ones, in quarters
   Stimuli stimuli;
@@ -69,6 +71,8 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& 
     }
     if (waits == Waits::kSome && random.OneIn(8)) {
       stimulus.ms = static_cast<uint32_t>(100 * (1 + random.Next() % 30));
+    } else if (has_fast && random.OneIn(6)) {
+      stimulus.fast = 1;
     } else {
       stimulus.slow = 1;
     }
@@ -132,9 +136,9 @@ std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
     Stimulus next;
     for (const KnownStep& step : steps) {
       next.words.insert(next.words.end(), step.words.begin(), step.words.end());
-      if (step.fast != 0) continue;  // the fast part alone is no period of both versions
       next.slow = step.slow;
       next.ms = step.ms;
+      next.fast = step.fast;
       stimuli.push_back(std::exchange(next, {}));
     }
     if (!stimuli.empty()) all.push_back(std::move(stimuli));
@@ -163,6 +167,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
+  const bool has_fast = prove::compare::HasFastPart(old_version) || prove::compare::HasFastPart(new_version);
   Random random(quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03);
   const auto run_both = [&](Stimuli stimuli) {
     AddDoneRequests(random, requests, stimuli);
@@ -248,7 +253,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));
     // In a large program waiting costs much: the first runs show what differs without.
-    run_both(MakeStimuli(random, inputs, run, quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome));
+    run_both(MakeStimuli(random, inputs, run, quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome, has_fast));
   }
   for (const Stimuli& stimuli : known) {
     if (options.progress) options.progress("scenarios");

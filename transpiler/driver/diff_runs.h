@@ -21,8 +21,9 @@ namespace plcxx::driver {
 struct Stimulus {
   std::vector<prove::compare::SetCell> inputs;
   std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
-  uint32_t slow = 0;                                       // complete slow passes; 0: `ms`
+  uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
   uint32_t ms = 0;
+  uint32_t fast = 0;  // times the fast part alone; 0: `ms`
 };
 using Stimuli = std::vector<Stimulus>;
 

@@ -266,10 +266,16 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
       add(written.line, name + "=" + value);
     }
     if (!sets->empty()) written.scenario += "- set: {" + assignments + "}\n";
-    const bool by_pass = stimulus.slow != 0;
-    const std::string count = std::to_string(by_pass ? stimulus.slow : stimulus.ms);
-    written.scenario += std::string("- run: {") + (by_pass ? "slow: " : "ms: ") + count + "}\n";
-    add(written.line, by_pass ? "slow " + count : count + " ms");
+    if (stimulus.slow == 0 && stimulus.fast == 0) {
+      const std::string ms = std::to_string(stimulus.ms);
+      written.scenario += "- run: {ms: " + ms + "}\n";
+      add(written.line, ms + " ms");
+      continue;
+    }
+    const std::string part = stimulus.slow != 0 ? "slow" : "fast";
+    const std::string count = std::to_string(stimulus.slow != 0 ? stimulus.slow : stimulus.fast);
+    written.scenario += "- run: {" + part + ": " + count + "}\n";
+    add(written.line, part + " " + count);
   }
   return written;
 }
@@ -280,8 +286,11 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
                                        Counterexample& example) {
   if (request.kind == ItemKind::kCalls) {
     const ir::Program &old_program = old_side.compilation.program, &new_program = new_side.compilation.program;
-    const ir::HostFunctionId id(request.old_cells.front().index - request.old_version.cells.calls);
-    const std::string& function = old_side.whole.host_functions[id].name;
+    const CellId told = request.old_cells.front();
+    const bool of_all = told == request.old_version.cells.OfOrder();
+    const std::string function =
+        of_all ? ""
+               : old_side.whole.host_functions[ir::HostFunctionId(told.index - request.old_version.cells.calls)].name;
     const std::vector<sim::HostEvent>&old_events = ends.old_machine.events(), &new_events = ends.new_machine.events();
     const FirstDifferentCall call = FindDifferentCall(old_program, old_events, new_program, new_events, function);
     example.old_value = call.old_text;

@@ -112,7 +112,7 @@ void Shortener::DropTime() {
   if (!std::ranges::any_of(stimuli_, is_wait)) return;
   Stimuli at_once = stimuli_;
   for (Stimulus& stimulus : at_once) {
-    if (is_wait(stimulus)) stimulus = {stimulus.inputs, stimulus.words, 1, 0};
+    if (is_wait(stimulus)) stimulus = {.inputs = stimulus.inputs, .words = stimulus.words, .slow = 1};
   }
   if (Try(std::move(at_once))) return;
   for (size_t step = 0; step < stimuli_.size(); ++step) {
@@ -131,7 +131,7 @@ void Shortener::RoundTime() {
     for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U, 5000U, 10'000U, 20'000U, 60'000U}) {
       if (!many_passes && stimuli_[step].ms <= ms) break;
       Stimuli shorter = stimuli_;
-      shorter[step].slow = 0;
+      shorter[step].slow = shorter[step].fast = 0;
       shorter[step].ms = ms;
       if (Try(std::move(shorter))) break;
     }
@@ -168,8 +168,10 @@ Stimuli Joined(const Stimuli& stimuli) {
   Stimuli joined;
   for (const Stimulus& stimulus : stimuli) {
     const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty();
-    if (!joined.empty() && !sets && (joined.back().slow == 0) == (stimulus.slow == 0)) {
+    const auto part_of = [](const Stimulus& of) { return std::pair(of.slow != 0, of.fast != 0); };
+    if (!joined.empty() && !sets && part_of(joined.back()) == part_of(stimulus)) {
       joined.back().slow += stimulus.slow;
+      joined.back().fast += stimulus.fast;
       joined.back().ms += stimulus.ms;
     } else {
       joined.push_back(stimulus);

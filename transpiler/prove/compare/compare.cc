@@ -18,15 +18,24 @@ bool IsPrivate(const Version& version, execute::CellId cell) {
   return DirectionOf(version, cell) == ir::Direction::kInternal && !IsRetentive(version, cell);
 }
 
+/// Of memory: the bit that it begins with; of the rest 0.
+bool PowerOnValue(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit && PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+}
+
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
     const execute::CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
     if (!new_cell.valid() || !IsState(comparison.old_version, old_cell)) continue;
     const bool old_uses = IsUsed(comparison.old_uses, old_cell), new_uses = IsUsed(comparison.new_uses, new_cell);
-    if (!old_uses && !new_uses) continue;
+    // A table that no version touches by itself is there for the host.
+    const bool begins_alike =
+        PowerOnValue(comparison.old_version, old_cell) == PowerOnValue(comparison.new_version, new_cell);
+    if (!old_uses && !new_uses && begins_alike) continue;
     // A flag that one version alone has is how it does something, not what it does; it may be anything in the proof.
-    if (old_uses != new_uses && IsPrivate(comparison.old_version, old_cell)) continue;
+    if (old_uses != new_uses && begins_alike && IsPrivate(comparison.old_version, old_cell)) continue;
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
@@ -183,7 +192,11 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<execute::CellId> reach;
-  if (at_power_on && !comparison.fast_part_works) reach = ReachOfDifferences(comparison);
+  if (at_power_on) {
+    std::optional<std::vector<execute::CellId>> found = ReachOfDifferences(comparison);
+    if (!found) return Finish(comparison, 0);
+    reach = std::move(*found);
+  }
   const bool reaches_much = reach.size() > kMostReached;
   if (!SeparateWake(comparison)) return Finish(comparison, 0);
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.

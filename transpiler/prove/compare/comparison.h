@@ -36,7 +36,6 @@ struct Comparison {
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
   Transition old_next, new_next;        // of the last period, over the pairing's variables
   uint64_t execution_ms = 0;            // that the last execution of a part took
-  bool fast_part_works = false;         // a fast part with a time of its own was executed, and is not empty
   std::vector<Invariant> old_invariants, new_invariants;
   std::chrono::steady_clock::time_point deadline;
 
@@ -49,7 +48,7 @@ struct Comparison {
   void Report(const std::string& what) const {
     if (limits.progress) limits.progress(what);
   }
-  /// An input: the host writes it and no version does.
+  /// See IsInputPair.
   bool IsInput(execute::CellId old_cell) const;
 
   /// The solver assumes the invariants, over the pairing's variables, until its Pop.
@@ -75,6 +74,8 @@ struct Cut {
   std::function<terms::TermId(Which which, execute::CellId cell, terms::TermId value)> value;
   std::function<bool(Which which, execute::CellId cell)> is_cut;
 };
+/// The parts that are executed by themselves: the period last.
+std::vector<Part> PartsOf(const Comparison& comparison);
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers = HostAnswers::kAny, const Cut* cut = nullptr);
 /// Takes pairs that differ after power-on out of what is equal. False as above.
@@ -89,9 +90,9 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF)
 /// which are the wake of those. To be called when exactly these pairs are separated. False as above.
 bool SeparateWake(Comparison& comparison);
 /// The separated pairs, and those that may differ a period later, or later still, because of them: all others are equal
-/// in every scan. To be called behind the execution of the period with every pair equal, in a program where no fast
-/// part of its own works.
-std::vector<execute::CellId> ReachOfDifferences(Comparison& comparison);
+/// in every scan. To be called when the separated pairs are those that differ after one part with every pair equal.
+/// None: comparison.refusal says why.
+std::optional<std::vector<execute::CellId>> ReachOfDifferences(Comparison& comparison);
 /// So many undecided pairs are looked at one by one; of more only those with a change of their own.
 inline constexpr uint32_t kMostLookedAt = 400;
 

@@ -126,8 +126,7 @@ void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
 
 bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
   std::vector<terms::TermId> next;
-  for (const Part part : {Part::kFast, Part::kPeriod}) {
-    if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+  for (const Part part : PartsOf(comparison)) {
     if (!ExecutePart(comparison, part)) return false;
     const std::vector<terms::TermId> more = NextOfUndecided(comparison);
     next.insert(next.end(), more.begin(), more.end());
@@ -146,6 +145,11 @@ bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
                        cells, is_input, std::min(comparison.RestMs(), most_ms));
   }
   return true;
+}
+
+std::vector<Part> PartsOf(const Comparison& comparison) {
+  const bool fast = HasFastPart(comparison.old_version) || HasFastPart(comparison.new_version);
+  return fast ? std::vector{Part::kFast, Part::kPeriod} : std::vector{Part::kPeriod};
 }
 
 bool ExecutePart(Comparison& comparison, Part part, HostAnswers answers, const Cut* cut) {
@@ -207,26 +211,14 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   return true;
 }
 
-namespace {
-
-bool DoesAnything(const Transition& transition) {
-  return !transition.observations.empty() || std::ranges::any_of(transition.next, &terms::TermId::valid);
-}
-
-}  // namespace
-
 bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
     // With everything equal power-on is checked already.
     if (most_rounds > 1 && !SeparateAfterPowerFailure(comparison, separated)) return false;
-    for (const Part part : {Part::kFast, Part::kPeriod}) {
-      if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+    for (const Part part : PartsOf(comparison)) {
       comparison.Report("round " + std::to_string(round));
       if (!ExecutePart(comparison, part)) return false;
-      if (part == Part::kFast && (DoesAnything(comparison.old_next) || DoesAnything(comparison.new_next))) {
-        comparison.fast_part_works = true;
-      }
       std::vector<Question> questions;
       for (uint32_t i = 0; i < comparison.results.size(); ++i) {
         PairResult& result = comparison.results[i];

@@ -217,6 +217,7 @@ void Matcher::HostFunctions() {
       }
     }
   }
+  Pair(old_.cells.OfOrder(), new_.cells.OfOrder());
 }
 
 }  // namespace
@@ -276,7 +277,9 @@ Uses UsesOf(const Version& version) {
       const ir::Inst& inst = program[id];
       ir::ForEachAccess(program, inst, on_place, on_instance);
       if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
-        uses.writes[version.cells.OfCalls(program.calls[ir::CallId(inst.payload)].host).index] = true;
+        const ir::HostFunctionId host = program.calls[ir::CallId(inst.payload)].host;
+        uses.writes[version.cells.OfCalls(host).index] = true;
+        if (version.cells.is_ordered[host.index]) uses.writes[version.cells.OfOrder().index] = true;
       }
     }
   }
@@ -292,8 +295,8 @@ bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& n
   const ir::Space& space = old_version.program->spaces[cell.space];
   // Without zones it is the program's own, unless it is kept: then what nobody writes comes with the machine.
   if (space.zones.empty() && space.lifetime != ir::Lifetime::kRetentive) return false;
-  return space.host_visible && !old_uses.writes[old_cell.index] &&
-         !(new_cell.valid() && new_uses.writes[new_cell.index]);
+  return space.host_visible &&
+         !(old_uses.writes[old_cell.index] && (!new_cell.valid() || new_uses.writes[new_cell.index]));
 }
 
 }  // namespace plcxx::prove::compare

@@ -42,7 +42,8 @@ struct Uses {
 };
 Uses UsesOf(const Version& version);
 
-/// Whether a matched pair is an input: the host writes it, and no version does but for inputs of the machine.
+/// Whether a matched pair is an input, which anybody may set between two parts: an input of the machine, or memory that
+/// a version at least never writes. What both versions write is theirs.
 bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& new_uses, const Match& match,
                  execute::CellId old_cell);
 

@@ -173,7 +173,10 @@ Run RunOf(const Comparison& comparison, const Unrolled& state, const std::vector
       const execute::Cell cell = execute::CellAt(program, comparison.old_version.cells, execute::CellId(old_cell));
       const auto [at, first] =
           level.try_emplace(old_cell, PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit));
-      if (at->second == found->second) continue;
+      // A version that writes it has another value there, perhaps.
+      const execute::CellId new_cell = comparison.match.new_of_old[old_cell];
+      const bool is_kept = !comparison.old_uses.writes[old_cell] && !comparison.new_uses.writes[new_cell.index];
+      if (is_kept && at->second == found->second) continue;
       at->second = found->second;
       run.periods.back().push_back({.old_cell = execute::CellId(old_cell),
                                     .new_cell = comparison.match.new_of_old[old_cell],

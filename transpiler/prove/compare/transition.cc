@@ -39,7 +39,12 @@ bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit) {
   return at != space.initial.end() && at->offset == offset && (at->value >> bit & 1) != 0;
 }
 
-bool HasFastPart(const Version& version) { return version.program->schedule.fast_ms != 0; }
+bool HasFastPart(const Version& version) {
+  const ir::Schedule& schedule = version.program->schedule;
+  return schedule.fast_only.valid() && schedule.fast_only != schedule.period;
+}
+
+bool HasTimedFastPart(const Version& version) { return version.program->schedule.fast_ms != 0; }
 
 bool HasRetentiveMemory(const Version& version) {
   return std::ranges::any_of(version.program->spaces,

@@ -37,10 +37,13 @@ struct PartEnvironment {
   std::function<bool(execute::CellId)> is_cut;
 };
 
-/// What runs by itself: the schedule's period, and, where it has a time of its own, the fast part.
+/// What runs by itself: the schedule's period, and the fast part alone: it may have a time of its own (fast_ms, the
+/// period is the slow part alone then), or the slow part may not be done yet when the next period begins.
 enum class Part : uint8_t { kPeriod, kFast };
-/// Schedule::fast_ms: the period is the slow part alone then.
+/// Whether the fast part alone is something else than a period.
 bool HasFastPart(const Version& version);
+/// Schedule::fast_ms: the period is the slow part alone then.
+bool HasTimedFastPart(const Version& version);
 Transition RunPart(terms::Terms& terms, const Version& version, Part part, const PartEnvironment& environment);
 /// Power-on: memory is as the program says, and then, as far as it is retentive, as it was when the power failed:
 /// `initial` is asked for that and for the calls.

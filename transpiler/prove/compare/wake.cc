@@ -30,8 +30,7 @@ bool SeparateWake(Comparison& comparison) {
   std::map<std::pair<uint32_t, size_t>, terms::TermId> unknowns;
   std::vector<bool> has_change(comparison.old_version.cells.count);
   bool executed = true;
-  for (const Part part : {Part::kFast, Part::kPeriod}) {
-    if (part == Part::kFast && !HasFastPart(comparison.old_version) && !HasFastPart(comparison.new_version)) continue;
+  for (const Part part : PartsOf(comparison)) {
     Values old_values, new_values;
     const auto old_cell_of = [&](Which which, execute::CellId cell) {
       return which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];

@@ -107,19 +107,25 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
   if (id == program.schedule.now) return now_;
 
   const uint32_t counter = image_.size() + id.index;
-  terms::TermId calls = execute::CallsAfter(terms_, host.name, memory.Read(counter), values);
+  const terms::TermId calls = execute::CallsAfter(terms_, host.name, memory.Read(counter), values);
   memory.Write(counter, calls);
+  terms::TermId told = calls;
+  if (cells_.is_ordered[id.index]) {
+    const uint32_t order = image_.size() + cells_.OfOrder().index - cells_.calls;
+    told = execute::CallsAfter(terms_, host.name, memory.Read(order), values);
+    memory.Write(order, told);
+  }
   if (out != nullptr) {
     const uint8_t out_width = meaning::WidthOf(host.out.type);
-    const terms::TermId answer = terms_.Zext(execute::SecondAnswerOf(terms_, host.name, calls, out_width),
+    const terms::TermId answer = terms_.Zext(execute::SecondAnswerOf(terms_, host.name, told, out_width),
                                              out_width < 8 ? uint8_t{8} : out_width);
-    const terms::TermId gives = execute::GivesSecond(terms_, host.name, calls);
+    const terms::TermId gives = execute::GivesSecond(terms_, host.name, told);
     for (uint32_t i = 0; i < terms_.Width(answer) / 8U; ++i) {
       const terms::TermId byte = terms_.Extract(answer, static_cast<uint8_t>(8 * i), 8);
       memory.Write(out->slot + i, terms_.Ite(gives, byte, memory.Read(out->slot + i)));
     }
   }
-  const terms::TermId result = width == 0 ? terms::TermId() : execute::AnswerOf(terms_, host.name, calls, width);
+  const terms::TermId result = width == 0 ? terms::TermId() : execute::AnswerOf(terms_, host.name, told, width);
   switch (host.access) {
     case ir::HostAccess::kNone:
       break;
@@ -136,7 +142,7 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
       break;
     }
     case ir::HostAccess::kWritesState:
-      WriteState(memory, host, calls);
+      WriteState(memory, host, told);
       break;
     case ir::HostAccess::kWritesRetentive:
       WriteRetentive(memory, slot, host, calls);

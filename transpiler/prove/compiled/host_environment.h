@@ -20,9 +20,9 @@ terms::TermId StoredByte(terms::Terms& terms, const std::string& space, uint32_t
 
 class HostEnvironment : public CodeEnvironment {
  public:
-  HostEnvironment(terms::Terms& terms, const emit::Emittable& emittable, const StateImage& image, terms::TermId now,
-                  std::function<terms::TermId(uint32_t slot)> initial)
-      : terms_(terms), emittable_(emittable), image_(image), now_(now), initial_(std::move(initial)) {}
+  HostEnvironment(terms::Terms& terms, const emit::Emittable& emittable, const execute::Cells& cells,
+                  const StateImage& image, terms::TermId now, std::function<terms::TermId(uint32_t slot)> initial)
+      : terms_(terms), emittable_(emittable), cells_(cells), image_(image), now_(now), initial_(std::move(initial)) {}
 
   terms::TermId Initial(uint32_t slot) override { return initial_(slot); }
   terms::TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) override;
@@ -33,6 +33,7 @@ class HostEnvironment : public CodeEnvironment {
 
   terms::Terms& terms_;
   const emit::Emittable& emittable_;
+  const execute::Cells& cells_;
   const StateImage& image_;
   terms::TermId now_;
   std::function<terms::TermId(uint32_t slot)> initial_;

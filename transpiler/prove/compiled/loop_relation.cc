@@ -369,8 +369,8 @@ std::string LoopRelation::NameOf(const CodeLoop::Item& item) const {
   if (!item.name.empty()) return std::string(item.name);
   if (item.slot < image_.size()) return image_.NameOf(item.slot);
   const uint32_t further = item.slot - image_.size();
-  if (further < program_.host_functions.size())
-    return execute::CellName(program_, execute::CellAt(program_, cells_, cells_.OfCalls(ir::HostFunctionId(further))));
+  if (further < cells_.CallCells())
+    return execute::CellName(program_, execute::CellAt(program_, cells_, execute::CellId(cells_.calls + further)));
   return "local " + std::to_string(item.slot);
 }
 
@@ -391,8 +391,8 @@ Guess LoopRelation::OwnCells(const OfProgram& loop, uint32_t slot) {
   };
   if (slot >= image_.size()) {
     const uint32_t further = slot - image_.size();
-    if (further >= program_.host_functions.size()) return {};
-    const execute::CellId calls = cells_.OfCalls(ir::HostFunctionId(further));
+    if (further >= cells_.CallCells()) return {};
+    const execute::CellId calls(cells_.calls + further);
     if (place_of(calls) == nullptr) return {};
     return [value_of, calls](terms::Terms&, std::span<const terms::TermId> words) { return value_of(calls, words); };
   }

@@ -170,7 +170,7 @@ void ReplacedCall::AddItems() {
     if (!footprint.touched[i] || placed[i]) continue;
     const execute::Cell cell = execute::CellAt(program_, cells_, execute::CellId(i));
     if (cell.kind == execute::CellKind::kCalls) {
-      if (cell.host == program_.schedule.now) continue;
+      if (cell.host.valid() && cell.host == program_.schedule.now) continue;
       items_.push_back({.kind = Kind::kCalls,
                         .cell = execute::CellId(i),
                         .place = {},

@@ -61,7 +61,7 @@ void UnitVerifier::Observe(execute::Memory& memory, ir::HostFunctionId function,
 terms::TermId UnitVerifier::InitialSlot(uint32_t slot) {
   if (slot >= locals_begin()) return local_bytes_[slot - locals_begin()];
   if (slot >= image_.size())
-    return image_.CellBefore(terms_, program_.cells.OfCalls(ir::HostFunctionId(slot - image_.size())));
+    return image_.CellBefore(terms_, execute::CellId(program_.cells.calls + slot - image_.size()));
   // Before init the memory may hold anything.
   return is_init() ? terms_.Variable("State byte " + std::to_string(slot), 8) : image_.ByteBefore(terms_, slot);
 }
@@ -106,7 +106,7 @@ CodeOutcome UnitVerifier::ExecuteCode() {
   CodeRun run;
   run.function = program_.CppName(unit_);
   run.state_bytes = image_.size();
-  run.further_slots = program_.ir.host_functions.size() + static_cast<uint32_t>(local_bytes_.size());
+  run.further_slots = program_.cells.CallCells() + static_cast<uint32_t>(local_bytes_.size());
   run.arguments = arguments_;
   run.most_terms = kMostTerms;
   run.most_rounds = MostRounds();
@@ -135,6 +135,8 @@ void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
         outcome.slots[image_.size() + i]);
     ++proof_.host_functions;
   }
+  const execute::CellId order = program_.cells.OfOrder();
+  ask("order of calls", memory.Read(order), outcome.slots[image_.size() + order.index - program_.cells.calls]);
   for (size_t i = 0; i < references_.size(); ++i) {
     const ir::PlaceId id = unit_.references[i];
     const terms::TermId value = memory.ReadPlace(program_.ir.places[id]);

@@ -63,7 +63,7 @@ class UnitVerifier {
   /// A chunk or subroutine: it works on its caller's locals.
   bool is_inner() const { return unit_.part.region.valid() || emit::SharesLocals(routine_.kind); }
   bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
-  uint32_t locals_begin() const { return image_.size() + program_.ir.host_functions.size(); }
+  uint32_t locals_begin() const { return image_.size() + program_.cells.CallCells(); }
   uint32_t MostRounds() const;
   execute::Environment MakeEnvironment();
   void Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when);

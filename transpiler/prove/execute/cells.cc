@@ -35,14 +35,20 @@ Cells MakeCells(const ir::Program& program) {
     cells.count += meaning::FieldTerms(state.kind);
   }
   cells.calls = cells.count;
-  cells.count += program.host_functions.size();
+  cells.count += program.host_functions.size() + 1;
+  for (const ir::HostFunction& host : program.host_functions) cells.is_ordered.push_back(!host.routine_exchange);
+  for (const ir::Call& call : program.calls) {
+    if (call.exchange && call.host.valid()) cells.is_ordered[call.host.index] = false;
+  }
   return cells;
 }
 
 Cell CellAt(const ir::Program& program, const Cells& cells, CellId id) {
   PLCXX_CHECK(id.index < cells.count);
   if (id.index >= cells.calls) {
-    return {.kind = CellKind::kCalls, .host = ir::HostFunctionId(id.index - cells.calls)};
+    const bool is_order = id == cells.OfOrder();
+    return {.kind = CellKind::kCalls,
+            .host = is_order ? ir::HostFunctionId() : ir::HostFunctionId(id.index - cells.calls)};
   }
   // The last owner that begins at or before the cell; owners without cells share their begin with the next one.
   const auto owner_of = [id](const std::vector<uint32_t>& begins) {
@@ -90,7 +96,7 @@ std::string CellName(const ir::Program& program, const Cell& cell) {
       return name;
     }
     case CellKind::kCalls:
-      return "calls of " + program.host_functions[cell.host].name;
+      return cell.host.valid() ? "calls of " + program.host_functions[cell.host].name : "order of calls";
   }
   PLCXX_UNREACHABLE();
 }

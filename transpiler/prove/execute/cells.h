@@ -1,8 +1,9 @@
 // The state of a program as one row of cells: what symbolic execution reads and writes.
 //
 // Memory is one cell of width 1 for each bit, so that bits, bytes and words of any byte order share it; a field of an
-// instance is one cell of its own width (arrays: one for each element); and of each host function the calls so far are
-// one cell of 64 bits, see execute.h. Cells are numbered in this order. In: a program. Not its job: values.
+// instance is one cell of its own width (arrays: one for each element); of each host function the calls so far are one
+// cell of 64 bits, see execute.h; and so are the calls of all together, in their order. Cells are numbered in this
+// order. In: a program. Not its job: values.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct Cell {
   ir::StateId state;        // of kField
   uint8_t field = 0;        // index of ir::Info(kind).fields
   uint8_t element = 0;      // of an array
-  ir::HostFunctionId host;  // of kCalls
+  ir::HostFunctionId host;  // of kCalls; none: of all that are ordered
 };
 
 struct Cells {
@@ -36,11 +37,18 @@ struct Cells {
   std::vector<uint32_t> states;  // by StateId: first cell
   uint32_t calls = 0;            // cell of host function 0
   uint32_t count = 0;
+  /// By HostFunctionId: it is no part of the regular exchange, so that its calls are events, in one order with those of
+  /// the others.
+  std::vector<bool> is_ordered;
 
   CellId OfBit(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
     return CellId(spaces[space.index] + 8 * offset + bit);
   }
   CellId OfCalls(ir::HostFunctionId host) const { return CellId(calls + host.index); }
+  /// The calls of all functions that are ordered.
+  CellId OfOrder() const { return CellId(count - 1); }
+  /// Cells of calls.
+  uint32_t CallCells() const { return count - calls; }
 };
 
 Cells MakeCells(const ir::Program& program);

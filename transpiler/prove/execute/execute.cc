@@ -221,17 +221,24 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   const terms::TermId calls =
       CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
   WriteCell(memory_.cells().OfCalls(call.host), calls);
+  // What is written through one function may be read through another one.
+  terms::TermId told = calls;
+  if (memory_.cells().is_ordered[call.host.index]) {
+    const CellId order = memory_.cells().OfOrder();
+    told = CallsAfter(terms_, host.name, memory_.Read(order), arguments);
+    WriteCell(order, told);
+  }
   const bool answers = memory_.environment().host_answers;
   if (host.result != ir::Type::kNone) {
-    values_[id.index] = answers ? AnswerOf(terms_, host.name, calls, meaning::WidthOf(host.result))
+    values_[id.index] = answers ? AnswerOf(terms_, host.name, told, meaning::WidthOf(host.result))
                                 : terms_.Const(0, meaning::WidthOf(host.result));
     const ir::Place* const input = memory_.environment().fetched ? memory_.environment().fetched(id) : nullptr;
     if (input != nullptr) values_[id.index] = InitialOf(*input);
   }
   if (call.out.valid() && answers) {
     const ir::Place& out = program_.places[call.out];
-    WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, calls),
-                               SecondAnswerOf(terms_, host.name, calls, meaning::WidthOf(out.type)), ReadPlace(out)));
+    WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, told),
+                               SecondAnswerOf(terms_, host.name, told, meaning::WidthOf(out.type)), ReadPlace(out)));
   }
   if (host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive) {
     if (memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
@@ -256,7 +263,7 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
         const auto& host_bit = memory_.environment().host_bit;
         const Environment::HostBit known =
             host_bit ? host_bit(cell) : Environment::HostBit{program_.spaces[space].name, offset, bit};
-        const terms::TermId byte = ByteFromHost(terms_, host.name, calls, known.space, known.offset);
+        const terms::TermId byte = ByteFromHost(terms_, host.name, told, known.space, known.offset);
         WriteCell(cell, terms_.Extract(byte, known.bit, 1));
       }
     }

@@ -3,9 +3,10 @@
 // In: a structured program (slices cut or not, as the simulator takes it), a routine. Out: the memory. The semantics is
 // that of sim/simulator.h, written down a second time and without runtime_support. Branches are joined with Ite, an
 // exit makes what follows conditional, loops are unrolled as far as their conditions are not known to be false.
-// Host calls: what a function has been told is one term, calls' = told(calls, arguments); what it answers depends on
-// that term alone, so two programs that call a function alike get the same answers (and a program may not learn from
-// one function what it has told another one). Not its job: whether states are reachable (compare/).
+// Host calls: what a function has been told is one term, calls' = told(calls, arguments), and so is what all were told,
+// but for the regular exchange. What a function answers depends on the latter term alone, of the exchange on the
+// former: two programs that call the host alike, in the same order, get the same answers. Not its job: whether states
+// are reachable (compare/).
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ Relation::Relation(terms::Terms& terms, const compare::Version& version, compare
     variables_ = other->variables_;
     cells_ = other->cells_;
   }
-  if (compare::HasFastPart(version)) fast_ = Execute(compare::Part::kFast);
+  if (compare::HasTimedFastPart(version)) fast_ = Execute(compare::Part::kFast);
   period_ = Execute(compare::Part::kPeriod);
 }
 
