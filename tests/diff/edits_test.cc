@@ -153,7 +153,8 @@ void Judge(const EditedProgram& program, DiffSide& old_side, const SourceEdit& e
                       << (item.counterexample ? ": " + item.counterexample->steps : std::string()) << "\n";
           break;
         }
-        EXPECT_EQ(item.counterexample->replay, Replay::kSimulator) << edit.what << "\n" << item.counterexample->scenario;
+        EXPECT_EQ(item.counterexample->replay, Replay::kSimulator) << edit.what << "\n"
+                                                                   << item.counterexample->scenario;
         EXPECT_TRUE(program.PassesOnOld(item.counterexample->scenario)) << edit.what << "\n"
                                                                         << item.counterexample->scenario;
         EXPECT_FALSE(program.PassesOnNew(item.counterexample->scenario)) << edit.what << "\n"

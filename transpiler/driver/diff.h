@@ -27,7 +27,7 @@ struct DiffSide {
   ir::Program whole;           // the slow part in one piece
 };
 
-enum class ItemKind : uint8_t { kOutput, kCalls, kRetentive, kInternal };
+enum class ItemKind : uint8_t { kSchedule, kOutput, kCalls, kData, kRetentive, kInternal };
 enum class ItemVerdict : uint8_t { kEqual, kDifferent, kUndecided };
 
 struct ItemStatement {
@@ -55,8 +55,13 @@ struct Counterexample {
   Replay replay = Replay::kSideBySide;
 };
 
+/// What both versions declare, in words: "10 ms" and "40 ms".
+struct Declared {
+  std::string old_text, new_text;
+};
+
 struct DiffItem {
-  std::string name;     // "U4A8", "T5.done", "calls of fault"
+  std::string name;     // "U4A8", "T5.done", "calls of fault", "period"
   std::string meaning;  // from the dialect's table or the program's comments; may be empty
   ItemKind kind{};
   ItemVerdict verdict{};
@@ -66,15 +71,17 @@ struct DiffItem {
   std::vector<std::string> through;                           // differing items that these read
   std::string reason;                                         // of kUndecided
   std::optional<Counterexample> counterexample;
+  std::optional<Declared> declared;  // of what is no behaviour: kSchedule, kData
 };
 
 struct Diff {
-  std::vector<DiffItem> items;  // outputs and calls, then retentive memory, then the rest; each by its address
+  std::vector<DiffItem> items;  // by their kind, each kind by address
   uint32_t equal = 0;           // items proved equal, which are not listed
   uint32_t invariants = 0;      // that their proofs needed
   std::string refusal;          // not empty: nothing was compared, and why
   /// Why what is shown was not run as generated code, where it should have been; else empty.
   std::string not_compiled;
+  std::vector<std::string> not_looked_at;  // what no claim is made of, a sentence each
 };
 
 struct DiffOptions {

@@ -11,11 +11,13 @@
 namespace plcxx::driver {
 
 /// The list of an `expect_calls` step that a run with these events passes: calls of the regular exchange do not count,
-/// those of a polled function only when it is `function`, or `function` is empty: all. None when there are too many of them to be read.
+/// those of a polled function only when it is `function`, or `function` is empty: all. None when there are too many of
+/// them to be read.
 std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::vector<sim::HostEvent>& events,
                                          const std::string& function);
 
-/// The first call of the function (empty: of any but the exchange's) in which two runs differ, in words: "fault(kind: PARAM_RANGE, index: 20)", "no call".
+/// The first call of the function (empty: of any but the exchange's) in which two runs differ, in words: "fault(kind:
+/// PARAM_RANGE, index: 20)", "no call".
 struct FirstDifferentCall {
   std::string old_text, new_text;
 };

@@ -1,11 +1,13 @@
 // The comparison of two versions: cells in, items with names, causes and counterexamples out.
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_confirm.h"
+#include "transpiler/driver/diff_declared.h"
 #include "transpiler/driver/diff_items.h"
 #include "transpiler/driver/diff_runs.h"
 #include "transpiler/driver/diff_statements.h"
@@ -124,6 +126,7 @@ constexpr uint32_t kNoItem = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
 constexpr uint64_t kExampleShare = 50;  // of the time: for shorter runs
 constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
+constexpr uint64_t kSlicesShare = 6;    // of the time, where the slow part is in slices: for what is seen between them
 
 /// What the statements of one version do with the items, by index of the item.
 struct Touched {
@@ -233,6 +236,42 @@ void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named&
   }
 }
 
+bool IsSliced(const ir::Program& program) {
+  return std::ranges::any_of(program.routines, [](const ir::Routine& routine) { return routine.slices > 1; });
+}
+
+/// The comparison takes the slow part in one piece, so that moved cuts are no news. Here the programs are executed as
+/// they run, slice by slice: an item for all that is not proved equal then, where it is so for whole passes.
+void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
+                          const std::vector<std::pair<ir::Place, ir::Place>>& same, uint64_t time_ms, Diff& diff) {
+  if (time_ms == 0) return;
+  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.compilation.program),
+                                new_version = prove::compare::MakeVersion(new_side.compilation.program);
+  const Named old_named(old_side, old_version), new_named(new_side, new_version);
+  const prove::compare::CompareResult result = CompareVersions(
+      old_version, new_version, prove::compare::MatchCells(old_version, new_version, same), {}, {.total_ms = time_ms});
+  if (!result.refusal.empty()) {
+    diff.not_looked_at.push_back("what is seen between two slices of the slow part: " + result.refusal);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const Gathered& gathered : Gather(result, old_named, new_named)) {
+    const DiffItem& item = gathered.item;
+    const bool is_known = std::ranges::find(diff.items, item.name, &DiffItem::name) != diff.items.end();
+    // What counts the slices is no output.
+    const bool is_seen = item.kind != ItemKind::kInternal;
+    if (item.verdict != ItemVerdict::kEqual && !is_known && is_seen) names.push_back(item.name);
+  }
+  if (names.empty()) return;
+  diff.items.push_back({.name = "between slices",
+                        .kind = ItemKind::kSchedule,
+                        .verdict = ItemVerdict::kUndecided,
+                        .through = names,
+                        .reason =
+                            "a statement stands in another slice: until its pass ends, a location may be ahead of "
+                            "the old version or behind it"});
+}
+
 /// What a solver says counts when both versions were run. `is_seen`: they were, beside each other in the simulator, and
 /// differed.
 void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
@@ -296,14 +335,17 @@ DiffSide MakeDiffSide(std::string label, CompilationRequest request, const std::
 
 Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options) {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point last_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
+  const Clock::time_point whole_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
   const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.whole),
                                 new_version = prove::compare::MakeVersion(new_side.whole);
   const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
-  const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare;
+  const bool sliced = IsSliced(old_side.compilation.program) || IsSliced(new_side.compilation.program);
+  const uint64_t slices_ms = sliced ? options.time_ms / kSlicesShare : 0;
+  const Clock::time_point last_end = whole_end - std::chrono::milliseconds(slices_ms);
+  const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare - slices_ms;
   prove::compare::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
   const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
@@ -391,6 +433,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     diff.items.push_back(std::move(gathered.item));
   }
   if (!options.compiler.empty()) ConfirmCompiled(old_side, new_side, options, last_end, diff);
+  if (!diff.not_compiled.empty())
+    diff.not_looked_at.push_back("the runs were not repeated as generated code: " + diff.not_compiled);
+  CompareBetweenSlices(old_side, new_side, same, slices_ms, diff);
+  std::vector<DiffItem> declared = CompareDeclarations(old_side.compilation.program, new_side.compilation.program);
+  std::ranges::move(declared, std::back_inserter(diff.items));
+  std::ranges::stable_sort(diff.items, {}, &DiffItem::kind);
   return diff;
 }
 

@@ -17,6 +17,10 @@ struct KindWords {
 };
 KindWords WordsOf(ItemKind kind) {
   switch (kind) {
+    case ItemKind::kSchedule:
+      return {"Schedule", "part of the schedule", "parts of the schedule"};
+    case ItemKind::kData:
+      return {"Texts and tables", "text or table item", "texts or table items"};
     case ItemKind::kOutput:
       return {"Outputs", "output", "outputs"};
     case ItemKind::kCalls:
@@ -28,7 +32,8 @@ KindWords WordsOf(ItemKind kind) {
   }
   return {};
 }
-constexpr std::array kKinds = {ItemKind::kOutput, ItemKind::kCalls, ItemKind::kRetentive, ItemKind::kInternal};
+constexpr std::array kKinds = {ItemKind::kSchedule, ItemKind::kOutput,    ItemKind::kCalls,
+                               ItemKind::kData,     ItemKind::kRetentive, ItemKind::kInternal};
 
 std::string_view VerdictText(ItemVerdict verdict) {
   switch (verdict) {
@@ -59,6 +64,8 @@ std::string Paint(std::string text, const char* code, diag::Colour colour) {
 
 /// Why an item is in the list.
 std::string Cause(const DiffItem& item) {
+  if (item.declared)
+    return item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one";
   std::string text;
   const bool undecided = item.verdict == ItemVerdict::kUndecided;
   if (!item.changed_itself && !item.through.empty()) {
@@ -141,17 +148,18 @@ std::string DiffSummary(const Diff& diff) {
   if (text.empty()) text = "no difference";
   text += "; " + std::to_string(diff.equal) + " proved equal for every input and all scans";
   if (diff.invariants != 0) text += " (with " + std::to_string(diff.invariants) + " invariants)";
+  for (const std::string& what : diff.not_looked_at) text += "; not looked at: " + what;
   return text;
 }
 
 std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colour) {
-  std::string text;
+  std::string text = names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
   for (const ItemKind kind : kKinds) {
     bool titled = false;
     size_t wake = 0;
     for (const DiffItem& item : diff.items) {
       if (item.kind != kind || (IsWake(item) && ++wake > kMostOfWake)) continue;
-      if (!titled) text += std::string(WordsOf(kind).title) + "\n";
+      if (!titled) text += "\n" + std::string(WordsOf(kind).title) + "\n";
       titled = true;
       const char* const code = item.verdict == ItemVerdict::kDifferent ? "1;31" : "1;33";
       text += "  " + Paint(item.name, "1", colour);
@@ -166,9 +174,8 @@ std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colo
       if (item.counterexample) text += "      " + ExampleText(*item.counterexample, names) + "\n";
     }
     if (wake > kMostOfWake) text += "  " + RestOfWake(wake - kMostOfWake) + "\n";
-    if (titled) text += "\n";
   }
-  return text + names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
+  return text;
 }
 
 std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
@@ -208,10 +215,9 @@ std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
 }
 
 std::string DiffJson(const Diff& diff, const DiffNames& names) {
-  Json json = {{"old", names.old_label},
-               {"new", names.new_label},
-               {"equal", diff.equal},
-               {"invariants", diff.invariants},
+  Json json = {{"old", names.old_label},       {"new", names.new_label},
+               {"summary", DiffSummary(diff)}, {"notLookedAt", diff.not_looked_at},
+               {"equal", diff.equal},          {"invariants", diff.invariants},
                {"items", Json::array()}};
   for (const DiffItem& item : diff.items) {
     Json entry = {{"name", item.name},
@@ -222,6 +228,7 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
                   {"through", item.through},
                   {"oldStatements", ToJson(item.old_statements)},
                   {"newStatements", ToJson(item.new_statements)}};
+    if (item.declared) entry["declared"] = {{"old", item.declared->old_text}, {"new", item.declared->new_text}};
     if (!item.reason.empty() && item.verdict == ItemVerdict::kUndecided) entry["reason"] = item.reason;
     if (item.counterexample) {
       entry["counterexample"] = {{"steps", item.counterexample->steps},

@@ -8,6 +8,10 @@ namespace {
 
 constexpr const char* KindOf(ItemKind kind) {
   switch (kind) {
+    case ItemKind::kSchedule:
+      return "schedule";
+    case ItemKind::kData:
+      return "data";
     case ItemKind::kOutput:
       return "output";
     case ItemKind::kCalls:
@@ -35,6 +39,8 @@ constexpr report::Verdict VerdictOf(ItemVerdict verdict) {
 /// What the text form of the diff says of the item, in sentences.
 std::string TextOf(const DiffItem& item) {
   std::string text = item.meaning.empty() ? "" : item.meaning + ". ";
+  if (item.declared)
+    text += item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one. ";
   if (item.counterexample) {
     text += "Behind " + item.counterexample->steps + ": " + item.counterexample->old_value + " in the old version, " +
             item.counterexample->new_value + " in the new one" +

@@ -293,8 +293,6 @@ bool IsInputPair(const Version& old_version, const Uses& old_uses, const Uses& n
   if (DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
   const execute::CellId new_cell = match.new_of_old[old_cell.index];
   const ir::Space& space = old_version.program->spaces[cell.space];
-  // Without zones it is the program's own, unless it is kept: then what nobody writes comes with the machine.
-  if (space.zones.empty() && space.lifetime != ir::Lifetime::kRetentive) return false;
   return space.host_visible &&
          !(old_uses.writes[old_cell.index] && (!new_cell.valid() || new_uses.writes[new_cell.index]));
 }

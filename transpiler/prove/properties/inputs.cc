@@ -83,8 +83,9 @@ std::vector<bool> InputsOf(const compare::Version& version) {
     const execute::Cell cell = execute::CellAt(program, version.cells, id);
     if (cell.kind != execute::CellKind::kBit || !compare::IsState(version, id)) continue;
     const ir::Direction direction = compare::DirectionOf(version, id);
-    const bool is_open = direction != ir::Direction::kOutput && program.spaces[cell.space].host_visible;
-    inputs[i] = direction == ir::Direction::kInput || (is_open && (!own.stored()[i] || of_host.stored()[i]));
+    // What the program's side never writes anybody may set, an output, too.
+    const bool is_free = !own.stored()[i] || (direction != ir::Direction::kOutput && of_host.stored()[i]);
+    inputs[i] = direction == ir::Direction::kInput || (program.spaces[cell.space].host_visible && is_free);
   }
   return inputs;
 }

@@ -1,0 +1,94 @@
+// plcxx diff: everything that docs/review.md says is observed is compared.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/diff/compared_texts.h"
+
+namespace plcxx::driver {
+namespace {
+
+using testing::HasSubstr;
+
+const Language kProstep{"prostep", ".plc"};
+
+void ExpectDifferent(const Diff& diff, const std::string& name) {
+  const DiffItem* const item = ItemNamed(diff, name);
+  ASSERT_NE(item, nullptr) << name << " is not among: " << NamesIn(diff);
+  EXPECT_EQ(item->verdict, ItemVerdict::kDifferent) << item->reason;
+}
+
+TEST(Observed, TheOrderOfCallsOfTwoFunctions) {
+  const std::string write = ":JU FM 51\n: IB 106\n: K 41\n: K 1\n", read = ":JU FM 41\n: K 41\n: K 1\n: OB 106\n";
+  const std::string program =
+      ":MOD PM 9\n:A I 20.1\n@:= F 100.0\n:END PM 9\n:MOD PM 0\n:A I 20.1\n:S F 251.0\n:END PM 0\n";
+  const Diff diff = ComparedTexts(kProstep, With(program, write + read), With(program, read + write));
+  // The control gives back what was written.
+  ExpectDifferent(diff, "OB 106");
+  ExpectDifferent(diff, "order of calls");
+  EXPECT_TRUE(ComparedTexts(kProstep, With(program, write + read), With(program, write + read)).items.empty());
+}
+
+TEST(Observed, AStatementThatMovesIntoTheFastPart) {
+  ExpectDifferent(ComparedTexts(kNc110, "$\nU4A0=I0A0\n", "U4A0=I0A0\n$\n"), "U4A0");
+  EXPECT_TRUE(ComparedTexts(kNc110, "U4A0=I0A0\nU4A1=I0A1\n$\n", "U4A1=I0A1\nU4A0=I0A0\n$\n").items.empty());
+}
+
+TEST(Observed, AStatementThatMovesIntoAnotherSlice) {
+  const auto compared = [](const std::string& old_text, const std::string& new_text) {
+    const testing_support::TemporaryDirectory directory;
+    const auto side = [&](const std::string& name, const std::string& text) {
+      CompilationRequest request;
+      request.sources = {directory.Write(name + ".plc", text)};
+      request.options = {{"slices", "2"}};
+      return MakeDiffSide(name, request);
+    };
+    DiffSide old_side = side("old", old_text), new_side = side("new", new_text);
+    return CompareSides(old_side, new_side, {});
+  };
+  const std::string fast = "U100K0=/U100K0\n$\n", three = "U4A1=I0A1\nU4A2=I0A2\nU4A3=I0A3\n", moved = "U4A0=U100K0\n";
+  const Diff diff = compared(fast + moved + three, fast + three + moved);
+  const DiffItem* const item = ItemNamed(diff, "between slices");
+  ASSERT_NE(item, nullptr);
+  EXPECT_THAT(item->through, testing::Contains("U4A0"));
+  EXPECT_TRUE(compared(fast + moved + three, fast + moved + three).items.empty());
+}
+
+TEST(Observed, MemoryThatOneVersionNeverWritesMayBeSet) {
+  const Diff diff = ComparedTexts(kNc110, "$\nU4A0=I0A0*/U100K0\n", "$\nU100K0=I0A0*/I0A0\nU4A0=I0A0*/U100K0\n");
+  ExpectDifferent(diff, "U4A0");
+}
+
+TEST(Observed, TextsOfMessages) {
+  const std::string program =
+      "%PLC X\nDM 1 .@\n:MOD PM 1\n:A I 0.0\n:= F 213.0\n:END PM 1\n:MOD PM 0\n:A I 20.1\n:S F 250.0\n:END PM 0\n";
+  const Diff diff = ComparedTexts(kProstep, With(program, "STOP"), With(program, "GO"));
+  ExpectDifferent(diff, "message 1");
+  EXPECT_THAT(ItemNamed(diff, "message 1")->declared->new_text, HasSubstr("GO"));
+}
+
+TEST(Observed, PeriodsAndInitialBytes) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string source = directory.Write("p.plc", "$\nU4A0=/U4A0\n");
+  const auto side = [&](const std::string& clo) {
+    CompilationRequest request;
+    request.sources = {source};
+    request.options = {{"clo", clo}};
+    return MakeDiffSide(clo, request);
+  };
+  DiffSide quick = side("10,2"), slow = side("40,2");
+  const Diff periods = CompareSides(quick, slow, {});
+  ExpectDifferent(periods, "period");
+  EXPECT_EQ(ItemNamed(periods, "period")->declared->old_text, "10 ms");
+  EXPECT_EQ(ItemNamed(periods, "period")->declared->new_text, "40 ms");
+
+  // Nothing reads the second word of the table but the host.
+  const std::string table =
+      "        DATA\nIN0: DFM KUS\nOUT0: DFM CHOD\nTAB: DW @\n        DATA_END\n        MODULE_MAIN\n"
+      "        LDR KUS\n        WR CHOD\n        MODULE_MAIN_END\n        STOP\n";
+  EXPECT_FALSE(ComparedTexts(kTechnol, With(table, "7"), With(table, "8")).items.empty());
+}
+
+}  // namespace
+}  // namespace plcxx::driver
