@@ -40,6 +40,7 @@ std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
       std::vector<std::string> lines{"after " + support::Counted(result.periods, "period") + ": " +
                                      proved.scenario.steps};
       if (!result.reason.empty()) lines.push_back(result.reason);
+      if (!result.remark.empty()) lines.push_back("note: " + result.remark);
       if (!proved.file.empty()) lines.push_back("scenario: " + proved.file);
       return lines;
     }
@@ -95,11 +96,11 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
     one["column"] = proved.placed.property.column;
     one["verdict"] = NameOf(result.verdict);
     one["searchedPeriods"] = result.searched;
+    if (!result.remark.empty()) one["note"] = result.remark;
     switch (result.verdict) {
       case PropertyVerdict::kProved:
         one["periods"] = result.periods;
         one["invariants"] = result.invariants;
-        if (!result.remark.empty()) one["note"] = result.remark;
         break;
       case PropertyVerdict::kViolated:
         one["periods"] = result.periods;

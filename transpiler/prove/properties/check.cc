@@ -79,7 +79,20 @@ PropertyResult PropertyChecker::Check(const Property& property) {
   // The time may end between two steps.
   if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
+  if (result.verdict == PropertyVerdict::kViolated) result.remark = RemarkOnOutputs(property);
   return result;
+}
+
+std::string PropertyChecker::RemarkOnOutputs(const Property& property) const {
+  const compare::Uses uses = compare::UsesOf(version_);
+  for (const PropertyOperand& operand : property.operands) {
+    const bool is_set = std::ranges::all_of(operand.cells, [&](execute::CellId cell) {
+      return inputs_[cell.index] && !uses.writes[cell.index] &&
+             compare::DirectionOf(version_, cell) == ir::Direction::kOutput;
+    });
+    if (is_set) return "the program does not write '" + operand.text + "': anybody may set it";
+  }
+  return {};
 }
 
 std::string PropertyChecker::RemarkOn(const Property& property) {

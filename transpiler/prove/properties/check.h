@@ -59,7 +59,7 @@ struct PropertyResult {
   uint32_t invariants = 0;         // that the proof assumes, all of them proved
   std::string reason;              // of kUndecided; lower case, no full stop
   std::optional<PropertyRun> run;  // of kViolated; of kUndecided one that the machine does not show
-  std::string remark;              // of kProved: why that may say little; lower case, no full stop
+  std::string remark;              // why the verdict may say little; lower case, no full stop
   bool stuck_at = false;           // kViolated of kNeverStuck: what the output is behind the run, and stays
 };
 
@@ -89,6 +89,8 @@ class PropertyChecker {
   PropertyResult CheckInTime(const Property& property);
   /// Whether a proved property says little: it speaks of what nothing changes, or of a case that does not come.
   std::string RemarkOn(const Property& property);
+  /// Whether a violated property speaks of an output that no statement writes: the run sets it like an input.
+  std::string RemarkOnOutputs(const Property& property) const;
   uint32_t RestMs() const;
   bool Late() const { return RestMs() == 0; }
   void Report(const std::string& what) const {
