@@ -201,6 +201,9 @@ constexpr Mutation kMutationsOfHost50[] = {
     {"host50_bound", "turret.cpp", "S32(m[W0]) < S32(m[W4])", "S32(m[W0]) <= S32(m[W4])"},
     {"host50_start", "turret.cpp", "  m[W1] = 0;\n", ""},
     {"host50_budget", "turret.cpp", "jumps_left = 10000", "jumps_left = 10001"},
+    // The same result, but of a sum that C++ leaves undefined where it overflows: a compiler may use that.
+    {"host50_signed_sum", "plcxx/arith.h", "Add32(uint32_t a, uint32_t b) noexcept { return a + b; }",
+     "Add32(uint32_t a, uint32_t b) noexcept { return static_cast<uint32_t>(int32_t(a) + int32_t(b)); }"},
     {"host50_return", "turret.cpp", "      return;\n    }\n    break;", "    }\n    break;"},
 };
 

@@ -13,6 +13,12 @@ const std::vector<Target>& Targets() {
   return targets;
 }
 
+std::string TargetNames() {
+  std::string names;
+  for (const Target& target : Targets()) names += (names.empty() ? "" : ", ") + std::string(target.name);
+  return names;
+}
+
 const Target* FindTarget(std::string_view name) {
   const auto found = std::ranges::find(Targets(), name, &Target::name);
   return found == Targets().end() ? nullptr : &*found;

@@ -19,6 +19,9 @@ struct Target {
 /// All of them, the machine's own first.
 const std::vector<Target>& Targets();
 
+/// Their names, "host, cortex-m0plus", for messages.
+std::string TargetNames();
+
 /// nullptr when there is none of this name.
 const Target* FindTarget(std::string_view name);
 

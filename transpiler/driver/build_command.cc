@@ -220,9 +220,7 @@ int RunBuild(const BuildSettings& settings) {
   if (!request) return kWrongUse;
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
-    std::string names;
-    for (const compile::Target& known : compile::Targets())
-      names += (names.empty() ? "" : ", ") + std::string(known.name);
+    const std::string names = compile::TargetNames();
     PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names
                                             : "'" + settings.target + "' is no target; there are: " + names);
     return kWrongUse;

@@ -73,7 +73,9 @@ std::string CertificateText(const Certificate& certificate) {
   for (const emit::OutputFile& file : *certificate.files) json["generated"].push_back(Hashed(file.name, file.text));
   for (const compile::RuntimeFile& file : compile::RuntimeFiles())
     json["runtime"].push_back(Hashed(file.name, file.text));
-  json["compiler"] = {{"version", certificate.toolchain->version}, {"flags", certificate.bitcode->flags}};
+  json["compiler"] = {{"version", certificate.toolchain->version},
+                      {"target", certificate.target->name},
+                      {"flags", certificate.bitcode->flags}};
   json["assumed"] = {"a bit that has a byte of its own is 0 or 1 there before a routine",
                      "host functions write what their declarations say and nothing else",
                      "a retentive copy that the host gives has the program's layout",

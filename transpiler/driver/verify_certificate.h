@@ -16,6 +16,7 @@ struct Certificate {
   const Compilation* compilation = nullptr;
   const std::vector<emit::OutputFile>* files = nullptr;  // the generated code
   const compile::Toolchain* toolchain = nullptr;
+  const compile::Target* target = nullptr;
   const prove::compiled::Bitcode* bitcode = nullptr;
   const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
   std::vector<std::string> left_out;  // routines that nobody asked for

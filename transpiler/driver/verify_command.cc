@@ -28,6 +28,7 @@ constexpr const char* kVerifyFooter = R"(Examples:
   plcxx verify turret.sym turret.plc
   plcxx verify mill.cld --certificate mill.verified.json
   plcxx verify turret.plc -O s --time 5min
+  plcxx verify turret.plc --target cortex-m4 -O s
 
 The program is emitted and compiled by Clang to LLVM's instructions. Each function is executed on symbols, once as the
 program means it and once as it was compiled, and both are proved equal for every state and every input: all of State,
@@ -42,6 +43,7 @@ struct VerifySettings {
   std::string name;
   std::string compiler = prove::compiled::kVerifyCompiler;
   std::string level = "2";
+  std::string target = "host";
   std::string certificate;
   std::vector<std::string> routines;
   std::string time = "60s";
@@ -90,8 +92,9 @@ std::string ProofText(const prove::compiled::RoutineProof& proof) {
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
-  Verification(const VerifySettings& settings, uint64_t routine_ms, Compilation& compilation, ProgressLine& progress)
-      : settings_(settings), routine_ms_(routine_ms), compilation_(compilation), progress_(progress) {}
+  Verification(const VerifySettings& settings, const compile::Target& target, uint64_t routine_ms,
+               Compilation& compilation, ProgressLine& progress)
+      : settings_(settings), target_(target), routine_ms_(routine_ms), compilation_(compilation), progress_(progress) {}
 
   /// Whether all is proved.
   bool Run();
@@ -105,6 +108,7 @@ class Verification {
   bool WriteCertificate(const prove::compiled::Bitcode& bitcode);
 
   const VerifySettings& settings_;
+  const compile::Target& target_;
   uint64_t routine_ms_;
   Compilation& compilation_;
   ProgressLine& progress_;
@@ -122,8 +126,8 @@ bool Verification::Refuse(const std::string& reason) {
 }
 
 bool Verification::FindCompiler() {
-  const compile::Target& host = compile::Targets().front();
-  auto found = compile::FindToolchain(host, settings_.compiler);
+  // Nothing is linked: of a target no tools are needed, only what Clang knows of it.
+  auto found = compile::FindToolchain(compile::Targets().front(), settings_.compiler);
   if (const auto* missing = std::get_if<compile::MissingTool>(&found)) {
     compilation_.diagnostics.Report({}, diag::NoCompiler, missing->command, missing->package);
     return false;
@@ -155,6 +159,7 @@ bool Verification::WriteCertificate(const prove::compiled::Bitcode& bitcode) {
   output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
                                                                   .files = &files_,
                                                                   .toolchain = &toolchain_,
+                                                                  .target = &target_,
                                                                   .bitcode = &bitcode,
                                                                   .proofs = &proofs_,
                                                                   .left_out = left_out_})});
@@ -171,8 +176,12 @@ bool Verification::Run() {
   const emit::Emittable emittable = emit::Legalize(compilation_.program, {.name = compilation_.name});
   files_ = emit::PrintCpp(emittable, *compilation_.sources);
   progress_.Show("compiling");
-  auto compiled =
-      prove::compiled::CompileToBitcode({.toolchain = &toolchain_, .level = settings_.level, .files = &files_});
+  auto compiled = prove::compiled::CompileToBitcode({.toolchain = &toolchain_,
+                                                     .target = &target_,
+                                                     .level = settings_.level,
+                                                     .files = &files_,
+                                                     .further_flags = {},
+                                                     .runtime = {}});
   if (const auto* failure = std::get_if<prove::compiled::BitcodeFailure>(&compiled)) {
     std::cerr << failure->output;
     return Refuse(failure->message);
@@ -197,7 +206,8 @@ bool Verification::Run() {
   }
   if (!all) text_ += causes;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
-  const std::string what = left_out_.empty() ? "the compiled code is" : "what was asked for is";
+  const std::string what = std::string(left_out_.empty() ? "the compiled code" : "what was asked for") +
+                           (settings_.target == "host" ? "" : " for " + settings_.target) + " is";
   text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
   if (!settings_.certificate.empty() && !WriteCertificate(bitcode)) return false;
   return all;
@@ -209,6 +219,11 @@ int RunVerify(const VerifySettings& settings) {
     PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
     return kWrongUse;
   }
+  const compile::Target* target = compile::FindTarget(settings.target);
+  if (target == nullptr) {
+    PrintUsageError("'" + settings.target + "' is no target; there are: " + compile::TargetNames());
+    return kWrongUse;
+  }
   OutputOptions names;
   names.name = settings.name;
   std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, names);
@@ -216,7 +231,7 @@ int RunVerify(const VerifySettings& settings) {
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request);
-  Verification verification(settings, *routine_ms, compilation, progress);
+  Verification verification(settings, *target, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(settings.common));
@@ -243,6 +258,9 @@ void AddVerify(CLI::App& app, Run& run) {
   command->add_option("-O", settings->level, "Level of optimization; else 2")
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"1", "2", "3", "s", "z"}))
+      ->group("Output");
+  command->add_option("--target", settings->target, "What to compile for, as in plcxx build; else this machine")
+      ->type_name("T")
       ->group("Output");
   command->add_option("--routine", settings->routines, "Only this one: init, fast, slow, period ...; may be repeated")
       ->type_name("NAME")

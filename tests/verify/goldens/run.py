@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Which programs of tests/golden `plcxx verify` proves, and why it does not prove the others.
 
-run.py PLCXX DIALECT... [--time 20s] [--only TEXT] [--loops] [--every N] [--jobs N] [--expect TABLE]
+run.py PLCXX DIALECT... [--target T] [--time 20s] [--only TEXT] [--loops] [--every N] [--jobs N] [--expect TABLE]
 
 Each scenario of tests/golden/DIALECT is one program with its options; those whose program is refused are left out.
 --loops takes those alone whose generated C++ has a loop; --every each N-th of them. With a table of expectations, the
@@ -24,7 +24,8 @@ LOOP = re.compile(r"^\s*(for|while|do)\b", re.MULTILINE)
 def field(text, name, brackets):
     """The words of `name: [a, b]` or `name: {a: b}` at the beginning of a line."""
     found = re.search(rf"^{name}: *{re.escape(brackets[0])}(.*?){re.escape(brackets[1])}", text, re.MULTILINE | re.DOTALL)
-    return [word.strip().strip("'\"") for word in found.group(1).split(",") if word.strip()] if found else []
+    words = re.findall(r"""(?:"[^"]*"|'[^']*'|[^,"'])+""", found.group(1)) if found else []
+    return [word.strip().strip("'\"") for word in words if word.strip()]
 
 
 def program_of(scenario):
@@ -72,7 +73,7 @@ def verify(plcxx, scenario, options):
     if options.loops and not has_loop(plcxx, words, folder):
         return None
     began = time.monotonic()
-    ran = run([plcxx, "verify", "--name", "program", "--time", options.time, *words], folder, 600)
+    ran = run([plcxx, "verify", "--name", "program", "--time", options.time, "--target", options.target, *words], folder, 600)
     took = time.monotonic() - began
     if ran is None:
         return "not decided", "no end within 10 min", took
@@ -89,6 +90,7 @@ def main():
     parser.add_argument("plcxx")
     parser.add_argument("dialects", nargs="*")
     parser.add_argument("--time", default="20s")
+    parser.add_argument("--target", default="host")
     parser.add_argument("--only", default="")
     parser.add_argument("--loops", action="store_true")
     parser.add_argument("--every", type=int, default=1)

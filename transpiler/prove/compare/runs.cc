@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "transpiler/prove/compare/comparison.h"
+#include "transpiler/prove/solver/model.h"
 #include "transpiler/prove/terms/cone.h"
 #include "transpiler/prove/terms/evaluate.h"
 #include "transpiler/prove/terms/justify.h"
@@ -128,23 +129,6 @@ void EvaluateCone(const terms::Terms& terms, std::span<const terms::TermId> cone
   }
 }
 
-/// The solver's values for the variables and for functions of which nothing is known, and what follows from them: the
-/// solver makes up values of functions that can be evaluated, too, and these do not count.
-std::vector<uint64_t> SolversValues(Comparison& comparison, std::span<const terms::TermId> cone) {
-  const terms::Terms& terms = comparison.terms;
-  std::vector<uint64_t> values(terms.size());
-  for (const terms::TermId id : cone) {
-    const terms::Term& term = terms[id];
-    const bool unknown =
-        term.kind == terms::TermKind::kApply && terms.Info(terms::FunctionId(term.a)).evaluate == nullptr;
-    values[id.index] = unknown ? comparison.solver->ValueOf(id)
-                               : terms::EvaluateTerm(
-                                     terms, term, [&values](terms::TermId operand) { return values[operand.index]; },
-                                     [&](uint32_t) { return comparison.solver->ValueOf(id); });
-  }
-  return values;
-}
-
 /// Whether a value that was made up for an unknown function, such as a loop, is among them: then nothing is shown.
 bool AreMadeUp(const terms::Terms& terms, const std::vector<terms::Reason>& reasons) {
   return std::ranges::any_of(
@@ -264,7 +248,7 @@ void SearchRuns(Comparison& comparison) {
           comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
       if (answer != solver::Answer::kPossible) continue;
       const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
-      const std::vector<uint64_t> values = SolversValues(comparison, cone);
+      const std::vector<uint64_t> values = solver::ModelValues(comparison.terms, *comparison.solver, cone);
       // It differs only with what the solver made up for functions whose values are known.
       if (values[pair.differ.index] == 0) continue;
       const std::vector<terms::Reason> reasons =
@@ -376,7 +360,7 @@ void SearchStates(Comparison& comparison) {
         comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
     if (answer != solver::Answer::kPossible) continue;
     const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
-    const std::vector<uint64_t> values = SolversValues(comparison, cone);
+    const std::vector<uint64_t> values = solver::ModelValues(comparison.terms, *comparison.solver, cone);
     if (values[pair.differ.index] == 0) continue;
     pair.result->run =
         variables.StateOf(terms::Justification(comparison.terms, cone, values).ReasonsFor(pair.differ), values);

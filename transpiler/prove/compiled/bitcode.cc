@@ -53,8 +53,9 @@ std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& req
   for (const emit::OutputFile& file : *request.files) {
     if (!file.name.ends_with(".cpp")) continue;
     const std::string object = file.name + ".bc";
-    std::vector<std::string> command = compile::CompileCommand(*request.toolchain, compile::Targets().front(),
-                                                               request.level, directory.path(), file.name, object);
+    const compile::Target& target = request.target != nullptr ? *request.target : compile::Targets().front();
+    std::vector<std::string> command =
+        compile::CompileCommand(*request.toolchain, target, request.level, directory.path(), file.name, object);
     command.insert(command.end(), std::begin(kFlags), std::end(kFlags));
     command.insert(command.end(), request.further_flags.begin(), request.further_flags.end());
     const compile::ProcessResult result = compile::RunProcess(command, kCompilerSeconds, directory.path());

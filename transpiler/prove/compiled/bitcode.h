@@ -13,6 +13,7 @@ namespace plcxx::prove::compiled {
 
 struct BitcodeRequest {
   const compile::Toolchain* toolchain = nullptr;         // a Clang
+  const compile::Target* target = nullptr;               // none: the machine itself
   std::string level = "2";                               // as behind -O
   const std::vector<emit::OutputFile>* files = nullptr;  // those that end in .hpp and .cpp count
   std::vector<std::string> further_flags;

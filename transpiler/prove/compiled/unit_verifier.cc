@@ -1,15 +1,21 @@
 #include "transpiler/prove/compiled/unit_verifier.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "transpiler/prove/compiled/local_sweep.h"
 #include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/prove/solver/model.h"
+#include "transpiler/prove/terms/cone.h"
+#include "transpiler/prove/terms/samples.h"
 
 namespace plcxx::prove::compiled {
 namespace {
 
 constexpr size_t kMostDifferences = 8;
+constexpr size_t kMostShown = 64;  // questions that are looked at for numbers that differ
+constexpr uint32_t kSamplesOfDifference = 256;
 constexpr size_t kMostValues = 60;      // of a state that is shown
 constexpr uint32_t kMostRounds = 512;   // of one loop; of init, where nothing is unknown, more
 constexpr uint32_t kFewRounds = 8;      // where calls are replaced in order, and loops are not by heads
@@ -198,16 +204,31 @@ solver::TermPair UnitVerifier::Asked(const Question& question) {
 CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& question) {
   CodeDifference difference{.what = question.what};
   const solver::TermPair asked = Asked(question);
+  const std::vector<terms::TermId> variables = VariablesOf(asked);
+  const auto show = [&](uint64_t expected, uint64_t compiled, auto&& value_of) {
+    difference.has_values = true;
+    difference.expected = expected;
+    difference.compiled = compiled;
+    for (size_t i = 0; i < variables.size() && difference.state.size() < kMostValues; ++i) {
+      const uint64_t value = value_of(i);
+      if (value != 0) difference.state.push_back({terms_.VariableName(terms_[variables[i]].a), value});
+    }
+    return difference;
+  };
   const terms::TermId differ = terms_.Ne(asked.a, asked.b);
-  if (solver.Check({&differ, 1}, program_.limits.question_ms) != solver::Answer::kPossible) return difference;
-  difference.has_values = true;
-  difference.expected = solver.ValueOf(question.pair.a);
-  difference.compiled = solver.ValueOf(question.pair.b);
-  for (const terms::TermId variable : VariablesOf(asked)) {
-    const uint64_t value = solver.ValueOf(variable);
-    if (value != 0 && difference.state.size() < kMostValues)
-      difference.state.push_back({terms_.VariableName(terms_[variable].a), value});
+  if (solver.Check({&differ, 1}, program_.limits.question_ms) == solver::Answer::kPossible) {
+    const std::array roots = {differ, question.pair.a, question.pair.b};
+    const std::vector<uint64_t> values = solver::ModelValues(terms_, solver, terms::ConeOf(terms_, roots));
+    if (values[differ.index] != 0) {
+      return show(values[question.pair.a.index], values[question.pair.b.index],
+                  [&](size_t i) { return values[variables[i].index]; });
+    }
   }
+  // The solver made up results of functions that it does not know. With other numbers the two may differ all the same.
+  std::vector<terms::TermId> roots = {differ, question.pair.a, question.pair.b};
+  roots.insert(roots.end(), variables.begin(), variables.end());
+  for (const std::vector<uint64_t>& values : terms::SampleValues(terms_, roots, kSamplesOfDifference))
+    if (values[0] != 0) return show(values[1], values[2], [&](size_t i) { return values[3 + i]; });
   return difference;
 }
 
@@ -272,15 +293,25 @@ bool UnitVerifier::DecideLoops(solver::Solver& solver) {
 void UnitVerifier::Decide(solver::Solver& solver) {
   const std::vector<solver::Verdict> verdicts = Compare(solver, questions_);
   proof_.result = ProofResult::kProved;
+  size_t asked = 0;
   for (size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i] == solver::Verdict::kDifferent) {
-      proof_.result = ProofResult::kDifferent;
-      if (proof_.differences.size() < kMostDifferences) proof_.differences.push_back(Show(solver, questions_[i]));
+      if (proof_.differences.size() == kMostDifferences) continue;
+      const bool may_ask = ++asked <= kMostShown;
+      CodeDifference difference = may_ask ? Show(solver, questions_[i]) : CodeDifference();
+      if (difference.has_values) {
+        proof_.result = ProofResult::kDifferent;
+        proof_.differences.push_back(std::move(difference));
+      } else if (proof_.result == ProofResult::kProved) {
+        proof_.result = ProofResult::kNotDecided;
+        proof_.reason = "no numbers show a difference, and no proof that there are none: " + questions_[i].what;
+      }
     } else if (verdicts[i] == solver::Verdict::kUndecided && proof_.result == ProofResult::kProved) {
       proof_.result = ProofResult::kNotDecided;
       proof_.reason = "not within the time: " + questions_[i].what;
     }
   }
+  if (proof_.result == ProofResult::kDifferent) proof_.reason.clear();
   if (!has_loops_) return;
   // A state at the head of a loop need not be one that is reached; and rounds that were left out are not proved.
   if (proof_.result == ProofResult::kDifferent && relation_ != nullptr) {

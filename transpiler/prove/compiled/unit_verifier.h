@@ -79,6 +79,7 @@ class UnitVerifier {
   /// Whether what is claimed of loops is so.
   bool DecideLoops(solver::Solver& solver);
   void Decide(solver::Solver& solver);
+  /// Numbers for which the two differ, evaluated; without values: none were found.
   CodeDifference Show(solver::Solver& solver, const Question& question);
   std::vector<terms::TermId> VariablesOf(const solver::TermPair& pair) const;
 

@@ -124,13 +124,50 @@ TermId OverChoices(Terms& terms, TermId a, Make&& make, int depth = 16) {
 
 bool IsConstOf(const Terms& terms, TermId a, uint64_t bits) { return terms.IsConst(a) && terms.Value(a) == bits; }
 
+constexpr std::string_view kFromS64 = "from_s64", kFromU64 = "from_u64", kToF64 = "to_f64", kToF32 = "to_f32";
+
 TermId Magnitude(Terms& terms, TermId a) { return terms.Extract(a, 0, static_cast<uint8_t>(terms.Width(a) - 1)); }
 TermId Sign(Terms& terms, TermId a) { return terms.Extract(a, static_cast<uint8_t>(terms.Width(a) - 1), 1); }
+/// Of a conversion, the integer; else none.
+TermId IntegerOf(const Terms& terms, TermId a) {
+  const Term& term = terms[a];
+  if (term.kind != TermKind::kApply) return {};
+  const std::string_view name = terms.Info(FunctionId(term.a)).name;
+  return name.ends_with(kFromS64) || name.ends_with(kFromU64) ? terms.Arguments(term).front() : TermId();
+}
+
 TermId IsZero(Terms& terms, TermId a) {
+  // Compilers ask the integer.
+  if (const TermId integer = IntegerOf(terms, a); integer.valid()) return terms.Eq(integer, terms.Const(0, 64));
   const TermId magnitude = Magnitude(terms, a);
   return terms.Eq(magnitude, terms.Const(0, terms.Width(magnitude)));
 }
 TermId SignMask(Terms& terms, Format format) { return terms.Const(format.sign(), format.width); }
+
+/// Without the sign that was put before it: of a constant, or by FloatNegate.
+TermId WithoutSign(Terms& terms, Format format, TermId a, bool& negative) {
+  const Term term = terms[a];
+  if (term.kind == TermKind::kConst && (terms.Value(a) & format.sign()) != 0) {
+    negative = !negative;
+    return terms.Const(terms.Value(a) & ~format.sign(), format.width);
+  }
+  if (term.kind != TermKind::kXor) return a;
+  for (const auto& [mask, other] : {std::pair(term.a, term.b), std::pair(term.b, term.a)}) {
+    if (!IsConstOf(terms, TermId(mask), format.sign())) continue;
+    negative = !negative;
+    return TermId(other);
+  }
+  return a;
+}
+
+/// Of a product or a quotient: compilers move a sign from one operand to the other, and to the result. Whether the
+/// result of what `a` and `b` are then has to be negated.
+bool TakeSigns(Terms& terms, Format format, TermId& a, TermId& b) {
+  bool negative = false;
+  a = WithoutSign(terms, format, a, negative);
+  b = WithoutSign(terms, format, b, negative);
+  return negative;
+}
 
 /// Of numbers that have a fraction, or may: below 2^fraction_bits.
 TermId IsBelowWholeNumbers(Terms& terms, TermId a) {
@@ -164,8 +201,8 @@ TermId FloatMul(Terms& terms, TermId a, TermId b) {
   const uint64_t one = format.PowerOfTwo(0);
   for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
     if (IsConstOf(terms, constant, one)) return other;
-    if (IsConstOf(terms, constant, one | format.sign())) return FloatNegate(terms, other);
   }
+  if (TakeSigns(terms, format, a, b)) return FloatNegate(terms, FloatMul(terms, a, b));
   return ApplyCommutative(terms, "mul", kEvaluations, a, b);
 }
 
@@ -182,6 +219,7 @@ TermId FloatDiv(Terms& terms, TermId a, TermId b) {
       return FloatMul(terms, a, terms.Const(inverse | (divisor & format.sign()), format.width));
     }
   }
+  if (TakeSigns(terms, format, a, b)) return FloatNegate(terms, FloatDiv(terms, a, b));
   const std::array operands{a, b};
   return Apply(terms, format, "div", format.width, kEvaluations, operands);
 }
@@ -218,10 +256,19 @@ TermId FloatCopySign(Terms& terms, TermId a, TermId sign) {
 
 TermId FloatIsNan(Terms& terms, TermId a) {
   const Format format = FormatOf(terms, a);
+  // Compilers leave out the question where the number comes from an integer.
+  if (IntegerOf(terms, a).valid()) return terms.Bit(false);
+  const Term term = terms[a];
+  if (term.kind == TermKind::kApply) {
+    const std::string_view name = terms.Info(FunctionId(term.a)).name;
+    if (name.ends_with(kToF64) || name.ends_with(kToF32)) return FloatIsNan(terms, terms.Arguments(term).front());
+  }
   return terms.Ult(terms.Const(format.infinity(), static_cast<uint8_t>(format.width - 1)), Magnitude(terms, a));
 }
 
 TermId FloatEqual(Terms& terms, TermId a, TermId b) {
+  if (terms.IsConst(a)) std::swap(a, b);
+  if (terms.IsConst(b) && terms.IsTrue(IsZero(terms, b))) return IsZero(terms, a);
   const TermId numbers = terms.Not(terms.Or(FloatIsNan(terms, a), FloatIsNan(terms, b)));
   const TermId zeros = terms.And(IsZero(terms, a), IsZero(terms, b));
   return terms.And(numbers, terms.Or(terms.Eq(a, b), zeros));
@@ -245,14 +292,14 @@ TermId FloatLessEqual(Terms& terms, TermId a, TermId b) {
 TermId FloatFromSigned(Terms& terms, TermId integer, uint8_t width) {
   return OverChoices(terms, integer, [&](TermId value) {
     const TermId wide = terms.Sext(value, 64);
-    return Apply(terms, FormatOf(width), "from_s64", width, kFromSigned, {&wide, 1});
+    return Apply(terms, FormatOf(width), kFromS64, width, kFromSigned, {&wide, 1});
   });
 }
 
 TermId FloatFromUnsigned(Terms& terms, TermId integer, uint8_t width) {
   return OverChoices(terms, integer, [&](TermId value) {
     if (terms.Width(value) < 64) return FloatFromSigned(terms, terms.Zext(value, 64), width);
-    return Apply(terms, FormatOf(width), "from_u64", width, kFromUnsigned, {&value, 1});
+    return Apply(terms, FormatOf(width), kFromU64, width, kFromUnsigned, {&value, 1});
   });
 }
 
@@ -275,7 +322,7 @@ TermId FloatWiden(Terms& terms, TermId a) {
   };
   return OverChoices(terms, a, [&](TermId value) {
     PLCXX_CHECK(terms.Width(value) == 32);
-    return Apply(terms, kBinary32, "to_f64", 64, {kEvaluate, kEvaluate}, {&value, 1});
+    return Apply(terms, kBinary32, kToF64, 64, {kEvaluate, kEvaluate}, {&value, 1});
   });
 }
 
@@ -285,7 +332,7 @@ TermId FloatNarrow(Terms& terms, TermId a) {
   };
   return OverChoices(terms, a, [&](TermId value) {
     PLCXX_CHECK(terms.Width(value) == 64);
-    return Apply(terms, kBinary64, "to_f32", 32, {kEvaluate, kEvaluate}, {&value, 1});
+    return Apply(terms, kBinary64, kToF32, 32, {kEvaluate, kEvaluate}, {&value, 1});
   });
 }
 

@@ -1,6 +1,7 @@
 // Executor: the function that is asked for, and what its parameters hold.
 #include <llvm/Demangle/Demangle.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -25,15 +26,22 @@ const std::string& FlowCache::NameOf(const llvm::Function& function) {
 
 bool Executor::BindOne(const llvm::Argument& parameter, const CodeArgument& argument, CodeValue& value) {
   const llvm::Type& type = *parameter.getType();
+  // C++ says so of a reference; callers are asked for it.
+  const uint64_t align = parameter.getParamAlign().valueOrOne().value();
   switch (argument.kind) {
     case CodeArgument::Kind::kState:
+      objects_[kStateObject].align = std::max(objects_[kStateObject].align, align);
       value = PointerTo(kStateObject);
       break;
     case CodeArgument::Kind::kHost:
       value = PointerTo(kHostObject);
       break;
     case CodeArgument::Kind::kMemory:
-      objects_.push_back({.kind = ObjectKind::kLocal, .first_slot = argument.slot, .bytes = argument.bytes});
+      objects_.push_back({.kind = ObjectKind::kLocal,
+                          .first_slot = argument.slot,
+                          .bytes = argument.bytes,
+                          .align = align,
+                          .values = {}});
       value = PointerTo(static_cast<uint32_t>(objects_.size() - 1));
       break;
     case CodeArgument::Kind::kValue:

@@ -12,6 +12,7 @@ namespace plcxx::prove::compiled::llvm_ir {
 namespace {
 
 constexpr uint32_t kDeepestCall = 200;
+constexpr const char* kDecidesUndefined = "a decision by a number that C++ leaves undefined";
 
 }  // namespace
 
@@ -63,7 +64,9 @@ CodeValue Executor::Call(const llvm::Function& function, std::vector<CodeValue> 
   for (const Passage& passage : returns) conditions.push_back(passage.when);
   Passage back = Join(std::move(returns), conditions);
   slots_ = std::move(back.slots);
-  return back.values.empty() ? CodeValue{} : std::move(back.values.front());
+  if (back.values.empty()) return {};
+  RequireValue(back.values.front(), "a result that C++ leaves undefined");
+  return std::move(back.values.front());
 }
 
 CodeValue Executor::Choose(terms::TermId condition, const CodeValue& then, const CodeValue& otherwise) {
@@ -71,6 +74,12 @@ CodeValue Executor::Choose(terms::TermId condition, const CodeValue& then, const
   if (terms_.IsFalse(condition)) return otherwise;
   CodeValue chosen;
   if (then.term.valid()) chosen.term = terms_.Ite(condition, then.term, otherwise.term);
+  if (then.poison.valid() || otherwise.poison.valid()) {
+    const auto poison = [this](const CodeValue& value) {
+      return value.poison.valid() ? value.poison : terms_.Bit(false);
+    };
+    chosen.poison = OrNone(terms_.Ite(condition, poison(then), poison(otherwise)));
+  }
   for (size_t i = 0; i < then.parts.size(); ++i)
     chosen.parts.push_back(Choose(condition, then.parts[i], otherwise.parts[i]));
   for (const Target& target : then.targets) {
@@ -174,6 +183,7 @@ void Executor::RunBlock(const llvm::BasicBlock& block, Passage entry, std::vecto
         Leave(block, branch->getSuccessor(0), terms_.Bit(true), leaving);
         return;
       }
+      RequireValue(ValueOf(branch->getCondition()), kDecidesUndefined);
       const terms::TermId condition = TermOf(branch->getCondition());
       Leave(block, branch->getSuccessor(0), condition, leaving);
       Leave(block, branch->getSuccessor(1), terms_.Not(condition), leaving);
@@ -214,6 +224,7 @@ void Executor::Leave(const llvm::BasicBlock& from, const llvm::BasicBlock* to, t
 }
 
 void Executor::LeaveBySwitch(const llvm::SwitchInst& choice, std::vector<Passage>& leaving) {
+  RequireValue(ValueOf(choice.getCondition()), kDecidesUndefined);
   const terms::TermId selector = TermOf(choice.getCondition());
   struct Way {
     const llvm::BasicBlock* to;

@@ -8,7 +8,6 @@
 #include "transpiler/prove/terms/floats.h"
 
 namespace plcxx::prove::compiled::llvm_ir {
-
 bool Executor::Check(const llvm::Instruction& inst) {
   if (terms_.size() - first_term_ > run_.most_terms)
     Refuse("the program takes more than " + std::to_string(run_.most_terms) + " terms");
@@ -43,51 +42,101 @@ void Executor::ExecuteInst(const llvm::Instruction& inst) {
   }
   if (!Check(inst)) return;
   if (const auto* store = llvm::dyn_cast<llvm::StoreInst>(&inst)) {
-    const llvm::Type& type = *store->getValueOperand()->getType();
-    if (type.isPointerTy() || type.isStructTy()) {
-      Refuse("instruction 'store' of a pointer or a structure");
-      return;
-    }
-    const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(store->getValueOperand()->getType()));
-    const terms::TermId value = terms_.Zext(TermOf(store->getValueOperand()), static_cast<uint8_t>(8 * bytes));
-    Store(ValueOf(store->getPointerOperand()).targets, 0, value);
+    ExecuteStore(*store);
     return;
   }
   CodeValue value = Evaluate(inst);
   if (!refused()) values_[&inst] = std::move(value);
 }
 
+void Executor::ExecuteStore(const llvm::StoreInst& store) {
+  const llvm::Type& type = *store.getValueOperand()->getType();
+  if (type.isPointerTy() || type.isStructTy()) {
+    Refuse("instruction 'store' of a pointer or a structure");
+    return;
+  }
+  const CodeValue stored = ValueOf(store.getValueOperand()), pointer = ValueOf(store.getPointerOperand());
+  RequireValue(stored, "a write of a number that C++ leaves undefined");
+  RequireValue(pointer, kAddressUndefined);
+  RequireAligned(pointer.targets, store.getAlign().value());
+  const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(store.getValueOperand()->getType()));
+  Store(pointer.targets, 0, terms_.Zext(stored.term, static_cast<uint8_t>(8 * bytes)));
+}
+
+CodeValue Executor::ExecuteLoad(const llvm::LoadInst& load) {
+  const llvm::Type& type = *load.getType();
+  if (type.isPointerTy() || type.isStructTy()) {
+    Refuse("instruction 'load' of a pointer or a structure");
+    return AnyOf(type);
+  }
+  const CodeValue pointer = ValueOf(load.getPointerOperand());
+  RequireValue(pointer, kAddressUndefined);
+  RequireAligned(pointer.targets, load.getAlign().value());
+  const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(load.getType()));
+  CodeValue value{.term = terms_.Resize(Load(pointer.targets, 0, bytes), WidthOf(type))};
+  value.poison = PoisonOfRange(load, value.term);
+  if (load.hasMetadata(llvm::LLVMContext::MD_noundef))
+    RequireValue(value, "a read of a number that its type does not have");
+  return value;
+}
+
+CodeValue Executor::Freeze(const llvm::FreezeInst& inst) {
+  CodeValue value = ValueOf(inst.getOperand(0));
+  if (!value.poison.valid()) return value;
+  if (!value.term.valid()) {
+    Refuse("instruction 'freeze' of a pointer");
+    return value;
+  }
+  value.term = terms_.Ite(value.poison, Undefined(terms_.Width(value.term)), value.term);
+  value.poison = {};
+  return value;
+}
+
 CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
+  CodeValue value = Compute(inst);
+  if (refused()) return value;
+  if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&inst)) {
+    value.poison = Either(PoisonOfOperands(inst), PoisonOfBinary(*binary, value.term));
+  } else if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&inst)) {
+    value.poison = Either(PoisonOfOperands(inst), PoisonOfConversion(*cast, value.term));
+  } else if (llvm::isa<llvm::CmpInst>(inst) || llvm::isa<llvm::UnaryOperator>(inst)) {
+    value.poison = PoisonOfOperands(inst);
+  }
+  return value;
+}
+
+CodeValue Executor::Compute(const llvm::Instruction& inst) {
   if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&inst))
     return {.term = EvaluateBinaryOperator(*binary)};
   if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&inst)) return {.term = Compare(*compare)};
   if (const auto* compare = llvm::dyn_cast<llvm::FCmpInst>(&inst)) return {.term = CompareFloats(*compare)};
   if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&inst)) return {.term = Convert(*cast)};
   if (const auto* element = llvm::dyn_cast<llvm::GetElementPtrInst>(&inst)) return ElementPointer(*element);
-  if (const auto* select = llvm::dyn_cast<llvm::SelectInst>(&inst))
-    return Choose(TermOf(select->getCondition()), ValueOf(select->getTrueValue()), ValueOf(select->getFalseValue()));
-  if (llvm::isa<llvm::FreezeInst>(inst)) return ValueOf(inst.getOperand(0));
+  if (const auto* select = llvm::dyn_cast<llvm::SelectInst>(&inst)) {
+    const CodeValue condition = ValueOf(select->getCondition());
+    CodeValue value = Choose(condition.term, ValueOf(select->getTrueValue()), ValueOf(select->getFalseValue()));
+    value.poison = Either(value.poison, condition.poison);
+    return value;
+  }
+  if (const auto* freeze = llvm::dyn_cast<llvm::FreezeInst>(&inst)) return Freeze(*freeze);
   if (inst.getOpcode() == llvm::Instruction::FNeg)
     return {.term = terms::FloatNegate(terms_, TermOf(inst.getOperand(0)))};
-  if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&inst)) {
-    const llvm::Type& type = *load->getType();
-    if (type.isPointerTy() || type.isStructTy()) {
-      Refuse("instruction 'load' of a pointer or a structure");
-      return AnyOf(type);
-    }
-    const auto bytes = static_cast<uint32_t>(layout_.getTypeStoreSize(load->getType()));
-    return {.term = terms_.Resize(Load(ValueOf(load->getPointerOperand()).targets, 0, bytes), WidthOf(type))};
-  }
+  if (const auto* load = llvm::dyn_cast<llvm::LoadInst>(&inst)) return ExecuteLoad(*load);
   if (const auto* local = llvm::dyn_cast<llvm::AllocaInst>(&inst)) {
     const auto* count = llvm::dyn_cast<llvm::ConstantInt>(local->getArraySize());
     if (count != nullptr && count->getValue().getActiveBits() < 32)
-      return PointerTo(NewLocal(layout_.getTypeAllocSize(local->getAllocatedType()) * count->getZExtValue()));
+      return PointerTo(NewLocal(layout_.getTypeAllocSize(local->getAllocatedType()) * count->getZExtValue(),
+                                local->getAlign().value()));
     Refuse("instruction 'alloca' of a size that is not known");
     return AnyOf(*inst.getType());
   }
   if (const auto* extract = llvm::dyn_cast<llvm::ExtractValueInst>(&inst)) {
     CodeValue value = ValueOf(extract->getAggregateOperand());
-    for (const unsigned index : extract->indices()) value = CodeValue(value.parts[index]);
+    for (const unsigned index : extract->indices()) {
+      CodeValue part = value.parts[index];
+      part.poison = Either(part.poison, value.poison);
+      value = std::move(part);
+    }
     return value;
   }
   if (const auto* insert = llvm::dyn_cast<llvm::InsertValueInst>(&inst)) {
@@ -101,14 +150,10 @@ CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
   return AnyOf(*inst.getType());
 }
 
-terms::TermId Executor::ShiftWithin(terms::TermId shifted, terms::TermId amount, uint8_t width) {
-  if (ranges_.Of(amount).high < width) return shifted;
-  return terms_.Ite(terms_.Ult(amount, terms_.Const(width, width)), shifted, Undefined(width));
-}
-
 terms::TermId Executor::Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b) {
   const uint8_t width = terms_.Width(a);
   Require(terms_.Eq(b, terms_.Const(0, width)), "a division by zero");
+  RequireValue(ValueOf(inst.getOperand(1)), "a division by a number that C++ leaves undefined");
   const bool has_sign = inst.getOpcode() == llvm::Instruction::SDiv || inst.getOpcode() == llvm::Instruction::SRem;
   if (has_sign) {
     const terms::TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
@@ -149,11 +194,11 @@ terms::TermId Executor::EvaluateBinaryOperator(const llvm::BinaryOperator& inst)
     case llvm::Instruction::Xor:
       return terms_.Xor(a, b);
     case llvm::Instruction::Shl:
-      return ShiftWithin(terms_.Shl(a, b), b, width);
+      return terms_.Shl(a, b);
     case llvm::Instruction::LShr:
-      return ShiftWithin(terms_.Lshr(a, b), b, width);
+      return terms_.Lshr(a, b);
     case llvm::Instruction::AShr:
-      return ShiftWithin(terms_.Ashr(a, b), b, width);
+      return terms_.Ashr(a, b);
     case llvm::Instruction::FAdd:
       return terms::FloatAdd(terms_, a, b);
     case llvm::Instruction::FSub:
@@ -291,19 +336,25 @@ terms::TermId Executor::Convert(const llvm::CastInst& inst) {
 }
 
 CodeValue Executor::ElementPointer(const llvm::GetElementPtrInst& inst) {
-  CodeValue pointer = ValueOf(inst.getPointerOperand());
+  const CodeValue base = ValueOf(inst.getPointerOperand());
+  CodeValue pointer = base;
   llvm::MapVector<llvm::Value*, llvm::APInt> indices;
-  llvm::APInt constant(64, 0);
-  if (!llvm::cast<llvm::GEPOperator>(inst).collectOffset(layout_, 64, indices, constant)) {
+  const unsigned bits = layout_.getIndexTypeSizeInBits(inst.getType());
+  llvm::APInt constant(bits, 0);
+  if (!llvm::cast<llvm::GEPOperator>(inst).collectOffset(layout_, bits, indices, constant)) {
     Refuse("instruction 'getelementptr' of a type whose size is not known");
     return pointer;
   }
-  terms::TermId offset = terms_.Const(constant.getZExtValue(), 64);
+  terms::TermId offset = terms_.Const(static_cast<uint64_t>(constant.getSExtValue()), 64);
   for (const auto& [index, scale] : indices) {
-    const terms::TermId wide = terms_.Sext(TermOf(index), 64);
+    const CodeValue by = ValueOf(index);
+    // Of 64 bits on every target: what would wrap on a smaller one is outside of the object here.
+    const terms::TermId wide = terms_.Sext(by.term, 64);
+    pointer.poison = Either(pointer.poison, Either(by.poison, PoisonOfIndex(inst, wide, scale.getZExtValue())));
     offset = terms_.Add(offset, terms_.Mul(wide, terms_.Const(scale.getZExtValue(), 64)));
   }
   for (Target& target : pointer.targets) target.offset = terms_.Add(target.offset, offset);
+  pointer.poison = Either(pointer.poison, PoisonOfPointer(inst, base, pointer));
   return pointer;
 }
 
@@ -322,7 +373,11 @@ CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
   const std::string& name = flows_.NameOf(*callee);
   if (callee->isDeclaration() || environment_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
   std::vector<CodeValue> arguments;
-  for (const llvm::Use& argument : call.args()) arguments.push_back(ValueOf(argument));
+  for (const llvm::Use& argument : call.args()) {
+    arguments.push_back(ValueOf(argument));
+    const unsigned number = call.getArgOperandNo(&argument);
+    if (number < callee->arg_size()) RequireArgument(call, *callee->getArg(number), arguments.back());
+  }
   return Call(*callee, std::move(arguments));
 }
 

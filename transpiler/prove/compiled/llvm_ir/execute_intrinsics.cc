@@ -34,6 +34,7 @@ CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Func
     const CodeValue value = ValueOf(operand);
     const unsigned number = call.getArgOperandNo(&operand);
     const std::string_view parameter = number < callee.arg_size() ? callee.getArg(number)->getName() : "";
+    if (number < callee.arg_size()) RequireArgument(call, *callee.getArg(number), value);
     if (value.term.valid()) {
       arguments.push_back({.kind = HostArgument::Kind::kValue, .value = value.term, .name = parameter});
       continue;
@@ -61,15 +62,20 @@ CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Func
       environment_.CallHost(memory, {.function = name, .arguments = arguments, .result_width = width}, refusal);
   if (!refusal.empty()) Refuse(std::move(refusal));
   if (type.isVoidTy()) return {};
-  return {.term = result.valid() && terms_.Width(result) == width ? result : Undefined(width)};
+  CodeValue value{.term = result.valid() && terms_.Width(result) == width ? result : Undefined(width)};
+  value.poison = PoisonOfRange(call, value.term);
+  if (const auto range = call.getRange()) value.poison = Either(value.poison, IsOutOf(*range, value.term));
+  return value;
 }
 
 CodeValue Executor::ExecuteIntrinsic(const llvm::IntrinsicInst& call) {
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::lifetime_start:
     case llvm::Intrinsic::lifetime_end:
-    case llvm::Intrinsic::assume:
     case llvm::Intrinsic::experimental_noalias_scope_decl:
+      return {};
+    case llvm::Intrinsic::assume:
+      ExecuteAssume(llvm::cast<llvm::AssumeInst>(call));
       return {};
     case llvm::Intrinsic::expect:
       return ValueOf(call.getArgOperand(0));
@@ -81,12 +87,45 @@ CodeValue Executor::ExecuteIntrinsic(const llvm::IntrinsicInst& call) {
     default:
       break;
   }
-  if (const auto* overflow = llvm::dyn_cast<llvm::WithOverflowInst>(&call)) return WithOverflow(*overflow);
-  if (const auto* saturating = llvm::dyn_cast<llvm::SaturatingInst>(&call)) return {.term = Saturated(*saturating)};
-  if (call.getType()->isFloatTy() || call.getType()->isDoubleTy()) return {.term = FloatIntrinsic(call)};
-  if (call.getType()->isIntegerTy()) return {.term = IntegerIntrinsic(call)};
+  const terms::TermId poison = PoisonOfOperands(call);
+  if (const auto* overflow = llvm::dyn_cast<llvm::WithOverflowInst>(&call)) {
+    CodeValue value = WithOverflow(*overflow);
+    value.poison = poison;
+    return value;
+  }
+  if (const auto* saturating = llvm::dyn_cast<llvm::SaturatingInst>(&call))
+    return {.term = Saturated(*saturating), .poison = poison};
+  if (call.getType()->isFloatTy() || call.getType()->isDoubleTy())
+    return {.term = FloatIntrinsic(call), .poison = poison};
+  if (call.getType()->isIntegerTy()) {
+    CodeValue value{.term = IntegerIntrinsic(call), .poison = poison};
+    value.poison = Either(value.poison, PoisonOfIntrinsic(call));
+    value.poison = Either(value.poison, PoisonOfRange(call, value.term));
+    if (const auto range = call.getRange()) value.poison = Either(value.poison, IsOutOf(*range, value.term));
+    return value;
+  }
   Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
   return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
+}
+
+void Executor::ExecuteAssume(const llvm::AssumeInst& assumption) {
+  constexpr const char* kText = "an assumption of the compiler that does not hold";
+  const CodeValue condition = ValueOf(assumption.getArgOperand(0));
+  Require(terms_.Not(condition.term), kText);
+  RequireValue(condition, kText);
+  if (assumption.hasOperandBundles()) Refuse("an assumption about a pointer");
+}
+
+/// The operand of which LLVM leaves the result open, where it does.
+terms::TermId Executor::PoisonOfIntrinsic(const llvm::IntrinsicInst& call) {
+  const bool may_be_open = call.getIntrinsicID() == llvm::Intrinsic::abs ||
+                           call.getIntrinsicID() == llvm::Intrinsic::ctlz ||
+                           call.getIntrinsicID() == llvm::Intrinsic::cttz;
+  if (!may_be_open || !llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne()) return {};
+  const terms::TermId a = TermOf(call.getArgOperand(0));
+  const uint8_t width = terms_.Width(a);
+  const bool is_abs = call.getIntrinsicID() == llvm::Intrinsic::abs;
+  return OrNone(terms_.Eq(a, terms_.Const(is_abs ? uint64_t{1} << (width - 1) : 0, width)));
 }
 
 void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
@@ -97,13 +136,21 @@ void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
     return;
   }
   const uint64_t bytes = length->getZExtValue();
-  const std::vector<Target> to = ValueOf(call.getRawDest()).targets;
+  const CodeValue destination = ValueOf(call.getRawDest());
+  RequireValue(destination, kAddressUndefined);
+  const std::vector<Target>& to = destination.targets;
+  RequireAligned(to, call.getDestAlign().valueOrOne().value());
   if (const auto* set = llvm::dyn_cast<llvm::MemSetInst>(&call)) {
     const terms::TermId value = TermOf(set->getValue());
+    RequireValue(ValueOf(set->getValue()), "a write of a number that C++ leaves undefined");
     for (uint64_t i = 0; i < bytes && !refused(); ++i) Store(to, i, value);
     return;
   }
-  const std::vector<Target> from = ValueOf(llvm::cast<llvm::MemTransferInst>(call).getRawSource()).targets;
+  const auto& transfer = llvm::cast<llvm::MemTransferInst>(call);
+  const CodeValue source = ValueOf(transfer.getRawSource());
+  RequireValue(source, kAddressUndefined);
+  const std::vector<Target>& from = source.targets;
+  RequireAligned(from, transfer.getSourceAlign().valueOrOne().value());
   // All is read before anything is written, so that the two may overlap.
   std::vector<terms::TermId> values;
   for (uint64_t i = 0; i < bytes && !refused(); ++i) values.push_back(Load(from, i, 1));
@@ -166,8 +213,7 @@ terms::TermId Executor::CountBits(const llvm::IntrinsicInst& call, terms::TermId
     return sum;
   }
   const bool leading = call.getIntrinsicID() == llvm::Intrinsic::ctlz;
-  const bool zero_is_undefined = llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne();
-  terms::TermId count = zero_is_undefined ? Undefined(width) : terms_.Const(width, width);
+  terms::TermId count = terms_.Const(width, width);
   for (uint8_t i = 0; i < width; ++i) {
     // The last one asked about counts: the bit that stands nearest to where counting begins.
     const auto number = static_cast<uint8_t>(leading ? i : width - 1 - i);
@@ -188,10 +234,7 @@ terms::TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::abs: {
       const terms::TermId negative = terms_.Extract(a, static_cast<uint8_t>(width - 1), 1);
-      const terms::TermId value = terms_.Ite(negative, terms_.Neg(a), a);
-      if (!llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne()) return value;
-      const terms::TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
-      return terms_.Ite(least, Undefined(width), value);
+      return terms_.Ite(negative, terms_.Neg(a), a);
     }
     case llvm::Intrinsic::smax:
       return terms_.Ite(terms_.Slt(b(), a), a, b());

@@ -134,6 +134,13 @@ std::vector<terms::TermId> Executor::ItemsOf(const Passage& passage, const LoopS
   return values;
 }
 
+void Executor::RequireAtHead(const LoopState& state, const Passage& passage, terms::TermId when) {
+  const terms::TermId context = std::exchange(context_, when);
+  for (size_t i = 0; i < state.phis.size(); ++i)
+    RequireValue(passage.values[i], "a number that a loop keeps and C++ leaves undefined");
+  context_ = context;
+}
+
 void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::TermId context, LoopState& state,
                          std::vector<Passage>& leaving) {
   const llvm::BasicBlock* head = level.nodes.front().block;
@@ -176,6 +183,8 @@ void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::Te
       continue;
     }
     const terms::TermId again = next ? next->when : terms_.Bit(false);
+    RequireAtHead(state, entry, context);
+    if (next) RequireAtHead(state, *next, terms_.And(context, again));
     environment_.CloseLoop(again, next ? ItemsOf(*next, state) : values);
     for (Passage& passage : ways) leaving.push_back(std::move(passage));
     return;

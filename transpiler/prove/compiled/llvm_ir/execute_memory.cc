@@ -21,12 +21,13 @@ terms::TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
   return initial_[slot];
 }
 
-uint32_t Executor::NewLocal(uint64_t bytes) {
+uint32_t Executor::NewLocal(uint64_t bytes, uint64_t align) {
   if (bytes > kLargestLocal) {
     Refuse("a local of " + std::to_string(bytes) + " bytes");
     bytes = 0;
   }
-  objects_.push_back({.kind = ObjectKind::kLocal, .first_slot = next_slot_, .bytes = bytes});
+  objects_.push_back(
+      {.kind = ObjectKind::kLocal, .first_slot = next_slot_, .bytes = bytes, .align = align, .values = {}});
   for (uint64_t i = 0; i < bytes; ++i) slots_.Set(next_slot_++, terms::TermId());
   return static_cast<uint32_t>(objects_.size() - 1);
 }
@@ -50,6 +51,10 @@ Executor::Reach Executor::ReachOf(const Object& object, terms::TermId offset, ui
   return reach;
 }
 
+terms::TermId Executor::IsBeyond(const Reach& reach, terms::TermId offset) {
+  return terms_.Or(terms_.Ult(terms_.Const(reach.high, 64), offset), terms_.Ult(offset, terms_.Const(reach.low, 64)));
+}
+
 terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
   terms::TermId value;
   for (uint32_t i = 0; i < bytes; ++i) {
@@ -65,7 +70,7 @@ terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t b
   return value;
 }
 
-terms::TermId Executor::LoadFrom(uint32_t number, terms::TermId offset, uint32_t bytes) {
+terms::TermId Executor::LoadFrom(terms::TermId when, uint32_t number, terms::TermId offset, uint32_t bytes) {
   const auto width = static_cast<uint8_t>(8 * bytes);
   const Object& object = objects_[number];
   if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) {
@@ -73,7 +78,12 @@ terms::TermId Executor::LoadFrom(uint32_t number, terms::TermId offset, uint32_t
     return Undefined(width);
   }
   const Reach reach = ReachOf(object, offset, bytes);
-  if (reach.none) return Undefined(width);
+  constexpr const char* kOutside = "a read outside of its object";
+  if (reach.none) {
+    Require(when, kOutside);
+    return Undefined(width);
+  }
+  if (reach.beyond) Require(terms_.And(when, IsBeyond(reach, offset)), kOutside);
   std::vector<terms::TableElement> elements;
   for (uint64_t at = reach.low; at <= reach.high; at += reach.step) {
     if (at == reach.high || !terms_.IsFalse(terms_.Eq(offset, terms_.Const(at, 64))))
@@ -86,7 +96,7 @@ terms::TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, ui
   terms::TermId value;
   for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
     const terms::TermId offset = at == 0 ? target->offset : terms_.Add(target->offset, terms_.Const(at, 64));
-    const terms::TermId here = LoadFrom(target->object, offset, bytes);
+    const terms::TermId here = LoadFrom(target->when, target->object, offset, bytes);
     value = value.valid() ? terms_.Ite(target->when, here, value) : here;
   }
   return value;
@@ -113,11 +123,7 @@ void Executor::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset
     Require(when, kOutside);
     return;
   }
-  if (reach.beyond) {
-    const terms::TermId outside =
-        terms_.Or(terms_.Ult(terms_.Const(reach.high, 64), offset), terms_.Ult(offset, terms_.Const(reach.low, 64)));
-    Require(terms_.And(when, outside), kOutside);
-  }
+  if (reach.beyond) Require(terms_.And(when, IsBeyond(reach, offset)), kOutside);
   for (uint64_t at = reach.low; at <= reach.high; at += reach.step)
     StoreAt(terms_.And(when, terms_.Eq(offset, terms_.Const(at, 64))), object, at, value);
 }

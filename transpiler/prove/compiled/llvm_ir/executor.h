@@ -8,6 +8,7 @@
 #include <llvm/ADT/APInt.h>
 #include <llvm/ADT/DenseMap.h>
 #include <llvm/Analysis/LoopInfo.h>
+#include <llvm/IR/ConstantRange.h>
 #include <llvm/IR/DataLayout.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/Instructions.h>
@@ -36,8 +37,11 @@ struct Target {
   terms::TermId offset;  // 64 bits, two's complement
 };
 
+inline constexpr const char* kAddressUndefined = "an address that C++ leaves undefined";
+
 struct CodeValue {
   terms::TermId term;            // of integers and floats; these as their bits
+  terms::TermId poison;          // width 1: when it is no value at all (poison.cc); none: never
   std::vector<Target> targets;   // of pointers
   std::vector<CodeValue> parts;  // of structs
 };
@@ -48,6 +52,7 @@ struct Object {
   ObjectKind kind{};
   uint32_t first_slot = 0;      // kState, kLocal
   uint64_t bytes = 0;           // but of kHost
+  uint64_t align = 1;           // of its first byte; but of kHost
   std::vector<int16_t> values;  // kConstant: its bytes; -1: none that is a number
 };
 
@@ -124,6 +129,8 @@ class Executor {
                                      std::vector<Passage>& leaving);
   bool FindItems(const llvm::BasicBlock& head, LoopState& state);
   void AddSlots(const Slots& a, const Slots& b, LoopState& state);
+  /// At a loop's head there is nothing but values: what is poison must not come there.
+  void RequireAtHead(const LoopState& state, const Passage& passage, terms::TermId when);
   std::vector<terms::TermId> ItemsOf(const Passage& passage, const LoopState& state);
 
   // Values (values.cc).
@@ -141,8 +148,12 @@ class Executor {
   void ExecuteInst(const llvm::Instruction& inst);
   bool Check(const llvm::Instruction& inst);
   CodeValue Evaluate(const llvm::Instruction& inst);
+  CodeValue Compute(const llvm::Instruction& inst);
+  CodeValue Freeze(const llvm::FreezeInst& inst);
+  void ExecuteStore(const llvm::StoreInst& store);
+  CodeValue ExecuteLoad(const llvm::LoadInst& load);
+  void ExecuteAssume(const llvm::AssumeInst& assumption);
   terms::TermId EvaluateBinaryOperator(const llvm::BinaryOperator& inst);
-  terms::TermId ShiftWithin(terms::TermId shifted, terms::TermId amount, uint8_t width);
   terms::TermId Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b);
   terms::TermId Compare(const llvm::ICmpInst& inst);
   terms::TermId ComparePointers(const llvm::ICmpInst& inst);
@@ -160,11 +171,32 @@ class Executor {
   void ExecuteMemoryTransfer(const llvm::MemIntrinsic& call);
   void Require(terms::TermId never, const char* text);
 
+  // What must not be used (poison.cc).
+  /// Of conditions that may be none: of one that is never so, none.
+  terms::TermId Either(terms::TermId a, terms::TermId b);
+  terms::TermId OrNone(terms::TermId condition);
+  terms::TermId SignOf(terms::TermId a);
+  terms::TermId PoisonOfOperands(const llvm::User& inst);
+  terms::TermId PoisonOfBinary(const llvm::BinaryOperator& inst, terms::TermId result);
+  terms::TermId PoisonOfConversion(const llvm::CastInst& inst, terms::TermId result);
+  terms::TermId PoisonOfIntrinsic(const llvm::IntrinsicInst& call);
+  terms::TermId PoisonOfRange(const llvm::Instruction& inst, terms::TermId value);
+  terms::TermId PoisonOfIndex(const llvm::GetElementPtrInst& inst, terms::TermId index, uint64_t scale);
+  terms::TermId PoisonOfPointer(const llvm::GetElementPtrInst& inst, const CodeValue& base, const CodeValue& pointer);
+  terms::TermId SumOverflows(terms::TermId a, terms::TermId b, terms::TermId sum, bool has_sign);
+  terms::TermId DifferenceOverflows(terms::TermId a, terms::TermId b, terms::TermId difference, bool has_sign);
+  terms::TermId ProductOverflows(terms::TermId a, terms::TermId b, bool has_sign);
+  terms::TermId IsBeyondInteger(terms::TermId number, uint8_t width, bool has_sign);
+  terms::TermId IsOutOf(const llvm::ConstantRange& range, terms::TermId value);
+  void RequireValue(const CodeValue& value, const char* text);
+  void RequireAligned(const std::vector<Target>& targets, uint64_t align);
+  void RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value);
+
   // Memory (execute_memory.cc).
   terms::TermId ReadSlot(uint32_t slot) { return ReadSlot(slots_, slot); }
   terms::TermId ReadSlot(const Slots& slots, uint32_t slot);
   terms::TermId Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes);
-  terms::TermId LoadFrom(uint32_t object, terms::TermId offset, uint32_t bytes);
+  terms::TermId LoadFrom(terms::TermId when, uint32_t object, terms::TermId offset, uint32_t bytes);
   terms::TermId LoadAt(const Object& object, uint64_t offset, uint32_t bytes);
   void Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value);
   void StoreTo(terms::TermId when, uint32_t object, terms::TermId offset, terms::TermId value);
@@ -175,7 +207,8 @@ class Executor {
     bool none = false, beyond = false;  // beyond: it may be elsewhere, too
   };
   Reach ReachOf(const Object& object, terms::TermId offset, uint32_t bytes);
-  uint32_t NewLocal(uint64_t bytes);
+  terms::TermId IsBeyond(const Reach& reach, terms::TermId offset);
+  uint32_t NewLocal(uint64_t bytes, uint64_t align);
 
   void Refuse(std::string reason);
   bool refused() const { return !outcome_.refusal.empty(); }

@@ -111,6 +111,7 @@ uint32_t Executor::ObjectOf(const llvm::GlobalVariable& global) {
     return kNullObject;
   }
   Object object{.kind = ObjectKind::kConstant, .values = BytesOf(*global.getInitializer(), layout_)};
+  object.align = global.getPointerAlignment(layout_).value();
   object.bytes = object.values.size();
   objects_.push_back(std::move(object));
   const auto number = static_cast<uint32_t>(objects_.size() - 1);
@@ -124,13 +125,17 @@ CodeValue Executor::ConstantOf(const llvm::Constant& constant) {
     return {.term = terms_.Const(integer->getValue().getZExtValue(), WidthOf(type))};
   if (const auto* number = llvm::dyn_cast<llvm::ConstantFP>(&constant))
     return {.term = terms_.Const(number->getValueAPF().bitcastToAPInt().getZExtValue(), WidthOf(type))};
-  if (llvm::isa<llvm::UndefValue>(constant)) return AnyOf(type);
+  if (llvm::isa<llvm::UndefValue>(constant)) {
+    CodeValue value = AnyOf(type);
+    if (llvm::isa<llvm::PoisonValue>(constant)) value.poison = terms_.Bit(true);
+    return value;
+  }
   if (llvm::isa<llvm::ConstantPointerNull>(constant)) return PointerTo(kNullObject);
   if (type.isPointerTy()) {
     llvm::APInt offset(layout_.getIndexTypeSizeInBits(constant.getType()), 0);
     const llvm::Value* base = constant.stripAndAccumulateConstantOffsets(layout_, offset, /*AllowNonInbounds=*/true);
     if (const auto* global = llvm::dyn_cast<llvm::GlobalVariable>(base))
-      return PointerTo(ObjectOf(*global), offset.getZExtValue());
+      return PointerTo(ObjectOf(*global), static_cast<uint64_t>(offset.getSExtValue()));
   }
   if (const auto* structure = llvm::dyn_cast<llvm::StructType>(&type)) {
     CodeValue value;
