@@ -12,6 +12,11 @@ if(PLCXX_SANITIZE)
   target_compile_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(plcxx_options INTERFACE -fsanitize=${PLCXX_SANITIZE})
 endif()
+# Modules that the tool loads define everything that they use; but a sanitizer's own functions are in the tool.
+set(PLCXX_COMPLETE -Wl,-z,defs)
+if(PLCXX_SANITIZE)
+  set(PLCXX_COMPLETE "")
+endif()
 if(PLCXX_ODR)
   target_compile_options(plcxx_options INTERFACE -flto=2)
   target_link_options(plcxx_options INTERFACE -flto=2 -fuse-linker-plugin -Wodr -Wlto-type-mismatch -Werror=odr

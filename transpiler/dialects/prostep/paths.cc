@@ -1,6 +1,6 @@
 #include "transpiler/dialects/prostep/paths.h"
 
-#include <algorithm>
+#include <map>
 
 namespace plcxx::prostep {
 
@@ -19,9 +19,15 @@ ModulePaths::ModulePaths(const Program& program, ModuleId id) : program_(program
   for (uint32_t i = size(); i-- > 0;) {
     stop_[i] = GoesOn(i) ? stop_[i + 1] : i;
     jumps_back_ = jumps_back_ || (Jumps(i) && target_[i] <= i);
-    if (At(i).module.valid() && reached_[i]) calls_.push_back(i);
   }
-  std::ranges::reverse(calls_);
+  std::map<uint32_t, size_t> known;
+  for (uint32_t i = 0; i < size(); ++i) {
+    const ModuleId callee = At(i).module;
+    if (!callee.valid() || !reached_[i]) continue;
+    const auto [found, is_new] = known.try_emplace(callee.index, calls_.size());
+    if (is_new) calls_.push_back({callee, {}});
+    calls_[found->second].numbers.push_back(i);
+  }
 }
 
 bool ModulePaths::Jumps(uint32_t number) const {
@@ -47,16 +53,6 @@ std::vector<bool> ModulePaths::From(std::vector<uint32_t> open) const {
     if (GoesOn(number)) open.push_back(number + 1);
   }
   return reached;
-}
-
-bool ModulePaths::Leads(uint32_t from, uint32_t to) const {
-  // Nearly all programs are decided by these two; the walk would make a check of pairs cost the square of a module.
-  if (to <= from && !jumps_back_) return false;
-  if (to > from && stop_[from] >= to) return true;
-  std::vector<uint32_t> next;
-  if (Jumps(from)) next.push_back(target_[from]);
-  if (GoesOn(from)) next.push_back(from + 1);
-  return From(std::move(next))[to];
 }
 
 void ModulePaths::ReadText() {

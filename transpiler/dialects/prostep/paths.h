@@ -34,10 +34,23 @@ class ModulePaths {
   bool GoesOn(uint32_t number) const;
 
   bool IsReached(uint32_t number) const { return reached_[number]; }
-  /// Is there a path of at least one step?
-  bool Leads(uint32_t from, uint32_t to) const;
-  /// The instructions that are reached and execute another module, ascending.
-  const std::vector<uint32_t>& calls() const { return calls_; }
+  /// Calls visit(next) for each instruction that can be executed behind this one; size() is the module's end.
+  void VisitNext(uint32_t number, const auto& visit) const {
+    if (number == size()) return;
+    if (Jumps(number)) visit(Target(number));
+    if (GoesOn(number)) visit(number + 1);
+  }
+  /// Does what is executed at `from` come to each instruction as far as `to`?
+  bool IsStraight(uint32_t from, uint32_t to) const { return stop_[from] >= to; }
+  /// Does some jump of the module go back?
+  bool jumps_back() const { return jumps_back_; }
+
+  struct Calls {
+    ModuleId callee;
+    std::vector<uint32_t> numbers;  // ascending
+  };
+  /// The instructions that are reached and execute another module, for each of these; in the order of the first ones.
+  const std::vector<Calls>& calls() const { return calls_; }
 
  private:
   std::vector<bool> From(std::vector<uint32_t> open) const;
@@ -49,8 +62,8 @@ class ModulePaths {
   std::vector<uint32_t> target_;
   std::vector<bool> reached_;
   std::vector<uint32_t> stop_;  // by number: the first one from there on behind which the program does not go on
-  bool jumps_back_ = false;     // some jump does
-  std::vector<uint32_t> calls_;
+  bool jumps_back_ = false;
+  std::vector<Calls> calls_;
 };
 
 }  // namespace plcxx::prostep
