@@ -9,6 +9,7 @@
 // own.
 
 #include <algorithm>
+#include <map>
 
 #include "transpiler/emit/emittable.h"
 #include "transpiler/ir/builder.h"
@@ -30,7 +31,8 @@ struct Sharing {
   std::vector<bool> is_parameter;  // by number
   std::vector<bool> known;         // by RoutineId: its locals are computed
 
-  using Touches = std::vector<Touch>;  // by number
+  /// By number; of what is touched alone: a program of many subroutines has many locals, each of them few.
+  using Touches = std::map<uint32_t, Touch>;
 
   void Note(Touches& touches, PlaceId place, Touch touch) const;
   void Inst(Touches& touches, const ir::Inst& inst);
@@ -95,26 +97,26 @@ void Sharing::Routine(ir::RoutineId id) {
   if (known[id.index]) return;
   known[id.index] = true;  // before its callees: the verifier has refused recursion
   const ir::Routine& routine = program.routines[id];
-  Touches touches(locals.size());
+  Touches touches;
   for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(touches, region);
   Note(touches, routine.result_place, {.read = true});
   Locals found{.declared = {}, .shared = {}, .values = routine.parameter_places};
-  for (uint32_t i = 0; i < locals.size(); ++i) {
+  for (const auto& [i, touch] : touches) {
     const auto& parameters = routine.parameter_places;
     const bool parameter = std::find(parameters.begin(), parameters.end(), locals[i]) != parameters.end();
-    if (parameter || (!touches[i].read && !touches[i].written)) continue;
+    if (parameter) continue;
     const bool own = program.spaces[program.places[locals[i]].space].own;
     if (SharesLocals(routine.kind) && !own && locals[i] != routine.result_place) {
       found.shared.push_back(locals[i]);
     } else {
-      found.declared.push_back({locals[i], touches[i].read});
+      found.declared.push_back({locals[i], touch.read});
     }
   }
   emittable.routine_locals[id.index] = std::move(found);
 }
 
 void Sharing::Chunk(emit::Chunk& chunk) {
-  Touches touches(locals.size());
+  Touches touches;
   const std::vector<ir::InstId>& insts = program.regions[chunk.region].insts;
   for (uint32_t i = chunk.begin; i < chunk.end; ++i) {
     const ir::Inst& inst = program[insts[i]];
@@ -122,29 +124,24 @@ void Sharing::Chunk(emit::Chunk& chunk) {
     if (ir::Info(inst.op).effect != ir::Effect::kControl) continue;
     for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) Region(touches, owned);
   }
-  for (uint32_t i = 0; i < locals.size(); ++i) {
-    if (!touches[i].read && !touches[i].written) continue;
-    const bool value = is_parameter[i] && !touches[i].written;
+  for (const auto& [i, touch] : touches) {
+    const bool value = is_parameter[i] && !touch.written;
     (value ? chunk.locals.values : chunk.locals.shared).push_back(locals[i]);
   }
 }
 
 Locals Sharing::Union(const std::vector<uint32_t>& chunks) const {
-  enum class Kind : uint8_t { kNone, kValue, kShared };
-  std::vector<Kind> kinds(locals.size());
+  enum class Kind : uint8_t { kValue, kShared };
+  std::map<uint32_t, Kind> kinds;  // by number
   for (const uint32_t index : chunks) {
     const Locals& used = emittable.chunks[index].locals;
     for (const PlaceId place : used.values) {
-      Kind& kind = kinds[number[place.index]];
-      if (kind == Kind::kNone) kind = Kind::kValue;
+      kinds.try_emplace(number[place.index], Kind::kValue);
     }
     for (const PlaceId place : used.shared) kinds[number[place.index]] = Kind::kShared;
   }
   Locals all;
-  for (uint32_t i = 0; i < locals.size(); ++i) {
-    if (kinds[i] == Kind::kValue) all.values.push_back(locals[i]);
-    if (kinds[i] == Kind::kShared) all.shared.push_back(locals[i]);
-  }
+  for (const auto& [i, kind] : kinds) (kind == Kind::kValue ? all.values : all.shared).push_back(locals[i]);
   return all;
 }
 

@@ -5,7 +5,9 @@
 // have the name: NameTable keeps names of this form out of the program's.
 
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "transpiler/emit/function_insts.h"
 #include "transpiler/ir/builder.h"
@@ -17,8 +19,8 @@ namespace {
 struct LocalNamer {
   Emittable& emittable;
   const ir::Program& program;
-  std::unordered_set<uint32_t> numbers;   // of the function
-  std::unordered_set<std::string> names;  // of the function
+  std::unordered_map<uint32_t, uint32_t> taken;  // numbers of the function, each with a later one that may be free
+  std::unordered_set<std::string> names;         // of the function
   int loop_depth = 0;
 
   void Function(const Locals& locals, const std::vector<Piece>& pieces);
@@ -32,8 +34,12 @@ struct LocalNamer {
 std::string LocalNamer::NextName(ir::StatementId statement) {
   constexpr uint32_t kFirst = 100;
   constexpr uint32_t kNumbers = 900;
-  uint32_t number = statement.valid() ? kFirst + program.statements[statement].id % kNumbers : 1;
-  while (!numbers.insert(number).second) ++number;
+  const uint32_t wanted = statement.valid() ? kFirst + program.statements[statement].id % kNumbers : 1;
+  uint32_t number = wanted;
+  for (auto found = taken.find(number); found != taken.end(); found = taken.find(number)) number = found->second;
+  taken[number] = number + 1;
+  // Who comes the same way later goes on behind this one at once.
+  for (uint32_t passed = wanted; passed != number;) passed = std::exchange(taken[passed], number + 1);
   return "t" + std::to_string(number);
 }
 
@@ -80,7 +86,7 @@ void LocalNamer::Pieces(const std::vector<Piece>& pieces, ir::StatementId outer)
 }
 
 void LocalNamer::Function(const Locals& locals, const std::vector<Piece>& pieces) {
-  numbers.clear();
+  taken.clear();
   names.clear();
   for (const Parameter& parameter : locals.parameters) PLCXX_CHECK(names.insert(parameter.name).second);
   for (const Locals::Declared& local : locals.declared)
@@ -93,7 +99,7 @@ void LocalNamer::Function(const Locals& locals, const std::vector<Piece>& pieces
 void NameLocals(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.value_names.resize(program.insts.size());
-  LocalNamer namer{.emittable = emittable, .program = program, .numbers = {}, .names = {}};
+  LocalNamer namer{.emittable = emittable, .program = program, .taken = {}, .names = {}};
   for (const Chunk& chunk : emittable.chunks) namer.Function(chunk.locals, {PieceOf(chunk)});
   for (uint32_t i = 0; i < program.routines.size(); ++i)
     namer.Function(emittable.routine_locals[i], PiecesOf(emittable, ir::RoutineId(i)));

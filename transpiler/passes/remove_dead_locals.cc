@@ -21,28 +21,29 @@ using ir::RegionId;
 
 constexpr uint32_t kUntracked = ~0u;
 
-/// A set of locals.
+/// A set of locals, in words: each branch copies and joins sets of all locals of the program.
 class Live {
  public:
-  explicit Live(uint32_t locals) : bits_(locals) {}
+  explicit Live(uint32_t locals) : words_((locals + kBits - 1) / kBits) {}
   static Live All(uint32_t locals) {
     Live all(locals);
-    all.bits_.assign(locals, true);
+    all.words_.assign(all.words_.size(), ~uint64_t{0});
     return all;
   }
-  bool Has(uint32_t local) const { return bits_[local]; }
-  void Add(uint32_t local) { bits_[local] = true; }
-  void Remove(uint32_t local) { bits_[local] = false; }
+  bool Has(uint32_t local) const { return (words_[local / kBits] >> local % kBits & 1) != 0; }
+  void Add(uint32_t local) { words_[local / kBits] |= uint64_t{1} << local % kBits; }
+  void Remove(uint32_t local) { words_[local / kBits] &= ~(uint64_t{1} << local % kBits); }
   void Join(const Live& other) {
-    for (size_t i = 0; i < bits_.size(); ++i) bits_[i] = bits_[i] || other.bits_[i];
+    for (size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
   }
   void Intersect(const Live& other) {
-    for (size_t i = 0; i < bits_.size(); ++i) bits_[i] = bits_[i] && other.bits_[i];
+    for (size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
   }
   bool operator==(const Live&) const = default;
 
  private:
-  std::vector<bool> bits_;
+  static constexpr uint32_t kBits = 64;
+  std::vector<uint64_t> words_;
 };
 
 /// What a subroutine does to its caller's locals.
@@ -79,8 +80,7 @@ struct Analysis {
 
 /// Places that are the same bytes are one local; places that overlap in another way are left alone.
 void Analysis::FindLocals() {
-  using Key = std::tuple<uint32_t, uint32_t, uint8_t, ir::Type>;
-  std::map<Key, uint32_t> numbers;
+  using Key = std::tuple<decltype(ir::Place::offset), decltype(ir::Place::bit), ir::Type>;
   local_of.assign(program.places.size(), kUntracked);
   std::vector<std::vector<uint32_t>> by_space(program.spaces.size());
   for (uint32_t i = 0; i < program.places.size(); ++i) {
@@ -95,20 +95,27 @@ void Analysis::FindLocals() {
     if (routine.result_place.valid()) fixed[routine.result_place.index] = true;
   }
   for (const std::vector<uint32_t>& places : by_space) {
-    for (const uint32_t i : places) {
+    if (std::ranges::any_of(places, [&](uint32_t i) { return program.places[ir::PlaceId(i)].indexed; })) continue;
+    const auto key_of = [&](uint32_t i) {
       const ir::Place& place = program.places[ir::PlaceId(i)];
-      bool alone = !place.indexed && !fixed[i];
-      for (const uint32_t j : places) {
-        const ir::Place& other = program.places[ir::PlaceId(j)];
-        const bool same = other.offset == place.offset && other.bit == place.bit && other.type == place.type;
-        const bool apart = other.offset >= place.offset + ir::Bytes(place.type) ||
-                           place.offset >= other.offset + ir::Bytes(other.type) ||
-                           (other.type == ir::Type::kBit && place.type == ir::Type::kBit && other.bit != place.bit);
-        if (other.indexed || (same && fixed[j]) || (!same && !apart)) alone = false;
+      return Key(place.offset, place.bit, place.type);
+    };
+    std::map<Key, bool> alone;  // by what one local would be
+    for (const uint32_t i : places) alone.try_emplace(key_of(i), true).first->second &= !fixed[i];
+    for (auto one = alone.begin(); one != alone.end(); ++one) {
+      const auto& [offset, bit, type] = one->first;
+      // What begins behind this one cannot overlap it, nor can what follows.
+      for (auto other = std::next(one); other != alone.end(); ++other) {
+        const auto& [other_offset, other_bit, other_type] = other->first;
+        if (other_offset >= offset + ir::Bytes(type)) break;
+        if (type == ir::Type::kBit && other_type == ir::Type::kBit && bit != other_bit) continue;
+        one->second = other->second = false;
       }
-      if (!alone) continue;
-      const Key key(place.space.index, place.offset, place.bit, place.type);
-      const auto [number, added] = numbers.emplace(key, locals);
+    }
+    std::map<Key, uint32_t> numbers;
+    for (const uint32_t i : places) {
+      if (!alone[key_of(i)]) continue;
+      const auto [number, added] = numbers.emplace(key_of(i), locals);
       if (added) ++locals;
       local_of[i] = number->second;
     }

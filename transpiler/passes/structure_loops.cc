@@ -1,6 +1,7 @@
 // Jumps back become loops. See structure.h for the picture.
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 #include <utility>
 
@@ -29,14 +30,19 @@ struct LoopJump {
 struct Interval {
   size_t begin, end;
   bool Holds(size_t at) const { return at >= begin && at < end; }
-  size_t length() const { return end - begin; }
 };
+
+class Entries;
 
 struct LoopMaker {
   ir::Program& program;
   std::vector<InstId> insts;
   std::vector<LoopJump> jumps;
   std::vector<Interval> loops;  // two of them are disjoint, or one is in the other
+  std::vector<size_t> head_of;  // by label: where a loop from it begins, before the marks and labels directly before it
+  std::vector<size_t> end_of;   // by instruction: behind the last one of its statement, whose values what follows a
+                                // jump back may use
+  std::vector<std::vector<const LoopJump*>> own;  // by loop: the jumps back that are its own, not an inner one's
   ir::Builder builder;
 
   explicit LoopMaker(ir::Program& of) : program(of), builder(of) {}
@@ -44,32 +50,23 @@ struct LoopMaker {
   void FindJumps();
   void FindLoops();
   bool MergeCrossing();
-  bool ReachEntries();
+  bool ReachEntries(const Entries& entries);
   void Rebuild(RegionId region);
   void Make(const Interval& interval, RegionId outer);
   void MakeRepeat(const LoopJump& jump, InstId loop, ir::PlaceId resume, uint64_t number);
-  size_t HeadOf(size_t label) const;
-  size_t EndOfStatement(size_t at) const;
-  const Interval* LoopOf(const LoopJump& jump) const;
+  void FindStatements();
+  void FindOwners();
 };
 
-/// Where a loop from this label begins: before the markers and labels that stand directly before it.
-size_t LoopMaker::HeadOf(size_t label) const {
-  size_t at = label;
-  while (at > 0) {
-    const OpKind before = program[insts[at - 1]].op;
-    if (before != OpKind::kStatement && before != OpKind::kLabel) break;
-    --at;
-  }
-  return at;
-}
-
-/// Behind the last instruction of the statement: what follows a jump back there may use its values.
-size_t LoopMaker::EndOfStatement(size_t at) const {
-  for (++at; at < insts.size(); ++at) {
-    if (program[insts[at]].op == OpKind::kStatement || program[insts[at]].op == OpKind::kLabel) break;
-  }
-  return at;
+void LoopMaker::FindStatements() {
+  const auto is_mark = [&](size_t at) {
+    const OpKind op = program[insts[at]].op;
+    return op == OpKind::kStatement || op == OpKind::kLabel;
+  };
+  head_of.resize(insts.size());
+  end_of.assign(insts.size() + 1, insts.size());
+  for (size_t i = 0; i < insts.size(); ++i) head_of[i] = i > 0 && is_mark(i - 1) ? head_of[i - 1] : i;
+  for (size_t i = insts.size(); i-- > 0;) end_of[i] = i + 1 < insts.size() && is_mark(i + 1) ? i + 1 : end_of[i + 1];
 }
 
 void LoopMaker::FindJumps() {
@@ -78,11 +75,12 @@ void LoopMaker::FindJumps() {
     if (program[insts[i]].op == OpKind::kLabel) labels.emplace(program[insts[i]].payload, i);
   }
   if (labels.empty()) return;
+  FindStatements();
   for (size_t i = 0; i < insts.size(); ++i) {
     const auto add = [&](InstId id) {
       if (program[id].op != OpKind::kJump) return;
       const auto label = labels.find(program[id].payload);
-      if (label != labels.end()) jumps.push_back({id, i, label->second, HeadOf(label->second)});
+      if (label != labels.end()) jumps.push_back({id, i, label->second, head_of[label->second]});
     };
     add(insts[i]);
     for (const RegionId owned : ir::OwnedRegions(program, program[insts[i]])) ir::ForEachInst(program, owned, add);
@@ -111,13 +109,47 @@ bool LoopMaker::MergeCrossing() {
   return merged;
 }
 
+/// The least beginning of a jump among those whose heads are in an interval.
+class Entries {
+ public:
+  explicit Entries(const std::vector<LoopJump>& jumps) {
+    for (const LoopJump& jump : jumps) {
+      if (jump.at < jump.head) by_head_.emplace_back(jump.head, jump.at);
+    }
+    std::sort(by_head_.begin(), by_head_.end());
+    least_.emplace_back();
+    for (const auto& [head, at] : by_head_) least_[0].push_back(at);
+    for (size_t width = 1; 2 * width <= by_head_.size(); width *= 2) {
+      const std::vector<size_t>& half = least_.back();
+      std::vector<size_t> whole(by_head_.size() - 2 * width + 1);
+      for (size_t i = 0; i < whole.size(); ++i) whole[i] = std::min(half[i], half[i + width]);
+      least_.push_back(std::move(whole));
+    }
+  }
+
+  /// Of heads behind `begin` and before `end`; `begin` when there is none, or none that is less.
+  size_t Least(size_t begin, size_t end) const {
+    const auto first = std::lower_bound(by_head_.begin(), by_head_.end(), std::pair(begin + 1, size_t{0}));
+    const auto last = std::lower_bound(first, by_head_.end(), std::pair(end, size_t{0}));
+    if (first == last) return begin;
+    const auto count = static_cast<size_t>(last - first), from = static_cast<size_t>(first - by_head_.begin());
+    const auto level = static_cast<size_t>(std::bit_width(count) - 1);
+    const size_t width = size_t{1} << level;
+    return std::min({begin, least_[level][from], least_[level][from + count - width]});
+  }
+
+ private:
+  std::vector<std::pair<size_t, size_t>> by_head_;  // head and place of each jump forward
+  std::vector<std::vector<size_t>> least_;          // by power of two: of so many of them from each one on
+};
+
 /// Moves the beginning of a loop up to a jump that comes into its middle; whether there was one.
-bool LoopMaker::ReachEntries() {
+bool LoopMaker::ReachEntries(const Entries& entries) {
   bool moved = false;
   for (Interval& loop : loops) {
-    for (const LoopJump& jump : jumps) {
-      if (jump.at >= loop.begin || jump.head <= loop.begin || jump.head >= loop.end) continue;
-      loop.begin = jump.at;
+    for (size_t least = entries.Least(loop.begin, loop.end); least < loop.begin;
+         least = entries.Least(loop.begin, loop.end)) {
+      loop.begin = least;
       moved = true;
     }
   }
@@ -126,22 +158,38 @@ bool LoopMaker::ReachEntries() {
 
 void LoopMaker::FindLoops() {
   for (const LoopJump& jump : jumps) {
-    if (jump.back()) loops.push_back({jump.head, EndOfStatement(jump.at)});
+    if (jump.back()) loops.push_back({jump.head, end_of[jump.at]});
   }
-  for (bool changed = !loops.empty(); changed;) {
+  if (loops.empty()) return;
+  const Entries entries(jumps);
+  for (bool changed = true; changed;) {
     changed = MergeCrossing();
-    changed = ReachEntries() || changed;
+    changed = ReachEntries(entries) || changed;
   }
+  FindOwners();
 }
 
-/// The innermost loop that holds the jump and its label.
-const Interval* LoopMaker::LoopOf(const LoopJump& jump) const {
-  const Interval* innermost = nullptr;
-  for (const Interval& loop : loops) {
-    if (!loop.Holds(jump.at) || !loop.Holds(jump.head)) continue;
-    if (innermost == nullptr || loop.length() < innermost->length()) innermost = &loop;
+/// The loop of a jump back is the innermost one that holds the jump and its head.
+void LoopMaker::FindOwners() {
+  constexpr size_t kNone = ~size_t{0};
+  std::vector<size_t> around(loops.size(), kNone);     // by loop: the one that holds it
+  std::vector<size_t> innermost(insts.size(), kNone);  // by instruction
+  std::vector<size_t> open;
+  for (size_t i = 0, next = 0; i < insts.size(); ++i) {
+    while (!open.empty() && loops[open.back()].end <= i) open.pop_back();
+    for (; next < loops.size() && loops[next].begin == i; ++next) {
+      if (!open.empty()) around[next] = open.back();
+      open.push_back(next);
+    }
+    if (!open.empty()) innermost[i] = open.back();
   }
-  return innermost;
+  own.resize(loops.size());
+  for (const LoopJump& jump : jumps) {
+    if (!jump.back()) continue;
+    size_t loop = innermost[jump.head];
+    while (!loops[loop].Holds(jump.at)) loop = around[loop];
+    own[loop].push_back(&jump);
+  }
 }
 
 /// `number` tells the choice at the loop's head where to go on, when it has one.
@@ -170,18 +218,16 @@ void LoopMaker::MakeRepeat(const LoopJump& jump, InstId loop, ir::PlaceId resume
 
 /// Appends the loop to `outer`.
 void LoopMaker::Make(const Interval& interval, RegionId outer) {
-  std::vector<const LoopJump*> own;  // jumps back that are this loop's, not an inner one's
-  std::vector<size_t> middles;       // labels that they reach by way of the head
-  for (const LoopJump& jump : jumps) {
-    if (!jump.back() || LoopOf(jump) != &interval) continue;
-    own.push_back(&jump);
-    if (jump.head > interval.begin) middles.push_back(jump.label);
+  const std::vector<const LoopJump*>& back = own[static_cast<size_t>(&interval - loops.data())];
+  std::vector<size_t> middles;  // labels that they reach by way of the head
+  for (const LoopJump* jump : back) {
+    if (jump->head > interval.begin) middles.push_back(jump->label);
   }
-  PLCXX_CHECK(!own.empty());
+  PLCXX_CHECK(!back.empty());
   std::sort(middles.begin(), middles.end());
   middles.erase(std::unique(middles.begin(), middles.end()), middles.end());
 
-  builder.SetRange(program[own.front()->id].range);
+  builder.SetRange(program[back.front()->id].range);
   builder.SetRegion(outer);
   // Who comes from above to the loop's first label comes to the loop.
   size_t first = interval.begin;
@@ -208,7 +254,7 @@ void LoopMaker::Make(const Interval& interval, RegionId outer) {
   }
   const RegionId body = builder.NewRegion();
   const InstId loop = builder.LoopWith(
-      {.kind = ir::LoopBound::kBudget, .budget = ir::PlaceId(program[own.front()->id].c), .body = body});
+      {.kind = ir::LoopBound::kBudget, .budget = ir::PlaceId(program[back.front()->id].c), .body = body});
 
   builder.SetRegion(body);
   for (size_t i = 0; i < middles.size(); ++i) {
@@ -220,7 +266,7 @@ void LoopMaker::Make(const Interval& interval, RegionId outer) {
   list.insert(list.end(), markers.begin(), markers.end());
   list.insert(list.end(), insts.begin() + static_cast<ptrdiff_t>(first),
               insts.begin() + static_cast<ptrdiff_t>(interval.end));
-  for (const LoopJump* jump : own) {
+  for (const LoopJump* jump : back) {
     const auto middle = std::lower_bound(middles.begin(), middles.end(), jump->label);
     const bool to_middle = middle != middles.end() && *middle == jump->label;
     MakeRepeat(*jump, loop, resume, to_middle ? static_cast<uint64_t>(middle - middles.begin()) + 1 : 0);

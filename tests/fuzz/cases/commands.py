@@ -39,3 +39,22 @@ def of(case):
     yield ["sim", *base, "--for", "200ms", "--time-limit", "5"], True, 20
     yield ["test", case.scenario.name, "--engine", "sim"], True, 60
     yield ["diff", case.scenario.name, case.scenario.name, "--time", "2s"], True, 60
+
+
+def dear(case):
+    """What calls compilers and solvers, likewise. A property that holds and one that is violated; the old version is the
+    program before it was mutated (in `old/`)."""
+    base = program(case)
+    yield ["prove", *base, "--property", "properties", "--time", "1s", "--depth", "3"], True, 60
+    yield ["prove", *base, "--property", "properties", "--time", "1s", "--depth", "3", "--format", "json", "--counterexamples",
+           "found"], True, 60
+    for form in ("text", "markdown", "json", "sarif", "html"):
+        yield ["diff", "old", ".", "--sources", *case.sources, *base[len(case.sources):], "--time", "1s", "--format", form], True, 60
+    yield ["diff", "old", ".", "--sources", *case.sources, *base[len(case.sources):], "--time", "1s", "--map",
+           case.maps, "--counterexamples", "found"], True, 60
+    yield ["verify", *base, "--time", "1s"], True, 120
+    yield ["build", *base, "-o", "built", "-O", "0"], True, 120
+    yield ["test", case.scenario.name, "--engine", "host", "--time-limit", "20"], True, 120
+    yield ["test", case.scenario.name, "--engine", "sim", "--junit", "out.xml", "--vcd", "out.vcd"], True, 60
+    yield ["sim", *base, "--for", "50ms", "--time-limit", "5", "--vcd", "out.vcd"], True, 30
+    yield ["explain", case.maps], True, 10

@@ -13,6 +13,7 @@ class Case:
     sources: list        # names as the scenario writes them
     options: list        # "key=value"
     files: dict          # name -> bytes: the scenario, and every file beside it that it names
+    maps: str = "A=B"    # what `diff --map` gets
 
 
 def scenarios(root):

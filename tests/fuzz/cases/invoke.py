@@ -6,14 +6,26 @@ import tempfile
 import time
 
 MOST_BYTES = 1 << 30
+SANITIZER_EXIT = 99
 # What acts on a terminal or turns the direction of a line: never in messages.
 CONTROLS = frozenset(list(range(0, 32)) + [0x7F] + list(range(0x80, 0xA0)) + list(range(0x202A, 0x202F)) +
                      list(range(0x2066, 0x206A)) + [0x200E, 0x200F]) - {9, 10}
 
 
+sanitized = False  # the tool is built with sanitizers: it takes more memory and time
+most = {"MB": 0, "seconds": 0.0}  # of all runs so far
+
+
 def limit():
-    resource.setrlimit(resource.RLIMIT_AS, (3 * MOST_BYTES, 3 * MOST_BYTES))
+    if not sanitized:
+        resource.setrlimit(resource.RLIMIT_AS, (3 * MOST_BYTES, 3 * MOST_BYTES))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_BYTES, MOST_BYTES))
+
+
+def environment():
+    options = f"exitcode={SANITIZER_EXIT}:handle_abort=1:print_stacktrace=1:allocator_may_return_null=0"
+    return {**os.environ, "ASAN_OPTIONS": options, "UBSAN_OPTIONS": options, "LSAN_OPTIONS": f"exitcode={SANITIZER_EXIT}"}
 
 
 def unsafe(data):
@@ -27,10 +39,12 @@ def unsafe(data):
 
 def run(command, folder, seconds, safe_output):
     """What is wrong, or None; and the exit code."""
+    if sanitized:
+        seconds *= 10
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
         begin = time.monotonic()
         process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=errors,
-                                   preexec_fn=limit, start_new_session=True)
+                                   preexec_fn=limit, start_new_session=True, env=environment())
         while True:
             done, status, usage = os.wait4(process.pid, os.WNOHANG)
             if done:
@@ -42,16 +56,20 @@ def run(command, folder, seconds, safe_output):
                 return f"hang: over {seconds} s", -9
             time.sleep(0.002)
         code = process.returncode = os.waitstatus_to_exitcode(status)
+        most["MB"] = max(most["MB"], usage.ru_maxrss // 1024)
+        most["seconds"] = max(most["seconds"], usage.ru_utime + usage.ru_stime)
         out.seek(0)
         errors.seek(0)
         printed, told = out.read(), errors.read()
+    if code == SANITIZER_EXIT or b"Sanitizer" in told or b"runtime error:" in told:
+        return "sanitizer: " + told.decode("utf-8", "replace")[-4000:], code
     if code < 0:
         return f"signal {-code}", code
     if code == 3 or b"internal fault" in told:
         return "exit 3: " + told.decode("utf-8", "replace")[-300:], code
     if code not in (0, 1, 2):
         return f"exit {code}", code
-    if usage.ru_maxrss * 1024 > MOST_BYTES:
+    if usage.ru_maxrss * 1024 > MOST_BYTES and not sanitized:
         return f"{usage.ru_maxrss // 1024} MB of memory", code
     for name, data in (("messages", told), ("output", printed if safe_output else b"")):
         if problem := unsafe(data):

@@ -3,7 +3,8 @@
 
     run.py PLCXX ROOT --seconds 60 [--seed N] [--jobs N] [--keep DIR]
 
-No crash, no exit 3, no hang, no memory above 1 GB, and no byte in a message that acts on a terminal. What breaks this
+Also whole files (encodings, line ends, 100,000 brackets, endless lines) and options that nobody meant. No crash, no exit 3,
+no hang, no memory above 1 GB, and no byte in a message that acts on a terminal. What breaks this
 is kept in DIR: the files, and the command in `command`.
 """
 import argparse
@@ -20,15 +21,23 @@ import commands
 import corpus
 import invoke
 import mutate
+import whole_files
+import words
 
-NAMES = ("пила", "锯", "a b", "-x", "x'y", "x\ny", "$(x)", "x" * 200, "\x1b[31m", "\u202ex", "con")
+NAMES = ("пила", "锯", "a b", "-x", "--help", "x'y", 'x"y', "x\\y", "x\ny", "x\ty", "$(x)", "%s", "x" * 200, "\x1b[31m", "\u202ex",
+         "con", "#x", "x:y", "x=y", "x,y", "{x}", "*", "?", "~", "&x", "é", "int", "main", "std", "1", ".x", "...")
+PROPERTIES = ("never {a} and {b}", "always {a} or not {a}", "{a} => {b} within 100ms", "never {a}\n# x\nalways {b}")
 
 
 def mutated(rng, case, pool):
     files = dict(case.files)
     others = pool[case.dialect]
     for name in rng.sample(sorted(files), min(len(files), rng.choice((1, 1, 2)))):
-        files[name] = mutate.several(rng, files[name], others)
+        language = "yaml" if name.endswith((".yaml", ".yml")) else case.dialect
+        if rng.random() < 0.25:
+            files[name] = whole_files.change(rng, files[name], language)
+        else:
+            files[name] = mutate.several(rng, files[name], others)
     options = list(case.options)
     if options and rng.random() < 0.3:
         at = rng.randrange(len(options))
@@ -38,7 +47,15 @@ def mutated(rng, case, pool):
         old = sources[0]
         sources[0] = rng.choice(NAMES) + pathlib.Path(old).suffix
         files[sources[0]] = files[old]
-    return dataclasses.replace(case, files=files, options=options, sources=sources)
+    if rng.random() < 0.02:  # a directory where a file is meant
+        name = rng.choice(sorted(files))
+        files = {other: data for other, data in files.items() if other != name} | {name + "/x": b""}
+    names = [data[begin:end].decode("utf-8", "replace").replace("\0", "")
+             for data in case.files.values() for begin, end in [rng.choice(mutate.tokens(data))]]
+    text = rng.choice(PROPERTIES).format(a=rng.choice(names), b=rng.choice(names)).encode()
+    files["properties"] = mutate.several(rng, text, others) if rng.random() < 0.5 else text
+    maps = f"{rng.choice(names)}={rng.choice(names)}"
+    return dataclasses.replace(case, files=files, options=options, sources=sources, maps=maps), names
 
 
 def write(folder, files):
@@ -50,22 +67,29 @@ def write(folder, files):
 
 def attempt(number, args, cases, pool):
     rng = random.Random(f"{args.seed}-{number}")
-    case = mutated(rng, rng.choice(cases), pool)
+    original = rng.choice(cases)
+    case, names = mutated(rng, original, pool)
+    case.files.update({f"old/{name}": data for name, data in original.files.items()})
     found = []
     with tempfile.TemporaryDirectory(prefix="plcxx_fuzz_") as scratch:
         folder = pathlib.Path(scratch)
         write(folder, case.files)
-        every = list(commands.of(case))
-        for words, messages, seconds in rng.sample(every, 3):
-            problem, _ = invoke.run([args.plcxx, *words], folder, 2 * seconds, messages)
+        chosen = rng.sample(list(commands.of(case)), 3)
+        if rng.random() < args.dear:
+            chosen.append(rng.choice(list(commands.dear(case))))
+        for line, messages, seconds in chosen:
+            if rng.random() < 0.15:
+                line, messages = words.wrong(rng, args.table, line, names), messages and "-o" not in line
+            line = [word.replace("\0", "") for word in line]
+            problem, _ = invoke.run([args.plcxx, *line], folder, 2 * seconds, messages)
             if problem:
-                found.append((problem, words))
+                found.append((problem, line))
                 if args.keep:
                     kept = pathlib.Path(args.keep) / f"{args.seed}-{number}"
                     shutil.rmtree(kept, ignore_errors=True)
                     kept.mkdir(parents=True)
                     write(kept, case.files)
-                    (kept / "command").write_text(f"{words}\n{problem}\n")
+                    (kept / "command").write_text(f"{line}\n{problem}\n")
     return number, case, found
 
 
@@ -79,7 +103,12 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep")
     parser.add_argument("--dialects", default=",".join(corpus.DIALECTS))
+    parser.add_argument("--dear", type=float, default=0.1, help="share of cases that call compilers or solvers")
+    parser.add_argument("--sanitized", action="store_true", help="PLCXX is built with sanitizers")
     args = parser.parse_args()
+    invoke.sanitized = args.sanitized
+    names = ("check", "emit", "print", "report", "sim", "test", "diff", "prove", "verify", "build", "explain")
+    args.table = {"options": {name: words.options(args.plcxx, name) for name in names}, "keys": words.keys(args.plcxx)}
     cases = [case for case in corpus.cases(args.root) if case.dialect in args.dialects.split(",")]
     pool = {dialect: [data for case in cases if case.dialect == dialect for data in case.files.values()] or [b""]
             for dialect in corpus.DIALECTS}
@@ -96,11 +125,12 @@ def main():
             for future in ready:
                 tried, case, found = future.result()
                 done += 1
-                for problem, words in found:
+                for problem, line in found:
                     faults += 1
-                    print(f"attempt {tried} of seed {args.seed} ({case.scenario}): plcxx {' '.join(words)}\n    {problem}",
+                    print(f"attempt {tried} of seed {args.seed} ({case.scenario}): plcxx {' '.join(line)[:2000]!r}\n    {problem}",
                           flush=True)
-    print(f"{done} cases of {len(cases)} mutated, {faults} faults")
+    print(f"{done} cases of {len(cases)} mutated, {faults} faults; most memory {invoke.most['MB']} MB, most time of the "
+          f"processor {invoke.most['seconds']:.1f} s")
     return 1 if faults or not done else 0
 
 
