@@ -252,18 +252,18 @@ TEST(Build, SlicesOfOtherLanguages) {
 }
 
 /// "12.2" of a compiler's first line.
-bool IsGccOfReadme(const std::string& target) {
+bool IsGccOfTheGuide(const std::string& target) {
   const auto found = compile::FindToolchain(*compile::FindTarget(target), "");
   const auto* toolchain = std::get_if<compile::Toolchain>(&found);
   return toolchain != nullptr && !toolchain->is_clang && toolchain->version.find(" 12.2.") != std::string::npos;
 }
 
-/// The README's table: `target` and the numbers of its columns, without what is not a digit.
-std::map<std::string, std::vector<uint64_t>> ReadmeTable() {
+/// The table of docs/guide.md: `target` and the numbers of its columns, without what is not a digit.
+std::map<std::string, std::vector<uint64_t>> GuideTable() {
   std::map<std::string, std::vector<uint64_t>> table;
-  std::ifstream readme(std::string(PLCXX_ROOT) + "/README.md");
+  std::ifstream guide(std::string(PLCXX_ROOT) + "/docs/guide.md");
   bool inside = false;
-  for (std::string line; std::getline(readme, line);) {
+  for (std::string line; std::getline(guide, line);) {
     if (line.starts_with("| target | period: instructions | cycles | at 168 MHz | stack | code | volatile |"))
       inside = true;
     if (!line.starts_with("|")) inside = false;
@@ -279,13 +279,13 @@ std::map<std::string, std::vector<uint64_t>> ReadmeTable() {
   return table;
 }
 
-TEST(Build, TheTableOfTheReadmeIsCurrent) {
-  const auto table = ReadmeTable();
+TEST(Build, TheTableOfTheGuideIsCurrent) {
+  const auto table = GuideTable();
   EXPECT_EQ(table.size(), 4u);
   for (const auto& [target, numbers] : table) {
     SCOPED_TRACE(target);
     ASSERT_EQ(numbers.size(), 6u);
-    if (!IsGccOfReadme(target)) continue;
+    if (!IsGccOfTheGuide(target)) continue;
     const Workplace work;
     CopySample(work, kSamples[0]);
     const Ran ran = RunIn(
