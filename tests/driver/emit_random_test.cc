@@ -5,6 +5,7 @@
 
 #include "tests/driver/emitted_program.h"
 #include "tests/volume.h"
+#include "transpiler/emit/legalize/legalize.h"
 
 namespace plcxx::driver {
 namespace {
@@ -411,7 +412,7 @@ TEST(EmitRandom, LongRoutinesAreCut) {
   for (uint32_t seed = 1; seed <= testing_support::Volume(1U, 2U); ++seed) {
     SCOPED_TRACE(seed);
     const EmittedProgram program(RandomProgram(seed, {150, 300}), kRandomInputs, seed);
-    const emit::Emittable emittable = emit::Legalize(program.program(), {.name = "p"});
+    const emit::Emittable emittable = emit::legalize::Legalize(program.program(), {.name = "p"});
     EXPECT_GT(emittable.chunks.size(), 1u);
     program.ExpectRunsAsSimulated();
     program.ExpectDebugsAsSimulated(seed);

@@ -16,7 +16,9 @@
 
 #include "tests/driver/run_plcxx.h"
 #include "transpiler/driver/compiled_engine.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 #include "transpiler/ir/reader.h"
 #include "transpiler/ir/verifier.h"
 #include "transpiler/sim/simulator.h"
@@ -139,7 +141,7 @@ class EmittedProgram {
   }
 
   std::vector<emit::OutputFile> Files(emit::Flavour flavour) const {
-    return emit::PrintCpp(emit::Legalize(program_, {.name = "p", .flavour = flavour}), sources_);
+    return emit::print::PrintCpp(emit::legalize::Legalize(program_, {.name = "p", .flavour = flavour}), sources_);
   }
 
   const ir::Place& PlaceOf(const std::string& name) const {
@@ -157,7 +159,7 @@ class EmittedProgram {
 
   std::string Simulated() const {
     sim::Simulator simulator(program_);
-    const emit::Emittable emittable = emit::Legalize(program_, {.name = "p"});
+    const emit::Emittable emittable = emit::legalize::Legalize(program_, {.name = "p"});
     simulator.AnswerHostCalls(Answer);
     simulator.PowerOn();
     std::string out;
@@ -181,7 +183,7 @@ class EmittedProgram {
 
   /// The host's functions, the inputs as a table, and every place printed after every period.
   std::string Main() const {
-    const emit::Emittable emittable = emit::Legalize(program_, {.name = "p"});
+    const emit::Emittable emittable = emit::legalize::Legalize(program_, {.name = "p"});
     std::string out =
         "#include <stdio.h>\n#include <string.h>\n#include \"p.hpp\"\nnamespace p {\nstruct Host { uint32_t now; };\n";
     for (uint32_t i = 0; i < program_.host_functions.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "tests/driver/run_plcxx.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/sim/simulator.h"
 
 namespace plcxx::driver {
@@ -75,7 +76,7 @@ void Check(uint32_t first, uint32_t last) {
   request.options = {{"retentive", std::to_string(first) + "-" + std::to_string(last)}};
   const Compilation compilation = Compile(request);
   ASSERT_TRUE(compilation.ok()) << compilation.diagnostics.all().front().text;
-  EXPECT_FALSE(emit::Legalize(compilation.program, {.name = "data"}).layout.places.empty());
+  EXPECT_FALSE(emit::legalize::Legalize(compilation.program, {.name = "data"}).layout.places.empty());
 
   RetentiveMachine machine(compilation);
   std::array<uint8_t, kBytes> data{};

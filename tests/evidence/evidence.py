@@ -33,7 +33,7 @@ PROMISES = [
     ("the simulator and the generated C++ are one meaning", "each scenario runs in both in lockstep, a part of them on "
      "emulated Cortex-M and RISC-V", "tests/golden", None),
     ("each effect of a program is in its C++ exactly once", "a record that the printer follows, and a check after "
-     "printing: otherwise nothing is written", "transpiler/emit/spelled_once.cc", None),
+     "printing: otherwise nothing is written", "transpiler/emit/print/spelled_once.cc", None),
     ("generated code is bounded, without heap, recursion or undefined behaviour", "`plcxx build` audits the object; "
      "scenarios run under the sanitizers in the preset `asan`", "transpiler/compile/audit", None),
     ("no type of the tool is two types", "a rule over all sources with a failing fixture", "tests/policy/namespaces.cc",

@@ -11,8 +11,10 @@
 
 #include "transpiler/checks/checks.h"
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/verifier.h"
 #include "transpiler/passes/pipeline.h"
@@ -64,11 +66,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   plcxx::passes::Optimize(program);
   MustKeepTheRules(program, Stage::kStructured, "optimizing");
   for (const auto flavour : {plcxx::emit::Flavour::kRelease, plcxx::emit::Flavour::kDebug}) {
-    const plcxx::emit::Emittable emittable = plcxx::emit::Legalize(program, {.flavour = flavour});
-    for (const plcxx::emit::OutputFile& file : plcxx::emit::PrintCpp(emittable, sources)) {
+    const plcxx::emit::Emittable emittable = plcxx::emit::legalize::Legalize(program, {.flavour = flavour});
+    for (const plcxx::emit::OutputFile& file : plcxx::emit::print::PrintCpp(emittable, sources)) {
       MustNotBeEmpty(file.text, file.name.c_str());
     }
-    MustNotBeEmpty(plcxx::emit::PrintMap(emittable, sources), "the map");
+    MustNotBeEmpty(plcxx::emit::print::PrintMap(emittable, sources), "the map");
   }
   return 0;
 }

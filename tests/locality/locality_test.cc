@@ -17,6 +17,8 @@
 #include "transpiler/compile/child_process.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/print/print.h"
 
 namespace plcxx::locality {
 namespace {
@@ -70,8 +72,8 @@ class EditedPrograms {
       if (diagnostic.severity == diag::Severity::kError) errors += diagnostic.text + "\n";
     EXPECT_TRUE(compilation.ok()) << dialect_ << ", " << file << ": " << errors;
     if (!compilation.ok()) return {};
-    const emit::Emittable emittable = emit::Legalize(compilation.program, {.name = "program"});
-    return emit::PrintCpp(emittable, *compilation.sources);
+    const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, {.name = "program"});
+    return emit::print::PrintCpp(emittable, *compilation.sources);
   }
 
  private:

@@ -21,7 +21,9 @@
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/driver/compilation.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
 
@@ -285,8 +287,8 @@ class Subject {
     request.options = options;
     compilation_ = driver::Compile(request);
     EXPECT_TRUE(compilation_.ok());
-    emittable_ = emit::Legalize(compilation_.program, {.name = "turret"});
-    files_ = emit::PrintCpp(emittable_, *compilation_.sources);
+    emittable_ = emit::legalize::Legalize(compilation_.program, {.name = "turret"});
+    files_ = emit::print::PrintCpp(emittable_, *compilation_.sources);
     for (const compile::RuntimeFile& file : compile::RuntimeFiles())
       runtime_.push_back({.name = file.name, .text = std::string(file.text)});
   }

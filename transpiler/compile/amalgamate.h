@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/output_file.h"
 
 namespace plcxx::compile {
 

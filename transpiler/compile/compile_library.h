@@ -9,7 +9,7 @@
 
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/output_file.h"
 
 namespace plcxx::compile {
 

@@ -25,8 +25,10 @@
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 
 namespace plcxx::driver {
 namespace {
@@ -123,11 +125,11 @@ class Build {
     }
     toolchain_ = std::get<compile::Toolchain>(found);
     progress_.Show("printing C++");
-    const emit::Emittable emittable = emit::Legalize(
+    const emit::Emittable emittable = emit::legalize::Legalize(
         compilation_.program,
         {.name = compilation_.name, .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease});
-    files_ = emit::PrintCpp(emittable, *compilation_.sources);
-    files_.push_back({compilation_.name + ".map.json", emit::PrintMap(emittable, *compilation_.sources)});
+    files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
+    files_.push_back({compilation_.name + ".map.json", emit::print::PrintMap(emittable, *compilation_.sources)});
     const compile::TemporaryDirectory directory;
     if (!directory.valid()) {
       ReportCannotWrite({"a temporary directory", "it cannot be made"}, compilation_);

@@ -103,7 +103,8 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
                      const std::vector<emit::OutputFile>& files) {
   compile::LoopBounds bounds{.loops = {}, .largest_object = emittable.layout.size};
   uint64_t elements = 0;
-  for (const emit::Member& member : emittable.layout.members) elements = std::max<uint64_t>(elements, member.count);
+  for (const emit::layout::Member& member : emittable.layout.members)
+    elements = std::max<uint64_t>(elements, member.count);
   compile::AddRuntimeLoops(bounds.loops, elements);
   for (const emit::OutputFile& file : files) {
     for (const emit::PrintedLoop& loop : file.loops) {

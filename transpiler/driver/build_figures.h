@@ -11,8 +11,8 @@
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/driver/build_state.h"
 #include "transpiler/driver/compilation.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/output_file.h"
 
 namespace plcxx::driver {
 

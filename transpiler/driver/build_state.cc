@@ -8,8 +8,8 @@
 namespace plcxx::driver {
 namespace {
 
-bool IsRetentive(emit::Storage storage) {
-  using enum emit::Storage;
+bool IsRetentive(emit::layout::Storage storage) {
+  using enum emit::layout::Storage;
   return storage == kRetentiveByte || storage == kRetentiveBit || storage == kRetentiveWide ||
          storage == kRetentiveIndexed;
 }
@@ -29,12 +29,12 @@ class UsedBytes {
 
  private:
   void Use(ir::PlaceId place) {
-    const emit::PlaceStorage& storage = emittable_.layout.places[place.index];
+    const emit::layout::PlaceStorage& storage = emittable_.layout.places[place.index];
     const checks::StoredPlace stored = StoredAs(program_.places[place], storage);
     Use(stored.offset, stored.bytes, IsRetentive(storage.storage) ? bytes_.retentive : bytes_.volatile_bytes);
   }
   void Use(ir::StateId state) {
-    const uint32_t bytes = emit::StructBytes(program_.states[state].kind);
+    const uint32_t bytes = emit::layout::StructBytes(program_.states[state].kind);
     Use(emittable_.layout.states[state.index].offset, bytes, bytes_.volatile_bytes);
   }
   void Use(uint32_t offset, uint32_t bytes, uint64_t& sum) {

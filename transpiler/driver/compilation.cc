@@ -9,7 +9,7 @@
 #include "transpiler/driver/estimates.h"
 #include "transpiler/driver/optimized_program.h"
 #include "transpiler/driver/source_loading.h"
-#include "transpiler/emit/names.h"
+#include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/verifier.h"
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
@@ -48,10 +48,10 @@ std::string DefaultName(const Compilation& compilation) {
   const std::string& path = compilation.sources->Get(file).path;
   if (path.starts_with('<')) return "program";  // standard input
   const std::string stem = std::filesystem::path(path).stem().string();
-  if (source::IsAscii(stem)) return emit::SafeIdentifier(stem);
+  if (source::IsAscii(stem)) return emit::legalize::SafeIdentifier(stem);
   // Names in other scripts are written in Latin letters; what tells them apart may get lost in that, so that a few
   // digits of the name's hash follow.
-  return emit::SafeIdentifier(source::InLatinLetters(stem) + "_" + HashDigits(stem));
+  return emit::legalize::SafeIdentifier(source::InLatinLetters(stem) + "_" + HashDigits(stem));
 }
 
 bool IsOn(const std::map<std::string, std::string>& options, const std::string& key) {

@@ -44,7 +44,7 @@ enum class Stage : uint8_t {
   kLowered,     // ir
   kStructured,  // ir-structured; the checks have not run
   kChecked,     // all diagnostics are there, budgets included
-  kOptimized    // ir-optimized: slices cut, ready for emit::Legalize and the simulator
+  kOptimized    // ir-optimized: slices cut, ready for emit::legalize::Legalize and the simulator
 };
 
 /// What one partition costs, as the cost model sees it.

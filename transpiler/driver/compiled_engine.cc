@@ -158,7 +158,7 @@ class CompiledEngine : public sim::Engine {
       const ir::StateKind kind = program_.states[ir::StateId(i)].kind;
       const auto fields = ir::Info(kind).fields;
       for (uint8_t f = 0; f < static_cast<uint8_t>(fields.size()); ++f) {
-        const uint32_t at = layout_.states[i].offset + emit::FieldOffset(kind, f);
+        const uint32_t at = layout_.states[i].offset + emit::layout::FieldOffset(kind, f);
         const uint32_t size = ir::Bytes(fields[f].type) * fields[f].count;
         bytes.insert(bytes.end(), state_.begin() + at, state_.begin() + at + size);
       }
@@ -231,7 +231,8 @@ class CompiledEngine : public sim::Engine {
   }
 
   uint32_t FieldAt(const ir::Place& place) const {
-    return layout_.states[place.state.index].offset + emit::FieldOffset(program_.states[place.state].kind, place.field);
+    return layout_.states[place.state.index].offset +
+           emit::layout::FieldOffset(program_.states[place.state].kind, place.field);
   }
 
   void ApplyShadowForce(uint32_t space, size_t at) {
@@ -243,10 +244,10 @@ class CompiledEngine : public sim::Engine {
   /// The cell of one bit of a byte of a space.
   PlacePart BitCell(ir::SpaceId space, uint32_t at, uint8_t bit) const {
     if (at >= layout_.bytes[space.index].size()) return {false, at, bit, false};  // a local of routines
-    const emit::ByteStorage& stored = layout_.bytes[space.index][at];
-    if (stored.bits[bit].storage != emit::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
+    const emit::layout::ByteStorage& stored = layout_.bytes[space.index][at];
+    if (stored.bits[bit].storage != emit::layout::Storage::kNone) return {true, stored.bits[bit].offset, 0, true};
     // Bytes of words too: this machine and all platforms are little-endian.
-    if (stored.whole.storage != emit::Storage::kNone) return {true, stored.whole.offset, bit, false};
+    if (stored.whole.storage != emit::layout::Storage::kNone) return {true, stored.whole.offset, bit, false};
     return {false, at, bit, false};
   }
 
@@ -287,7 +288,7 @@ class CompiledEngine : public sim::Engine {
 
   std::shared_ptr<CompiledProgram> compiled_;
   const ir::Program& program_;
-  const emit::Layout& layout_;
+  const emit::layout::Layout& layout_;
   compile::ChildProcess child_;
   std::vector<uint8_t> state_;  // mirror of the child's State
   std::vector<uint8_t> force_mask_, force_value_;

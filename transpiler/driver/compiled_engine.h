@@ -1,8 +1,8 @@
 // The generated C++ as an Engine: a compiled program, run as a child or in an emulator.
 //
 // The child is the generated program and a small main that obeys a byte protocol (harness.h); State is mirrored here
-// after every command, and emit::Layout says where each place is in it. Bytes that the program does not use live in a
-// shadow memory, so that every place can be read, written and forced as in the simulator. Knows no dialect.
+// after every command, and emit::layout::Layout says where each place is in it. Bytes that the program does not use
+// live in a shadow memory, so that every place can be read, written and forced as in the simulator. Knows no dialect.
 #pragma once
 
 #include <memory>

@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "transpiler/driver/harness.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 
 namespace plcxx::driver {
 namespace {
@@ -46,10 +48,11 @@ class Batch {
     const compile::TemporaryDirectory& directory = executable_->directory();
     std::string name = "program";
     if (!emitted_.empty()) name += std::to_string(emitted_.size() + 1);
-    emitted_.push_back(emit::Legalize(*program.program, {.name = std::move(name), .flavour = emit::Flavour::kDebug}));
+    emitted_.push_back(
+        emit::legalize::Legalize(*program.program, {.name = std::move(name), .flavour = emit::Flavour::kDebug}));
     const emit::Emittable& emittable = emitted_.back();
     bool written = true;
-    for (const emit::OutputFile& file : emit::PrintCpp(emittable, *program.sources)) {
+    for (const emit::OutputFile& file : emit::print::PrintCpp(emittable, *program.sources)) {
       written = directory.Write(file.name, file.text) && written;
       if (file.name.ends_with(".cpp") && emittable.parts.size() > 1)
         arguments_.push_back(directory.path() + "/" + file.name);

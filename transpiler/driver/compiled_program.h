@@ -16,7 +16,7 @@
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/driver/platform.h"
-#include "transpiler/emit/layout.h"
+#include "transpiler/emit/layout/layout.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 
@@ -35,7 +35,7 @@ class Executable {
 /// A program that was compiled once; engines start processes of it.
 struct CompiledProgram {
   const ir::Program* program = nullptr;
-  emit::Layout layout;
+  emit::layout::Layout layout;
   std::shared_ptr<const Platform> platform;
   std::shared_ptr<const Executable> executable;
   uint32_t number = 0;  // in the executable

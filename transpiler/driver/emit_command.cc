@@ -15,8 +15,10 @@
 #include "transpiler/driver/preemption.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 
 namespace plcxx::driver {
 namespace {
@@ -52,10 +54,10 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
     options.line_directives = settings.line_directives;
     options.parts = settings.single_file ? 1 : settings.parts;
     options.shared = std::move(shared);
-    const emit::Emittable emittable = emit::Legalize(compilation.program, options);
-    output.files = emit::PrintCpp(emittable, *compilation.sources);
+    const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
+    output.files = emit::print::PrintCpp(emittable, *compilation.sources);
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
-    output.files.push_back({compilation.name + ".map.json", emit::PrintMap(emittable, *compilation.sources)});
+    output.files.push_back({compilation.name + ".map.json", emit::print::PrintMap(emittable, *compilation.sources)});
   }
   for (const dialects::DataFile& file : compilation.data_files) output.files.push_back({file.name, file.bytes});
   if (compilation.has_program) {

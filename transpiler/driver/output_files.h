@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/output_file.h"
 
 namespace plcxx::driver {
 

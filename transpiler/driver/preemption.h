@@ -8,12 +8,12 @@
 
 #include "transpiler/checks/preemption.h"
 #include "transpiler/driver/compilation.h"
-#include "transpiler/emit/layout.h"
+#include "transpiler/emit/layout/layout.h"
 
 namespace plcxx::driver {
 
 /// Where generated code keeps a place, and how an access is made.
-checks::StoredPlace StoredAs(const ir::Place& place, const emit::PlaceStorage& storage);
+checks::StoredPlace StoredAs(const ir::Place& place, const emit::layout::PlaceStorage& storage);
 
 /// By PlaceId: what both parts use (emit::EmitOptions::shared). Does nothing when the compilation has errors or holds
 /// data only. `compilation` was made to Stage::kOptimized.

@@ -9,8 +9,10 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/source/decode.h"
 
@@ -62,13 +64,13 @@ std::string PrintIr(Compilation& compilation) { return ir::Print(compilation.pro
 emit::Emittable EmittableOf(const Compilation& compilation) {
   emit::EmitOptions options;
   options.name = compilation.name;
-  return emit::Legalize(compilation.program, options);
+  return emit::legalize::Legalize(compilation.program, options);
 }
 
-std::string PrintEmittable(Compilation& compilation) { return emit::Print(EmittableOf(compilation)); }
+std::string PrintEmittable(Compilation& compilation) { return emit::print::PrintEmittable(EmittableOf(compilation)); }
 
 std::string PrintFiles(Compilation& compilation) {
-  const std::vector<emit::OutputFile> files = emit::PrintCpp(EmittableOf(compilation), *compilation.sources);
+  const std::vector<emit::OutputFile> files = emit::print::PrintCpp(EmittableOf(compilation), *compilation.sources);
   std::string text;
   for (const emit::OutputFile& file : files) text += Heading(file.name, files.size()) + file.text;
   return text;

@@ -14,7 +14,7 @@
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/emit/names.h"
+#include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
@@ -233,7 +233,7 @@ int WritePage(const ReportOptions& options, const CompilationRequest& request) {
       text = options.ladder ? report::LadderPicture(input) : report::Page(input);
     } else if (options.ladder) {
       for (report::Picture& picture : report::LadderPictures(input)) {
-        const std::string name = compilation.name + "." + emit::SafeIdentifier(picture.name) + ".svg";
+        const std::string name = compilation.name + "." + emit::legalize::SafeIdentifier(picture.name) + ".svg";
         output.files.push_back({PathIn(output.directory, name), std::move(picture.svg)});
       }
     } else {

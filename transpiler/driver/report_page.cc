@@ -4,8 +4,10 @@
 #include <string_view>
 #include <utility>
 
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 
 namespace plcxx::driver {
 namespace {
@@ -22,9 +24,9 @@ uint64_t LimitNs(const Compilation& compilation, const std::string& option, uint
 void AddGenerated(const Compilation& compilation, report::ProgramInput& input) {
   emit::EmitOptions options;
   options.name = compilation.name;
-  const emit::Emittable emittable = emit::Legalize(compilation.program, options);
+  const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
   input.local_names.resize(compilation.program.insts.size());
-  for (emit::OutputFile& file : emit::PrintCpp(emittable, *compilation.sources)) {
+  for (emit::OutputFile& file : emit::print::PrintCpp(emittable, *compilation.sources)) {
     report::GeneratedFile generated{std::move(file.name), std::move(file.text), {}};
     for (const emit::LineOwner& owner : file.owners) generated.owners.push_back({owner.line, owner.statement});
     for (auto& [inst, name] : file.locals) input.local_names[inst] = name;

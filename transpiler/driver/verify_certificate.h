@@ -6,7 +6,7 @@
 
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/driver/compilation.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/output_file.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
 

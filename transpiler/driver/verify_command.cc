@@ -15,8 +15,10 @@
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/verify_certificate.h"
-#include "transpiler/emit/cpp_printer.h"
 #include "transpiler/emit/emittable.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/output_file.h"
+#include "transpiler/emit/print/print.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
 #include "transpiler/support/counted.h"
@@ -173,8 +175,8 @@ bool Verification::Run() {
   if (!compilation_.has_program) return Refuse("the sources are data only");
   if (!FindCompiler() || !ChooseRoutines()) return false;
   progress_.Show("printing C++");
-  const emit::Emittable emittable = emit::Legalize(compilation_.program, {.name = compilation_.name});
-  files_ = emit::PrintCpp(emittable, *compilation_.sources);
+  const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
+  files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
   progress_.Show("compiling");
   auto compiled = prove::compiled::CompileToBitcode({.toolchain = &toolchain_,
                                                      .target = &target_,

@@ -1,8 +1,8 @@
 // The program as the C++ printer takes it: every decision made, nothing spelled.
 //
-// Legalize chooses names, storage, which values become named locals, and the chunks and files that the statements go
-// into; the printer only spells. Chunk borders are content-defined (they depend on the statements' own texts), so
-// that an inserted statement does not move the borders behind it.
+// Legalize (legalize/) chooses names, storage, which values become named locals, and the chunks and files that the
+// statements go into; the printer (print/) only spells. Chunk borders are content-defined (they depend on the
+// statements' own texts), so that an inserted statement does not move the borders after it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/emit/layout.h"
+#include "transpiler/emit/layout/layout.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::emit {
@@ -102,15 +102,17 @@ struct Landing {
 struct Emittable {
   const ir::Program* program = nullptr;
   EmitOptions options;
-  Layout layout;
+  layout::Layout layout;
   std::string namespace_name;
   std::vector<std::string> place_names;    // by PlaceId; empty: nothing uses it
   std::vector<std::string> state_names;    // by StateId
   std::vector<std::string> routine_names;  // by RoutineId
   /// By Storage (of arrays that are not retentive) and index: the name of the element. Of a stretch the first byte
   /// always has one.
-  std::map<std::pair<Storage, uint32_t>, std::string> element_names;
+  std::map<std::pair<layout::Storage, uint32_t>, std::string> element_names;
   std::vector<Form> forms;               // by InstId
+  std::vector<bool> changes_nothing;     // by InstId: an effect that would do nothing where it is; it has no text
+  std::vector<bool> by_function;         // by InstId: comparisons that are spelled as calls of their function
   std::vector<std::string> value_names;  // by InstId: of those of Form::kLocal
   std::vector<Locals> routine_locals;    // by RoutineId
   std::vector<Chunk> chunks;             // nested ones before the ones that call them
@@ -126,30 +128,12 @@ struct Emittable {
   std::vector<bool> called_by_slice;               // by RoutineId: a piece of a sliced routine calls it
 };
 
-/// `program` is structured, sliced and optimized, and outlives the result.
-Emittable Legalize(const ir::Program& program, const EmitOptions& options);
-
-/// For `plcxx print ir-emittable`.
-std::string Print(const Emittable& emittable);
-
-// The steps of Legalize, one file each.
-void NamePlaces(Emittable& emittable);
-void PlaceTemporaries(Emittable& emittable);
-void CutChunks(Emittable& emittable);
-void CutParts(Emittable& emittable);
-void ShareLocals(Emittable& emittable);
-void ChooseLeaves(Emittable& emittable);
-void PlaceEffects(Emittable& emittable);
-void PlaceBraces(Emittable& emittable);
-void NameLocals(Emittable& emittable);
-void FindUsedParameters(Emittable& emittable);
-
-/// A comparison whose outcome the ranges of its operands decide, so that compilers warn of its operator.
-bool IsForegone(const ir::Program& program, const ir::Inst& inst);
 /// The instructions of the routines that this flavour of the generated code has, in their order.
 std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour);
 /// Whether it has anything to print or to execute of its own; values are spelled where they are used.
 bool IsEffect(const Emittable& emittable, ir::InstId id);
+/// Whether a number has a literal in C++; others (infinities, NaNs) are spelled by their bits.
+bool HasLiteral(ir::Type type, uint64_t value);
 /// Whether another routine shares its callers' locals when it calls this one.
 constexpr bool SharesLocals(ir::RoutineKind kind) { return kind == ir::RoutineKind::kSubroutine; }
 

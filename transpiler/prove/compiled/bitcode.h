@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/emit/cpp_printer.h"
+#include "transpiler/emit/output_file.h"
 
 namespace plcxx::prove::compiled {
 

@@ -28,15 +28,15 @@ void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& hos
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
-      const emit::ByteStorage& stored = emittable_.layout.bytes[s][offset];
+      const emit::layout::ByteStorage& stored = emittable_.layout.bytes[s][offset];
       if (!execute::HostWrites(program, host.access, space, offset)) continue;
       const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, program.spaces[space].name, offset);
-      if (stored.whole.storage != emit::Storage::kNone) {
+      if (stored.whole.storage != emit::layout::Storage::kNone) {
         memory.Write(stored.whole.offset, byte);
         continue;
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (stored.bits[bit].storage == emit::Storage::kNone) continue;
+        if (stored.bits[bit].storage == emit::layout::Storage::kNone) continue;
         memory.Write(stored.bits[bit].offset, terms_.Zext(terms_.Extract(byte, bit, 1), 8));
       }
     }

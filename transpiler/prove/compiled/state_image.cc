@@ -21,7 +21,7 @@ uint32_t Fnv1a(std::string_view text) {
 
 }  // namespace
 
-StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, const execute::Cells& cells)
+StateImage::StateImage(const ir::Program& program, const emit::layout::Layout& layout, const execute::Cells& cells)
     : program_(program),
       layout_(layout),
       cells_(cells),
@@ -30,7 +30,7 @@ StateImage::StateImage(const ir::Program& program, const emit::Layout& layout, c
       units_(layout.size),
       unit_bytes_(layout.size, 1) {
   for (uint32_t i = 0; i < layout.size; ++i) units_[i] = i;
-  for (const emit::Member& member : layout.members) {
+  for (const emit::layout::Member& member : layout.members) {
     const bool words = member.name.starts_with("word") || member.name.starts_with("float");
     if (member.name == "retentive") {
       retentive_begin_ = member.offset;
@@ -64,15 +64,15 @@ void StateImage::HashLayout() {
 void StateImage::PlaceSpaces() {
   for (uint32_t s = 0; s < layout_.bytes.size(); ++s) {
     for (uint32_t b = 0; b < layout_.bytes[s].size(); ++b) {
-      const emit::ByteStorage& stored = layout_.bytes[s][b];
+      const emit::layout::ByteStorage& stored = layout_.bytes[s][b];
       const execute::CellId first = cells_.OfBit(ir::SpaceId(s), b, 0);
-      if (stored.whole.storage != emit::Storage::kNone) {
+      if (stored.whole.storage != emit::layout::Storage::kNone) {
         bytes_[stored.whole.offset] = {.kind = ByteKind::kBits, .cell = first};
         std::fill_n(places_.begin() + first.index, 8, stored.whole.offset);
         continue;
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (stored.bits[bit].storage == emit::Storage::kNone) continue;
+        if (stored.bits[bit].storage == emit::layout::Storage::kNone) continue;
         const execute::CellId cell = cells_.OfBit(ir::SpaceId(s), b, bit);
         bytes_[stored.bits[bit].offset] = {.kind = ByteKind::kCell, .cell = cell};
         places_[cell.index] = stored.bits[bit].offset;
@@ -90,7 +90,7 @@ void StateImage::PlaceStates() {
       const uint32_t width = ir::Bytes(fields[field].type);
       for (uint32_t element = 0; element < fields[field].count; ++element, ++cell) {
         const uint32_t offset =
-            layout_.states[i].offset + emit::FieldOffset(kind, static_cast<uint8_t>(field)) + element * width;
+            layout_.states[i].offset + emit::layout::FieldOffset(kind, static_cast<uint8_t>(field)) + element * width;
         places_[cell] = offset;
         for (uint32_t byte = 0; byte < width; ++byte) {
           bytes_[offset + byte] = {

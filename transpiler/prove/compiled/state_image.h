@@ -30,7 +30,7 @@ struct StateByte {
 
 class StateImage {
  public:
-  StateImage(const ir::Program& program, const emit::Layout& layout, const execute::Cells& cells);
+  StateImage(const ir::Program& program, const emit::layout::Layout& layout, const execute::Cells& cells);
 
   uint32_t size() const { return static_cast<uint32_t>(bytes_.size()); }
   const StateByte& operator[](uint32_t offset) const { return bytes_[offset]; }
@@ -66,7 +66,7 @@ class StateImage {
   terms::TermId Variable(terms::Terms& terms, terms::TermId& variable, const std::string& name, uint8_t width) const;
 
   const ir::Program& program_;
-  const emit::Layout& layout_;
+  const emit::layout::Layout& layout_;
   const execute::Cells& cells_;
   std::vector<StateByte> bytes_;
   std::vector<bool> is_bit_;         // by offset

@@ -1,0 +1,114 @@
+// Chunks: bounded, in order, and an inserted statement moves only its own neighbourhood.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/print/print.h"
+#include "transpiler/ir/builder.h"
+
+namespace plcxx::emit::legalize {
+namespace {
+
+/// A slow part of single-coil statements; `numbers` are the coils in order.
+ir::Program CoilProgram(const std::vector<uint32_t>& numbers) {
+  ir::Program program;
+  program.name = "coils";
+  const ir::SpaceId space =
+      program.spaces.Add({.name = "K", .title = "memory", .bytes = 100'000, .host_visible = true});
+  const ir::RegionId body = program.regions.Add({});
+  program.routines.Add({.name = "slow", .kind = ir::RoutineKind::kSlow, .body = body});
+  ir::Builder builder(program);
+  builder.SetRegion(body);
+  for (const uint32_t number : numbers) {
+    const std::string name = "U" + std::to_string(number);
+    const ir::PlaceId place = program.places.Add({.name = name,
+                                                  .address = name,
+                                                  .type = ir::Type::kBit,
+                                                  .space = space,
+                                                  .offset = number / 8,
+                                                  .bit = static_cast<uint8_t>(number % 8)});
+    ir::Statement statement;
+    statement.subject = name;
+    statement.id = number * 2654435761u >> 3;
+    builder.Statement(program.statements.Add(statement));
+    builder.Store(place, builder.Load(place));
+  }
+  return program;
+}
+
+std::vector<uint32_t> Sequence(uint32_t count) {
+  std::vector<uint32_t> numbers;
+  for (uint32_t i = 0; i < count; ++i) numbers.push_back(i);
+  return numbers;
+}
+
+std::multimap<std::string, int> Lines(const std::vector<OutputFile>& files) {
+  std::multimap<std::string, int> lines;
+  for (const OutputFile& file : files) {
+    for (size_t at = 0; at < file.text.size();) {
+      const size_t end = file.text.find('\n', at);
+      lines.emplace(file.text.substr(at, end - at), 0);
+      at = end + 1;
+    }
+  }
+  return lines;
+}
+
+size_t ChangedLines(const std::vector<OutputFile>& before, const std::vector<OutputFile>& after) {
+  std::multimap<std::string, int> old_lines = Lines(before);
+  size_t changed = 0;
+  for (const auto& [line, unused] : Lines(after)) {
+    const auto found = old_lines.find(line);
+    if (found == old_lines.end()) {
+      ++changed;
+    } else {
+      old_lines.erase(found);
+    }
+  }
+  return changed + old_lines.size();
+}
+
+TEST(Chunks, AreBetweenTheLimits) {
+  const ir::Program program = CoilProgram(Sequence(2000));
+  const Emittable emittable = Legalize(program, {.name = "coils"});
+  uint32_t total = 0;
+  for (const Chunk& chunk : emittable.chunks) {
+    EXPECT_LE(chunk.statements, 100u);
+    total += chunk.statements;
+  }
+  EXPECT_EQ(total, 2000u);
+  EXPECT_GE(emittable.chunks.size(), 20u);
+  EXPECT_LE(emittable.chunks.size(), 81u);
+}
+
+TEST(Chunks, AShortProgramIsOneFunction) {
+  const ir::Program program = CoilProgram(Sequence(100));
+  EXPECT_TRUE(Legalize(program, {.name = "coils"}).chunks.empty());
+}
+
+TEST(Chunks, AnInsertedStatementChangesAtMostTwentyLines) {
+  const source::SourceManager sources;
+  std::vector<uint32_t> numbers = Sequence(10'000);
+  const ir::Program program = CoilProgram(numbers);
+  const auto before = print::PrintCpp(Legalize(program, {.name = "coils"}), sources);
+  for (const uint32_t at : {0u, 1u, 17u, 2500u, 9'999u}) {
+    std::vector<uint32_t> edited = numbers;
+    edited.insert(edited.begin() + at, 500'000 + at);
+    const ir::Program changed = CoilProgram(edited);
+    // The new coil stands in the header as well; what may not happen is that other statements move or change.
+    EXPECT_LE(ChangedLines(before, print::PrintCpp(Legalize(changed, {.name = "coils"}), sources)), 20u) << at;
+  }
+}
+
+TEST(Chunks, LongProgramsAreSeveralFiles) {
+  const source::SourceManager sources;
+  const ir::Program program = CoilProgram(Sequence(10'000));
+  const auto files = print::PrintCpp(Legalize(program, {.name = "coils"}), sources);
+  EXPECT_GE(files.size(), 4u);
+  EXPECT_LE(files.size(), 14u);
+}
+
+}  // namespace
+}  // namespace plcxx::emit::legalize

@@ -1,0 +1,28 @@
+#include "transpiler/emit/legalize/legalize.h"
+
+#include "transpiler/emit/legalize/steps.h"
+
+namespace plcxx::emit::legalize {
+
+Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
+  Emittable emittable;
+  emittable.program = &program;
+  emittable.options = options;
+  emittable.layout = layout::MakeLayout(program);
+  FindForegoneComparisons(emittable);  // before FindUsedFunctions: they are called by name
+  FindUsedHostFunctions(emittable);
+  FindUsedFunctions(emittable);
+  NamePlaces(emittable);
+  PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
+  CutChunks(emittable);
+  CutParts(emittable);
+  ShareLocals(emittable);   // after CutChunks: chunks get them, too
+  ChooseLeaves(emittable);  // after CutChunks: what ends a function decides what `return` leaves
+  PlaceEffects(emittable);  // after ChooseLeaves: a way out that needs no text asks for no value
+  PlaceBraces(emittable);   // after PlaceEffects: around the locals
+  FindUsedParameters(emittable);
+  NameLocals(emittable);  // after FindUsedParameters: no local has a parameter's name
+  return emittable;
+}
+
+}  // namespace plcxx::emit::legalize

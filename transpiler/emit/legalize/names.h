@@ -1,0 +1,35 @@
+// Names of the source made safe for C++: one rule, no numbering through the file.
+//
+// The rule (documented for users in the README): letters, digits and '_' stay; '.' becomes '_', '@' "_at", '#' "_no",
+// ''' "_q", '?' "_is", anything else '_'; runs of '_' become one; a name that does not start with a letter gets "n_"
+// in front. Where the result is taken (a word of C++, a name of the generated code, another name made safe), the
+// address goes behind it ("PUMP_U4A8").
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace plcxx::emit::legalize {
+
+/// The rule without the look at other names.
+std::string SafeIdentifier(std::string_view name);
+
+using FunctionNames = std::unordered_set<std::string>;
+
+class NameTable {
+ public:
+  /// C++ keywords, macros of the included headers, names of runtime_support and of the generated file itself are taken.
+  NameTable();
+  void Reserve(std::string_view name) { taken_.emplace(name); }
+  /// A free identifier for `name`; `address` tells two of the same name apart.
+  std::string Allocate(std::string_view name, std::string_view address);
+  /// The same for a name that only these functions know: it is free there, and in the file, but others may have it.
+  std::string AllocateIn(const std::vector<FunctionNames*>& functions, std::string_view name) const;
+
+ private:
+  std::unordered_set<std::string> taken_;
+};
+
+}  // namespace plcxx::emit::legalize

@@ -1,0 +1,241 @@
+// One .cpp file: what it includes and declares, chunks, routines.
+
+#include <algorithm>
+
+#include "transpiler/emit/print/part_printer.h"
+#include "transpiler/ir/builder.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::emit::print {
+
+void PartPrinter::OpenFunction(const std::string& head, const Locals& locals, std::vector<Piece> pieces) {
+  // A parameter that the body does not use must not be a warning: it gets no name.
+  out_ += head + "(";
+  for (const Parameter& parameter : locals.parameters) {
+    out_ += (&parameter == locals.parameters.data() ? "" : ", ") + parameter.type;
+    if (parameter.used) out_ += " " + parameter.name;
+  }
+  out_ += ") noexcept {\n";
+  uses_state_ = locals.parameters.front().used;
+  function_ = std::move(pieces);
+  spelled_ = {};
+  body_begin_ = out_.size();
+  indent_ = 1;
+  return_ = "return;";
+}
+
+void PartPrinter::CloseFunction() {
+  spelled_.CheckOnce(emittable_, function_);
+  VisitFunction(emittable_, function_,
+                {.inst =
+                     [this](ir::InstId id) {
+                       if (emittable_.forms[id.index] == Form::kLocal)
+                         local_names_[id.index] = emittable_.value_names[id.index];
+                     },
+                 .chunk = [](uint32_t) {}});
+  Own({});
+  out_ += "}\n\n";
+  indent_ = 0;
+}
+
+std::string PartPrinter::Arguments(const Locals& locals) const {
+  std::string arguments = "m";
+  for (const ir::PlaceId place : locals.values) arguments += ", " + emittable_.place_names[place.index];
+  for (const ir::PlaceId place : locals.shared) arguments += ", " + emittable_.place_names[place.index];
+  return arguments + ", host";
+}
+
+/// "void PM17(State& m, bool& s, Host& host) noexcept": declared where it is called, defined in part 0.
+std::string PartPrinter::Prototype(const std::string& head, const Locals& locals) const {
+  std::string text = head + "(";
+  for (const Parameter& parameter : locals.parameters)
+    text += (text.back() == '(' ? "" : ", ") + parameter.type + " " + parameter.name;
+  return text + ") noexcept;\n";
+}
+
+/// What stands before the type of a routine. A subroutine of a program in one file is nobody else's. One that a slice
+/// calls stays a function, as the chunks of slices do.
+std::string PartPrinter::Linkage(ir::RoutineId id, const std::vector<bool>& called) const {
+  const std::string whole = emittable_.called_by_slice[id.index] ? "[[gnu::noinline]] " : "";
+  if (emittable_.parts.size() > 1 || !SharesLocals(program_.routines[id].kind)) return whole;
+  return whole + (called[id.index] ? "static " : "[[maybe_unused]] static ");
+}
+
+void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {
+  const ir::Routine& routine = program_.routines[id];
+  const Locals& locals = emittable_.routine_locals[id.index];
+  if (!routine.comment.empty()) Comment(routine.comment);
+  OpenFunction(
+      Linkage(id, called) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index], locals,
+      PiecesOf(emittable_, id));
+  if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";
+  for (const Locals::Declared& local : locals.declared) {
+    const ir::Type type = program_.places[local.place].type;
+    Line((local.read ? "" : "[[maybe_unused]] ") + std::string(ir::CppName(type)) + " " +
+         emittable_.place_names[local.place.index] + " = " + ConstantText(type, 0) + ";");
+  }
+  if (routine.kind == ir::RoutineKind::kInit) InitStorage();
+  // What the control does before and after the statements stands apart from them.
+  for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+    if (!region.valid() || program_.regions[region].insts.empty()) continue;
+    if (out_.size() > body_begin_) out_ += '\n';
+    statement_ = {};
+    RegionBody(region);
+  }
+  if (routine.result_place.valid()) Line(return_);
+  CloseFunction();
+}
+
+/// Each behind what was cut out of it: where a routine grows beyond one function, its text stays where it is.
+void PartPrinter::Routines(const std::vector<bool>& called) {
+  size_t chunk = 0;
+  for (uint32_t i = 0; i < program_.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    const bool printed = IsPrinted(id);
+    for (; chunk < emittable_.chunks.size() && emittable_.chunks[chunk].routine == id; ++chunk)
+      if (printed && emittable_.chunks[chunk].part == part_) PrintChunk(emittable_.chunks[chunk]);
+    if (printed && emittable_.routine_parts[i] == part_) Routine(id, called);
+  }
+}
+
+/// A chunk is its region's items; called from one place, it would be inlined into one huge function again.
+void PartPrinter::PrintChunk(const Chunk& chunk) {
+  OpenFunction("[[gnu::noinline]] static void " + chunk.name, chunk.locals, {PieceOf(chunk)});
+  Range(chunk.region, chunk.begin, chunk.end);
+  CloseFunction();
+}
+
+void PartPrinter::Runs() {
+  for (const ChunkRun& run : emittable_.runs) {
+    if (run.part != part_) continue;
+    out_ += Prototype("void " + run.name, run.locals);
+    OpenFunction("void " + run.name, run.locals, {});
+    for (const uint32_t index : run.chunks) {
+      const Chunk& chunk = emittable_.chunks[index];
+      Line(chunk.name + "(" + Arguments(chunk.locals) + ");");
+    }
+    CloseFunction();
+  }
+}
+
+void PartPrinter::Includes() {
+  const std::string& suffix = emittable_.parts[part_].suffix;
+  out_ += "// " + emittable_.options.name + suffix +
+          ".cpp: generated by plcxx. Do not edit: change the PLC program and run plcxx again.\n";
+  out_ += "#include \"" + emittable_.options.name + ".hpp\"\n\n";
+  if (part_ == 0) {
+    out_ += "#include <stddef.h>\n\n";
+  }
+}
+
+void PartPrinter::Using() {
+  std::vector<std::string> names = emittable_.functions;
+  if (part_ == 0) names.insert(std::upper_bound(names.begin(), names.end(), "Clear"), "Clear");
+  for (const std::string& name : names) out_ += "using plcxx::" + name + ";\n";
+  if (!names.empty()) out_ += '\n';
+}
+
+bool PartPrinter::IsPrinted(ir::RoutineId id) const { return debug() || !program_.routines[id].simulation_only; }
+
+/// The subroutines that this file calls, by RoutineId.
+std::vector<bool> PartPrinter::CalledSubroutines() const {
+  std::vector<bool> called(program_.routines.size());
+  const FunctionVisitor note = {.inst =
+                                    [this, &called](ir::InstId id) {
+                                      const ir::Inst& inst = program_[id];
+                                      if (inst.op == ir::OpKind::kCall)
+                                        called[program_.calls[ir::CallId(inst.payload)].routine.index] = true;
+                                    },
+                                .chunk = [](uint32_t) {}};
+  for (const Chunk& chunk : emittable_.chunks) {
+    if (chunk.part == part_ && IsPrinted(chunk.routine)) VisitFunction(emittable_, {PieceOf(chunk)}, note);
+  }
+  for (uint32_t i = 0; i < called.size(); ++i) {
+    const ir::RoutineId id(i);
+    if (emittable_.routine_parts[i] == part_ && IsPrinted(id))
+      VisitFunction(emittable_, PiecesOf(emittable_, id), note);
+  }
+  for (uint32_t i = 0; i < called.size(); ++i) {
+    called[i] = called[i] && SharesLocals(program_.routines[ir::RoutineId(i)].kind);
+  }
+  return called;
+}
+
+/// Subroutines that are called here before they are defined, or elsewhere; and what the partitions call of other files.
+void PartPrinter::Declarations(const std::vector<bool>& called) {
+  const size_t before = out_.size();
+  const bool one_file = emittable_.parts.size() == 1;
+  for (uint32_t i = 0; i < called.size(); ++i) {
+    const ir::RoutineId id(i);
+    const bool defined = !one_file && part_ != 0 && emittable_.routine_parts[i] == part_;
+    if (!called[i] && !defined) continue;
+    const std::string type(ir::CppName(program_.routines[id].result));
+    out_ +=
+        Prototype((one_file ? "static " : "") + type + " " + emittable_.routine_names[i], emittable_.routine_locals[i]);
+  }
+  if (part_ == 0) {
+    for (const ChunkRun& run : emittable_.runs) out_ += Prototype("void " + run.name, run.locals);
+  }
+  if (out_.size() > before) out_ += '\n';
+}
+
+std::string PartPrinter::Run() {
+  Includes();
+  out_ += "namespace " + emittable_.namespace_name + " {\n\n";
+  Using();
+  const std::vector<bool> called = CalledSubroutines();
+  Declarations(called);
+  if (part_ == 0) {
+    for (const layout::Member& member : emittable_.layout.members) {
+      out_ += "static_assert(offsetof(State, " + member.name + ") == " + std::to_string(member.offset) +
+              ", \"the symbol map holds for this layout\");\n";
+    }
+    if (!emittable_.layout.members.empty()) out_ += '\n';
+  }
+  Routines(called);
+  Runs();
+  out_ += "}  // namespace " + emittable_.namespace_name + "\n";
+  return std::move(out_);
+}
+
+std::vector<PrintedLoop> PartPrinter::LoopsIn(std::string_view text) const {
+  std::vector<PrintedLoop> found;
+  uint32_t line = 1;
+  size_t at = 0;
+  for (const LoopHeadAt& head : loops_) {
+    line += static_cast<uint32_t>(std::count(text.begin() + at, text.begin() + head.offset, '\n'));
+    at = head.offset;
+    const std::string_view row = text.substr(text.find_first_not_of(' ', at));
+    PLCXX_CHECK(row.starts_with("for (") || row.starts_with("while ("));
+    const ir::Loop& loop = program_.loops[head.loop];
+    if (loop.kind == ir::LoopBound::kBudget) {
+      found.push_back({line, std::nullopt, loop.budget});
+    } else {
+      found.push_back({line, loop.bound});
+    }
+  }
+  return found;
+}
+
+std::vector<LineOwner> PartPrinter::OwnersIn(std::string_view text) const {
+  std::vector<LineOwner> found;
+  uint32_t line = 1;
+  size_t at = 0;
+  for (const Owner& owner : owners_) {
+    line += static_cast<uint32_t>(std::count(text.begin() + at, text.begin() + owner.offset, '\n'));
+    at = owner.offset;
+    found.push_back({line, owner.statement});
+  }
+  return found;
+}
+
+OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part) {
+  PartPrinter printer(emittable, sources, part);
+  OutputFile file{emittable.options.name + emittable.parts[part].suffix + ".cpp", printer.Run()};
+  file.loops = printer.LoopsIn(file.text);
+  file.owners = printer.OwnersIn(file.text);
+  file.locals = printer.locals();
+  return file;
+}
+
+}  // namespace plcxx::emit::print
