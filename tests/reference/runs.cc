@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "tests/reference/reference_engine.h"
-#include "tests/reference/statement_ids.h"
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/driver/compilation.h"
 #include "transpiler/driver/lockstep.h"
@@ -31,6 +30,24 @@ class CountingEngine : public ReferenceEngine {
   uint64_t& count_;
 };
 
+class RecordingSimulator : public sim::Simulator {
+ public:
+  RecordingSimulator(const ir::Program& program, std::vector<uint64_t>& trace) : Simulator(program), trace_(trace) {
+    for (const ir::Space& space : program.spaces) seen_ += space.host_visible ? space.bytes : 0;
+  }
+  std::vector<uint8_t> Snapshot() override {
+    std::vector<uint8_t> bytes = Simulator::Snapshot();
+    uint64_t hash = 14695981039346656037U;
+    for (size_t i = 0; i < seen_; ++i) hash = (hash ^ bytes[i]) * 1099511628211U;
+    trace_.push_back(hash);
+    return bytes;
+  }
+
+ private:
+  std::vector<uint64_t>& trace_;
+  size_t seen_ = 0;  // the first bytes of a snapshot
+};
+
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -47,7 +64,6 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
   if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&plan)) {
     return {Outcome::kNothingToRun, driver::ToText(errors->front()), 0};
   }
-  UniteStatementIds(compilation.program, *compilation.sources);
   diag::Engine said_before;
   dialects::Request request = compilation.MakeRequest();
   request.diagnostics = &said_before;
@@ -82,6 +98,27 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
     return {Outcome::kDisagrees, scenario.path + ": not in both: " + Joined(beside.mismatches()), result.compared};
   }
   return result;
+}
+
+std::vector<uint64_t> TraceOf(const driver::Scenario& scenario, driver::Compilation& compilation) {
+  const auto plan = driver::PlanScenario(scenario, *compilation.dialect, compilation.program);
+  if (!std::holds_alternative<driver::ScenarioPlan>(plan)) return {};
+  std::vector<uint64_t> trace;
+  std::vector<std::unique_ptr<sim::Engine>> engines;
+  engines.push_back(std::make_unique<sim::Simulator>(compilation.program));
+  engines.push_back(std::make_unique<RecordingSimulator>(compilation.program, trace));
+  driver::Lockstep lockstep(compilation.program, std::move(engines));
+  driver::RunScenario({.scenario = scenario,
+                       .plan = std::get<driver::ScenarioPlan>(plan),
+                       .dialect = *compilation.dialect,
+                       .program = compilation.program,
+                       .sources = *compilation.sources,
+                       .engines = lockstep,
+                       .writes = nullptr,
+                       .stub = compilation.dialect->make_stub == nullptr
+                                   ? nullptr
+                                   : compilation.dialect->make_stub(compilation.program, compilation.options)});
+  return trace;
 }
 
 RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory) {

@@ -211,6 +211,7 @@ ir::Program Lowering::Run() {
   AddScheduleRoutines();
   AddBodyRoutines();
   Init();
+  FindTargets();
   for (Body& body : bodies_) LowerBody(body);
   Document();
   Slow();

@@ -98,6 +98,7 @@ class Lowering {
   void BeginStatement(size_t first, size_t end);
   void EndComments(const Body& body);
   uint32_t StatementNumber(size_t first, size_t end);
+  void FindTargets();
   std::string SubjectOf(size_t first, size_t end) const;
   source::Range LinesOf(source::Offset begin, source::Offset end) const;
   void AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const;
@@ -336,7 +337,9 @@ class Lowering {
 
   std::vector<source::Range> waiting_comments_;
   dialects::StatementIds statement_ids_;
-  source::Range last_lines_;  // of the statement before
+  std::vector<bool> is_target_;                               // by InstructionId: jumped to or called, from any routine
+  std::unordered_map<uint32_t, uint32_t> statement_numbers_;  // by InstructionId of the first one
+  source::Range last_lines_;                                  // of the statement before
 };
 
 template <class Then>

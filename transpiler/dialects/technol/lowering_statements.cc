@@ -97,6 +97,19 @@ bool Lowering::CanFault(InstructionId id) const {
   return back;
 }
 
+/// Of all routines together: one that shares instructions with another is cut as the other one is.
+void Lowering::FindTargets() {
+  is_target_.assign(tree_.instructions.size(), false);
+  for (const Body& body : bodies_) {
+    for (const uint32_t k : body.subprograms) is_target_[flow_.EntryOf(k).index] = true;
+    for (const InstructionId id : body.instructions) {
+      flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
+        if (edge == Edge::kJump) is_target_[to.index] = true;
+      });
+    }
+  }
+}
+
 void Lowering::CutStatements(const Body& body) {
   begins_statement_.assign(body.instructions.size(), false);
   bool behind_end = true;
@@ -107,8 +120,9 @@ void Lowering::CutStatements(const Body& body) {
     const bool other_source =
         i > 0 && tree_.instructions[body.instructions[i - 1]].expansion.valid() != instruction.expansion.valid();
     const bool faults = CanFault(body.instructions[i]);
-    const bool begins = behind_end || label_at_[i] || stretches_.contains(body.instructions[i]) || !follows ||
-                        other_source || (faults && sequence.faults) || BeginsStatement(instruction, sequence);
+    const bool begins = behind_end || label_at_[i] || is_target_[body.instructions[i].index] ||
+                        stretches_.contains(body.instructions[i]) || !follows || other_source ||
+                        (faults && sequence.faults) || BeginsStatement(instruction, sequence);
     if (begins) sequence = {};
     begins_statement_[i] = begins;
     const Effects effects = EffectsOf(tree_, instruction, 16);
@@ -157,8 +171,11 @@ std::string Lowering::SubjectOf(size_t first, size_t end) const {
   return body_->unit.valid() ? tree_.units[body_->unit].name : "subprogram";
 }
 
-/// From the name of the unit and the tokens alone (8.1).
+/// From the name of the unit and the tokens alone (8.1). Instructions that several routines have are one statement,
+/// with one number: a host that counts faults sees the place in the source.
 uint32_t Lowering::StatementNumber(size_t first, size_t end) {
+  uint32_t& number = statement_numbers_[body_->instructions[first].index];
+  if (number != 0) return number;
   dialects::TextHash hash;
   const auto add = [&hash](std::string_view text) {
     for (const char c : text) hash.Add(c);
@@ -166,7 +183,7 @@ uint32_t Lowering::StatementNumber(size_t first, size_t end) {
   };
   add(program_.routines[body_->routine].name);
   for (size_t i = first; i < end; ++i) add(ToText(tree_, tree_.instructions[body_->instructions[i]]));
-  return statement_ids_.Next(hash);
+  return number = statement_ids_.Next(hash);
 }
 
 void Lowering::BeginStatement(size_t first, size_t end) {

@@ -1,6 +1,7 @@
 // <name>.map.json: symbols and statements for tools. One entry a line, so that two maps can be compared as text.
 
 #include <map>
+#include <unordered_set>
 
 #include "transpiler/emit/print/print.h"
 #include "transpiler/ir/place_names.h"
@@ -88,8 +89,10 @@ void Instances(const Emittable& emittable, std::string& out) {
 
 void Statements(const Emittable& emittable, const source::SourceManager& sources, std::string& out) {
   bool first = true;
+  std::unordered_set<uint32_t> printed;  // a statement that was generated more than once is one place
   for (const ir::Statement& statement : emittable.program->statements) {
     if (statement.range == source::Range{}) continue;  // the control's own
+    if (!printed.insert(statement.id).second) continue;
     const source::Position at = sources.Locate(statement.range.begin);
     out += first ? "\n" : ",\n";
     first = false;
