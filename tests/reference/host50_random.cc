@@ -17,7 +17,8 @@ using host50_random::Texts;
 
 class Generator {
  public:
-  Generator(Random& random, ProgramSize size) : random_(random), size_(size), networks_(random) {}
+  Generator(Random& random, ProgramSize size, Spelling spelling)
+      : random_(random), size_(size), networks_(random, spelling) {}
 
   RandomProgram Run() {
     Options();
@@ -25,10 +26,12 @@ class Generator {
     const uint32_t statements = is_large ? random_.Between(150, 600) : random_.Between(3, 40);
     const uint32_t subroutines = random_.OneIn(2) ? random_.Between(1, is_large ? 6 : 3) : 0;
     std::vector<Piece> parts;
-    if (!random_.OneIn(3)) parts.push_back(Part("FAST", "END_FAST", {}, statements / 4, 10));
-    parts.push_back(Part("SLOW", "END_SLOW", {.first = 1, .last = subroutines}, statements / 2, 60));
+    const bool has_slow = !random_.OneIn(20);  // W19
+    Tables(parts);
+    if (!has_slow || !random_.OneIn(3)) parts.push_back(Part("FAST", "END_FAST", {}, statements / 4, 10));
+    if (has_slow) parts.push_back(Part("SLOW", "END_SLOW", {.first = 1, .last = subroutines}, statements / 2, 60));
     for (uint32_t i = 1; i <= subroutines; ++i) {
-      parts.push_back(Part("SUB SR" + std::to_string(i), "END_SUB", {.first = i + 1, .last = subroutines},
+      parts.push_back(Part("SUB SR" + networks_.Padded(i - 1), "END_SUB", {.first = i + 1, .last = subroutines},
                            statements / 4 / subroutines, 20));
     }
     Files(std::move(parts));
@@ -51,13 +54,39 @@ class Generator {
     maybe("axisbase", "0");
     maybe("edgeinit", "OFF");
     maybe("slices", "SLICED");
+    if (random_.OneIn(10)) options["predefined"] = "ON";
     if (random_.OneIn(8)) options["channels"] = "2";
     if (!random_.OneIn(4)) options["slowdiv"] = random_.Pick(Texts{"1", "2", "3", "5", "20", "50", "100", "250"});
   }
 
+  /// Texts for the operator and the archive (3.1), and options in the source, which the scenario's own override.
+  void Tables(std::vector<Piece>& parts) {
+    if (random_.OneIn(4)) {
+      parts.push_back({"TITLE",
+                       {{"BUILDER \"a \"\"b\"\"\"", {}, ""}, {"  NOTE \"n\"", {}, ""}, {"PCVERSION \"1\"", {}, ""}},
+                       "END_TITLE"});
+    }
+    if (random_.OneIn(4)) {
+      parts.push_back(
+          {"ALARMS",
+           {{"%Q400 \"door\"", {}, ""}, {"%Q0401 WARNING \"oil\"", {}, ""}, {"%Q499 notice \"end\"", {}, ""}},
+           "END_ALARMS"});
+    }
+    if (random_.OneIn(4))
+      parts.push_back({"MCODES", {{"3 \"spindle\"", {}, ""}, {"008 \"coolant\"", {}, ""}}, "END_MCODES"});
+    static const Texts kOptions = {"OPTION TP=IEC",       "OPTION ROTQ = REVERSE", "OPTION ROTBASE=0",
+                                   "option cnud=hold",    "OPTION FTOW= ROUND",    "OPTION BTOW =KEEP",
+                                   "OPTION EDGEINIT=OFF", "OPTION SLICES=SLICED",  "OPTION AXISBASE=0",
+                                   "SLOWDIV 4",           "OPTION TP=MANUAL"};
+    const uint32_t first = random_.Below(11);
+    if (random_.OneIn(3)) parts.push_back({kOptions[first], {}, ""});
+    if (random_.OneIn(4)) parts.push_back({kOptions[(first + 3) % 10], {}, ""});
+  }
+
   Piece Part(const std::string& head, const std::string& end, host50_random::Callees callees, uint32_t statements,
              uint32_t most_networks) {
-    Piece part{head, {}, end};
+    const std::string title = networks_.Spelled({"", "", " \"part of a machine\"", " ; comment"});
+    Piece part{head + title, {}, end};
     networks_.Begin(head == "FAST" ? host50_random::Section::kFast : host50_random::Section::kOther, callees);
     const uint32_t begun = networks_.made();
     // The labels first: a jump may lead forward.
@@ -77,7 +106,12 @@ class Generator {
     const size_t first = program_.files.size() - count;
     if (count == 1) program_.files[first].pieces = symbols;
     for (size_t i = 0; i < parts.size(); ++i) program_.files[first + i % count].pieces.push_back(std::move(parts[i]));
-    for (RandomFile& file : program_.files) file.pieces.insert(file.pieces.begin(), {"; part of a machine", {}, ""});
+    for (RandomFile& file : program_.files) {
+      file.pieces.insert(file.pieces.begin(), {"; part of a machine", {}, ""});
+      file.line_end = networks_.Spelled({"\n", "\n", "\n", "\r\n"});
+      file.head = networks_.Spelled({"", "", "", "\xEF\xBB\xBF"});
+      file.tail = networks_.Spelled({"", "", "", "; a last line without its end"});
+    }
   }
 
   // --- the scenario ---
@@ -137,6 +171,8 @@ class Generator {
 
 }  // namespace
 
-RandomProgram RandomHost50(Random& random, ProgramSize size) { return Generator(random, size).Run(); }
+RandomProgram RandomHost50(Random& random, ProgramSize size, Spelling spelling) {
+  return Generator(random, size, spelling).Run();
+}
 
 }  // namespace plcxx::reference

@@ -39,12 +39,38 @@ std::string Networks::Address(const std::string& address) {
   for (const NamedAddress& named : kNames) {
     if (address != named.address || random_.OneIn(2)) continue;
     const bool quoted = std::string(named.name).find('-') != std::string::npos || random_.OneIn(3);
+    if (is_plain_) return address;
     return quoted ? "'" + std::string(named.name) + "'" : named.name;
   }
-  if (!random_.OneIn(10)) return address;
   std::string small = address;
   for (char& c : small) c = static_cast<char>(std::tolower(c));
-  return small;
+  std::string padded = address;
+  const size_t digit = padded.find_first_of("0123456789");
+  if (digit != std::string::npos) padded.insert(digit, address.size() - digit < 4 ? "00" : "0");
+  if (address.starts_with("%TM")) padded.erase(2, 1);  // %T is %TM
+  return Spelled({address, address, address, address, address, address, address, address, small, padded});
+}
+
+std::string Networks::Chain(Texts parts, Texts operators, const std::string& tighter) const {
+  if (!is_plain_) {
+    std::string text = parts[0];
+    for (size_t i = 0; i < operators.size(); ++i) text += operators[i] + parts[i + 1];
+    return text;
+  }
+  const auto join = [&](size_t i) {
+    parts[i] = "(" + parts[i] + operators[i] + parts[i + 1] + ")";
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    operators.erase(operators.begin() + static_cast<std::ptrdiff_t>(i));
+  };
+  for (size_t i = 0; i < operators.size();) {
+    if (operators[i].find(tighter) != std::string::npos) {
+      join(i);
+    } else {
+      ++i;
+    }
+  }
+  while (!operators.empty()) join(0);
+  return parts[0];
 }
 
 std::string Networks::Bit() {
@@ -59,9 +85,17 @@ std::string Networks::Coil() {
   return Address(random_.Pick(kCoils));
 }
 std::string Networks::WholeConstant() {
-  if (random_.OneIn(6))
-    return random_.Pick(Texts{"2147483647", "-2147483648", "$FFFFFFFF", "$7FFF", "-1", "+5", "65536"});
-  return std::to_string(random_.Below(10));
+  if (random_.OneIn(6)) {
+    static const std::vector<Texts> kForms = {{"2147483647", "$7FFFFFFF", "02147483647"},
+                                              {"-2147483648", "$80000000"},
+                                              {"-1", "$FFFFFFFF", "$ffffffff"},
+                                              {"32767", "$7FFF", "+32767"},
+                                              {"5", "+5", "$5", "$00000005"},
+                                              {"65536", "$10000"},
+                                              {"-32768", "$FFFF8000"}};
+    return Spelled(random_.Pick(kForms));
+  }
+  return Padded(random_.Below(10));
 }
 std::string Networks::Whole() {
   static const Texts kWords = {"%W0",  "%W1",  "%W2",    "%W100",  "%W101",  "%W300",  "%IW0",  "%IW110", "%IW300",
@@ -73,8 +107,22 @@ std::string Networks::WholeResult() {
   return Address(random_.Pick(kWords));
 }
 std::string Networks::RealConstant() {
-  return random_.Pick(Texts{"1.5", "1.", ".5", "-2.25", "3", "1e3", "1.0e-3", "-7", "0.0", "0.1", "16777217", "1e38",
-                            "2147483648.0", "-1e-40"});
+  static const std::vector<Texts> kForms = {{"1.5", "+1.50", "15e-1", "015E-1"},
+                                            {"1.", "1.0", "1e0"},
+                                            {".5", "0.5", "5e-1"},
+                                            {"-2.25", "-02.250"},
+                                            {"3", "$3"},
+                                            {"1e3", "1E+3", "1000.0"},
+                                            {"1.0e-3", ".001"},
+                                            {"-7", "-07"},
+                                            {"0.0"},
+                                            {"0.1", ".1"},
+                                            {"16777217"},
+                                            {"1e38"},
+                                            {"2147483648.0"},
+                                            {"-1e-40"},
+                                            {"-1", "$FFFFFFFF"}};
+  return Spelled(random_.Pick(kForms));
 }
 std::string Networks::Real() {
   static const Texts kFloats = {"%F0", "%F1", "%F100", "%F101", "%F300", "%IF0", "%IF300", "%QF0", "%QF10"};
@@ -85,43 +133,49 @@ std::string Networks::RealResult() {
   return Address(random_.Pick(kFloats));
 }
 
+/// The address behind a name of an expression.
+std::string Networks::Plain(const std::string& operand) const {
+  if (!is_plain_) return operand;
+  std::string name = operand;
+  std::erase(name, '\'');
+  const size_t dot = name.starts_with('%') ? std::string::npos : name.find('.');
+  for (const NamedAddress& named : kNames) {
+    if (name.substr(0, dot) == named.name) return named.address + (dot == std::string::npos ? "" : name.substr(dot));
+  }
+  return operand;
+}
+
 std::string Networks::Primary(uint32_t depth, bool whole_only) {
   static const Texts kWords = {"%W0",     "'Count_1'", "Count_1", "%W300", "%IW0",  "%QW5",  "%TM0.V",
                                "T_RUN.V", "'T_RUN'.P", "%C1.V",   "%I0",   "START", "%B500", "%TM1.Q"};
   static const Texts kFloats = {"%F0", "speed", "%F101", "%IF0", "%QF10", "1.5", ".5", "1e3", "0.1"};
   const std::string sign = random_.OneIn(6) ? random_.Pick(Texts{"-", "+"}) : "";
   if (depth > 0 && random_.OneIn(4)) return sign + "(" + Expression(depth - 1, whole_only) + ")";
-  if (!whole_only && random_.OneIn(2)) return sign + random_.Pick(kFloats);
-  if (random_.OneIn(3))
-    return sign + random_.Pick(Texts{"0", "1", "2", "3", "7", "100", "$0F", "$FFFFFFFF", "2147483647", "65536"});
-  return sign + random_.Pick(kWords);
+  if (!whole_only && random_.OneIn(2)) return sign + Plain(random_.Pick(kFloats));
+  if (random_.OneIn(3)) {
+    static const std::vector<Texts> kForms = {{"0", "$0"},    {"1", "001"},  {"2"},         {"3"},          {"7"},
+                                              {"100", "$64"}, {"15", "$0F"}, {"$FFFFFFFF"}, {"2147483647"}, {"65536"}};
+    return sign + Spelled(random_.Pick(kForms));
+  }
+  return sign + Plain(random_.Pick(kWords));
 }
 
 std::string Networks::Expression(uint32_t depth, bool whole_only) {
-  const auto gap = [&] { return random_.OneIn(2) ? " " : ""; };
-  const auto product = [&](bool whole) {
-    std::string text = Primary(depth, whole);
-    for (uint32_t i = random_.Below(3); i > 0; --i) {
-      text += gap() + random_.Pick(Texts{"*", "/"}) + gap();
-      text += Primary(depth, whole);
+  const auto gap = [&] { return Spelled({" ", "", "\t", "  ", " \\\n "}); };
+  const auto chain = [&](uint32_t least, uint32_t most, const Texts& choice, auto&& part) {
+    Texts parts = {part()}, operators;
+    for (uint32_t i = random_.Between(least, most); i > 0; --i) {
+      std::string text = gap();
+      text += random_.Pick(choice);
+      operators.push_back(text + gap());
+      parts.push_back(part());
     }
-    return text;
+    return Chain(std::move(parts), std::move(operators), "&");
   };
-  const auto sum = [&](bool whole) {
-    std::string text = product(whole);
-    for (uint32_t i = random_.Below(3); i > 0; --i) {
-      text += gap() + random_.Pick(Texts{"+", "-"}) + gap();
-      text += product(whole);
-    }
-    return text;
-  };
+  const auto product = [&](bool whole) { return chain(0, 2, {"*", "/"}, [&] { return Primary(depth, whole); }); };
+  const auto sum = [&](bool whole) { return chain(0, 2, {"+", "-"}, [&] { return product(whole); }); };
   if (!random_.OneIn(4)) return sum(whole_only);
-  std::string text = sum(true);
-  for (uint32_t i = random_.Between(1, 2); i > 0; --i) {
-    text += random_.Pick(Texts{" & ", " | "});
-    text += sum(true);
-  }
-  return text;
+  return chain(1, 3, {"&", "|"}, [&] { return sum(true); });
 }
 
 std::string Networks::Relation() {
@@ -133,10 +187,29 @@ std::string Networks::Relation() {
 
 void Networks::Line(const std::string& text) {
   ++made_;
-  std::string line = "  " + text;
-  if (random_.OneIn(25)) line += " ; " + std::to_string(made_);
-  if (random_.OneIn(60)) lines_.push_back("  REMARK \"remark " + std::to_string(made_) + "\"");
+  std::string line = Spelled({"  ", "  ", "", "\t", " "}) + Respelled(text);
+  line += Spelled({"", "", "", "", "", "", "", "", " ", " ; it is 5 o'clock \\", ";\xE4\xB8\xAD\xE6\x96\x87"});
+  if (random_.OneIn(60)) {
+    const std::string number = std::to_string(made_);
+    lines_.push_back(random_.Pick(Texts{"  REMARK \"remark " + number + "\"", "  REMARK say \"" + number + "\"; LD %I0",
+                                        "REMARK", "  REMARK \"a \"\"quoted\"\" word\""}));
+  }
   lines_.push_back(line);
+}
+
+/// The instruction's word small, its blanks as tabs or more blanks, or a second line of it.
+std::string Networks::Respelled(const std::string& text) {
+  const size_t blank = text.find(' ');
+  const uint32_t form = random_.Below(24);
+  // A second line of a line that has one already would be wrong in a text; names keep their case.
+  if (is_plain_ || form > 3 || blank == std::string::npos || text.find_first_of("\"\\") != std::string::npos)
+    return text;
+  std::string word = text.substr(0, blank), rest = text.substr(blank + 1);
+  if (form < 2) {
+    for (char& c : word) c = static_cast<char>(std::tolower(c));
+  }
+  const char* const between[] = {" ", "\t ", " \\\n   ", "   "};
+  return word + between[form] + rest;
 }
 
 /// LD, AND or OR in one of its forms.
@@ -168,15 +241,13 @@ void Networks::Contacts(uint32_t depth) {
     const uint32_t choice = random_.Below(depth > 0 ? 8 : 5);
     if (choice < 3) {
       std::string word = Edge("AND");
-      if (word == "ANDI" && random_.OneIn(2)) word = "ANI";
-      if (word == "ANDP" && random_.OneIn(2)) word = "ANP";
-      if (word == "ANDF" && random_.OneIn(2)) word = "ANF";
+      if (word != "AND") word = Spelled({word, "AN" + word.substr(3)});
       Line(word + " " + Bit());
     } else if (choice < 5) {
       Line(Edge("OR") + " " + Bit());
     } else if (choice < 7) {
       Logic(depth - 1);
-      Line(random_.Pick(Texts{"ORB", "ANB", "ANDB"}));
+      Line(random_.OneIn(3) ? "ORB" : Spelled({"ANB", "ANDB"}));
     } else {
       Rest(depth - 1);
     }
@@ -247,14 +318,24 @@ std::string Networks::Timer() {
   const std::string preset = random_.OneIn(3) ? Whole() : std::to_string(random_.Below(4));
   const std::string address = Address("%TM" + std::to_string(number));
   const std::string kind = kTimerKinds[number];
-  if (!random_.OneIn(4)) return kind + " " + address + ", " + preset;
   const size_t letters = kind.starts_with("TP") ? 2 : 3;  // TON, TOF, TP, then the unit
-  return kind.substr(0, letters) + " " + address + ", " + kind.substr(letters) + ", " + preset;
+  const std::string unit = kind.substr(letters);
+  const std::string other = unit == "S" ? "SEC" : unit == "M" ? "MIN" : unit;
+  const std::string name = kind.substr(0, letters) + " " + address + ", ";
+  const std::string joined = kind + " " + address + ", " + preset;
+  return Spelled({joined, joined, joined, name + unit + ", " + preset, name + other + "," + preset});
 }
 
 std::string Networks::Compare() {
-  if (random_.OneIn(3)) return "COMP " + (random_.OneIn(3) ? "\"" + Relation() + "\"" : Relation());
-  return random_.Pick(Texts{"EQ", "NE", "GT", "GL", "GE", "LT", "LE"}) + " " + Number() + ", " + Number();
+  if (random_.OneIn(3)) {
+    const std::string relation = Relation();
+    return "COMP " + InQuotes(relation);
+  }
+  std::string word = random_.Pick(Texts{"EQ", "NE", "GT", "GE", "LT", "LE"});
+  if (word == "GT") word = Spelled({"GT", "GL"});
+  const std::string left = Number();
+  const std::string comma = Comma();
+  return word + " " + left + comma + Number();
 }
 
 std::string Networks::Axis() {
@@ -298,17 +379,22 @@ std::string Networks::BlockWithoutQ() {
     }
     case 6: {
       const uint32_t count = random_.Between(1, 32);
-      return random_.Pick(Texts{"WTOB", "WIOB"}) + " " + Whole() + ", " +
-             Address(random_.Pick(Texts{"%B0", "%B490", "%Q0", "%Q400", "%B1969"})) + ", " + std::to_string(count);
+      const std::string word = Spelled({"WTOB", "WIOB"});
+      return word + " " + Whole() + ", " + Address(random_.Pick(Texts{"%B0", "%B490", "%Q0", "%Q400", "%B1969"})) +
+             ", " + std::to_string(count);
     }
-    case 7:
-      return "OPRT " + (random_.OneIn(2) ? WholeResult() : RealResult()) + random_.Pick(Texts{" = ", " := ", "="}) +
-             Expression(2, random_.OneIn(2));
+    case 7: {
+      std::string text = random_.OneIn(2) ? WholeResult() : RealResult();
+      // In an expression a bare name has letters, digits and "_" only (2.5).
+      text += Spelled({" = ", " := ", "=", " :="});
+      text += Expression(2, random_.OneIn(2));
+      return "OPRT " + InQuotes(text);
+    }
     case 8:
       return Axis();
     case 9:
       if (section_ == Section::kOther && callees_.first <= callees_.last)
-        return "CALL SR" + std::to_string(random_.Between(callees_.first, callees_.last));
+        return "CALL SR" + Padded(random_.Between(callees_.first, callees_.last) - 1);
       [[fallthrough]];
     default:
       return "MOV " + Number() + ", " + (random_.OneIn(2) ? WholeResult() : RealResult());
@@ -377,7 +463,11 @@ Piece Networks::Rung() {
 Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
   position_ = position;
   count_ = count;
-  Piece network{"NETWORK L" + std::to_string(position + 10) + (random_.OneIn(3) ? " \"network\"" : ""), {}, ""};
+  std::string head = Spelled({"NETWORK L", "NETWORK L", " network l", "NETWORK\tL"}) + Padded(position + 10);
+  // Its label is implied: nothing jumps in the fast part.
+  if (section_ == Section::kFast && random_.OneIn(3)) head = "NETWORK";
+  head += Spelled({"", "", " \"network\"", " \"say \"\"go\"\"; \xE4\xB8\xAD\xE6\x96\x87\"", " ; comment"});
+  Piece network{head, {}, ""};
   if (random_.OneIn(5)) {
     network.body.push_back(Drawing());
     return network;
@@ -399,7 +489,7 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
         if (!random_.OneIn(3)) Line("LT %W2, " + std::to_string(random_.Below(40)));
         Line("ADDW %W2, 1, %W2");
       }
-      Line("LBL J" + std::to_string(target + 10));
+      Line("LBL J" + Padded(target + 10));
       network.body.insert(network.body.begin() + random_.Below(static_cast<uint32_t>(network.body.size()) + 1),
                           {Joined(lines_), {}, ""});
     }
@@ -414,10 +504,17 @@ std::string Networks::DrawnContact() {
   return random_.Pick(Texts{"[ ", "[ ", "[/", "[P ", "[N "}) + Bit() + " ]";
 }
 
+/// A row of a drawing has no tabs and no second line.
+std::string Networks::OneLine(std::string text) {
+  for (size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n")) text.erase(at, 2);
+  std::ranges::replace(text, '\t', ' ');
+  return text;
+}
+
 std::string Networks::DrawnOutput() {
   ++made_;
-  if (random_.OneIn(3)) return "{" + BlockWithoutQ() + "}";
-  if (random_.OneIn(8)) return "{" + Timer() + "}";
+  if (random_.OneIn(3)) return "{" + OneLine(BlockWithoutQ()) + "}";
+  if (random_.OneIn(8)) return "{" + OneLine(Timer()) + "}";
   return random_.Pick(Texts{"( ", "( ", "(/", "(S ", "(R "}) + Coil() + " )";
 }
 
@@ -438,10 +535,10 @@ Piece Networks::Drawing() {
   for (uint32_t i = random_.Below(3); i > 0; --i) {
     switch (random_.Below(5)) {
       case 0:
-        rows[0] += "--{" + Timer() + "}";
+        rows[0] += "--{" + OneLine(Timer()) + "}";
         break;
       case 1:
-        rows[0] += "--{" + Compare() + "}";
+        rows[0] += "--{" + OneLine(Compare()) + "}";
         break;
       case 2:
         rows[0] += "--{CNUD %C0, " + Whole() + ", " + Pin("P") + ", " + Pin("M") + ", " + Pin("N") + "}";
@@ -458,7 +555,9 @@ Piece Networks::Drawing() {
     if (random_.OneIn(3)) rows[i] += "--" + DrawnContact();
     rows[i] += "----" + DrawnOutput();
   }
-  return {"LADDER\n" + Joined(rows) + "\nEND_LADDER", {}, ""};
+  std::string remark;
+  if (random_.OneIn(8)) remark = "REMARK \"a drawing\"\n";
+  return {remark + "LADDER\n" + Joined(rows) + "\nEND_LADDER", {}, ""};
 }
 
 }  // namespace plcxx::reference::host50_random

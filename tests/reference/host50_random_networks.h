@@ -4,6 +4,7 @@
 // ends of every area. Each timer number has a kind and a unit of its own (E501).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct Callees {
 
 class Networks {
  public:
-  explicit Networks(Random& random) : random_(random) {}
+  Networks(Random& random, Spelling spelling) : random_(random), is_plain_(spelling == Spelling::kPlain) {}
 
   void Begin(Section section, Callees callees) {
     section_ = section;
@@ -33,6 +34,16 @@ class Networks {
   /// The lines of the table of symbols that the networks use.
   std::vector<Piece> Symbols() const;
   uint32_t made() const { return made_; }
+  /// One of several texts that mean the same; the first of them is the plain one. Both spellings draw alike.
+  std::string Spelled(const Texts& any) {
+    const std::string& chosen = random_.Pick(any);
+    return is_plain_ ? any.front() : chosen;
+  }
+  /// A decimal number, with leading zeros or without.
+  std::string Padded(uint32_t number) {
+    const std::string text = std::to_string(number);
+    return Spelled({text, text, text, "0" + text, std::string(4 - std::min<size_t>(3, text.size()), '0') + text});
+  }
 
  private:
   // --- operands ---
@@ -49,9 +60,16 @@ class Networks {
   std::string Expression(uint32_t depth, bool whole_only);
   std::string Primary(uint32_t depth, bool whole_only);
   std::string Relation();
+  std::string Plain(const std::string& operand) const;
+  /// Or without; text in quotes has one line.
+  std::string InQuotes(const std::string& text) {
+    return Spelled({text, text, text.find('\n') == std::string::npos ? '"' + text + '"' : text});
+  }
+  std::string Comma() { return Spelled({", ", ",", " , ", ",\t"}); }
 
   // --- instruction lists ---
   void Line(const std::string& text);
+  std::string Respelled(const std::string& text);
   std::string Edge(const std::string& plain);
   void Load();
   void Contacts(uint32_t depth);
@@ -72,10 +90,15 @@ class Networks {
 
   // --- drawings ---
   Piece Drawing();
+  static std::string OneLine(std::string text);
   std::string DrawnContact();
   std::string DrawnOutput();
 
+  /// first op part op part ...: the plain text has the brackets that precedence puts there.
+  std::string Chain(Texts parts, Texts operators, const std::string& tighter) const;
+
   Random& random_;
+  const bool is_plain_;
   Section section_ = Section::kOther;
   Callees callees_;
   std::vector<std::string> lines_;

@@ -10,6 +10,6 @@
 namespace plcxx::reference {
 
 std::unique_ptr<Reference> MakeHost50(dialects::Request& request, HostCalls host);
-RandomProgram RandomHost50(Random& random, ProgramSize size);
+RandomProgram RandomHost50(Random& random, ProgramSize size, Spelling spelling);
 
 }  // namespace plcxx::reference

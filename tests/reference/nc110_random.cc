@@ -20,7 +20,8 @@ constexpr uint32_t kDeepestBlock = 6;
 
 class Generator {
  public:
-  Generator(Random& random, ProgramSize size) : random_(random), size_(size) {}
+  Generator(Random& random, ProgramSize size, Spelling spelling)
+      : random_(random), size_(size), is_plain_(spelling == Spelling::kPlain) {}
 
   RandomProgram Run() {
     Options();
@@ -30,7 +31,7 @@ class Generator {
     const bool has_mark = !random_.OneIn(12);
     const uint32_t fast = !has_mark ? statements : random_.OneIn(3) ? 0 : random_.Below(statements);
     while (made_ < fast) pieces.push_back(Item(1));
-    if (has_mark) pieces.push_back({random_.OneIn(2) ? "$" : "$ slow part U4A0=1", {}, ""});
+    if (has_mark) pieces.push_back({Spelled("$", {"$", "$ slow part U4A0=1", "$;"}), {}, ""});
     while (made_ < statements) pieces.push_back(Item(1));
     Files(std::move(pieces));
     Steps();
@@ -47,11 +48,22 @@ class Generator {
     if (random_.OneIn(3)) options["carry"] = random_.Pick(Texts{"input", "next"});
     if (random_.OneIn(4)) options["tim"] = std::to_string(random_.Between(1, 7));
     if (random_.OneIn(4)) options["clo"] = random_.Pick(Texts{"5,1", "20,4", "1,1", "12,3"});
-    if (random_.OneIn(5)) options["xor-prec"] = "above-or";
+    xor_first_ = random_.OneIn(5);
+    if (xor_first_) options["xor-prec"] = "above-or";
     if (random_.OneIn(5)) options["old"] = "on";
     if (random_.OneIn(5)) options["t-init"] = random_.Pick(Texts{"1=02", "1=05,2=01", "64=FF", "17=A0,03=0C"});
     if (random_.OneIn(8)) options["processes"] = std::to_string(random_.Between(2, 5));
-    if (random_.OneIn(12)) options["nc-stub"] = "on";
+    if (random_.OneIn(12)) {
+      options["nc-stub"] = "on";
+      if (random_.OneIn(2)) options["stub-ms"] = random_.Pick(Texts{"0", "1", "35", "500"});
+    }
+    if (!options.contains("clo") && random_.OneIn(8)) {
+      options["cycle_ms"] = random_.Pick(Texts{"2", "6", "25"});
+      if (random_.OneIn(2)) options["slice_ms"] = random_.Pick(Texts{"1", "2"});
+    }
+    if (random_.OneIn(10)) options["extern"] = random_.Pick(Texts{"W60N2", "W100N1,I10N4"});
+    if (random_.OneIn(12)) options["slices"] = "auto";
+    if (random_.OneIn(12)) options["ladder-lint"] = "on";
     loops_ = random_.OneIn(4);
     if (loops_) options["enable-dow"] = "on";
   }
@@ -60,17 +72,27 @@ class Generator {
   void Names() {
     if (random_.OneIn(2)) return;
     Piece head{"* names of the machine", {}, ""};
-    const auto name = [&](std::vector<std::string>& names, const std::string& operand) {
+    const auto name = [&](Texts& names, const std::string& operand) {
       static const Texts kStems = {"START", "stop", "Pump", "axis.x", "T#4", "9th", "@level", "door'open", "ready?"};
       const std::string word = std::to_string(symbols_++) + random_.Pick(kStems);  // 10 characters count
       head.text +=
           "\n" + word + (random_.OneIn(2) ? " = " : "=") + operand + (random_.OneIn(3) ? " ; of the machine" : "");
-      names.push_back("!" + word);
+      names.push_back(is_plain_ ? operand : "!" + word);
     };
     for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(input_names_, Bit('I'));
     for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(output_names_, Bit('U'));
     for (uint32_t i = random_.Between(1, 4); i > 0; --i) name(word_names_, Word());
+    for (uint32_t i = random_.Below(3); i > 0; --i) name(timer_names_, Timer() + "I");
+    for (uint32_t i = random_.Below(3); i > 0; --i) name(counter_names_, Counter() + "I");
+    if (random_.OneIn(2)) name(element_names_, Timer() + random_.Pick(Texts{"A", "U", "D"}));
+    if (random_.OneIn(2)) name(element_names_, Counter() + random_.Pick(Texts{"R", "Z", "A"}));
+    if (random_.OneIn(2)) name(element_names_, OneShot());
+    if (random_.OneIn(2)) name(word_names_, Counter() + "W");
+    for (const std::string& parameter : kParameters) {
+      if (random_.OneIn(6)) name(parameter_names_, parameter);
+    }
     program_.files.push_back({"names.sym", {std::move(head)}});
+    LineEnds(program_.files.back());
   }
 
   void Files(std::vector<Piece> pieces) {
@@ -79,15 +101,57 @@ class Generator {
     for (uint32_t i = 0; i < count; ++i) {
       RandomFile file{"part" + std::to_string(i) + ".plc", {{"; part of a machine", {}, ""}}};
       for (size_t p = i * part; p < std::min(pieces.size(), (i + 1) * part); ++p) file.pieces.push_back(pieces[p]);
+      LineEnds(file);
       program_.files.push_back(std::move(file));
     }
+  }
+
+  /// What a control's editor leaves (2.1, 2.2).
+  void LineEnds(RandomFile& file) {
+    const std::string ends = Spelled("\n", {"\n", "\n", "\n", "\r\n", "\r"});
+    const std::string head = Spelled("", {"", "", "", "\xEF\xBB\xBF"});
+    const std::string tail = Spelled("", {"", "", "", "\x1A", "\x1AU4A0=", "; the end"});
+    file.line_end = ends;
+    file.head = head;
+    file.tail = tail;
+  }
+
+  // --- spelling ---
+
+  /// One of several texts that mean the same; the first one is the plain one. Both spellings draw alike.
+  std::string Spelled(const std::string& plain, const Texts& any) {
+    const std::string& chosen = random_.Pick(any);
+    return is_plain_ ? plain : chosen;
+  }
+  std::string Braced(const std::string& text) const { return is_plain_ ? "(" + text + ")" : text; }
+  /// first op part op part ...: the plain text has the brackets that section 4 puts there.
+  std::string Chain(std::vector<std::string> parts, Texts operators, bool xor_first) const {
+    const auto join = [&](size_t i) {
+      parts[i] = Braced(parts[i] + operators[i] + parts[i + 1]);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      operators.erase(operators.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    if (!is_plain_) {
+      std::string text = parts[0];
+      for (size_t i = 0; i < operators.size(); ++i) text += operators[i] + parts[i + 1];
+      return text;
+    }
+    for (size_t i = 0; xor_first && i < operators.size();) {
+      if (operators[i] == "&") {
+        join(i);
+      } else {
+        ++i;
+      }
+    }
+    while (!operators.empty()) join(0);
+    return parts[0];
   }
 
   // --- operands ---
 
   std::string Number(uint32_t n) {
     const std::string zero = random_.OneIn(12) ? "0" : "";
-    return (n < 10 ? zero : "") + std::to_string(n);
+    return (n < 10 && !is_plain_ ? zero : "") + std::to_string(n);
   }
 
   struct Connector {
@@ -112,6 +176,7 @@ class Generator {
   }
   /// Not at the end of a package. Most are the scenario's, which keeps them small; the program writes the others, too.
   std::string Pair() {
+    if (!parameter_names_.empty() && random_.OneIn(3)) return random_.Pick(parameter_names_);
     if (!random_.OneIn(3)) return random_.Pick(kParameters);
     for (;;) {
       const Connector c = AnyConnector();
@@ -128,7 +193,7 @@ class Generator {
     const uint32_t value =
         random_.OneIn(3) ? random_.Between(least, most) : random_.Between(least, std::min(most, least + 9));
     char text[16];
-    switch (random_.Below(6)) {
+    switch (const uint32_t form = random_.Below(7); is_plain_ ? 6 : form) {
       case 0:
         std::snprintf(text, sizeof text, "0%XH", value);
         return text;
@@ -137,6 +202,8 @@ class Generator {
         return text;
       case 2:
         return std::to_string(value) + "D";
+      case 3:
+        return "0" + std::to_string(value);
       default:
         return std::to_string(value);
     }
@@ -147,7 +214,7 @@ class Generator {
   /// What may stand between two tokens.
   std::string Gap() {
     if (!random_.OneIn(6)) return "";
-    return random_.Pick(Texts{" ", "  ", "\t", "\n", " ; a remark\n "});
+    return Spelled("", {" ", "  ", "\t", "\n", "\f", " ; a remark\n ", ";=\"U4A0\n;\n"});
   }
   std::string Infix(const Texts& operators) {
     std::string text = Gap();
@@ -156,6 +223,8 @@ class Generator {
   }
 
   std::string SignalOperand() {
+    if (!element_names_.empty() && random_.OneIn(12)) return random_.Pick(element_names_);
+    if (!timer_names_.empty() && random_.OneIn(16)) return random_.Pick(timer_names_);
     switch (random_.Below(10)) {
       case 0:
         return Timer() + random_.Pick(Texts{"I", "A", "U", "D"});
@@ -206,24 +275,25 @@ class Generator {
     }
   }
   std::string SignalNot(uint32_t depth) {
-    const std::string nots = random_.OneIn(4) ? (random_.OneIn(5) ? "//" : "/") : "";
+    std::string nots = random_.OneIn(4) ? (random_.OneIn(5) ? "//" : "/") : "";
+    if (is_plain_ && nots == "//") nots.clear();
     return nots + SignalPrimary(depth);
   }
   std::string SignalAnd(uint32_t depth) {
-    std::string text = SignalNot(depth);
-    for (uint32_t i = random_.Below(3); i > 0; --i) {
-      text += Infix({"*"});
-      text += SignalNot(depth);
-    }
-    return text;
+    return Repeated(2, {"*"}, [&] { return SignalNot(depth); });
   }
   std::string Signal(uint32_t depth) {
-    std::string text = SignalAnd(depth);
-    for (uint32_t i = random_.Below(3); i > 0; --i) {
-      text += Infix({"+", "+", "&"});
-      text += SignalAnd(depth);
+    return Repeated(2, {"+", "+", "&"}, [&] { return SignalAnd(depth); });
+  }
+  template <class Part>
+  std::string Repeated(uint32_t most, const Texts& operators, Part&& part) {
+    std::vector<std::string> parts = {part()};
+    Texts between;
+    for (uint32_t i = random_.Below(most + 1); i > 0; --i) {
+      between.push_back(Infix(operators));
+      parts.push_back(part());
     }
-    return text;
+    return Chain(std::move(parts), std::move(between), xor_first_);
   }
 
   std::string WordOperand() {
@@ -240,7 +310,7 @@ class Generator {
   std::string Function(uint32_t depth) {
     const std::string name = random_.Pick(Texts{"ENC", "DEC", "BCD", "BIN", "HIG", "LOW", "XCH", "ABS"});
     const std::string inner = name == "ABS" ? Arithmetic(depth) : WordExpression(depth);
-    return name + (random_.OneIn(5) ? " (" : "(") + inner + ")";
+    return name + Gap() + "(" + Gap() + inner + Gap() + ")";
   }
   std::string ArithmeticTerm(uint32_t depth) {
     if (depth > 0 && random_.OneIn(5)) return "(" + Arithmetic(depth - 1) + ")";
@@ -248,12 +318,7 @@ class Generator {
     return random_.OneIn(3) ? Constant(0, 255) : WordOperand();
   }
   std::string Arithmetic(uint32_t depth) {
-    std::string text = ArithmeticTerm(depth);
-    for (uint32_t i = random_.Below(4); i > 0; --i) {
-      text += Infix({"+", "-"});
-      text += ArithmeticTerm(depth);
-    }
-    return text;
+    return Repeated(3, {"+", "-"}, [&] { return ArithmeticTerm(depth); });
   }
   std::string WordPrimary(uint32_t depth) {
     if (depth == 0 || random_.OneIn(2)) return random_.OneIn(3) ? Constant(0, 255) : WordOperand();
@@ -270,15 +335,11 @@ class Generator {
     std::string text = (random_.OneIn(5) ? "/" : "") + WordPrimary(depth);
     if (!random_.OneIn(4)) return text;
     text += Infix({"*"});
-    return text + (random_.OneIn(5) ? "//" : "") + WordPrimary(depth);
+    const std::string twice = random_.OneIn(5) && !is_plain_ ? "//" : "";
+    return Braced(text + twice + WordPrimary(depth));
   }
   std::string WordExpression(uint32_t depth) {
-    std::string text = WordAnd(depth);
-    for (uint32_t i = random_.Below(3); i > 0; --i) {
-      text += Infix({"+", "&"});
-      text += WordAnd(depth);
-    }
-    return text;
+    return Repeated(2, {"+", "&"}, [&] { return WordAnd(depth); });
   }
 
   // --- items ---
@@ -292,18 +353,25 @@ class Generator {
       return target + Infix({"="}) + (random_.OneIn(4) ? Mux() : WordExpression(random_.Below(4)));
     }
     std::string target = random_.OneIn(8) ? "/" : "";
+    bool is_element = false;
     switch (random_.Below(9)) {
       case 0:
-        target += Timer() + "I(" + (random_.OneIn(3) ? Pair() : Constant(1, 255)) + ")";
+        target += !timer_names_.empty() && random_.OneIn(2) ? random_.Pick(timer_names_) : Timer() + "I";
+        target += Gap() + "(" + (random_.OneIn(3) ? Pair() : Constant(1, 255)) + ")";
+        is_element = true;
         break;
       case 1:
-        target += Counter() + "I(" + (random_.OneIn(3) ? Pair() : Constant(2, 255)) + ")";
+        target += !counter_names_.empty() && random_.OneIn(2) ? random_.Pick(counter_names_) : Counter() + "I";
+        target += Gap() + "(" + (random_.OneIn(3) ? Pair() : Constant(2, 255)) + ")";
+        is_element = true;
         break;
       case 2:
         target += random_.OneIn(3) ? Timer() + "A" : Counter() + random_.Pick(Texts{"Z", "A"});
+        is_element = true;
         break;
       case 3:
         target += OneShot();
+        is_element = true;
         break;
       case 4:
         target += output_names_.empty() ? Bit('U') : random_.Pick(output_names_);
@@ -313,7 +381,6 @@ class Generator {
         break;
     }
     // A long expression is seldom the same for long: elements also have one input of the machine.
-    const bool is_element = target.find_first_of("TCP") <= 1;
     const uint32_t depth = is_element && !random_.OneIn(3) ? 0 : random_.Below(4);
     if (is_element && random_.OneIn(2)) return target + Infix({"="}) + SignalNot(0);
     return target + Infix({"="}) + Signal(depth);
@@ -341,10 +408,19 @@ class Generator {
     if (level <= kDeepestBlock && random_.OneIn(level == 1 ? 6 : 8)) return Blocks(level);
     std::string text = Assignment();
     if (random_.OneIn(15)) text += " " + Assignment();
-    if (random_.OneIn(8)) text += " ; " + std::to_string(made_);
+    const std::string remark = " ; " + std::to_string(made_);
+    text += Spelled("", {"", "", "", "", "", "", remark});
     // Names and texts keep their case; what has neither may be written small.
-    if (random_.OneIn(10) && text.find_first_of("!\";") == std::string::npos) text = Lower(text);
+    if (random_.OneIn(10) && !is_plain_ && text.find_first_of("!\";") == std::string::npos) text = Lower(text);
+    if (random_.OneIn(40)) text += "\n" + Message();
     return {text, {}, ""};
+  }
+
+  /// 9.7: a number once.
+  std::string Message() {
+    const std::string number = std::to_string(++messages_);
+    if (messages_ > 255) return "; no further message";
+    return "MSG " + number + random_.Pick(Texts{" \"door open\"", "=\"a;b\"", " = oil level, low", " U4A0 is not set"});
   }
 
   std::string BlockName() {
@@ -363,7 +439,8 @@ class Generator {
     made_ += 2;
     Piece member{head + (name.empty() ? "" : " " + name) + ":" + (condition.empty() ? "" : " " + condition),
                  BlockBody(level), end};
-    if (!name.empty() && random_.OneIn(2)) member.end += " " + (name == "LongName1" ? "LongName2" : name);
+    const std::string again = " " + (name == "LongName1" ? "LongName2" : name);
+    if (!name.empty()) member.end += Spelled("", {"", again});
     return member;
   }
 
@@ -376,13 +453,14 @@ class Generator {
       loops_ = true;
       return loop;
     }
-    Piece chain = Member("DOF", random_.OneIn(4) ? "END F" : "ENDF", Signal(2), level);
+    Piece chain = Member("DOF", Spelled("ENDF", {"ENDF", "ENDF", "END F", "END\tF"}), Signal(2), level);
     const uint32_t members = random_.OneIn(2) ? random_.Below(4) : 0;
     if (members == 0) return chain;
     Piece whole{"; a chain", {std::move(chain)}, ""};
     for (uint32_t i = 0; i < members; ++i) {
       const bool otherwise = i + 1 == members && random_.OneIn(2);
-      whole.body.push_back(Member("DOE", random_.OneIn(4) ? "END E" : "ENDE", otherwise ? "" : Signal(1), level));
+      whole.body.push_back(
+          Member("DOE", Spelled("ENDE", {"ENDE", "ENDE", "END E"}), otherwise ? "" : Signal(1), level));
     }
     return whole;
   }
@@ -448,13 +526,16 @@ class Generator {
   Random& random_;
   ProgramSize size_;
   RandomProgram program_;
-  Texts input_names_, output_names_, word_names_;
-  uint32_t symbols_ = 0, made_ = 0;
-  bool loops_ = false;
+  const bool is_plain_;
+  Texts input_names_, output_names_, word_names_, timer_names_, counter_names_, element_names_, parameter_names_;
+  uint32_t symbols_ = 0, made_ = 0, messages_ = 0;
+  bool loops_ = false, xor_first_ = false;
 };
 
 }  // namespace
 
-RandomProgram RandomNc110(Random& random, ProgramSize size) { return Generator(random, size).Run(); }
+RandomProgram RandomNc110(Random& random, ProgramSize size, Spelling spelling) {
+  return Generator(random, size, spelling).Run();
+}
 
 }  // namespace plcxx::reference

@@ -10,6 +10,6 @@
 namespace plcxx::reference {
 
 std::unique_ptr<Reference> MakeNc110(dialects::Request& request, HostCalls host);
-RandomProgram RandomNc110(Random& random, ProgramSize size);
+RandomProgram RandomNc110(Random& random, ProgramSize size, Spelling spelling);
 
 }  // namespace plcxx::reference

@@ -130,6 +130,6 @@ class ProstepReference : public Reference {
 
 /// For the table of dialects.
 std::unique_ptr<Reference> MakeProstepReference(dialects::Request& request, HostCalls host);
-RandomProgram MakeRandomProstep(Random& random, ProgramSize size);
+RandomProgram MakeRandomProstep(Random& random, ProgramSize size, Spelling spelling);
 
 }  // namespace plcxx::reference

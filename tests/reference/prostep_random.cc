@@ -13,14 +13,16 @@ namespace {
 
 class ProstepGenerator {
  public:
-  ProstepGenerator(Random& random, uint32_t instructions) : random_(random), instructions_(instructions) {}
+  ProstepGenerator(Random& random, uint32_t instructions, Spelling spelling)
+      : random_(random), instructions_(instructions), is_plain_(spelling == Spelling::kPlain) {}
 
   RandomProgram Run() {
     ChooseOptions();
     Declarations();
     std::vector<uint32_t> modules;
     if (!Chance(20)) modules.push_back(0);
-    for (const auto& [first, last, percent] : {std::array{1u, 8u, 25u}, {9u, 16u, 25u}, {17u, 26u, 30u}}) {
+    for (const auto& [first, last, percent] :
+         {std::array{1u, 8u, 25u}, {9u, 16u, 25u}, {17u, 26u, 30u}, {27u, 99u, 2u}}) {
       for (uint32_t number = first; number <= last; ++number) {
         if (Chance(percent)) modules.push_back(number);
       }
@@ -34,11 +36,16 @@ class ProstepGenerator {
       std::swap(text_order[k - 1], text_order[Below(k)]);
     }
     const uint32_t each = std::max<uint32_t>(3, instructions_ / static_cast<uint32_t>(modules.size()));
-    for (const uint32_t number : text_order) Module(number, Below(2 * each) + 1);
+    std::vector<RandomFile> files;
+    const uint32_t parts = Chance(30) ? 1 + Below(3) : 1;
+    for (size_t k = 0; k < text_order.size(); ++k) {
+      Module(text_order[k], Below(2 * each) + 1);
+      if ((k + 1) % (text_order.size() / parts + 1) == 0) File(files);
+      if (Chance(20)) Declaration();
+    }
+    File(files);
     Steps();
-    return {.files = {{.name = "program.plc", .pieces = std::move(pieces_)}},
-            .options = std::move(options_),
-            .steps = std::move(steps_)};
+    return {.files = std::move(files), .options = std::move(options_), .steps = std::move(steps_)};
   }
 
  private:
@@ -49,18 +56,119 @@ class ProstepGenerator {
     return texts[Below(N)];
   }
 
-  void Line(const std::string& text) { at_->push_back({":" + text, {}, ""}); }
+  // --- spelling (2): both spellings draw alike ---------------------------------------------------------------------
+
+  /// One of several texts that mean the same; the first of them is the plain one.
+  std::string Spelled(const std::vector<std::string>& any) {
+    const std::string& chosen = random_.Pick(any);
+    return is_plain_ ? any.front() : chosen;
+  }
+  /// Blanks, leading zeros, case; a comment behind what is complete.
+  std::string Respelled(const std::string& text, bool may_be_alone) {
+    const uint32_t form = Below(16);
+    const std::string remark =
+        Spelled({"", "", "", "", "", " ; A I 0.0", "\t* remark", ";", may_be_alone ? " ;:" : "   oil level"});
+    if (is_plain_) return text;
+    std::string line = text;
+    const size_t last = line.rfind(' ');
+    const bool has_number =
+        last != std::string::npos && last + 1 < line.size() && line[last + 1] >= '0' && line[last + 1] <= '9';
+    if (form == 0) {
+      for (char& c : line) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    } else if (form == 1 && has_number) {
+      line.erase(last, 1);  // between a class and its number no blank is needed
+      if (line.find(' ') == std::string::npos && line[0] != '=') line = text;
+    } else if (form == 2 && has_number && line.back() != 'D' && line.back() != 'd') {
+      line.insert(last + 1, "0");
+    } else if (form == 3 && last != std::string::npos) {
+      line.replace(line.find(' '), 1, "\t ");
+    } else if (form == 4 && line.starts_with("= ")) {
+      line.erase(1, 1);
+    }
+    return line + remark;
+  }
+  std::string Colon() { return Spelled({":", ":", ":", ": ", "  :", "\t:\t"}); }
+
+  void Line(const std::string& text) {
+    const std::string colon = Colon();
+    const bool may_be_alone = text.find(' ') == std::string::npos;
+    at_->push_back({std::exchange(label_, {}) + colon + Respelled(text, may_be_alone), {}, ""});
+    if (Chance(3)) {
+      const std::string comment = Spelled(
+          {"", "", "; a comment: A I 0.0", "* a comment", "free text without its mark", " \t", ":", ": ; nothing"});
+      // Behind an instruction that waits for operands, too.
+      if (!comment.empty()) at_->back().text += "\n" + comment;
+    }
+  }
   /// Of the instruction before: they are left out together.
-  void OperandLine(const std::string& text) { at_->back().text += "\n: " + text; }
-  void PlaceLabel(uint32_t label) { at_->push_back({"L" + std::to_string(label) + " :", {}, ""}); }
+  void OperandLine(const std::string& text) {
+    const std::string colon = Spelled({": ", ": ", ":", "  :  "});
+    at_->back().text += "\n" + colon + Respelled(text, false);
+  }
+  void PlaceLabel(uint32_t label) {
+    PutLabelDown();
+    label_ = Label(label) + Spelled({" ", "", "\t"});
+    if (!Chance(40) || is_plain_) PutLabelDown();
+  }
+  /// On a colon of its own.
+  void PutLabelDown() {
+    if (!label_.empty()) at_->push_back({std::exchange(label_, {}) + ":", {}, ""});
+  }
+  static std::string Label(uint32_t label) {
+    static const std::array<const char*, 5> kNames = {"L0", "DT1", "A+-.#", "EM", "L_%$4"};
+    return label < kNames.size() ? kNames[label] : "L" + std::to_string(label);
+  }
   template <class Inside>
   void Around(const std::string& text, const std::string& end, Inside inside) {
     std::vector<Piece>* const outer = at_;
-    Piece piece{":" + text, {}, ":" + end};
+    if (text.starts_with("MOD")) PutLabelDown();
+    Piece piece{std::exchange(label_, {}) + Colon() + text, {}, Colon() + end};
     at_ = &piece.body;
     inside();
+    PutLabelDown();
     at_ = outer;
     at_->push_back(std::move(piece));
+  }
+
+  void File(std::vector<RandomFile>& files) {
+    RandomFile file{.name = "part" + std::to_string(files.size()) + ".plc", .pieces = std::move(pieces_)};
+    pieces_.clear();
+    const std::string head = Spelled({"", "", "", "\xEF\xBB\xBF"});
+    const std::string header = Spelled({"", "", "%PLC", "; machine\n%PLC 1:2"});
+    file.line_end = Spelled({"\n", "\n", "\n", "\r\n", "\r", "\n\r"});
+    file.tail = Spelled({"", "", "", "\x03", "\x1A:MOD PM"});
+    file.head = head;
+    file.pieces.insert(file.pieces.begin(), {header, {}, ""});
+    if (file.pieces.size() > 1 || files.empty()) files.push_back(std::move(file));
+  }
+
+  /// Texts and M functions: the control's own.
+  void Declaration() {
+    switch (Below(4)) {
+      case 0:
+        if (m_functions_ < 20) {
+          pieces_.push_back({"DMF " + std::to_string(m_functions_++ * 3) +
+                                 One(std::array{"", " P", " S 5", " D 3", " P S 24 D 16", " D1 P S1", " S7 D2"}),
+                             {},
+                             ""});
+        }
+        break;
+      case 1:
+        if (texts_ < 20) {
+          pieces_.push_back(
+              {"DM " + std::to_string(++texts_) + One(std::array{" .door open", " . oil; low *", " .\xC5\x82", ".x"}),
+               {},
+               ""});
+        }
+        break;
+      case 2:
+        if (menus_ < 20) pieces_.push_back({"DT" + std::to_string(++menus_) + " .HOME  AXIS", {}, ""});
+        break;
+      default:
+        pieces_.push_back(
+            {One(std::array{"; between modules", "free text", "  DDB 3 4 is no declaration", "*"}), {}, ""});
+        break;
+    }
   }
 
   void ChooseOptions() {
@@ -71,6 +179,8 @@ class ProstepGenerator {
     if (Chance(10)) options_["io-refresh"] = "1ms";
     if (Chance(15)) options_["retentive"] = One(std::array{"600-700", "500-501", "510-998", "999-999", "500-998"});
     if (Chance(10)) options_["tick"] = std::to_string(1 + Below(30));
+    if (Chance(10)) options_["plc-axes"] = std::to_string(Below(6));
+    if (Chance(5)) options_["text-encoding"] = "mazovia";
   }
 
   void Declarations() {
@@ -87,14 +197,28 @@ class ProstepGenerator {
     }
   }
 
+  /// The same sixteen bits.
+  std::string Number(uint32_t value) {
+    const std::string text = std::to_string(value);
+    std::vector<std::string> forms = {text, text, "00" + text, "0" + Hex(value) + "H"};
+    if (value >= 32768) forms.push_back("-" + std::to_string(65536 - value));
+    if (Hex(value).find_first_of("ABCDEF") == std::string::npos && value != 0) forms.push_back(Hex(value) + "D");
+    return Spelled(forms);
+  }
+  static std::string Hex(uint32_t value) {
+    std::string text;
+    for (; value != 0; value >>= 4) text.insert(text.begin(), "0123456789ABCDEF"[value & 15]);
+    return text.empty() ? "0" : text;
+  }
+
   std::string Constant() {
     switch (Below(6)) {
       case 0:
-        return std::to_string(Below(10));
+        return Number(Below(20));
       case 1:
         return "-" + std::to_string(1 + Below(Chance(50) ? 20 : 32768));
       case 2:
-        return std::to_string(Below(65536));
+        return Number(Below(65536));
       case 3:
         return One(std::array{"0", "1", "32767", "-32768", "65535", "255", "256", "9999", "10000", "0FFH", "8000H"});
       case 4:
@@ -110,15 +234,23 @@ class ProstepGenerator {
 
   std::string Bit() {
     if (Chance(3)) return One(std::array{"F 250.", "F 251."}) + std::to_string(Below(8));
+    // What the control writes and reads: time, keys, messages, axes.
+    if (Chance(4)) {
+      return One(std::array{"I 20.0", "I 20.1", "I 20.7", "I 62.0", "O 106.7", "F 221.7", "O 100.0", "F 222.0",
+                            "I 21.0", "O 64.3"});
+    }
     const uint32_t byte = Chance(92) ? Below(4) : One(std::array{"20", "44", "47", "254", "255"}) == "20" ? 20 : 255;
     return One(std::array{"I ", "O ", "F ", "F "}) + std::to_string(byte) + "." + std::to_string(Below(8));
   }
+  std::string CounterNumber() { return std::to_string(Chance(92) ? Below(5) : 63); }
+  std::string TimerNumber() { return std::to_string(Chance(92) ? Below(6) : 63); }
+
   std::string ReadableBit() {
     switch (Below(12)) {
       case 0:
-        return "C " + std::to_string(Below(5));
+        return "C " + CounterNumber();
       case 1:
-        return "T " + std::to_string(Below(6));
+        return "T " + TimerNumber();
       case 2:
         return Chance(40) ? "P " + std::to_string(Below(24)) + "." + std::to_string(Below(8)) : Bit();
       default:
@@ -194,10 +326,10 @@ class ProstepGenerator {
         Line("NOP");
         break;
       case 1:
-        Line(One(std::array{"L C ", "LD C "}) + std::to_string(Below(5)));
+        Line(One(std::array{"L C ", "LD C "}) + CounterNumber());
         break;
       case 2:
-        Line(One(std::array{"L T ", "LD T "}) + std::to_string(Below(6)));
+        Line(One(std::array{"L T ", "LD T "}) + TimerNumber());
         break;
       case 3:
         Line("L");
@@ -255,8 +387,8 @@ class ProstepGenerator {
 
   void End() {
     string_open_ = false;
-    const std::string timer = "T " + std::to_string(Below(6));
-    const std::string counter = "C " + std::to_string(Below(5));
+    const std::string timer = "T " + TimerNumber();
+    const std::string counter = "C " + CounterNumber();
     const uint32_t choice = Below(100);
     if (choice < 26) {
       Line(One(std::array{"= ", "= ", "S ", "R "}) + WritableBit());
@@ -273,7 +405,8 @@ class ProstepGenerator {
     } else if (choice < 64) {
       Line("T " + WritableData());
     } else if (choice < 72 && labels_ > 0) {
-      Line(One(std::array{"JU L", "JC L", "JC L", "JC L"}) + std::to_string(Below(labels_)));
+      const std::string jump = One(std::array{"JU ", "JC ", "JC ", "JC "});
+      Line(jump + Label(Below(labels_)));
     } else if (choice < 77) {
       Call();
     } else if (choice < 97) {
@@ -376,7 +509,11 @@ class ProstepGenerator {
 
   std::string Assignment() {
     const auto number = [](uint32_t n) { return std::to_string(n); };
-    switch (Below(8)) {
+    switch (Below(10)) {
+      case 8:
+        return One(std::array{"DW", "FW", "IW"}) + number(Below(4)) + ": " + number(Below(65536));
+      case 9:
+        return One(std::array{"I 62.0: ", "F 221.7: ", "OB3: ", "I 45.3: ", "PB101: ", "DB700: "}) + number(Below(2));
       case 0:
         return "PB" + number(Below(24)) + ": " + number(Below(256));
       case 1:
@@ -421,6 +558,9 @@ class ProstepGenerator {
   std::map<std::string, std::string> options_;
   std::vector<std::string> steps_;
   std::vector<uint32_t> subroutines_;
+  const bool is_plain_;
+  std::string label_;  // of the next line
+  uint32_t m_functions_ = 0, texts_ = 0, menus_ = 0;
   uint32_t module_ = 0;
   uint32_t labels_ = 0;
   uint32_t calls_ = 0;
@@ -429,9 +569,9 @@ class ProstepGenerator {
 
 }  // namespace
 
-RandomProgram MakeRandomProstep(Random& random, ProgramSize size) {
+RandomProgram MakeRandomProstep(Random& random, ProgramSize size, Spelling spelling) {
   const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(5, 80);
-  return ProstepGenerator(random, instructions).Run();
+  return ProstepGenerator(random, instructions, spelling).Run();
 }
 
 }  // namespace plcxx::reference

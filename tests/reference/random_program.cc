@@ -23,8 +23,18 @@ std::vector<RenderedFile> Render(const RandomProgram& program, const std::string
   std::string sources;
   for (const RandomFile& file : program.files) {
     RenderedFile& rendered = files.emplace_back(file.name, "");
-    Append(file.pieces, rendered.text);
-    sources += (sources.empty() ? "" : ", ") + file.name;
+    std::string text;
+    Append(file.pieces, text);
+    rendered.text = file.head;
+    for (const char c : text) {
+      if (c == '\n') {
+        rendered.text += file.line_end;
+      } else {
+        rendered.text += c;
+      }
+    }
+    rendered.text += file.tail;
+    if (file.is_source) sources += (sources.empty() ? "" : ", ") + file.name;
   }
   std::string scenario = "dialect: " + dialect + "\nsources: [" + sources + "]\n";
   if (!program.options.empty()) {

@@ -46,6 +46,10 @@ struct Piece {
 struct RandomFile {
   std::string name;
   std::vector<Piece> pieces;
+  std::string head = {};        // bytes in front: a mark of the byte order
+  std::string line_end = "\n";  // everywhere
+  bool is_source = true;        // false: another file includes it
+  std::string tail = {};        // bytes behind the last line end, which a control does not read
 };
 
 struct RandomProgram {
@@ -55,6 +59,12 @@ struct RandomProgram {
 };
 
 enum class ProgramSize : uint8_t { kSmall, kLarge };
+
+/// Two texts of one program: from one seed, with the same draws. What differs is only what the language lets differ:
+/// radix and leading zeros of numbers, case, blanks, comments, line ends, names for operands, brackets that precedence
+/// makes superfluous. A reference shares the parser with the tool; that both texts mean the same shows the parser
+/// right.
+enum class Spelling : uint8_t { kAny, kPlain };
 
 struct RenderedFile {
   std::string name, text;

@@ -5,6 +5,7 @@
 
 #include "tests/reference/reference_dialects.h"
 #include "tests/reference/runs.h"
+#include "tests/reference/spellings.h"
 #include "tests/temporary_directory.h"
 
 namespace plcxx::reference {
@@ -21,12 +22,36 @@ TEST_P(RandomPrograms, Agree) {
   for (uint32_t i = 0; i < kPrograms; ++i) {
     Random random(i);
     const bool large = i % kLargeOneIn == kLargeOneIn - 1;
-    const RandomProgram program = dialect.generate(random, large ? ProgramSize::kLarge : ProgramSize::kSmall);
+    const RandomProgram program =
+        dialect.generate(random, large ? ProgramSize::kLarge : ProgramSize::kSmall, Spelling::kAny);
     const RunResult result = RunRandom(program, dialect, directory.path().string());
     compared += result.compared;
     EXPECT_EQ(result.outcome, Outcome::kAgrees) << "seed " << i << ": " << result.text;
   }
   GTEST_LOG_(INFO) << dialect.name << ": " << compared << " values compared";
+}
+
+TEST_P(RandomPrograms, MeanTheSameInAnySpelling) {
+  const ReferenceDialect& dialect = GetParam();
+  const testing_support::TemporaryDirectory directory;
+  for (uint32_t i = 0; i < kPrograms; ++i) {
+    const bool large = i % kLargeOneIn == kLargeOneIn - 1;
+    const std::string difference =
+        DifferentSpellings(dialect, i, large ? ProgramSize::kLarge : ProgramSize::kSmall, directory.path().string());
+    EXPECT_EQ(difference, "") << "seed " << i;
+  }
+}
+
+TEST(WithoutSpelling, LeavesWhatIsDone) {
+  const std::string one =
+      "statement s1f subject A\nstate T5 timer\nplace A bit I[4].0 address %A\n  stmt s1f ; A\n"
+      "  %0 = const i32 0x1f\n  step T5 %0\n  store A %0\n";
+  const std::string other =
+      "statement s20 subject B\nstate T timer\nplace B bit I[4].0\n  stmt s20\n"
+      "  %0 = const i32 32\n  step T %0\n  store B %0\n";
+  EXPECT_EQ(WithoutSpelling(one), WithoutSpelling(other));
+  EXPECT_NE(WithoutSpelling(one), WithoutSpelling("statement s20\nstate T timer\nplace B bit I[4].1\n  stmt s20\n"
+                                                  "  %0 = const i32 32\n  step T %0\n  store B %0\n"));
 }
 
 TEST(Shrink, KeepsWhatFails) {

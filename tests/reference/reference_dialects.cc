@@ -15,7 +15,10 @@ constexpr std::array kDialects = {
     ReferenceDialect{.name = "nc110", .make = MakeNc110, .generate = RandomNc110, .unsupported_scenarios = 0},
     ReferenceDialect{.name = "host50", .make = MakeHost50, .generate = RandomHost50, .unsupported_scenarios = 0},
     ReferenceDialect{.name = "prostep", .make = MakeProstepReference, .generate = MakeRandomProstep},
-    ReferenceDialect{.name = "technol", .make = MakeTechnolReference, .generate = MakeRandomTechnol},
+    ReferenceDialect{.name = "technol",
+                     .make = MakeTechnolReference,
+                     .generate = MakeRandomTechnol,
+                     .spelling_cuts_statements = true},
 };
 
 }  // namespace

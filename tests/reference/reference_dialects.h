@@ -17,7 +17,9 @@ struct ReferenceDialect {
   /// Parses the request's sources again; they are without errors.
   std::unique_ptr<Reference> (*make)(dialects::Request& request, HostCalls host);
   /// Programs without errors, with a scenario that drives them.
-  RandomProgram (*generate)(Random& random, ProgramSize size);
+  RandomProgram (*generate)(Random& random, ProgramSize size, Spelling spelling);
+  /// Where one text cuts statements otherwise than the other (calls of macros), equal traces are enough.
+  bool spelling_cuts_statements = false;
   /// Golden scenarios and samples that the reference passes over. May only become smaller.
   uint32_t unsupported_scenarios = 0;
 };

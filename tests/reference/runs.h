@@ -31,6 +31,9 @@ struct RunResult {
 RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compilation,
                     const ReferenceDialect& dialect);
 
+/// What the host sees of a scenario in the simulator: its memory after each piece of execution, as hashes.
+std::vector<uint64_t> TraceOf(const driver::Scenario& scenario, driver::Compilation& compilation);
+
 /// Writes the program into `directory`, compiles and runs it.
 RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory);
 

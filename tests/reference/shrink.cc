@@ -110,6 +110,14 @@ class Shrinking {
       less.options.erase(key);
       any |= Take(std::move(less));
     }
+    RandomProgram plain = program_;
+    for (RandomFile& file : plain.files) {
+      file = {.name = file.name, .pieces = std::move(file.pieces), .is_source = file.is_source};
+    }
+    const auto is_plain = [](const RandomFile& file) {
+      return file.head.empty() && file.line_end == "\n" && file.tail.empty();
+    };
+    if (!std::ranges::all_of(program_.files, is_plain)) any |= Take(std::move(plain));
     return any;
   }
 

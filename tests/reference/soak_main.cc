@@ -1,6 +1,7 @@
 // plcxx_soak: random programs in the simulator and in the reference, a part of them also as generated C++, for as long
 // as it is told. What disagrees is made small and saved with its scenario; the exit code is 1 then.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -10,15 +11,17 @@
 #include <fstream>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <variant>
 #include <vector>
 
-#include "tests/reference/compiled_runs.h"
 #include "tests/reference/reference_dialects.h"
 #include "tests/reference/runs.h"
+#include "tests/reference/shares.h"
+#include "tests/reference/spellings.h"
 #include "tests/temporary_directory.h"
 
 namespace {
@@ -35,14 +38,24 @@ struct Wanted {
   double hours = 0;
   uint64_t seed = 1;
   unsigned jobs = 2;
-  uint64_t large_every = 20, compiled_every = 0;
+  uint64_t large_every = 8;
+  ShareSizes one_in = {};
   std::string save = "soak";
-  std::vector<std::string> compilers = {"g++ -O0", "g++ -O2", "g++ -O3", "clang++-19 -O2"};
+  Judges judges;
 };
 
 struct Tally {
-  uint64_t programs = 0, large = 0, compiled = 0, compared = 0, disagreements = 0, refused = 0, unsupported = 0;
+  uint64_t programs = 0, large = 0, spelled = 0, compared = 0, disagreements = 0, refused = 0, unsupported = 0;
+  std::array<ShareCounts, 3> shares;
 };
+
+/// A program that waits for its share, and where it came from.
+struct Waiting {
+  size_t dialect = 0;
+  uint64_t seed = 0;
+  JudgedProgram judged;
+};
+constexpr size_t kTogether = 16;  // programs of one call of a compiler
 
 class Soak {
  public:
@@ -53,8 +66,6 @@ class Soak {
     }
     if (dialects_.empty()) throw std::invalid_argument("no such dialect has a reference");
     tallies_.resize(dialects_.size());
-    if (wanted_.compiled_every == 0) return;
-    for (const std::string& command : wanted_.compilers) compilers_.push_back(MakeCompiler(command));
   }
 
   int Run() {
@@ -74,70 +85,144 @@ class Soak {
 
   void Work() {
     const plcxx::testing_support::TemporaryDirectory directory;
+    const std::string now = directory.path().string() + "/now", waiting = directory.path().string() + "/waiting";
+    std::array<std::vector<Waiting>, 3> queues;
     for (uint64_t next = next_++; !TimeIsOver(); next = next_++) {
       const size_t dialect = next % dialects_.size();
       const uint64_t number = next / dialects_.size();
-      if (wanted_.programs != 0 && number >= wanted_.programs) return;
-      One(*dialects_[dialect], tallies_[dialect], number, directory.path().string());
+      if (wanted_.programs != 0 && number >= wanted_.programs) break;
+      std::filesystem::remove_all(now);
+      std::filesystem::create_directories(now);
+      const std::optional<RandomProgram> program = One(dialect, number, now);
+      if (!program) continue;
+      for (size_t share = 0; share < queues.size(); ++share) {
+        const uint64_t one_in = wanted_.one_in[share];
+        // Not the same programs for all: each share has its own.
+        if (one_in == 0 || (number + share) % one_in != 0) continue;
+        const std::string name = std::string(dialects_[dialect]->name) + "_" + std::to_string(SeedOf(number));
+        JudgedProgram judged{waiting + "/" + std::string(kShareNames[share]) + "/" + name,
+                             std::string(dialects_[dialect]->name), *program};
+        Write(judged.program, judged.dialect, judged.folder);
+        queues[share].push_back({dialect, SeedOf(number), std::move(judged)});
+        if (queues[share].size() == kTogether) Flush(static_cast<Share>(share), queues[share]);
+      }
+    }
+    for (size_t share = 0; share < queues.size(); ++share) Flush(static_cast<Share>(share), queues[share]);
+  }
+
+  uint64_t SeedOf(uint64_t number) const { return (wanted_.seed << 32) + number; }
+
+  static void Write(const RandomProgram& program, const std::string& dialect, const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    for (const RenderedFile& file : Render(program, dialect)) {
+      std::ofstream(folder + "/" + file.name, std::ios::binary) << file.text;
     }
   }
 
-  void One(const ReferenceDialect& dialect, Tally& tally, uint64_t number, const std::string& directory) {
-    const uint64_t seed = (wanted_.seed << 32) + number;
+  void Flush(Share share, std::vector<Waiting>& queue) {
+    std::vector<JudgedProgram> programs;
+    for (const Waiting& waiting : queue) programs.push_back(waiting.judged);
+    ShareCounts counts;
+    const std::vector<Disagreement> found =
+        programs.empty() ? std::vector<Disagreement>() : Judge(share, programs, wanted_.judges, counts);
+    {
+      const std::lock_guard lock(mutex_);
+      for (const Waiting& waiting : queue) ++tallies_[waiting.dialect].shares[static_cast<size_t>(share)].programs;
+      verified_.proved += counts.proved;
+      verified_.not_decided += counts.not_decided;
+      for (const Disagreement& disagreement : found) ++tallies_[queue[disagreement.program].dialect].disagreements;
+    }
+    for (const Disagreement& disagreement : found) {
+      const Waiting& waiting = queue[disagreement.program];
+      const ReferenceDialect& dialect = *dialects_[waiting.dialect];
+      const std::string folder = waiting.judged.folder + "_smaller";
+      const auto fails = [&](const RandomProgram& less) {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+        if (RunRandom(less, dialect, folder).outcome != Outcome::kAgrees) return false;
+        ShareCounts unused;
+        return !Judge(share, {{folder, waiting.judged.dialect, less}}, wanted_.judges, unused).empty();
+      };
+      Save(dialect, waiting.seed, Shrink(waiting.judged.program, fails), disagreement.text);
+    }
+    for (const Waiting& waiting : queue) std::filesystem::remove_all(waiting.judged.folder);
+    queue.clear();
+  }
+
+  /// The program, where simulator and reference agree about it.
+  std::optional<RandomProgram> One(size_t index, uint64_t number, const std::string& directory) {
+    const ReferenceDialect& dialect = *dialects_[index];
+    Tally& tally = tallies_[index];
+    const uint64_t seed = SeedOf(number);
     Random random(seed);
     const bool large = number % wanted_.large_every == wanted_.large_every - 1;
-    const RandomProgram program = dialect.generate(random, large ? ProgramSize::kLarge : ProgramSize::kSmall);
-    for (const auto& entry : std::filesystem::directory_iterator(directory)) std::filesystem::remove_all(entry);
+    const ProgramSize size = large ? ProgramSize::kLarge : ProgramSize::kSmall;
+    RandomProgram program = dialect.generate(random, size, Spelling::kAny);
     const RunResult result = RunRandom(program, dialect, directory);
-    std::string compiled;
-    const bool compile = wanted_.compiled_every != 0 && number % wanted_.compiled_every == 0;
-    if (compile && result.outcome == Outcome::kAgrees) compiled = RunCompiled(directory, compilers_);
+    const bool agrees = result.outcome == Outcome::kAgrees;
+    const bool spelled = agrees && number % 2 == 0;
+    const std::string texts = directory + "/spellings";
+    const std::string difference = spelled ? DifferentSpellings(dialect, seed, size, texts) : std::string();
     {
       const std::lock_guard lock(mutex_);
       ++tally.programs;
       tally.large += large ? 1 : 0;
-      tally.compiled += compile ? 1 : 0;
+      tally.spelled += spelled ? 1 : 0;
       tally.compared += result.compared;
       tally.refused += result.outcome == Outcome::kNothingToRun ? 1 : 0;
       tally.unsupported += result.outcome == Outcome::kUnsupported ? 1 : 0;
-      if (result.outcome == Outcome::kDisagrees || !compiled.empty()) ++tally.disagreements;
+      if (result.outcome == Outcome::kDisagrees || !difference.empty()) ++tally.disagreements;
     }
-    if (result.outcome == Outcome::kAgrees && compiled.empty()) return;
+    if (!difference.empty()) SaveSpellings(dialect, seed, texts, difference);
+    if (agrees) return program;
     const auto fails = [&](const RandomProgram& less) {
-      const RunResult again = RunRandom(less, dialect, directory);
-      if (compiled.empty()) return again.outcome == result.outcome;
-      return again.outcome == Outcome::kAgrees && !RunCompiled(directory, compilers_).empty();
+      return RunRandom(less, dialect, directory).outcome == result.outcome;
     };
-    Save(dialect, seed, Shrink(program, fails), compiled.empty() ? result.text : compiled);
+    Save(dialect, seed, Shrink(program, fails), result.text);
+    return std::nullopt;
+  }
+
+  /// Both texts are kept as they are: what the shrinker takes away from one would be in the other one.
+  void SaveSpellings(const ReferenceDialect& dialect, uint64_t seed, const std::string& texts,
+                     const std::string& difference) {
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+    const std::string folder = wanted_.save + "/" + std::string(dialect.name) + "_" + std::to_string(seed);
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy(texts, folder,
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+    std::cout << folder << "\n" << difference << std::endl;
   }
 
   void Save(const ReferenceDialect& dialect, uint64_t seed, const RandomProgram& program, const std::string& text) {
     const std::lock_guard lock(mutex_);
     failed_ = true;
     const std::string folder = wanted_.save + "/" + std::string(dialect.name) + "_" + std::to_string(seed);
-    std::filesystem::create_directories(folder);
-    for (const RenderedFile& file : Render(program, std::string(dialect.name))) {
-      std::ofstream(folder + "/" + file.name, std::ios::binary) << file.text;
-    }
+    Write(program, std::string(dialect.name), folder);
     std::cout << folder << "\n" << text << std::endl;
   }
 
   void Print() {
-    std::printf("%-8s %10s %8s %9s %16s %14s %8s %12s\n", "dialect", "programs", "large", "compiled", "values compared",
-                "disagreements", "refused", "unsupported");
+    std::printf("%-8s %9s %7s %8s %9s %9s %9s %16s %14s %8s %12s\n", "dialect", "programs", "large", "spelled",
+                "compiled", "emulated", "verified", "values compared", "disagreements", "refused", "unsupported");
     for (size_t i = 0; i < dialects_.size(); ++i) {
       const Tally& tally = tallies_[i];
       if (tally.refused != 0 || tally.unsupported != 0) failed_ = true;
-      std::printf("%-8s %10ju %8ju %9ju %16ju %14ju %8ju %12ju\n", dialects_[i]->name.data(), uintmax_t{tally.programs},
-                  uintmax_t{tally.large}, uintmax_t{tally.compiled}, uintmax_t{tally.compared},
-                  uintmax_t{tally.disagreements}, uintmax_t{tally.refused}, uintmax_t{tally.unsupported});
+      std::printf("%-8s %9ju %7ju %8ju %9ju %9ju %9ju %16ju %14ju %8ju %12ju\n", dialects_[i]->name.data(),
+                  uintmax_t{tally.programs}, uintmax_t{tally.large}, uintmax_t{tally.spelled},
+                  uintmax_t{tally.shares[0].programs}, uintmax_t{tally.shares[1].programs},
+                  uintmax_t{tally.shares[2].programs}, uintmax_t{tally.compared}, uintmax_t{tally.disagreements},
+                  uintmax_t{tally.refused}, uintmax_t{tally.unsupported});
     }
+    if (wanted_.one_in[static_cast<size_t>(Share::kVerified)] == 0) return;
+    std::printf("verify: %ju functions proved, %ju not decided\n", uintmax_t{verified_.proved},
+                uintmax_t{verified_.not_decided});
   }
 
   Wanted wanted_;
   std::vector<const ReferenceDialect*> dialects_;
   std::vector<Tally> tallies_;  // by dialect; guarded by mutex_ while threads run
-  std::vector<std::shared_ptr<const plcxx::driver::Platform>> compilers_;
+  ShareCounts verified_;        // functions, of all dialects; guarded likewise
   std::atomic<uint64_t> next_ = 0;
   std::mutex mutex_;
   bool failed_ = false;
@@ -167,22 +252,37 @@ int RunScenarios(const std::vector<std::string>& paths) {
 int main(int argc, char** argv) {
   CLI::App app("Random programs in the simulator, in the reference, and as generated C++");
   Wanted wanted;
-  app.add_option("--dialect", wanted.dialects, "only these");
+  app.add_option("--dialect", wanted.dialects, "only these")->allow_extra_args(false);
   app.add_option("--programs", wanted.programs, "of each dialect");
   app.add_option("--hours", wanted.hours, "how long");
   app.add_option("--seed", wanted.seed, "another seed gives other programs");
   app.add_option("--jobs", wanted.jobs, "programs at a time");
   app.add_option("--large-every", wanted.large_every, "one program in N has 150 to 600 statements");
-  app.add_option("--compiled-every", wanted.compiled_every, "one program in N also as generated C++; 0: none");
-  app.add_option("--compiler", wanted.compilers, "with its flags: 'g++ -O2'");
+  app.add_option("--compiled-every", wanted.one_in[0], "one program in N also as generated C++; 0: none");
+  app.add_option("--emulated-every", wanted.one_in[1], "one program in N also on a Cortex-M4 and an rv32imac in QEMU");
+  app.add_option("--verified-every", wanted.one_in[2], "one program in N also proved by plcxx verify");
+  app.add_option("--plcxx", wanted.judges.plcxx, "the tool that verifies");
+  std::vector<std::string> compilers;
+  app.add_option("--compiler", compilers, "with its flags: 'g++ -O2'")->allow_extra_args(false);
   app.add_option("--save", wanted.save, "the folder for what disagrees");
+  std::string judged;
+  app.add_option("--judge", judged, "compiled or emulated: the scenarios there only")
+      ->check(CLI::IsMember({"compiled", "emulated"}));
   std::vector<std::string> scenarios;
   app.add_option("scenarios", scenarios, "these instead of random programs");
   std::signal(SIGINT, [](int) { stopped = 1; });
   std::signal(SIGTERM, [](int) { stopped = 1; });
   CLI11_PARSE(app, argc, argv);
   if (wanted.programs == 0 && wanted.hours == 0) wanted.programs = 200;
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::canonical(argv[0], error);
+  wanted.judges.soak = error ? argv[0] : self.string();
+  if (wanted.judges.plcxx.empty()) wanted.judges.plcxx = (self.parent_path().parent_path() / "bin/plcxx").string();
+  if (!compilers.empty()) wanted.judges.compilers = compilers;
   try {
+    if (!judged.empty()) {
+      return RunJudge(judged == "emulated" ? Share::kEmulated : Share::kCompiled, compilers, scenarios);
+    }
     return scenarios.empty() ? Soak(wanted).Run() : RunScenarios(scenarios);
   } catch (const std::exception& fault) {
     std::cerr << fault.what() << "\n";

@@ -145,6 +145,6 @@ class TechnolReference : public Reference {
 };
 
 std::unique_ptr<Reference> MakeTechnolReference(dialects::Request& request, HostCalls host);
-RandomProgram MakeRandomTechnol(Random& random, ProgramSize size);
+RandomProgram MakeRandomTechnol(Random& random, ProgramSize size, Spelling spelling);
 
 }  // namespace plcxx::reference

@@ -15,7 +15,8 @@ using namespace technol_code;
 
 class TechnolGenerator : StraightCode {
  public:
-  TechnolGenerator(Random& random, uint32_t instructions) : StraightCode(random), instructions_(instructions) {
+  TechnolGenerator(Random& random, uint32_t instructions, Spelling spelling)
+      : StraightCode(random, spelling), instructions_(instructions) {
     at_ = &pieces_;
   }
 
@@ -39,7 +40,7 @@ class TechnolGenerator : StraightCode {
     Piece& end = pieces_.emplace_back();
     end.text = "  STOP";
     Steps();
-    std::vector<RandomFile> files = {{.name = "program.plc", .pieces = std::move(pieces_)}};
+    std::vector<RandomFile> files = Files();
     if (Chance(10)) {
       files.push_back({"TAB7.TCH", {{"$TCH 1 2 2\n00: 1.5 -2\n01: " + Text(Below(79999)) + ".07 4", {}, ""}}});
     }
@@ -53,23 +54,88 @@ class TechnolGenerator : StraightCode {
     if (Chance(15)) options_["rl"] = "shift";
     if (Chance(20)) options_["mech-clear"] = "abort";
     if (Chance(10)) options_["eset"] = "binary";
+    if (Chance(10)) options_["retain"] = "dual";
+    if (Chance(10)) options_["evidence"] = "strict";
+    if (Chance(15)) {
+      options_["slow-ms"] = One(std::array{"4", "12", "40", "6"});
+      if (Chance(50)) options_["fast-ms"] = One(std::array{"2", "1"});
+    }
+    if (Chance(10)) options_["tch-version"] = "any";
+    if (Chance(10)) options_["tch-glued"] = "accept";
+    reads_include_ = Chance(30);
     aborts_ = options_.contains("mech-clear");
   }
 
+  /// What other lines of the source use: constants and macros, here or in a file that is included.
+  std::vector<Piece> Prolog() {
+    std::vector<Piece> lines;
+    lines.push_back({Spelled({"EQUI TRI,3", "EQUI tri , 1+2", "EQUI TRI,9/3"}), {}, ""});
+    lines.push_back({Spelled({"PET EQU 5", "PET = 5", "Pet EQU TRI+2", "PET EQU (TRI SHL 1)-1"}), {}, ""});
+    lines.push_back({Spelled({"SEDM = 7", "SEDM = 4 OR 2 OR 1", "SEDM EQU 0FFH AND 7", "SEDM EQU 15 MOD 8"}), {}, ""});
+    const auto macro = [&](const std::string& text) {
+      const std::string close = Spelled({"  ENDM", "ENDM ; konec"});
+      lines.push_back({text, {}, close});
+    };
+    macro("PLUS MACRO C1,O1\n  LOD C1\n  AD CNST.O1\n  STO C1");
+    macro("DVAKRAT MACRO C2\n  PLUS C2,1\n  PLUS C2,2");
+    macro("SKOK MACRO P1,V1\n  LOCAL DAL\n  LDR P1\n  JL1 DAL\n  FL 1,V1\nDAL:");
+    macro("SPOJ MACRO P2\n  LOD W&P2\n  STO W&P2");
+    return lines;
+  }
+
+  std::vector<RandomFile> Files() {
+    std::vector<RandomFile> files(1);
+    files[0].name = "program.plc";
+    std::vector<Piece> prolog = Prolog();
+    if (reads_include_ && !is_plain_) {
+      files[0].pieces = {{One(std::array{"  T_INCLUDE spol.inc", "\tt_include spol.inc ; konstanty"}), {}, ""}};
+    } else {
+      if (reads_include_) One(std::array{"", ""});
+      files[0].pieces = prolog;
+    }
+    const std::string title = Spelled({"", "", "  TITLE a machine", "  INCLUDE KONST.ASH", "  PAGE 60,132"});
+    files[0].pieces.insert(files[0].pieces.begin(), {title, {}, ""});
+    // The data, some units; then a file with data of its own.
+    const size_t cut = Chance(25) ? 1 + Below(4) : pieces_.size();
+    for (size_t i = 0; i < pieces_.size(); ++i) {
+      if (i == cut) {
+        files.push_back({.name = "second.plc", .pieces = {{"  DATA", {{"X9: DS 2", {}, ""}}, "  DATA_END"}}});
+      }
+      files.back().pieces.push_back(std::move(pieces_[i]));
+    }
+    if (reads_include_ && !is_plain_) {
+      files.push_back({.name = "spol.inc", .pieces = std::move(prolog), .is_source = false});
+    }
+    for (RandomFile& file : files) {
+      if (!file.is_source) continue;
+      const std::string ends = Spelled({"\n", "\n", "\r\n", "\r"});
+      const std::string head = Spelled({"", "", "\xEF\xBB\xBF"});
+      if (!is_plain_) file.line_end = ends, file.head = head;
+    }
+    if (cut >= pieces_.size()) files[0].tail = Spelled({"", "", "\x1A", "text behind STOP\n"});
+    return files;
+  }
+
   void Data() {
-    Piece data{"  DATA", {}, "  DATA_END"};
+    Piece data{"  DATA", {}, Spelled({"  DATA_END", "  START"})};
     const auto line = [&](const std::string& text) { data.body.push_back({text, {}, ""}); };
     line("S0 STRUC\nP0 DB 3\nP1 DW ?\nP2 DD ?\nS0 ENDS");
     line("BITS: DFM A0,A1,A2,A3,A4,A5,A6,A7");
-    line("B0: DB " + Text(Below(256)));
-    line("B1: DS 1");
-    line("W0: DW " + Text(Below(65536)));
+    line("B0: DB " + Expression(Below(256)));
+    line(Spelled({"B1: DS 1", "B1 DB ?", "B1: db 1 DUP (?)"}));
+    line("W0: DW " + Literal(Below(65536)));
     line("W1: DS 2");
     line("W2: DS 2");
-    line("D0: DD " + Text(random_.Next() & 0xFFFFFFFF));
+    line("D0: DD " + Literal(random_.Next() & 0xFFFFFFFF));
     line("D1: DS 4");
-    line("TAB: DB 1,2,3,0F9h,5 DUP (7)");
+    line(Spelled({"TAB: DB 1,2,3,0F9h,5 DUP (7)", "TAB: DB 1,2,TRI,371q,5 DUP (7)",
+                  "TAB DB 1 , 2 , 3 , 249 , (PET) DUP (SEDM)"}));
     line("ST: S0 <1,2,3>");
+    line(Spelled({"TEXT: DB 'AHOJ',0", "TEXT DB 'AHO','J',0", "TEXT: DB 65,72,79,74,0"}));
+    line(Spelled({"TAB2: DB 2 DUP (1,2 DUP (?),4)", "TAB2 DB 1,?,?,4,1,2 DUP (?),4"}));
+    line(Spelled({"ST2: S0 <,7>", "ST2: S0 <3,7>", "ST2 S0 <,7,?>"}));
+    line("ST3: S0 2 DUP (<>)");
+    line("UPS_FAULT: DFM U0,U1");
     line("IN0: DFM I0,I1,I2,I3,I4,I5,I6,I7");
     line("OUT0: DFM O0,O1,O2,O3,,O5");
     pieces_.push_back(std::move(data));
@@ -92,10 +158,39 @@ class TechnolGenerator : StraightCode {
       EmitTechnol("STO " + text, reads, 0, false);
     } else if (choice < 84) {
       EmitTechnol("ESET " + Text(1 + Below(99)) + (Chance(50) ? "," + Text(Below(100)) : ""), 0, 0, false);
-    } else if (choice < 88 && !mechanisms_.empty()) {
+    } else if (choice < 87 && !mechanisms_.empty()) {
       EmitTechnol("MECH_INIT " + random_.Pick(mechanisms_), 0, 0, false);
+    } else if (choice < 92) {
+      Macro();
     } else {
       Assembler(true);
+    }
+  }
+
+  /// A call of a macro; the plain text is what it stands for.
+  void Macro() {
+    const std::string cell = "W" + Text(Below(3)), step = Expression(1 + Below(9));
+    const auto plus = [](const std::string& to, const std::string& by) {
+      return "LOD " + to + "\n  AD CNST." + by + "\n  STO " + to;
+    };
+    switch (Below(4)) {
+      case 0:
+        EmitTechnol(is_plain_ ? plus(cell, step) : "PLUS " + cell + "," + step, 0, kDr, false);
+        break;
+      case 1:
+        EmitTechnol(is_plain_ ? plus(cell, "1") + "\n  " + plus(cell, "2") : "DVAKRAT " + cell, 0, kDr, false);
+        break;
+      case 2:
+        EmitTechnol(is_plain_ ? "LOD " + cell + "\n  STO " + cell : "SPOJ " + cell.substr(1), 0, kDr, false);
+        break;
+      default: {
+        const std::string from = Bit(false), to = "A" + Text(Below(8));
+        const std::string label = "PL" + Text(macro_labels_++);
+        const std::string expanded = "LDR " + from + "\n  JL1 " + label + "\n  FL 1," + to + "\n" + label + ":";
+        EmitTechnol(is_plain_ ? expanded : "SKOK " + from + "," + to, 0, kRlo, false);
+        AtLabel();
+        break;
+      }
     }
   }
 
@@ -157,8 +252,8 @@ class TechnolGenerator : StraightCode {
       return;
     }
     const std::string cell = Chance(60) ? "-" : "W" + Text(Below(3));
-    const std::string limit = Chance(70)   ? Text(Below(4))
-                              : Chance(50) ? "CNST." + Text(Below(5))
+    const std::string limit = Chance(70)   ? Literal(Below(4))
+                              : Chance(50) ? "CNST." + Expression(Below(8))
                                            : "W" + Text(Below(3));
     if (choice < 40) {
       Line("TIM " + cell + "," + limit);
@@ -205,13 +300,16 @@ class TechnolGenerator : StraightCode {
     }
   }
   void PlaceLabel() {
-    at_->push_back({Label(placed_++) + ":", {}, ""});
+    PutLabelDown();
+    waiting_label_ = Label(placed_++) + ":";
+    if (!Chance(40) || is_plain_) PutLabelDown();
     AtLabel();
   }
 
   /// A unit with its own labels around `inside`.
   template <class Inside>
   void Unit(const std::string& open, const std::string& close, bool waits, Inside inside) {
+    PutLabelDown();
     const auto outer = std::tuple(at_, unit_, labels_, placed_, base_, forward_only_, calls_);
     std::vector<Piece>* const into = at_;
     Piece piece{open, {}, close};
@@ -225,6 +323,7 @@ class TechnolGenerator : StraightCode {
     AtLabel();
     inside();
     while (placed_ < labels_) PlaceLabel();
+    PutLabelDown();
     std::tie(at_, unit_, labels_, placed_, base_, forward_only_, calls_) = outer;
     into->push_back(std::move(piece));
     AtLabel();
@@ -329,6 +428,8 @@ class TechnolGenerator : StraightCode {
   }
 
   static constexpr uint32_t kNone = 0xFFFFFFFF;
+  bool reads_include_ = false;
+  uint32_t macro_labels_ = 0;
   static constexpr Loaded kSubprogramBase = kRlo | kDr | Whole(kEax) | Whole(kEbx);
 
   uint32_t instructions_;
@@ -347,9 +448,9 @@ class TechnolGenerator : StraightCode {
 
 }  // namespace
 
-RandomProgram MakeRandomTechnol(Random& random, ProgramSize size) {
+RandomProgram MakeRandomTechnol(Random& random, ProgramSize size, Spelling spelling) {
   const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(10, 90);
-  return TechnolGenerator(random, instructions).Run();
+  return TechnolGenerator(random, instructions, spelling).Run();
 }
 
 }  // namespace plcxx::reference

@@ -32,7 +32,7 @@ struct Name {
 
 class StraightCode {
  public:
-  explicit StraightCode(Random& random) : random_(random) {}
+  StraightCode(Random& random, Spelling spelling) : random_(random), is_plain_(spelling == Spelling::kPlain) {}
 
  protected:
   uint32_t Below(uint32_t n) { return random_.Below(n); }
@@ -42,6 +42,65 @@ class StraightCode {
     return texts[Below(N)];
   }
   static std::string Text(int64_t n) { return std::to_string(n); }
+
+  // --- spelling: both spellings draw alike -------------------------------------------------------------------------
+
+  /// One of several texts that mean the same; the first of them is the plain one.
+  std::string Spelled(const std::vector<std::string>& any) {
+    const std::string& chosen = random_.Pick(any);
+    return is_plain_ ? any.front() : chosen;
+  }
+  static std::string Digits(uint64_t value, uint32_t base) {
+    std::string text;
+    do {
+      text.insert(text.begin(), "0123456789ABCDEF"[value % base]);
+      value /= base;
+    } while (value != 0);
+    return text;
+  }
+  /// 2.4
+  std::string Literal(uint64_t value) {
+    const std::string plain = std::to_string(value);
+    const std::string hex = "0" + Digits(value, 16);
+    return Spelled({plain, plain, plain, plain + "D", hex + "h", hex + "H", "00" + plain,
+                    value < 65536 ? Digits(value, 2) + "b" : plain, Digits(value, 8) + (value % 2 == 0 ? "q" : "O")});
+  }
+  /// An expression of constants (2.5), where one may stand behind "CNST.".
+  std::string Expression(uint64_t value) {
+    const std::string text = Literal(value);
+    const std::string more = Literal(value + 1), twice = Literal(2 * value + 1);
+    std::vector<std::string> forms = {text,
+                                      text,
+                                      text,
+                                      text,
+                                      "(" + more + "-1)",
+                                      "(" + twice + " SHR 1)",
+                                      "(" + text + "*2+2)/2-1",
+                                      "(7 MOD 4-3+" + text + ")"};
+    if (value == 3) forms.insert(forms.end(), 4, "TRI");
+    if (value == 5) forms.insert(forms.end(), {"PET", "(TRI+2)", "pet"});
+    if (value == 7) forms.insert(forms.end(), {"(SIZE S0)", "SEDM", "(TRI OR 4)", "(NOT 0 AND 7)"});
+    if (value == 65) forms.insert(forms.end(), 3, "'A'");
+    if (value > 0x7FFFFFFF) return text;
+    return Spelled(forms);
+  }
+  /// The lines of an instruction or of a macro's call.
+  std::string Respelled(const std::string& text) {
+    const uint32_t form = random_.Below(20);
+    const std::string comment =
+        Spelled({"", "", "", "", "", "", "", " ;", " ; LDR I0, konec", "\t;\xC4\x8D\xC3\xA1st"});
+    if (is_plain_) return "  " + text;
+    std::string line = text;
+    const size_t blank = line.find(' ');
+    if (form < 3 && line.find('\'') == std::string::npos) {
+      for (char& c : line) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    } else if (form == 3 && blank != std::string::npos) {
+      line.replace(blank, 1, "\t  ");
+    } else if (form == 4) {
+      for (size_t at = line.find(','); at != std::string::npos; at = line.find(',', at + 3)) line.replace(at, 1, " , ");
+    }
+    return (form == 5 ? "" : form == 6 ? "\t" : "  ") + line + comment;
+  }
 
   // --- operands ----------------------------------------------------------------------------------------------------
 
@@ -61,9 +120,9 @@ class StraightCode {
     const uint32_t choice = Below(100);
     const std::string prefix = width == 8 ? "BYTE." : width == 16 ? "WORD." : "DWRD.";
     if (choice < 40) {
-      if (width == 8) return One(std::array{"B0", "B1", "BITS", "IN1", "OUT1", "BZH21", "SYSREQ", "TAB"});
-      if (width == 16)
-        return One(std::array{"W0", "W1", "W2", "ST.P1", "TCH_VOLBA_"}) == "W0" ? "W0" : "W" + Text(Below(3));
+      if (width == 8)
+        return One(std::array{"B0", "B1", "BITS", "IN1", "OUT1", "BZH21", "SYSREQ", "TAB", "ST.P0", "TEXT"});
+      if (width == 16) return One(std::array{"W0", "W1", "W2", "ST.P1", "ST2.P1", "W0", "W1", "W2"});
       return One(std::array{"D0", "D1", "ST.P2"});
     }
     if (choice < 65) {
@@ -89,7 +148,17 @@ class StraightCode {
                                      "SET_NCTAB.NCTAB_SLOUPEC",
                                      "TAB_TECHNOL.TCH_VOLBA",
                                      "TAB_TECHNOL+33",
-                                     "BUKON01"});
+                                     "BUKON01",
+                                     "TAB2+4",
+                                     "TEXT+3",
+                                     "ST2.P2",
+                                     "(ST3+9)",
+                                     "IN60",
+                                     "OUT60",
+                                     "MATTL",
+                                     "UPS_STAT",
+                                     "UPS_CMD",
+                                     "TAB_TECHNOL.TCH_AKTIV"});
     }
     static const std::array<Name, 6> kIndexes = {{{"BX", Word(1), 16},
                                                   {"SI", Word(4), 16},
@@ -107,7 +176,7 @@ class StraightCode {
   std::string Constant(uint32_t width) {
     switch (Below(5)) {
       case 0:
-        return Text(Below(10));
+        return Literal(Below(10));
       case 1:
         return width == 8    ? One(std::array{"0", "1", "127", "128", "255", "-1", "-128"})
                : width == 16 ? One(std::array{"0", "1", "255", "256", "7FFFh", "8000h", "0FFFFh", "-1", "-32768",
@@ -116,7 +185,7 @@ class StraightCode {
                                               "-2", "79999999", "80000000"});
       default: {
         const uint32_t bits = std::min(width, 4 + Below(29));
-        return Text(static_cast<int64_t>(random_.Next() & ((uint64_t{1} << bits) - 1)));
+        return Literal(random_.Next() & ((uint64_t{1} << bits) - 1));
       }
     }
   }
@@ -129,8 +198,8 @@ class StraightCode {
     }
     const uint32_t width = random_.Pick(widths);
     if (Chance(40)) {
-      if (most == 8) return "CNST." + Text(Below(Chance(50) ? 4 : 256));
-      if (most == 16) return "CNST." + Text(Below(Chance(50) ? 4 : 65536));
+      if (most == 8) return "CNST." + Expression(Below(Chance(50) ? 8 : 256));
+      if (most == 16) return "CNST." + Expression(Below(Chance(50) ? 8 : 65536));
       return "CNST." + Constant(width == 8 ? 16 : width);
     }
     return Memory(width, reads);
@@ -150,7 +219,22 @@ class StraightCode {
 
   // --- what is loaded ----------------------------------------------------------------------------------------------
 
-  void Line(const std::string& text) { at_->push_back({"  " + text, {}, ""}); }
+  void Line(const std::string& text) {
+    std::string line = Respelled(text);
+    if (!waiting_label_.empty()) line = std::exchange(waiting_label_, {}) + line;
+    at_->push_back({line, {}, ""});
+  }
+  /// On a line of its own: what follows is no instruction.
+  void PutLabelDown() {
+    if (!waiting_label_.empty()) at_->push_back({std::exchange(waiting_label_, {}), {}, ""});
+  }
+  /// `BYTE.x` is also `BYTE PTR x` in an assembler's instruction.
+  std::string AssemblerMemory(uint32_t width, Loaded& reads) {
+    const std::string text = Memory(width, reads);
+    const std::string pointer = width == 8 ? "BYTE PTR " : width == 16 ? "WORD PTR " : "DWORD PTR ";
+    const bool has_prefix = text.starts_with("BYTE.") || text.starts_with("WORD.") || text.starts_with("DWRD.");
+    return Spelled({text, has_prefix ? pointer + text.substr(5) : text});
+  }
 
   void Emit(const std::string& text, Loaded reads, Loaded sets, Loaded spoils, bool pure) {
     Line(text);
@@ -239,7 +323,7 @@ class StraightCode {
     const bool in_memory = memory && Chance(40);
     Loaded reads = 0;
     Name d = RegisterOf(width, false);
-    if (in_memory) d = {Memory(width, reads), 0, static_cast<uint8_t>(width)};
+    if (in_memory) d = {AssemblerMemory(width, reads), 0, static_cast<uint8_t>(width)};
     const uint32_t choice = Below(100);
     if (choice < 22) {
       const std::string s = Source(width, in_memory, reads);
@@ -269,7 +353,7 @@ class StraightCode {
     } else if (choice < 80) {
       const std::string mnemonic = One(std::array{"MUL ", "IMUL ", "DIV ", "IDIV "});
       const bool divides = mnemonic[0] == 'D' || mnemonic[1] == 'D';
-      const Name s = Chance(50) ? RegisterOf(width, false) : Name{Memory(width, reads), 0, 0};
+      const Name s = Chance(50) ? RegisterOf(width, false) : Name{AssemblerMemory(width, reads), 0, 0};
       const Loaded a = width == 8 ? Word(kEax) : width == 16 ? Word(kEax) | Word(kEdx) : Whole(kEax) | Whole(kEdx);
       reads |= s.parts | (divides ? a : width == 8 ? Parts(kEax, 1) : width == 16 ? Word(kEax) : Whole(kEax));
       Ensure(reads);
@@ -305,7 +389,7 @@ class StraightCode {
       const uint32_t to = Chance(50) ? 16 : 32;
       const uint32_t from = to == 32 && Chance(50) ? 16 : 8;
       reads = 0;
-      const Name s = Chance(50) ? RegisterOf(from, false) : Name{Memory(from, reads), 0, 0};
+      const Name s = Chance(50) ? RegisterOf(from, false) : Name{AssemblerMemory(from, reads), 0, 0};
       const Name r = RegisterOf(to, false);
       reads |= s.parts;
       Ensure(reads);
@@ -326,7 +410,7 @@ class StraightCode {
       reads |= s.parts;
       return s.text;
     }
-    return Memory(width, reads);
+    return AssemblerMemory(width, reads);
   }
 
   void ShiftOrRotate(const Name& d, bool in_memory, Loaded reads) {
@@ -353,6 +437,7 @@ class StraightCode {
     const uint32_t width = Chance(50) ? 16 : 32;
     const Name from = RegisterOf(width, false);
     Ensure(from.parts);
+    PutLabelDown();
     std::vector<Piece>* const outer = at_;
     Piece piece{"  PUSH " + from.text, {}, ""};
     run_is_whole_ = true;
@@ -377,6 +462,8 @@ class StraightCode {
   }
 
   Random& random_;
+  const bool is_plain_;
+  std::string waiting_label_;         // of the next line
   std::vector<Piece>* at_ = nullptr;  // where lines go
   std::vector<std::string> mechanisms_;
   bool aborts_ = false;      // mech-clear=abort: inside a mechanism no activation bit is written

@@ -9,6 +9,13 @@ VIEWS = {"uc": "unsigned char", "c": "char", "ui": "unsigned", "i": "int", "ul":
 # What programs use of the areas, in bytes, and so what is looked at: the rest stays 0.
 WINDOWS = {"X": 16, "Y": 16, "R": 48, "P": 16, "B": 16, "F": 32, "G": 32}
 AREA_BYTES = {"X": 128, "Y": 128, "R": 768, "P": 200, "B": 200}
+# Macros of plc.h (9.3) that stay inside of the windows: name, view, word.
+HEADER_WORDS = {
+    "F": [(f"{name}({axis})", view, 10 * axis + at) for axis in (0, 1) for name, view, at in (
+        ("axis_stat", "ui", 0), ("axis_pout", "l", 1), ("axis_pact", "l", 3), ("axis_speed", "i", 5)) if 10 * axis + at < 15]
+    + [("axis_current(0)", "i", 6), ("axis_vmax(0)", "i", 7)],
+    "G": [(f"{name}({axis})", view, 10 * axis + at) for axis in (0, 1) for name, view, at in (
+        ("axis_ctrl", "ui", 0), ("axis_pic_a", "l", 1), ("axis_pic_v", "i", 3), ("axis_pvcmd", "i", 4), ("axis_pecmd", "i", 5))]}
 BINARY = ("+", "-", "*", "&", "|", "^", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "/", "%", "<<", ">>", "+", "-", "&", "*")
 ESCAPES = {"\\n": 10, "\\t": 9, "\\r": 13, "\\a": 7, "\\b": 8, "\\f": 12, "\\v": 11, "\\0": 0, "\\\\": 92, "\\'": 39, '\\"': 34,
            "\\x7f": 127, "\\xff": -1, "\\x80": -128, "\\101": 65, "\\377": -1}
@@ -148,7 +155,12 @@ class Expressions:
         return self.element(name, kind, WINDOWS[area] // spelled.SIZES[kind], depth, True)
 
     def word(self, area, depth, writable, sure):
-        """*F_T[k] and F_T[k][n] of the tables of pointers."""
+        """*F_T[k] and F_T[k][n] of the tables of pointers, and the names that the header has for some."""
+        if self.chance(15):
+            name, view, at = self.random.choice(HEADER_WORDS[area])
+            kind = VIEWS[view]
+            text = f"WORD({area}, {kind}, {at})"
+            return Spelled(f"*{name}", text, kind, UNARY, frozenset({area}), target=frozenset({area}))
         view = self.random.choice(list(VIEWS) + [""] * 6)
         kind = VIEWS[view or "ui"]
         table = f"{area}_{view}" if view else area

@@ -8,6 +8,13 @@ from spelled import INTEGERS, NOTHING, SIZES, Member, Spelled, Struct
 from statements import Body, Lines, Statements, both
 
 SCANS = 3
+# Further names of a type, in declarations (3.2).
+WORDS = {"unsigned long": ("long unsigned int", "unsigned long int"), "long": ("long int", "signed long", "int long"),
+         "unsigned": ("unsigned int", "int unsigned"), "short": ("short int", "signed short"), "int": ("signed", "int near", "signed int"),
+         "unsigned char": ("char unsigned", "unsigned char far")}
+KINDS = "MSTB"  # of the dispatcher; the fifth is E
+HANDLED = (0, 1)  # channels whose words are looked at
+NEVER = "#if {}\nthis isn't C at all: {{ 'x\n#{}\n"
 POINTED = ("unsigned char", "int", "unsigned", "long", "char")
 # Macros with ?: for avr-gcc, see ARM of judge.h.
 ARMS = {"((x) > (y) ? (x) : (y))": "((x) > (y) ? ARM(x) : ARM(y))",
@@ -20,6 +27,8 @@ class Generator(Statements):
         super().__init__(seed, mark)
         self.text = Lines()
         self.observed, self.defined, self.header = [], [], []
+        self.registered = []
+        self.has_memory = self.chance(40)
 
     def program(self):
         if self.chance(40):
@@ -30,9 +39,13 @@ class Generator(Statements):
         functions = self.struct_function()
         for _ in range(self.random.randrange(1, 5)):
             functions += self.function()
+        if self.chance(35):
+            functions += self.handlers()
         parts = self.part("plc1", 6) + self.part("plc2", 3)
-        init = Lines([f"void init() {{ plc1_time = 1; plc2_time = 1; }}"], [f"static void init_{self.mark}(void) {{ }}"])
+        init = self.init()
         library = ["#include <stdlib.h>"] if len(self.known) > 1 else []
+        library += ["#include <string.h>"] if self.has_memory else []
+        self.hidden_text()
         plc = ['#include "plc.h"', *library, *self.text.plc, *functions.plc, *init.plc, *parts.plc]
         files = {}
         if self.chance(25):
@@ -42,6 +55,69 @@ class Generator(Statements):
         avr = [*self.text.avr, *functions.avr, *init.avr, *parts.avr, *(f"#undef {name}" for name in self.defined)]
         return Program(self.mark, {f"{self.mark}.cld": "\n".join(plc) + "\n", **files}, "\n".join(avr) + "\n", self.inputs(),
                        self.observed + self.areas())
+
+    # what only the control and the preprocessor see
+
+    def init(self):
+        """The periods, registrations of handlers, and statements; before the first cycle."""
+        body = self.body = Body("void")
+        self.function_locals = []
+        inner = Lines()
+        for _ in range(self.random.randrange(0, 3)):
+            inner += self.simple(self.assigned(2, True)) if self.chance(60) else self.statement(2)
+        # Last: a statement may have assigned them.
+        one, other = (self.random.choice((1, 1, 1, 0, 2, 3, 5)) for _ in range(2))
+        inner += both(f"plc1_time = {one};") + both(f"plc2_time = {other};")
+        for channel, kind, name in self.registered:
+            word = "&" if self.chance(20) else ""
+            row = (f"set_mst_func({channel}, '{kind}', {word}{name});", f"handler[{channel}][{(KINDS + 'E').index(kind)}] = {name};")
+            if self.chance(20):
+                test = self.condition(1)
+                row = (f"if ({test.plc}) {row[0]}", f"if ({test.avr}) {row[1]}")
+            inner += Lines([row[0]], [row[1]])
+        return Lines([f"{self.random.choice(('void init()', 'init()', 'void init(void)'))}", "{", *self.function_locals, *inner.plc, "}"],
+                     [f"static void init_{self.mark}(void)", "{", *body.hoisted, *inner.avr, "}"])
+
+    def handlers(self):
+        """Functions that the dispatcher calls; each ends its request at some time, or leaves that to the default."""
+        made = Lines()
+        for _ in range(self.random.randrange(1, 4)):
+            name, channel = self.fresh("h"), self.random.choice(HANDLED)
+            kind = self.random.choice("MMSTBE")
+            body = self.body = Body("void")
+            self.function_locals = []
+            parameter = Object(self.fresh("a"), "int")
+            self.objects.append(parameter)
+            inner = self.several(2, 4)
+            self.objects.remove(parameter)
+            if kind != "E":
+                test = self.condition(1)
+                inner += Lines([f"if ({test.plc}) mod_{kind}_code({channel}) = -1;"],
+                               [f"if ({test.avr}) G.i[{170 + 20 * channel + KINDS.index(kind)}] = -1;"])
+            self.registered.append((channel, kind, name))
+            made += Lines([f"void {name}(int {parameter.name})", "{", *self.function_locals, *inner.plc, "}"],
+                          [f"static void {name}(int {parameter.name})", "{", *body.hoisted, *inner.avr, "}"])
+        return made
+
+    def hidden_text(self):
+        """Groups that are not taken, and names of types in other words: for plcxx only."""
+        rows = []
+        for row in self.text.plc:
+            head, _, rest = row.partition(" ")
+            for kind, others in WORDS.items():
+                if row.startswith(kind + " ") and row.endswith(";") and "{" not in row.partition("=")[0] and "(" not in row and self.chance(20):
+                    name = row[len(kind) + 1:]
+                    if not name.startswith(("int ", "char ", "long ", "*")):
+                        row = f"{self.random.choice(others)} {name}"
+                    break
+            rows.append(row)
+            if self.chance(4) and not row.startswith("#"):
+                test = self.random.choice(("0", "!defined(__TURBOC__)", "(1L << 16) == 0", "'a' != 97 || UNKNOWN", "65535u + 1 != 0x10000"))
+                if self.chance(50):
+                    rows += NEVER.format(test, "endif").splitlines()
+                else:
+                    rows += [*NEVER.format(test, "else").splitlines(), f"/* taken */ extern int sink_{self.mark};", "#endif"]
+        self.text.plc = rows
 
     # declarations
 
@@ -137,6 +213,12 @@ class Generator(Statements):
             self.pointer(name)
             return
         initial = "" if isinstance(item.kind, Struct) or item.second else self.initial(item.kind, item.count)
+        if item.second and self.chance(60):
+            row = lambda most: ", ".join(str(self.random.randrange(-100, 200)) for _ in range(self.random.randrange(1, most + 1)))
+            nested = ", ".join(f"{{{row(item.second)}}}" for _ in range(self.random.randrange(1, item.count + 1)))
+            initial = f" = {{{nested}}}" if self.chance(70) else f" = {{{row(item.count * item.second)}}}"
+        if isinstance(item.kind, Struct) and item.kind.word == "struct" and not item.count and self.chance(50):
+            initial = f" = {{{', '.join(str(self.random.randrange(-3, 100)) for _ in range(self.random.randrange(1, 3)))}}}"
         text = spelled.declared(item.kind, name, item.count) + (f"[{item.second}]" if item.second else "") + initial
         if not isinstance(item.kind, Struct) and self.chance(15):
             alias = self.fresh("D")
@@ -176,6 +258,16 @@ class Generator(Statements):
     # preprocessor
 
     def preprocessor(self):
+        if self.chance(40):
+            join, text = self.fresh("J"), self.fresh("K")
+            self.defined += [join, text]
+            self.text += both(f"#define {join}(a, b) a ## b")
+            # Another spelling of a variable: put together by ##.
+            usable = [o for o in self.objects if o.name.startswith("g") and not (o.plc or o.pointer)]
+            for item in self.random.sample(usable, min(2, len(usable))):
+                cut = self.random.randrange(1, len(item.name) - 1)
+                if item.name[cut].isalpha() or item.name[cut] == "_":
+                    self.objects.append(dataclasses.replace(item, plc=f"{join}({item.name[:cut]}, {item.name[cut:]})"))
         for _ in range(self.random.randrange(0, 5)):
             name, parameters = self.fresh("M"), self.random.randrange(0, 3)
             names = ("x", "y")[:parameters]
@@ -237,6 +329,9 @@ class Generator(Statements):
         head = f"{kind} {name}({', '.join(texts) or 'void'})"
         plc_head = [f"{kind} {name}({', '.join(p.name for p in parameters)})", *(t + ";" for t in texts)] if old else [head]
         plc_head[0] = (self.random.choice(("static ", "")) if not old else "") + plc_head[0]
+        if not old and self.chance(30):
+            names = [t.rsplit(p.name, 1)[0].strip() if self.chance(50) else t for t, p in zip(texts, parameters)]
+            self.text.plc.append(plc_head[0].partition("(")[0] + f"({', '.join(names) or 'void'});")
         # for avr-gcc the locals and the function's own static variables first
         return Lines(plc_head + ["{", *self.function_locals, *statics.plc, *inner.plc, *tail.plc, "}"],
                      ["static " + head, "{", *body.hoisted, *statics.avr, *inner.avr, *tail.avr, "}"])
@@ -279,6 +374,15 @@ class Generator(Statements):
         inner = Lines()
         for _ in range(self.random.randrange(2, statements + 2)):
             inner += self.statement(3)
+            if self.chance(6):
+                value = self.note(spelled.binary("&", self.integer(1), spelled.literal("3")))
+                period = self.random.choice(("plc1_time", "plc2_time"))
+                inner += Lines([f"{period} = {value.plc};"], [f"{period} = {value.avr};"])
+            if self.chance(8):
+                channel, kind = self.random.choice(HANDLED), self.random.randrange(4)
+                test = self.condition(1)
+                inner += Lines([f"if ({test.plc}) mod_{KINDS[kind]}_code({channel}) = -1;"],
+                               [f"if ({test.avr}) G.i[{170 + 20 * channel + kind}] = -1;"])
         if name == "plc1":
             # a function that no part reaches is not the judge's business
             for function in self.functions:
@@ -298,16 +402,30 @@ class Generator(Statements):
                         value = self.random.choice((self.random.randrange(most), 0, 1, most - 1, most // 2, most // 2 - 1))
                         locations[f"{area}[{i}]"] = value
                         statements.append(f"{HOST[area].format(i)} = {value}u;")
+            for channel in HANDLED if self.registered or self.chance(20) else ():
+                words = {163: self.random.choice((0, 0x100, 0x300, 0xF00, 0x400, 0x800, 0x2100, 0x8100, 0x2F00))}
+                words |= {word: self.random.choice((0, 1, 3, 30, 65535, 303)) for word in range(164, 168) if self.chance(50)}
+                for word, value in words.items():
+                    locations[f"F[{word + 20 * channel}]"] = value
+                    statements.append(f"host.f[{word + 20 * channel}] = {value}u;")
+                if self.chance(20):
+                    locations[f"MODAL[{channel}]"] = 1
+                    statements.append(f"asked[{channel}] = 1;")
             for i in range(WINDOWS["R"]):
                 if self.chance(25):
                     value = self.random.randrange(256)
                     locations[f"R[{i}]"] = value
                     statements.append(f"R.uc[{i}] = {value};")
-            steps.append(Step(locations, statements))
+            steps.append(Step(locations, statements, self.random.choice((1, 1, 1, 2, 3, 6))))
         return steps
 
     def areas(self):
         made = []
+        for channel in HANDLED:
+            first = 163 + 20 * channel
+            made.append(Observed(f"*(unsigned (*)[12])&G.ui[{first}]", [(f"G[{first + i}]", "unsigned") for i in range(12)]))
+        made.append(Observed("plc1_time", [("plc1_time", "unsigned")]))
+        made.append(Observed("plc2_time", [("plc2_time", "unsigned")]))
         for area, window in WINDOWS.items():
             view = "" if area in "FG" else "_uc"
             if area in "FG":

@@ -22,6 +22,11 @@ static struct {
   unsigned f[256], p[100];
 } host;
 static int fault_code, fault_count;
+// What the control keeps (4.2, 7.3).
+enum { IDLE, ACTIVE, DONE };
+static unsigned char request[4][4], asked[4];
+static void (*handler[4][5])(int);
+static long now, next1, next2;
 
 static void fault(int code) {
   fault_code = code;
@@ -146,17 +151,82 @@ static void power_on(void) {
   for (c = 0; c < 4; ++c)
     for (k = 0; k < 4; ++k) G.i[170 + 20 * c + k] = -1;
   fault_code = fault_count = 0;
+  memset(asked, 0, sizeof asked);
+  memset(request, 0, sizeof request);
+  memset(handler, 0, sizeof handler);
+  plc1_time = plc2_time = 0;
+  now = next1 = next2 = 0;
 }
-// The copy of the inputs that a cycle begins with, both parts being due, and the dispatcher's bit at its end.
-static void cycle_begin(void) {
+
+// The dispatcher (7.3): kinds M, S, T, B; the fifth handler is E's.
+static void dispatch(unsigned char c) {
+  static const unsigned char code[4] = {4, 7, 5, 6};  // from F[160+20c] on
+  const unsigned word = 160 + 20 * c;
+  unsigned char k;
+  if (asked[c]) {
+    asked[c] = 0;
+    if (handler[c][4]) handler[c][4](c);
+  }
+  for (k = 0; k < 4; ++k) {
+    const unsigned strobe = F.ui[word + 3] & 0x0100 << k, cancel = F.ui[word + 3] & 0x8000u;
+    const unsigned held = F.ui[word + 3] & 0x2000;
+    if (request[c][k] == IDLE && strobe && !cancel) {
+      G.ui[word + 10 + k] = F.ui[word + code[k]];
+      G.ui[word + 14] |= 1 << k;
+      request[c][k] = ACTIVE;
+      if (k == 0 && F.ui[word + code[k]] == 0) G.ui[word + 14] |= 0x1000;
+      if (k == 0 && F.ui[word + code[k]] == 1) G.ui[word + 14] |= 0x2000;
+    }
+    if (request[c][k] == ACTIVE && (!strobe || cancel)) {
+      G.i[word + 10 + k] = -1;
+      G.ui[word + 14] &= ~(1 << k);
+      request[c][k] = DONE;
+    }
+    if (request[c][k] == ACTIVE && !(held && !(G.ui[word + 14] & 0x0100 << k))) {
+      if (handler[c][k])
+        handler[c][k](c);
+      else
+        G.i[word + 10 + k] = -1;
+    }
+    if (request[c][k] == DONE && !strobe) {
+      G.ui[word + 3] &= ~(1 << k);
+      request[c][k] = IDLE;
+    }
+  }
+}
+static void complete(unsigned char c) {
+  const unsigned word = 160 + 20 * c;
+  unsigned char k, active = 0;
+  for (k = 0; k < 4; ++k) {
+    if (request[c][k] == ACTIVE && G.i[word + 10 + k] == -1) {
+      G.ui[word + 14] &= ~(1 << k);
+      G.ui[word + 3] |= 1 << k;
+      request[c][k] = DONE;
+    }
+    if (request[c][k] == ACTIVE) active = 1;
+  }
+  G.ui[word + 3] &= ~0x10;
+  if (active) G.ui[word + 3] |= 0x10;
+}
+// The cycle (4.2), at a base cycle of 1 ms.
+static void cycle(void (*plc1)(void), void (*plc2)(void)) {
+  const unsigned char due1 = now - next1 >= 0, due2 = now - next2 >= 0;
+  unsigned char c;
   memcpy(X.uc, host.x, 100);
-  memcpy(X.uc + 100, X.uc, 28);
   memcpy(F.uc, host.f, 512);
   memcpy(P.uc, host.p, 200);
-}
-static void cycle_end(void) {
-  unsigned char c;
-  for (c = 0; c < 4; ++c) G.ui[163 + 20 * c] &= ~0x10;
+  if (due2) memcpy(X.uc + 100, X.uc, 28);
+  if (due1) {
+    for (c = 0; c < 4; ++c) dispatch(c);
+    plc1();
+    next1 = now + plc1_time;
+  }
+  if (due2) {
+    plc2();
+    next2 = now + plc2_time;
+  }
+  for (c = 0; c < 4; ++c) complete(c);
+  ++now;
 }
 static void stop(void) {
   for (;;) __asm__ volatile("cli\n\tsleep");

@@ -37,9 +37,10 @@ def array(name, kind, count, text=None):
 
 @dataclasses.dataclass
 class Step:
-    """Locations set, in the names of scenarios and as statements of the AVR's program; then one cycle."""
+    """Locations set, in the names of scenarios and as statements of the AVR's program; then some cycles of 1 ms."""
     locations: dict
     statements: list
+    cycles: int = 1
 
 
 @dataclasses.dataclass
@@ -54,8 +55,9 @@ class Program:
     def driver(self):
         rows = [f"static void run_{self.name}(void)", "{", "power_on();"]
         for number, step in enumerate(self.steps):
-            rows += step.statements + ([f"init_{self.name}();"] if number == 0 else [])
-            rows += ["cycle_begin();", f"plc1_{self.name}();", f"plc2_{self.name}();", "cycle_end();"]
+            # The first run step begins with init(), to which the parameters are there.
+            rows += step.statements + (["memcpy(P.uc, host.p, 200);", f"init_{self.name}();"] if number == 0 else [])
+            rows += [f"cycle(plc1_{self.name}, plc2_{self.name});"] * step.cycles
             rows += [o.show() for o in self.observed] + ["show(&fault_code, 2);", "show(&fault_count, 2);"]
         return "\n".join(rows + ["}", ""])
 
@@ -77,7 +79,7 @@ class Program:
         for step, expected in zip(self.steps, values):
             if step.locations:
                 rows.append("- set: " + flow(step.locations.items()))
-            rows += ["- run: {ms: 1}", "- expect: " + flow(expected)]
+            rows += [f"- run: {{ms: {step.cycles}}}", "- expect: " + flow(expected)]
         path = directory / f"{self.name}.yaml"
         path.write_text("\n".join(rows) + "\n")
         return path

@@ -1,4 +1,6 @@
 """Random programs through both: 25 in an ELF, and all scenarios of a batch in one call of plcxx."""
+import pathlib
+
 import avr
 from generate import generate
 from program import messages, run_on_avr, test
@@ -7,11 +9,12 @@ PROGRAMS_AN_ELF = 25
 LEVELS = ("-O0", "-O1", "-O0", "-Os")  # compiling is most of the time
 
 
-def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
+def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report, further):
     """The number of programs that failed. `keep`: leave the files of passed batches, too."""
     findings = total = values_seen = 0
-    seeds = list(seeds)
     for start in range(0, len(seeds), PROGRAMS_AN_ELF):
+        if further.time_is_over():
+            break
         programs = [generate(seed) for seed in seeds[start:start + PROGRAMS_AN_ELF]]
         values = judged(programs, directory, f"elf{seeds[start]}", runner, LEVELS[start // PROGRAMS_AN_ELF % len(LEVELS)])
         paths = [p.write(directory, v) for p, v in zip(programs, values)]
@@ -23,12 +26,16 @@ def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report):
         told = [row for row in output.splitlines() if ": expected " in row or "): " in row or row.startswith("plcxx:")]
         for row in told[:40]:
             report("  " + row)
+        passed = [path for path in paths if path not in map(pathlib.Path, failed)]
+        differing = further.judge(start // PROGRAMS_AN_ELF, passed, report)
+        failed += differing
         total += len(programs)
         values_seen += sum(len(step) for v in values for step in v)
         findings += len(failed)
         if not keep:
             tidy(directory, programs, failed, f"elf{seeds[start]}")
     report(f"{total} programs, {values_seen} values, {findings} programs failed")
+    further.row(total, values_seen, findings, report)
     return findings
 
 

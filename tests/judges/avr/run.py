@@ -1,18 +1,23 @@
 #!/usr/bin/env python3
 """C programs through plcxx and through avr-gcc with libsimavr: every value must be the same.
 
-run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--programs N] [--seed S] [--engine sim,host]
+run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--programs N] [--hours H] [--seed S] [--engine sim,host]
 
---loops runs each THIN-th loop of the matrix (1: all), --programs so many random programs. What failed stays in DIRECTORY.
+--loops runs each THIN-th loop of the matrix (1: all), --programs so many random programs, --hours programs for so long.
+What failed stays in DIRECTORY. With --soak (the executable of tests/reference) a part of the programs is also run as
+generated C++ by GCC and Clang, on emulated machines, and proved by plcxx verify; --compiled-every 50 is two of 100
+programs, in batches. The row at the end is one of dev/soak's table.
 """
 import argparse
 import pathlib
 import shutil
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 import matrix  # noqa: E402
 import random_programs  # noqa: E402
+import shares  # noqa: E402
 
 
 def report(text):
@@ -26,6 +31,10 @@ def main():
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("--loops", type=int, default=0)
     parser.add_argument("--programs", type=int, default=0)
+    parser.add_argument("--hours", type=float, default=0)
+    parser.add_argument("--soak", type=pathlib.Path)
+    for share in shares.NAMES:
+        parser.add_argument(f"--{share}-every", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--engine", default="sim")
     parser.add_argument("--jobs", type=int, default=2)
@@ -37,10 +46,14 @@ def main():
     if arguments.loops:
         findings += matrix.judge(arguments.plcxx, arguments.runner, arguments.directory, arguments.loops, arguments.engine,
                                  arguments.jobs, report)
-    if arguments.programs:
-        seeds = range(arguments.seed, arguments.seed + arguments.programs)
+    if arguments.programs or arguments.hours:
+        # Without end where only a time is given.
+        seeds = range(arguments.seed, arguments.seed + (arguments.programs or 1 << 40))
+        deadline = time.monotonic() + 3600 * arguments.hours if arguments.hours else None
+        further = shares.Shares(arguments.plcxx, arguments.soak.resolve() if arguments.soak else None,
+                                {name: getattr(arguments, f"{name}_every") for name in shares.NAMES}, deadline)
         findings += random_programs.judge(arguments.plcxx, arguments.runner, arguments.directory, seeds, arguments.engine,
-                                          arguments.jobs, arguments.keep, report)
+                                          arguments.jobs, arguments.keep, report, further)
     sys.exit(1 if findings else 0)
 
 

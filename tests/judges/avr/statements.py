@@ -89,7 +89,7 @@ class Statements(Expressions):
             test = self.condition(1)
             return Lines([f"if ({test.plc}) {word};"], [f"if ({test.avr}) {word};"])
         if pick < 96:
-            return self.whole_struct() or both(";")
+            return self.copied() if self.has_memory and self.chance(60) else self.whole_struct() or both(";")
         if pick < 98:
             usable = [f for f in self.functions if not f.writes & self.protected and f.rounds * self.rounds <= MOST_ROUNDS]
             if usable:
@@ -263,7 +263,8 @@ class Statements(Expressions):
     def hide(self):
         """A local with the name of a global variable; a macro would mean the local."""
         usable = [o for o in self.objects if o.name.startswith("g") and not (o.count or o.pointer or o.constant or o.plc)
-                  and o.kind in INTEGERS and o.name not in self.protected]
+                  and o.kind in INTEGERS and o.name not in self.protected
+                  and not any(other.name == o.name and other.plc for other in self.objects)]  # spelled by a macro, too
         if not usable:
             return None
         outer = self.random.choice(usable)
@@ -318,6 +319,25 @@ class Statements(Expressions):
             name = self.random.choice(makers)
             return Lines([f"{one.name} = {name}({value.plc}, {other.name});"], [f"{one.name} = {name}({value.avr}, {other.name});"])
         return both(f"{one.name} = {other.name};")
+
+    def copied(self):
+        """memset, memcpy and memmove: within one object, or from one into another."""
+        usable = [o for o in self.objects if o.count >= 2 and not (o.second or o.pointer or o.constant or o.plc)
+                  and not isinstance(o.kind, Struct) and o.kind in INTEGERS and o.name not in self.protected]
+        if not usable or "R" in self.protected:
+            return both(";")
+        item = self.random.choice(usable)
+        size = self.random.randrange(0, SIZES[item.kind] * item.count + 1)
+        at = self.random.randrange(0, 16)
+        register = (f"&R[{at}]", f"&R.uc[{at}]")
+        own = (item.name, item.name)
+        self.note(Spelled("", "", reads=frozenset({item.name, "R"}), writes=frozenset({item.name, "R"})))
+        to, source = self.random.choice(((own, register), (register, own)))
+        if self.chance(40):
+            value = self.note(self.integer(1)).at(2)
+            return Lines([f"memset({to[0]}, {value.plc}, {size});"], [f"memset((void *)({to[1]}), {value.avr}, {size});"])
+        word = self.random.choice(("memcpy", "memmove"))
+        return Lines([f"{word}({to[0]}, {source[0]}, {size});"], [f"{word}((void *)({to[1]}), (void *)({source[1]}), {size});"])
 
     def early_return(self):
         test = self.condition(1)

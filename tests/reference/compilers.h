@@ -1,0 +1,14 @@
+// Compilers with their flags as platforms of scenarios.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "transpiler/driver/platform.h"
+
+namespace plcxx::reference {
+
+/// "g++ -O2": a compiler with its flags, as a platform of the scenarios.
+std::shared_ptr<const driver::Platform> MakeCompiler(const std::string& command);
+
+}  // namespace plcxx::reference
