@@ -13,6 +13,7 @@
 
 #include "transpiler/dialects/hnc/parser/converter.h"
 #include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/parser/record_layout.h"
 #include "transpiler/dialects/hnc/parser/session.h"
 
 namespace plcxx::hnc {
@@ -94,6 +95,7 @@ void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
 void ParseTokens(Session& session) {
   clang::CompilerInstance& clang = session.clang;
   clang.createASTContext();
+  clang.getASTContext().setExternalSource(llvm::makeIntrusiveRefCnt<RecordLayouts>());
   clang.setASTConsumer(std::make_unique<clang::ASTConsumer>());
   clang.createSema(clang::TU_Complete, nullptr);
   clang::Sema& sema = clang.getSema();
