@@ -49,6 +49,8 @@ PROMISES = [
     ("each subcommand takes each program", "every form of every subcommand over goldens and samples",
      "tests/fuzz/cases/everything.py", "everything"),
     ("each option of each dialect changes something", "a row with a program for each option", "tests/options", None),
+    ("the tests see a fault in the lowerings, passes, emitter and runtime", "mutants: one change at a time, and the tests that "
+     "execute it (`dev/mutants`); survivors are listed with reasons", "tests/mutants", "mutants"),
     ("the whole suite", "`./dev/test`", "dev/test", "suite"),
 ]
 

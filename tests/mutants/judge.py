@@ -1,0 +1,144 @@
+"""One mutant against the tests that reach it."""
+import os
+import random
+import signal
+import subprocess
+import threading
+
+import prepare
+import tests_seen
+
+BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed by the first
+KILLERS = 8                 # of a function, tried first
+
+
+def run(command, mutant, seconds, **more):
+    """None: passed. Otherwise what failed first."""
+    with subprocess.Popen(command, cwd=prepare.ROOT, env=tests_seen.environment(mutant, **more), text=True,
+                          errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          start_new_session=True) as process:
+        late = []
+
+        def end():
+            late.append(True)
+            os.killpg(process.pid, signal.SIGKILL)
+
+        timer = threading.Timer(seconds, end)
+        timer.start()
+        failed = None
+        for line in process.stdout:
+            if line.startswith(("FAILED  ", "ERROR   ")):
+                failed = line[8:].strip()
+                break
+        if failed:
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        code = process.wait()
+        timer.cancel()
+    if late:
+        return "took too long"
+    if failed:
+        return failed
+    return f"exit code {code}" if code != 0 else None
+
+
+class Judge:
+    def __init__(self, seen, seed=0):
+        self.seen, self.seed = seen, seed
+        self.killers = {}  # by function: indices of scenarios that killed a mutant of it
+        self.index = {scenario.name: number for number, scenario in enumerate(seen.scenarios)}
+
+    def reached(self, mutant):
+        if mutant.folder == "emit" and mutant.id in self.seen.by_emit:
+            return True
+        return mutant.id in self.seen.by_scenario or mutant.id in self.seen.by_unit
+
+    def judge(self, mutant):
+        """(killed | survived | not reached, by what)"""
+        if not self.reached(mutant):
+            return "not reached", ""
+        if mutant.folder == "runtime":
+            return self.first(mutant, self.units, self.in_simulator)
+        if mutant.folder == "emit":
+            return self.first(mutant, self.units, self.in_simulator, self.as_compiled)
+        return self.first(mutant, self.in_simulator, self.units)
+
+    @staticmethod
+    def first(mutant, *ways):
+        for way in ways:
+            killer = way(mutant)
+            if killer:
+                return "killed", killer
+        return "survived", ""
+
+    def order(self, mutant, found):
+        """Those that killed a neighbour; a few that reach little else; then as it comes."""
+        by_size = sorted(found, key=lambda number: len(self.seen.scenarios[number].reaches))
+        rest = by_size[3:]
+        random.Random(self.seed + mutant.id).shuffle(rest)
+        near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in set(found)]
+        return list(dict.fromkeys(near + by_size[:3] + rest))
+
+    def in_simulator(self, mutant):
+        found = self.order(mutant, self.seen.by_scenario.get(mutant.id, ()))
+        more = ["--checked"] if mutant.folder == "hnc" else []
+        for options in [[], more] if more else [[]]:
+            at, number = 0, 0
+            while at < len(found):
+                size = BATCHES[min(number, len(BATCHES) - 1)]
+                paths = [self.seen.scenarios[index].name for index in found[at:at + size]]
+                failed = run(tests_seen.scenario_command(paths, *options), mutant.id, 300)
+                if failed:
+                    self.remember(mutant, failed)
+                    return failed
+                at, number = at + size, number + 1
+        return None
+
+    def remember(self, mutant, failed):
+        if failed in self.index:
+            killers = self.killers.setdefault((mutant.file, mutant.function), [])
+            if self.index[failed] not in killers:
+                killers.insert(0, self.index[failed])
+                del killers[KILLERS:]
+
+    def units(self, mutant):
+        tests = [self.seen.units[index] for index in self.seen.by_unit.get(mutant.id, ())]
+        tests = sorted((test for test in tests if test.seconds < tests_seen.LIMIT), key=lambda test: test.seconds)
+        cheap = {}
+        for test in tests:
+            if test.seconds < 0.5:
+                cheap.setdefault(test.binary, []).append(test.name)
+        for binary, names in cheap.items():  # together in one process
+            for at in range(0, len(names), 50):
+                together = tests_seen.Unit(binary, ":".join(names[at:at + 50]))
+                failed = run([*tests_seen.unit_command(together), "--gtest_fail_fast"], mutant.id, 120)
+                if failed:
+                    return f"{binary}_test: {failed}"
+        for test in tests:
+            if test.seconds >= 0.5:
+                failed = run(tests_seen.unit_command(test), mutant.id, 60 + 20 * test.seconds)
+                if failed:
+                    return f"{test.name}: {failed}"
+        return None
+
+    def as_compiled(self, mutant):
+        """Only where the text of the program is another one."""
+        found = self.order(mutant, self.seen.by_emit.get(mutant.id, ()))
+        compiled = 0
+        for index in found[:250]:
+            scenario = self.seen.scenarios[index]
+            text = tests_seen.emitted_text(scenario.name, mutant.id)
+            if text == scenario.text:
+                continue
+            if not text or text == "endless":
+                return f"{scenario.name}: nothing emitted"
+            failed = run(tests_seen.scenario_command([scenario.name], engine="all"), mutant.id, 300)
+            if failed:
+                self.remember(mutant, scenario.name)
+                return f"{scenario.name} (compiled)"
+            compiled += 1
+            if compiled == 20:
+                break
+        return None

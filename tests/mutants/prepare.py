@@ -1,0 +1,122 @@
+"""A copy of the sources with all mutants in it, build/mutants/source, its binaries, and the table of the mutants."""
+import filecmp
+import glob
+import os
+import pathlib
+import shutil
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PLACE = ROOT / "build" / "mutants"
+SOURCE, TABLE = PLACE / "source", PLACE / "table"
+BUILD = SOURCE / "build"  # as that of every checkout: what is not mutated comes from the compiler cache
+
+# What is mutated: a folder's name here, patterns of its files.
+FOLDERS = {
+    "nc110": ["transpiler/dialects/nc110/lowering*.cc"],
+    "host50": ["transpiler/dialects/host50/lowering*.cc"],
+    "prostep": ["transpiler/dialects/prostep/lowering*.cc"],
+    "technol": ["transpiler/dialects/technol/lowering*.cc", "transpiler/dialects/technol/effects.cc"],
+    "hnc": ["transpiler/dialects/hnc/lowering*.cc"],
+    "passes": ["transpiler/passes/**/*.cc"],
+    "emit": ["transpiler/emit/**/*.cc"],
+    "runtime": ["runtime_support/plcxx/*.h"],
+}
+TARGETS = ["plcxx", "emit_test", "passes_test", "ir_test", "sim_test", "runtime_support_test", "dialects_test",
+           "reference_test"]
+# The mutated libraries, whose code is large and runs for moments.
+FAST_TO_COMPILE = """
+foreach(FOLDER passes emit sim nc110 host50 prostep technol hnc)
+  if(TARGET plcxx_${FOLDER})
+    target_compile_options(plcxx_${FOLDER} PRIVATE -O0 -w)
+  endif()
+endforeach()
+"""
+
+
+class Mutant:
+    """One change. Its key is the same in every build, as long as the code around it is."""
+
+    def __init__(self, folder, line, occurrence_of):
+        number, self.file, row, self.function, self.kind, self.text = line.rstrip("\n").split("\t")
+        self.id, self.line, self.folder = int(number), int(row), folder
+        plain = (self.file, self.function.replace("(anonymous namespace)::", ""), self.kind, self.text)
+        occurrence_of[plain] = occurrence_of.get(plain, 0) + 1
+        self.key = " | ".join(plain) + (f" | {occurrence_of[plain]}" if occurrence_of[plain] > 1 else "")
+
+
+def folder_files(folder, root=ROOT):
+    found = {name for pattern in FOLDERS[folder] for name in glob.glob(str(root / pattern), recursive=True)}
+    return sorted(found)
+
+
+def read_table(path=TABLE):
+    folders = {}
+    for folder in FOLDERS:
+        for name in folder_files(folder):
+            folders[str(pathlib.Path(name).relative_to(ROOT))] = folder
+    counts = {}
+    with open(path, encoding="utf-8", errors="replace") as lines:
+        return [Mutant(folders.get(line.split("\t")[1], ""), line, counts) for line in lines]
+
+
+def rewrite(mutate, files, root, out, table, first, includes):
+    own_headers = subprocess.run(["clang-19", "-print-resource-dir"], check=True, capture_output=True, text=True).stdout
+    subprocess.run([mutate, "--first", str(first), "--out", out, "--table", table, "--root", root, *files, "--",
+                    "-std=c++20", "-resource-dir", own_headers.strip(), *[f"-I{folder}" for folder in includes]], check=True)
+
+
+def copy_changed(source, target):
+    """What is the same keeps its time, so that it is not compiled again."""
+    if target.exists() and filecmp.cmp(source, target, shallow=False):
+        return
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, target)
+    shutil.copymode(source, target)
+
+
+def write_changed(target, text):
+    if not target.exists() or target.read_text() != text:
+        target.write_text(text)
+
+
+def make_sources(mutate):
+    rewritten = PLACE / "rewritten"
+    shutil.rmtree(rewritten, ignore_errors=True)
+    PLACE.mkdir(parents=True, exist_ok=True)
+    table = PLACE / "table.new"
+    table.unlink(missing_ok=True)
+    first = 1
+    for folder in FOLDERS:
+        print(f"mutating {folder}", flush=True)
+        rewrite(mutate, folder_files(folder), ROOT, rewritten, table, first, [ROOT, ROOT / "runtime_support"])
+        with open(table, encoding="utf-8", errors="replace") as lines:
+            first = sum(1 for _ in lines) + 1
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
+                            capture_output=True, text=True).stdout.split("\0")
+    for name in filter(None, listed):
+        if not (ROOT / name).is_file():
+            continue
+        # Of the runtime there are both: the simulator has the mutated one, generated code the other.
+        changed = rewritten / name
+        if changed.exists() and not name.startswith("runtime_support/"):
+            copy_changed(changed, SOURCE / name)
+        elif name not in ("runtime_support/CMakeLists.txt", "transpiler/CMakeLists.txt"):
+            copy_changed(ROOT / name, SOURCE / name)
+    for path in (rewritten / "runtime_support").rglob("*.h"):
+        copy_changed(path, SOURCE / "mutated_runtime" / path.relative_to(rewritten / "runtime_support"))
+    for name in folder_files("runtime"):  # one without a mutant
+        path = pathlib.Path(name).relative_to(ROOT / "runtime_support")
+        if not (rewritten / "runtime_support" / path).exists():
+            copy_changed(name, SOURCE / "mutated_runtime" / path)
+    text = (ROOT / "runtime_support/CMakeLists.txt").read_text()
+    write_changed(SOURCE / "runtime_support/CMakeLists.txt",
+                  text.replace("${CMAKE_CURRENT_SOURCE_DIR}", "${PROJECT_SOURCE_DIR}/mutated_runtime"))
+    write_changed(SOURCE / "transpiler/CMakeLists.txt", (ROOT / "transpiler/CMakeLists.txt").read_text() + FAST_TO_COMPILE)
+    os.replace(table, TABLE)
+
+
+def build(jobs):
+    if not (BUILD / "build.ninja").exists():
+        subprocess.run(["cmake", "-G", "Ninja", "-S", SOURCE, "-B", BUILD], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "-k", "0", *TARGETS], check=True)

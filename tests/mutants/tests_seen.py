@@ -1,0 +1,190 @@
+"""The tests that can see mutants, and which mutants each of them reaches."""
+import array
+import concurrent.futures
+import hashlib
+import os
+import pathlib
+import pickle
+import re
+import subprocess
+import tempfile
+import time
+import zlib
+
+import prepare
+
+BINARIES = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "reference")
+# Not about what is mutated here, or they compile the headers by themselves.
+LEFT_OUT = re.compile(r"^(Speed|Compilers|Headers|GoldenRunner|Mutation|Golden[.](Cases|Every))|[.]Speed")
+EMITTED = 4  # one scenario in so many is looked at as C++, too
+LIMIT = 20  # seconds; a longer test is run at the end, when asked for
+REACHED = re.compile(b"\x01")
+
+
+class Scenario:
+    """Of tests/golden or samples: runs in the simulator; as compiled C++ for what the emitter writes."""
+
+    def __init__(self, path):
+        self.name, self.seconds, self.text = path, 0.0, ""
+        self.reaches, self.emits = array.array("i"), array.array("i")
+
+
+class Unit:
+    """One GoogleTest."""
+
+    def __init__(self, binary, name):
+        self.binary, self.name, self.seconds = binary, name, 0.0
+        self.reaches = array.array("i")
+
+
+def environment(mutant=0, **more):
+    values = dict(os.environ, **more)
+    values.pop("PLCXX_MUTANT", None)
+    if mutant:
+        values["PLCXX_MUTANT"] = str(mutant)
+    return values
+
+
+def plcxx():
+    return str(prepare.BUILD / "bin" / "plcxx")
+
+
+def scenario_command(paths, *more, engine="sim"):
+    return [plcxx(), "test", "--engine", engine, "--jobs", "1", "--time-limit", "20", *more, *paths]
+
+
+def unit_command(unit):
+    return [str(prepare.BUILD / "tests" / f"{unit.binary}_test"), f"--gtest_filter={unit.name}", "--gtest_brief=1"]
+
+
+# Instead of a compiler: notes what it would compile, and fails.
+NO_COMPILER = """#!/bin/sh
+while [ "$1" != -o ]; do [ "$1" != -I ] || place=$2; shift; done
+cat "$place"/*pp | sha256sum >> "$PLCXX_MUTANTS_TEXT"
+exit 1
+"""
+
+
+def no_compiler():
+    path = prepare.PLACE / "no_compiler"
+    if not path.exists():
+        path.write_text(NO_COMPILER)
+        path.chmod(0o755)
+    return str(path)
+
+
+def emitted_text(path, mutant=0, reached=None):
+    """What stands for the C++ of a scenario's program; "" when there is none."""
+    with tempfile.NamedTemporaryFile("r") as text:
+        more = {"PLCXX_MUTANTS_TEXT": text.name}
+        if reached:
+            more["PLCXX_MUTANTS_REACHED"] = reached
+        try:
+            subprocess.run(scenario_command([path], "--cxx", no_compiler(), engine="host"), cwd=prepare.ROOT,
+                           env=environment(mutant, **more), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                           timeout=60)
+        except subprocess.TimeoutExpired:
+            return "endless"
+        return text.read()
+
+
+def record(command, reached):
+    """Runs it without a mutant: which it reached, whether it passed, how long it took."""
+    with open(reached, "wb"):
+        pass
+    started = time.monotonic()
+    done = subprocess.run(command, cwd=prepare.ROOT, env=environment(PLCXX_MUTANTS_REACHED=reached),
+                          stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
+    return read_reached(reached), done.returncode == 0, time.monotonic() - started
+
+
+def read_reached(path):
+    return array.array("i", (match.start() for match in REACHED.finditer(pathlib.Path(path).read_bytes())))
+
+
+def record_scenario(scenario):
+    with tempfile.TemporaryDirectory() as place:
+        reached = os.path.join(place, "reached")
+        scenario.reaches, passed, scenario.seconds = record(scenario_command([scenario.name]), reached)
+        if passed and zlib.crc32(scenario.name.encode()) % EMITTED == 0:
+            with open(reached, "wb"):
+                pass
+            scenario.text = emitted_text(scenario.name, reached=reached)
+            if scenario.text:
+                known = set(scenario.reaches)
+                scenario.emits = array.array("i", (mutant for mutant in read_reached(reached) if mutant not in known))
+    return scenario if passed else None
+
+
+def record_unit(unit):
+    with tempfile.TemporaryDirectory() as place:
+        unit.reaches, passed, unit.seconds = record(unit_command(unit), os.path.join(place, "reached"))
+    return unit if passed else None
+
+
+def units():
+    found = []
+    for binary in BINARIES:
+        path = prepare.BUILD / "tests" / f"{binary}_test"
+        if not path.exists():
+            continue
+        lines = subprocess.run([path, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
+        suite = ""
+        for line in lines.split("\n"):
+            word = line.split("#")[0].strip()
+            if not line.startswith(" "):
+                suite = word
+            elif word and not LEFT_OUT.search(suite + word):
+                found.append(Unit(binary, suite + word))
+    return found
+
+
+def scenarios():
+    return [Scenario(str(path.relative_to(prepare.ROOT)))
+            for place in ("tests/golden", "samples") for path in sorted((prepare.ROOT / place).rglob("*.yaml"))]
+
+
+def stamp():
+    """Of what was recorded: other binaries, other marks."""
+    sums = hashlib.sha256(prepare.TABLE.read_bytes())
+    sums.update(repr([path.name for path in scenarios_and_binaries()]).encode())
+    return sums.hexdigest()
+
+
+def scenarios_and_binaries():
+    return [pathlib.Path(scenario.name) for scenario in scenarios()] + sorted((prepare.BUILD / "tests").glob("*_test"))
+
+
+class Seen:
+    """By mutant: the tests that reach it."""
+
+    def __init__(self, recorded_scenarios, recorded_units):
+        self.scenarios, self.units = recorded_scenarios, recorded_units
+        self.by_scenario, self.by_emit, self.by_unit = {}, {}, {}
+        for table, tests, field in ((self.by_scenario, self.scenarios, "reaches"), (self.by_emit, self.scenarios, "emits"),
+                                    (self.by_unit, self.units, "reaches")):
+            for index, test in enumerate(tests):
+                for mutant in getattr(test, field):
+                    table.setdefault(mutant, array.array("i")).append(index)
+
+
+def record_all(jobs):
+    kept = prepare.PLACE / "seen.pickle"
+    now = stamp()
+    if kept.exists():
+        with open(kept, "rb") as file:
+            known, *recorded = pickle.load(file)
+        if known == now:
+            return Seen(*recorded)
+    print("recording what each test reaches", flush=True)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        all_scenarios, all_units = scenarios(), units()
+        good = [list(filter(None, pool.map(record_scenario, all_scenarios))),
+                list(filter(None, pool.map(record_unit, all_units)))]
+    passed = {test.name for tests in good for test in tests}
+    for test in all_scenarios + all_units:
+        if test.name not in passed:
+            print(f"  does not pass without a mutant, left out: {test.name}")
+    with open(kept, "wb") as file:
+        pickle.dump((now, *good), file)
+    return Seen(*good)
