@@ -12,9 +12,9 @@ BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed 
 KILLERS = 8                 # of a function, tried first
 
 
-def run(command, mutant, seconds, **more):
+def run(command, mutant, seconds, place=prepare.SOURCE):
     """None: passed. Otherwise what failed first."""
-    with subprocess.Popen(command, cwd=prepare.ROOT, env=tests_seen.environment(mutant, **more), text=True,
+    with subprocess.Popen(command, cwd=place, env=tests_seen.environment(mutant), text=True,
                           errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           start_new_session=True) as process:
         late = []

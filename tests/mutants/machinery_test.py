@@ -22,7 +22,7 @@ def verdicts(mutate, compiler, place):
     prepare.rewrite(mutate, [str(HERE / "fixture/scale.cc")], HERE, place, table, 1, [HERE / "fixture"])
     subprocess.run([compiler, "-std=c++20", "-Wall", "-Wextra", "-I", prepare.ROOT, "-I", HERE / "fixture", "-o", program,
                     place / "fixture/scale.cc", HERE / "fixture/scale_test.cc"], check=True)
-    marks, passed, _ = tests_seen.record([str(program)], str(reached))
+    marks, passed, _ = tests_seen.record([str(program)], str(reached), HERE)
     assert passed, "the program without a mutant does not pass"
     lines, counts = [], {}
     for line in table.read_text().split("\n"):
@@ -31,7 +31,7 @@ def verdicts(mutate, compiler, place):
         mutant = prepare.Mutant("fixture", line, counts)
         verdict = "not reached"
         if mutant.id in marks:
-            verdict = "killed" if judge.run([str(program)], mutant.id, 20) else "survived"
+            verdict = "killed" if judge.run([str(program)], mutant.id, 20, HERE) else "survived"
         lines.append(f"{verdict}: {mutant.key}")
     return lines
 
@@ -51,10 +51,10 @@ def check_fixture(mutate, compiler):
 
 
 def check_endless():
-    assert judge.run(["sleep", "60"], 1, 0.2) == "took too long"
-    assert judge.run(["sh", "-c", "echo 'FAILED  a.yaml'; sleep 60"], 1, 30) == "a.yaml"
-    assert judge.run(["sh", "-c", "exit 3"], 1, 30) == "exit code 3"
-    assert judge.run(["true"], 1, 30) is None
+    assert judge.run(["sleep", "60"], 1, 0.2, HERE) == "took too long"
+    assert judge.run(["sh", "-c", "echo 'FAILED  a.yaml'; sleep 60"], 1, 30, HERE) == "a.yaml"
+    assert judge.run(["sh", "-c", "exit 3"], 1, 30, HERE) == "exit code 3"
+    assert judge.run(["true"], 1, 30, HERE) is None
 
 
 def check_survivors():

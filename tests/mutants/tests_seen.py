@@ -80,7 +80,7 @@ def emitted_text(path, mutant=0, reached=None):
         if reached:
             more["PLCXX_MUTANTS_REACHED"] = reached
         try:
-            subprocess.run(scenario_command([path], "--cxx", no_compiler(), engine="host"), cwd=prepare.ROOT,
+            subprocess.run(scenario_command([path], "--cxx", no_compiler(), engine="host"), cwd=prepare.SOURCE,
                            env=environment(mutant, **more), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                            timeout=60)
         except subprocess.TimeoutExpired:
@@ -88,12 +88,12 @@ def emitted_text(path, mutant=0, reached=None):
         return text.read()
 
 
-def record(command, reached):
+def record(command, reached, place=prepare.SOURCE):
     """Runs it without a mutant: which it reached, whether it passed, how long it took."""
     with open(reached, "wb"):
         pass
     started = time.monotonic()
-    done = subprocess.run(command, cwd=prepare.ROOT, env=environment(PLCXX_MUTANTS_REACHED=reached),
+    done = subprocess.run(command, cwd=place, env=environment(PLCXX_MUTANTS_REACHED=reached),
                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
     return read_reached(reached), done.returncode == 0, time.monotonic() - started
 
@@ -140,19 +140,8 @@ def units():
 
 
 def scenarios():
-    return [Scenario(str(path.relative_to(prepare.ROOT)))
-            for place in ("tests/golden", "samples") for path in sorted((prepare.ROOT / place).rglob("*.yaml"))]
-
-
-def stamp():
-    """Of what was recorded: other binaries, other marks."""
-    sums = hashlib.sha256(prepare.TABLE.read_bytes())
-    sums.update(repr([path.name for path in scenarios_and_binaries()]).encode())
-    return sums.hexdigest()
-
-
-def scenarios_and_binaries():
-    return [pathlib.Path(scenario.name) for scenario in scenarios()] + sorted((prepare.BUILD / "tests").glob("*_test"))
+    return [Scenario(str(path.relative_to(prepare.SOURCE)))
+            for place in ("tests/golden", "samples") for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
 
 
 class Seen:
@@ -168,23 +157,28 @@ class Seen:
                     table.setdefault(mutant, array.array("i")).append(index)
 
 
-def record_all(jobs):
-    kept = prepare.PLACE / "seen.pickle"
-    now = stamp()
+def recorded(name, tests, record_one, jobs):
+    """Of an earlier run where mutants and tests are the same ones."""
+    kept = prepare.PLACE / f"seen_{name}.pickle"
+    now = hashlib.sha256(prepare.TABLE.read_bytes() + repr([test.name for test in tests]).encode()).hexdigest()
     if kept.exists():
         with open(kept, "rb") as file:
-            known, *recorded = pickle.load(file)
+            known, good = pickle.load(file)
         if known == now:
-            return Seen(*recorded)
-    print("recording what each test reaches", flush=True)
+            return good
+    good = []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        all_scenarios, all_units = scenarios(), units()
-        good = [list(filter(None, pool.map(record_scenario, all_scenarios))),
-                list(filter(None, pool.map(record_unit, all_units)))]
-    passed = {test.name for tests in good for test in tests}
-    for test in all_scenarios + all_units:
-        if test.name not in passed:
-            print(f"  does not pass without a mutant, left out: {test.name}")
+        for number, (test, result) in enumerate(zip(tests, pool.map(record_one, tests)), 1):
+            if result is None:
+                print(f"  does not pass without a mutant, left out: {test.name}")
+            else:
+                good.append(result)
+            if number % 500 == 0:
+                print(f"what {name} reach: {number} of {len(tests)}", flush=True)
     with open(kept, "wb") as file:
-        pickle.dump((now, *good), file)
-    return Seen(*good)
+        pickle.dump((now, good), file)
+    return good
+
+
+def record_all(jobs):
+    return Seen(recorded("scenarios", scenarios(), record_scenario, jobs), recorded("units", units(), record_unit, jobs))
