@@ -9,6 +9,7 @@ import prepare
 import tests_seen
 
 BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed by the first
+FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
 
 
@@ -60,10 +61,10 @@ class Judge:
         if not self.reached(mutant):
             return "not reached", ""
         if mutant.folder == "runtime":
-            return self.first(mutant, self.units, self.in_simulator)
+            return self.first(mutant, self.units, self.some_in_simulator, self.rest_in_simulator)
         if mutant.folder == "emit":
-            return self.first(mutant, self.units, self.in_simulator, self.as_compiled)
-        return self.first(mutant, self.in_simulator, self.units)
+            return self.first(mutant, self.units, self.some_in_simulator, self.as_compiled)
+        return self.first(mutant, self.some_in_simulator, self.units, self.rest_in_simulator)
 
     @staticmethod
     def first(mutant, *ways):
@@ -73,27 +74,34 @@ class Judge:
                 return "killed", killer
         return "survived", ""
 
-    def order(self, mutant, found):
-        """Those that killed a neighbour; a few that reach little else; then as it comes."""
+    def order(self, mutant, table=None):
+        """Scenarios: those that killed a neighbour; a few that reach little else; then as it comes."""
+        found = (self.seen.by_scenario if table is None else table).get(mutant.id, ())
         by_size = sorted(found, key=lambda number: len(self.seen.scenarios[number].reaches))
         rest = by_size[3:]
         random.Random(self.seed + mutant.id).shuffle(rest)
-        near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in set(found)]
+        reaching = set(found)
+        near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in reaching]
         return list(dict.fromkeys(near + by_size[:3] + rest))
 
-    def in_simulator(self, mutant):
-        found = self.order(mutant, self.seen.by_scenario.get(mutant.id, ()))
-        more = ["--checked"] if mutant.folder == "hnc" else []
-        for options in [[], more] if more else [[]]:
-            at, number = 0, 0
-            while at < len(found):
-                size = BATCHES[min(number, len(BATCHES) - 1)]
-                paths = [self.seen.scenarios[index].name for index in found[at:at + size]]
-                failed = run(tests_seen.scenario_command(paths, *options), mutant.id, 300)
-                if failed:
-                    self.remember(mutant, failed)
-                    return failed
-                at, number = at + size, number + 1
+    def some_in_simulator(self, mutant):
+        return self.in_simulator(mutant, self.order(mutant)[:FIRST])
+
+    def rest_in_simulator(self, mutant):
+        found = self.order(mutant)
+        return self.in_simulator(mutant, found[FIRST:]) or (
+            self.in_simulator(mutant, found, "--checked") if mutant.folder == "hnc" else None)
+
+    def in_simulator(self, mutant, found, *options):
+        at, number = 0, 0
+        while at < len(found):
+            size = BATCHES[min(number, len(BATCHES) - 1)]
+            paths = [self.seen.scenarios[index].name for index in found[at:at + size]]
+            failed = run(tests_seen.scenario_command(paths, *options), mutant.id, 300)
+            if failed:
+                self.remember(mutant, failed)
+                return failed
+            at, number = at + size, number + 1
         return None
 
     def remember(self, mutant, failed):
@@ -115,7 +123,7 @@ class Judge:
                 together = tests_seen.Unit(binary, ":".join(names[at:at + 50]))
                 failed = run([*tests_seen.unit_command(together), "--gtest_fail_fast"], mutant.id, 120)
                 if failed:
-                    return f"{binary}_test: {failed}"
+                    return f"{binary}: {failed}"
         for test in tests:
             if test.seconds >= 0.5:
                 failed = run(tests_seen.unit_command(test), mutant.id, 60 + 20 * test.seconds)
@@ -125,7 +133,7 @@ class Judge:
 
     def as_compiled(self, mutant):
         """Only where the text of the program is another one."""
-        found = self.order(mutant, self.seen.by_emit.get(mutant.id, ()))
+        found = self.order(mutant, self.seen.by_emit)
         compiled = 0
         for index in found[:250]:
             scenario = self.seen.scenarios[index]

@@ -13,7 +13,6 @@ import zlib
 
 import prepare
 
-BINARIES = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "reference")
 # Not about what is mutated here, or they compile the headers by themselves.
 LEFT_OUT = re.compile(r"^(Speed|Compilers|Headers|GoldenRunner|Mutation|Golden[.](Cases|Every))|[.]Speed")
 EMITTED = 4  # one scenario in so many is looked at as C++, too
@@ -54,7 +53,7 @@ def scenario_command(paths, *more, engine="sim"):
 
 
 def unit_command(unit):
-    return [str(prepare.BUILD / "tests" / f"{unit.binary}_test"), f"--gtest_filter={unit.name}", "--gtest_brief=1"]
+    return [str(prepare.BUILD / "tests" / unit.binary), f"--gtest_filter={unit.name}", "--gtest_brief=1"]
 
 
 # Instead of a compiler: notes what it would compile, and fails.
@@ -93,9 +92,12 @@ def record(command, reached, place=prepare.SOURCE):
     with open(reached, "wb"):
         pass
     started = time.monotonic()
-    done = subprocess.run(command, cwd=place, env=environment(PLCXX_MUTANTS_REACHED=reached),
-                          stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
-    return read_reached(reached), done.returncode == 0, time.monotonic() - started
+    try:
+        passed = subprocess.run(command, cwd=place, env=environment(PLCXX_MUTANTS_REACHED=reached), timeout=120,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+    except subprocess.TimeoutExpired:
+        passed = False
+    return read_reached(reached), passed, time.monotonic() - started
 
 
 def read_reached(path):
@@ -124,9 +126,8 @@ def record_unit(unit):
 
 def units():
     found = []
-    for binary in BINARIES:
-        path = prepare.BUILD / "tests" / f"{binary}_test"
-        if not path.exists():
+    for path in sorted((prepare.BUILD / "tests").glob("*_test")):
+        if not path.name.startswith(prepare.TESTS):
             continue
         lines = subprocess.run([path, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
         suite = ""
@@ -135,7 +136,7 @@ def units():
             if not line.startswith(" "):
                 suite = word
             elif word and not LEFT_OUT.search(suite + word):
-                found.append(Unit(binary, suite + word))
+                found.append(Unit(path.name, suite + word))
     return found
 
 
