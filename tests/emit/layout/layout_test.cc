@@ -46,5 +46,19 @@ TEST(Layout, OffsetsAreThoseOfTheStruct) {
   EXPECT_EQ(layout.size % 4, 0u);
 }
 
+/// Storage of the first place, which no instruction touches, when a declaration stands behind it.
+Storage StorageOfNamed(const std::string& declaration) {
+  const ir::Program program = ir::ReadOrDie(std::string(kDeclarations) + declaration);
+  return MakeLayout(program).places.front().storage;
+}
+
+TEST(Layout, WhatOnlyTheScheduleOrAMessageNamesHasRoom) {
+  EXPECT_EQ(StorageOfNamed(""), Storage::kNone);
+  EXPECT_EQ(StorageOfNamed("schedule slow_done a\n"), Storage::kBit);
+  EXPECT_EQ(StorageOfNamed("schedule fast_done a\n"), Storage::kBit);
+  EXPECT_EQ(StorageOfNamed("schedule retain_at_power_off a\n"), Storage::kBit);
+  EXPECT_EQ(StorageOfNamed("message_word a\n"), Storage::kBit);
+}
+
 }  // namespace
 }  // namespace plcxx::emit::layout
