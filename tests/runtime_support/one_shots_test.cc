@@ -242,6 +242,15 @@ TEST(OneShot, PulseBelongsToThePartThatStartedItLast) {
   EXPECT_FALSE(shot.pulse);
 }
 
+TEST(OneShot, ATargetIsAheadByLessThanHalfOfAllCounts) {
+  EXPECT_TRUE(ReachedSlowCycle(7, 7));
+  EXPECT_FALSE(ReachedSlowCycle(7, 8));
+  EXPECT_TRUE(ReachedSlowCycle(0x7FFFFFFF, 0));
+  EXPECT_FALSE(ReachedSlowCycle(0x80000000, 0));
+  EXPECT_TRUE(ReachedSlowCycle(1, 0xFFFFFFFF));
+  EXPECT_FALSE(ReachedSlowCycle(0xFFFFFFFF, 1));
+}
+
 TEST(OneShot, CyclesMayWrap) {
   for (uint32_t start = 0xFFFFFFFB; start != 3; ++start) {
     Schedule s{2};
