@@ -156,6 +156,13 @@ TEST(Host50Lowering, NumbersOfStatementsComeFromTheirText) {
   };
   EXPECT_EQ(id(one, 0), id(two, 1));
   EXPECT_EQ(id(one, 1), id(two, 2));
+
+  LoweredProgram quoted, spaced, other;  // blanks count in quotes only
+  LowerInto(quoted, {Slow("LD %I1\nREMARK \"on the rung\"\nOUT %Q1\n")});
+  LowerInto(spaced, {Slow("LD\t%I1\nREMARK  \"on the rung\" \nOUT %Q1\n")});
+  LowerInto(other, {Slow("LD %I1\nREMARK \"on  the rung\"\nOUT %Q1\n")});
+  EXPECT_EQ(id(quoted, 0), id(spaced, 0));
+  EXPECT_NE(id(quoted, 0), id(other, 0));
 }
 
 // covers: HOST50-250..253 HOST50-255

@@ -190,7 +190,7 @@ TEST(Nc110Lowering, CommentsStandWithTheirStatements) {
 TEST(Nc110Lowering, NumbersOfStatementsComeFromTheirText) {
   LoweredProgram one, two;
   LowerInto(one, {"U4A0=I0A1 U4A1=I0A2 U4A1=I0A2"});
-  LowerInto(two, {"U9A9=1\nU4A0 = I0A1 ; a comment\nU4A1=\nI0A2\nU4A1=I0A2"});
+  LowerInto(two, {"U9A9=1\nU4A0 =; a comment\n\tI0A1\r\nU4A1=;one more\r\n\fI0A2\nU4A1=I0A2"});
   const auto id = [](const LoweredProgram& lowered, uint32_t index) {
     return lowered.program().statements[ir::StatementId(index)].id;
   };

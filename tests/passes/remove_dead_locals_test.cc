@@ -103,6 +103,25 @@ loop @1 guard 10 {
   EXPECT_EQ(AfterFast(carried), carried);
 }
 
+TEST(RemoveDeadLocals, WhatTheStepOfALoopReadsStays) {
+  const std::string body = R"(%0 = const i32 5
+loop @1 proven 3 {
+  condition {
+    %1 = load a
+  }
+  body {
+    store rounds %0
+  }
+  step {
+    %2 = load rounds
+    %3 = eq.i32 %2 %0
+    store b %3
+  }
+}
+)";
+  EXPECT_EQ(AfterFast(body), body);
+}
+
 TEST(RemoveDeadLocals, ASubroutineSharesItsCallersLocals) {
   const std::string routines = R"(routine callee subroutine {
   %0 = load rounds

@@ -66,7 +66,7 @@ std::optional<Spelling> SpellingOf(BinaryOperatorKind op) {
 
 /// Of calls that are left alone with everything in them.
 bool IsExcludedCall(const std::string& name) {
-  static const std::set<std::string> names = {"reserve", "shrink_to_fit"};
+  static const std::set<std::string> names = {"reserve", "Reserve", "shrink_to_fit"};
   return names.contains(name);
 }
 
