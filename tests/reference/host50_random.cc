@@ -62,25 +62,34 @@ class Generator {
   /// Texts for the operator and the archive (3.1), and options in the source, which the scenario's own override.
   void Tables(std::vector<Piece>& parts) {
     if (random_.OneIn(4)) {
-      parts.push_back({"TITLE",
-                       {{"BUILDER \"a \"\"b\"\"\"", {}, ""}, {"  NOTE \"n\"", {}, ""}, {"PCVERSION \"1\"", {}, ""}},
-                       "END_TITLE"});
+      static const Texts kKeys = {"BUILDER",   "MACHINE", "PROGRAM", "VERSION", "PCVERSION",
+                                  "NCVERSION", "CREATED", "EDITED",  "AUTHOR",  "NOTE"};
+      Piece title{"TITLE", {}, "END_TITLE"};
+      const uint32_t first = random_.Below(8);
+      for (uint32_t i = first; i < first + 3; ++i) title.body.push_back({kKeys[i] + " \"a \"\"b\"\"\"", {}, ""});
+      parts.push_back(std::move(title));
     }
     if (random_.OneIn(4)) {
-      parts.push_back(
-          {"ALARMS",
-           {{"%Q400 \"door\"", {}, ""}, {"%Q0401 WARNING \"oil\"", {}, ""}, {"%Q499 notice \"end\"", {}, ""}},
-           "END_ALARMS"});
+      parts.push_back({"ALARMS",
+                       {{"%Q400 \"door\"", {}, ""},
+                        {"%Q0401 WARNING \"oil\"", {}, ""},
+                        {"%Q402 CAUTION \"air\"", {}, ""},
+                        {"%Q499 notice \"end\"", {}, ""}},
+                       "END_ALARMS"});
     }
-    if (random_.OneIn(4))
+    if (random_.OneIn(4)) {
       parts.push_back({"MCODES", {{"3 \"spindle\"", {}, ""}, {"008 \"coolant\"", {}, ""}}, "END_MCODES"});
-    static const Texts kOptions = {"OPTION TP=IEC",       "OPTION ROTQ = REVERSE", "OPTION ROTBASE=0",
-                                   "option cnud=hold",    "OPTION FTOW= ROUND",    "OPTION BTOW =KEEP",
-                                   "OPTION EDGEINIT=OFF", "OPTION SLICES=SLICED",  "OPTION AXISBASE=0",
-                                   "SLOWDIV 4",           "OPTION TP=MANUAL"};
-    const uint32_t first = random_.Below(11);
-    if (random_.OneIn(3)) parts.push_back({kOptions[first], {}, ""});
-    if (random_.OneIn(4)) parts.push_back({kOptions[(first + 3) % 10], {}, ""});
+    }
+    static const std::vector<Texts> kOptions = {
+        {"OPTION TP=IEC", "OPTION TP = MANUAL"},           {"OPTION ROTQ = REVERSE", "OPTION ROTQ=FORWARD"},
+        {"OPTION ROTBASE=0", "OPTION ROTBASE=1"},          {"option cnud=hold", "OPTION CNUD=RING"},
+        {"OPTION FTOW= ROUND", "OPTION FTOW=TRUNC"},       {"OPTION BTOW =KEEP", "OPTION BTOW=CLEAR"},
+        {"OPTION EDGEINIT=OFF", "OPTION EDGEINIT=IMAGE"},  {"OPTION SLICES=SLICED", "OPTION SLICES=ATOMIC"},
+        {"OPTION AXISBASE=0", "OPTION AXISBASE=1"},        {"SLOWDIV 4", "SLOWDIV 016"},
+        {"OPTION PREDEFINED=ON", "OPTION PREDEFINED=OFF"}, {"CHANNELS 2", "CHANNELS 1"}};
+    const uint32_t first = random_.Below(static_cast<uint32_t>(kOptions.size()));
+    if (random_.OneIn(2)) parts.push_back({random_.Pick(kOptions[first]), {}, ""});
+    if (random_.OneIn(4)) parts.push_back({random_.Pick(kOptions[(first + 5) % kOptions.size()]), {}, ""});
   }
 
   Piece Part(const std::string& head, const std::string& end, host50_random::Callees callees, uint32_t statements,

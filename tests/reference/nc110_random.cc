@@ -214,7 +214,7 @@ class Generator {
   /// What may stand between two tokens.
   std::string Gap() {
     if (!random_.OneIn(6)) return "";
-    return Spelled("", {" ", "  ", "\t", "\n", "\f", " ; a remark\n ", ";=\"U4A0\n;\n"});
+    return Spelled("", {" ", "  ", "\t", "\n", "\f", " ; a remark\n ", "; \x8F\xE3\xE1\xAA\n", ";=\"U4A0\n;\n"});
   }
   std::string Infix(const Texts& operators) {
     std::string text = Gap();

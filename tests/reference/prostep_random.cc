@@ -116,6 +116,9 @@ class ProstepGenerator {
   }
   static std::string Label(uint32_t label) {
     static const std::array<const char*, 5> kNames = {"L0", "DT1", "A+-.#", "EM", "L_%$4"};
+    // The grammar has all letters.
+    static const std::array<const char*, 4> kMore = {"GJNQ", "UVWYZ", "MB", "X\"'()"};
+    if (label >= kNames.size() && label < kNames.size() + kMore.size()) return kMore[label - kNames.size()];
     return label < kNames.size() ? kNames[label] : "L" + std::to_string(label);
   }
   template <class Inside>
@@ -538,6 +541,11 @@ class ProstepGenerator {
         if (!twice) set += (set.empty() ? "" : ", ") + assignment;
       }
       if (!set.empty()) steps_.push_back("set: {" + set + "}");
+      if (Chance(6))
+        steps_.push_back(
+            "force: {" +
+            One(std::array{"FB1: 3", "DB3: 7", "IB0: 1", "F 221.7: 1", "DW4: 9999", "FW2: 4660", "IB1: 255"}) + "}");
+      if (Chance(6)) steps_.push_back("release: [FB1, DB3, DW4, IB0, IB1, FW2, F 221.7]");
       const uint32_t choice = Below(20);
       if (choice == 0) {
         steps_.push_back("power_cycle:");

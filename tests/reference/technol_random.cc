@@ -93,7 +93,8 @@ class TechnolGenerator : StraightCode {
       if (reads_include_) One(std::array{"", ""});
       files[0].pieces = prolog;
     }
-    const std::string title = Spelled({"", "", "  TITLE a machine", "  INCLUDE KONST.ASH", "  PAGE 60,132"});
+    const std::string title =
+        Spelled({"", "", "  TITLE a machine", "  INCLUDE KONST.ASH", "  PAGE 60,132", "  SUBTTL data", "  NAME stroj"});
     files[0].pieces.insert(files[0].pieces.begin(), {title, {}, ""});
     // The data, some units; then a file with data of its own.
     const size_t cut = Chance(25) ? 1 + Below(4) : pieces_.size();
@@ -119,7 +120,8 @@ class TechnolGenerator : StraightCode {
   void Data() {
     Piece data{"  DATA", {}, Spelled({"  DATA_END", "  START"})};
     const auto line = [&](const std::string& text) { data.body.push_back({text, {}, ""}); };
-    line("S0 STRUC\nP0 DB 3\nP1 DW ?\nP2 DD ?\nS0 ENDS");
+    const std::string open = Spelled({"S0 STRUC", "S0 STRUCT", "S0 STRUC ; pole"});
+    line(open + "\nP0 DB 3\nP1 DW ?\nP2 DD ?\nS0 ENDS");
     line("BITS: DFM A0,A1,A2,A3,A4,A5,A6,A7");
     line("B0: DB " + Expression(Below(256)));
     line(Spelled({"B1: DS 1", "B1 DB ?", "B1: db 1 DUP (?)"}));
@@ -414,6 +416,13 @@ class TechnolGenerator : StraightCode {
         if (!twice) set += (set.empty() ? "" : ", ") + assignment;
       }
       if (!set.empty()) steps_.push_back("set: {" + set + "}");
+      if (Chance(6)) {
+        static constexpr std::array kForced = {"force: {A3: 1}", "force: {W1: 7}",    "force: {B0: 255}",
+                                               "force: {I2: 1}", "force: {OUT1: 85}", "force: {DWRD.D1: 9}",
+                                               "force: {A3: 0}", "force: {IN0: 3}"};
+        steps_.emplace_back(One(kForced));
+      }
+      if (Chance(6)) steps_.emplace_back("release: [A3, W1, B0, I2, OUT1, DWRD.D1, IN0]");
       const uint32_t choice = Below(20);
       if (choice == 0) {
         steps_.push_back("power_cycle:");

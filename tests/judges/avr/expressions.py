@@ -107,7 +107,8 @@ class Expressions:
         if pick == 2 and self.objects:
             # not evaluated
             inner = self.integer(1)
-            if not inner.field:
+            # avr-gcc gives an assignment to a bit-field the size of the field
+            if not inner.field and not (inner.writes and ("." in inner.plc or "->" in inner.plc)):
                 return spelled.literal(f"sizeof({inner.plc})", "unsigned", f"sizeof({inner.avr})")
         if pick == 1:
             if self.structs and self.chance(30):
