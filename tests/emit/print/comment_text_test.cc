@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "transpiler/emit/print/cpp_printer.h"
 
 namespace plcxx::emit::print {
@@ -19,6 +21,25 @@ TEST(CommentText, KeepsLettersAndDropsDirectionMarks) {
   EXPECT_EQ(CommentText("a\xE2\x80\xAE"
                         "b"),
             "ab");  // right-to-left override
+}
+
+/// UTF-8, up to three bytes.
+std::string Utf8(unsigned code) {
+  const auto byte = [](unsigned bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xC0 | code >> 6), byte(0x80 | (code & 0x3F))};
+  return {byte(0xE0 | code >> 12), byte(0x80 | (code >> 6 & 0x3F)), byte(0x80 | (code & 0x3F))};
+}
+
+TEST(CommentText, DropsWhatControlsOrHidesAndNothingBesideIt) {
+  for (const unsigned code :
+       {0x01u, 0x1Fu, 0x7Fu, 0x80u, 0x9Fu, 0x61Cu, 0x200Eu, 0x200Fu, 0x2028u, 0x202Eu, 0x2066u, 0x2069u, 0xFEFFu}) {
+    EXPECT_EQ(CommentText("a" + Utf8(code) + "b"), "ab") << code;
+  }
+  for (const unsigned code :
+       {0x21u, 0x7Eu, 0xA0u, 0x61Bu, 0x61Du, 0x200Du, 0x2010u, 0x2027u, 0x202Fu, 0x2065u, 0x206Au, 0xFEFEu, 0xFF00u}) {
+    EXPECT_EQ(CommentText("a" + Utf8(code) + "b"), "a" + Utf8(code) + "b") << code;
+  }
 }
 
 }  // namespace
