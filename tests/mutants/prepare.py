@@ -81,6 +81,15 @@ def write_changed(target, text):
         target.write_text(text)
 
 
+def remove_others(names):
+    """What is no longer in the project: patterns of CMake would find it."""
+    there = set(names)
+    for place in ("transpiler", "runtime_support", "tests", "samples", "cmake"):
+        for path in (SOURCE / place).rglob("*"):
+            if path.is_file() and path.relative_to(SOURCE).as_posix() not in there:
+                path.unlink()
+
+
 def make_sources(mutate):
     rewritten = PLACE / "rewritten"
     shutil.rmtree(rewritten, ignore_errors=True)
@@ -95,9 +104,9 @@ def make_sources(mutate):
             first = sum(1 for _ in lines) + 1
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
                             capture_output=True, text=True).stdout.split("\0")
-    for name in filter(None, listed):
-        if not (ROOT / name).is_file():
-            continue
+    names = [name for name in listed if name and (ROOT / name).is_file()]
+    remove_others(names)
+    for name in names:
         # Of the runtime there are both: the simulator has the mutated one, generated code the other.
         changed = rewritten / name
         if changed.exists() and not name.startswith("runtime_support/"):
