@@ -77,7 +77,8 @@ struct Chunk {
 
 /// One generated .cpp file; part 0 holds the partitions themselves.
 struct Part {
-  std::string suffix;  // "" or "_slow_U4A8": the file is <name><suffix>.cpp
+  std::string suffix;             // "" or "_slow_U4A8": the file is <name><suffix>.cpp
+  std::vector<bool> called = {};  // by RoutineId: subroutines that its functions call
 };
 
 /// Chunks of one file that a partition in part 0 calls directly after each other, by one function.
@@ -93,10 +94,55 @@ enum class Leave : uint8_t { kFallsThrough, kReturn, kBreak, kContinue, kGoto };
 
 /// What a Block or Loop has beside its body.
 struct Landing {
-  std::string behind;   // label behind it; empty: nothing goes there by goto
-  std::string again;    // label at a loop's head, likewise
-  std::string counter;  // local that counts the iterations of a guarded loop
-  bool braces = false;  // of a block: around locals that a goto would jump over
+  std::string behind;              // label behind it; empty: nothing goes there by goto
+  std::string again;               // label at a loop's head, likewise
+  std::string counter;             // local that counts the iterations of a guarded loop
+  bool braces = false;             // of a block: around locals that a goto would jump over
+  bool condition_in_head = false;  // of a loop: all of the condition is one expression
+  bool ends_with_break = false;    // of a loop that only Repeat repeats: its body's end is reached
+};
+
+/// How an If's else arm is written.
+struct ElseArm {
+  enum class Kind : uint8_t {
+    kNone,    // there is none, or nothing in it
+    kBlock,   // else { ... }
+    kIf,      // else if (...) { ... }: `chained` goes on with the chain
+    kAlways,  // else { ... }: the arms of `chained`, whose condition is constant
+  };
+  Kind kind = Kind::kNone;
+  ir::InstId chained;         // of kIf and kAlways: the arm's own If
+  ir::StatementId statement;  // whose comments are between; none: "} else if" on one line
+};
+
+/// What follows the text of a switch's arm.
+enum class ArmEnd : uint8_t { kBreak, kFallsThrough, kLeaves };
+
+/// How the text of an operation differs from its row in the table of operations.
+enum class Wording : uint8_t {
+  kTable,       // it does not
+  kFunction,    // of a comparison whose outcome compilers see, and report: a call of its function
+  kComplement,  // of a negation: the comparison that it negates, with the opposite sign
+  kDiscard,     // of a store that gives a local its own value: no assignment, which compilers report
+};
+
+/// The debug flavour: instructions [begin, end) of a list are text inside of `if (m.on(statement)) {`.
+struct Guard {
+  uint32_t begin = 0, end = 0;
+  ir::StatementId statement;
+};
+
+/// The debug flavour: how the text of an instruction asks itself whether its statement is switched on.
+struct Switch {
+  enum class Joint : uint8_t {
+    kAnd,        // m.on(1) & condition: both are always computed
+    kOnlyIfOn,   // m.on(1) && condition
+    kUnlessOff,  // !m.on(1) || condition
+    kValue,      // m.on(1) ? value : bool{}
+    kLoop,       // in the head as kAnd; else on a line of its own before the condition's
+  };
+  Joint joint = Joint::kAnd;
+  ir::StatementId statement;
 };
 
 struct Emittable {
@@ -112,7 +158,7 @@ struct Emittable {
   std::map<std::pair<layout::Storage, uint32_t>, std::string> element_names;
   std::vector<Form> forms;               // by InstId
   std::vector<bool> changes_nothing;     // by InstId: an effect that would do nothing where it is; it has no text
-  std::vector<bool> by_function;         // by InstId: comparisons that are spelled as calls of their function
+  std::vector<Wording> wordings;         // by InstId
   std::vector<std::string> value_names;  // by InstId: of those of Form::kLocal
   std::vector<Locals> routine_locals;    // by RoutineId
   std::vector<Chunk> chunks;             // nested ones before the ones that call them
@@ -121,11 +167,16 @@ struct Emittable {
   std::vector<Part> parts;
   std::vector<uint32_t> routine_parts;  // by RoutineId: index into `parts`; other than 0 for subroutines only
   std::vector<ChunkRun> runs;
-  std::unordered_map<uint32_t, Leave> leaves;      // by InstId, of every Exit and Repeat
-  std::unordered_map<uint32_t, Landing> landings;  // by InstId, of blocks and loops that have anything
-  std::vector<std::string> functions;              // of runtime_support that expressions call, sorted
-  std::vector<bool> host_used;                     // by HostFunctionId
-  std::vector<bool> called_by_slice;               // by RoutineId: a piece of a sliced routine calls it
+  std::unordered_map<uint32_t, Leave> leaves;       // by InstId, of every Exit and Repeat
+  std::unordered_map<uint32_t, Landing> landings;   // by InstId, of all loops, and of blocks that have anything
+  std::unordered_map<uint32_t, ElseArm> else_arms;  // by InstId, of every If that has text
+  std::vector<std::vector<ArmEnd>> arm_ends;        // by SwitchId, in the order of its cases
+  std::vector<std::vector<Guard>> guards;           // by RegionId, ascending; of the debug flavour
+  std::unordered_map<uint32_t, Switch> switches;    // by InstId, likewise
+  std::vector<std::string> functions;               // of runtime_support that expressions call, sorted
+  std::vector<std::string> headers;                 // of runtime_support that the program's header includes, sorted
+  std::vector<bool> host_used;                      // by HostFunctionId
+  std::vector<bool> called_by_slice;                // by RoutineId: a piece of a sliced routine calls it
 };
 
 /// The instructions of the routines that this flavour of the generated code has, in their order.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/emit/function_insts.h"
 #include "transpiler/emit/legalize/content_borders.h"
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
@@ -170,6 +171,30 @@ void CutParts(Emittable& emittable) {
   if (emittable.options.parts == 0) MakeParts(emittable);
   if (emittable.options.parts > 1) MakeFixedParts(emittable);
   CallInRuns(emittable);
+}
+
+void FindCalledSubroutines(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  for (Part& part : emittable.parts) part.called.assign(program.routines.size(), false);
+  const auto note = [&](uint32_t part, ir::RoutineId routine, const std::vector<Piece>& pieces) {
+    const bool is_printed = emittable.options.flavour == Flavour::kDebug || !program.routines[routine].simulation_only;
+    if (!is_printed) return;
+    VisitFunction(emittable, pieces,
+                  {.inst =
+                       [&](ir::InstId id) {
+                         const ir::Inst& inst = program[id];
+                         if (inst.op != ir::OpKind::kCall) return;
+                         const ir::RoutineId callee = program.calls[ir::CallId(inst.payload)].routine;
+                         if (SharesLocals(program.routines[callee].kind))
+                           emittable.parts[part].called[callee.index] = true;
+                       },
+                   .chunk = [](uint32_t) {}});
+  };
+  for (const Chunk& chunk : emittable.chunks) note(chunk.part, chunk.routine, {PieceOf(chunk)});
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    note(emittable.routine_parts[i], id, PiecesOf(emittable, id));
+  }
 }
 
 }  // namespace plcxx::emit::legalize

@@ -82,9 +82,9 @@ bool IsForegone(const ir::Program& program, const ir::Inst& inst) {
 
 void FindForegoneComparisons(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
-  emittable.by_function.assign(program.insts.size(), false);
+  emittable.wordings.assign(program.insts.size(), Wording::kTable);
   for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour))
-    emittable.by_function[id.index] = IsForegone(program, program[id]);
+    if (IsForegone(program, program[id])) emittable.wordings[id.index] = Wording::kFunction;
 }
 
 }  // namespace plcxx::emit::legalize

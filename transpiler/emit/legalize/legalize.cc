@@ -12,16 +12,20 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   FindForegoneComparisons(emittable);  // before FindUsedFunctions: they are called by name
   FindUsedHostFunctions(emittable);
   FindUsedFunctions(emittable);
+  FindUsedHeaders(emittable);
   NamePlaces(emittable);
   PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
   CutChunks(emittable);
   CutParts(emittable);
-  ShareLocals(emittable);   // after CutChunks: chunks get them, too
-  ChooseLeaves(emittable);  // after CutChunks: what ends a function decides what `return` leaves
-  PlaceEffects(emittable);  // after ChooseLeaves: a way out that needs no text asks for no value
-  PlaceBraces(emittable);   // after PlaceEffects: around the locals
+  ShareLocals(emittable);     // after CutChunks: chunks get them, too
+  ChooseLeaves(emittable);    // after CutChunks: what ends a function decides what `return` leaves
+  PlaceEffects(emittable);    // after ChooseLeaves: a way out that needs no text asks for no value
+  PlaceBraces(emittable);     // after PlaceEffects: around the locals
+  ChooseWordings(emittable);  // after PlaceEffects: what has a name is not spelled inside
   FindUsedParameters(emittable);
-  NameLocals(emittable);  // after FindUsedParameters: no local has a parameter's name
+  NameLocals(emittable);     // after FindUsedParameters: no local has a parameter's name
+  ShapeBranches(emittable);  // after PlaceEffects: whether an arm holds anything but an If
+  FindCalledSubroutines(emittable);
   return emittable;
 }
 

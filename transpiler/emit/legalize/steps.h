@@ -6,6 +6,7 @@
 namespace plcxx::emit::legalize {
 
 void FindForegoneComparisons(Emittable& emittable);
+void FindUsedHeaders(Emittable& emittable);
 void FindUsedHostFunctions(Emittable& emittable);
 void FindUsedFunctions(Emittable& emittable);
 void NamePlaces(Emittable& emittable);
@@ -16,6 +17,9 @@ void ShareLocals(Emittable& emittable);
 void ChooseLeaves(Emittable& emittable);
 void PlaceEffects(Emittable& emittable);
 void PlaceBraces(Emittable& emittable);
+void ChooseWordings(Emittable& emittable);
+void ShapeBranches(Emittable& emittable);
+void FindCalledSubroutines(Emittable& emittable);
 void NameLocals(Emittable& emittable);
 void FindUsedParameters(Emittable& emittable);
 

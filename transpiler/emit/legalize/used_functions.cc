@@ -1,6 +1,7 @@
-// Which functions of the host and of runtime_support the texts call.
+// Which functions of the host and of runtime_support the texts call, and which headers they need.
 
 #include <algorithm>
+#include <set>
 
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
@@ -31,13 +32,14 @@ void FindUsedFunctions(Emittable& emittable) {
     if (bracket != std::string_view::npos && bracket > 0) {
       emittable.functions.emplace_back(info.spelling.substr(0, bracket));
     }
-    // Comparisons that may never hold are called by name, see by_function.
+    // Comparisons that may never hold are called by name, see Wording.
     if (op == ir::OpKind::kLess8) emittable.functions.emplace_back("Less8");
     if (op == ir::OpKind::kGreater8) emittable.functions.emplace_back("Greater8");
   }
   for (const ir::InstId id : insts) {
     const ir::Inst& inst = program[id];
-    if (emittable.by_function[id.index]) emittable.functions.emplace_back(ir::Info(inst.op).function);
+    if (emittable.wordings[id.index] == Wording::kFunction)
+      emittable.functions.emplace_back(ir::Info(inst.op).function);
     const bool number = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32;
     if (number && !HasLiteral(inst.type, ir::ConstantValue(inst))) {
       emittable.functions.emplace_back("F32OfBits");
@@ -50,6 +52,28 @@ void FindUsedFunctions(Emittable& emittable) {
   std::sort(emittable.functions.begin(), emittable.functions.end());
   emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
                             emittable.functions.end());
+}
+
+void FindUsedHeaders(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  std::set<std::string> headers = {"arith.h", "bcd.h", "bits.h", "logic.h", "state.h"};
+  for (const ir::StateInstance& state : program.states) headers.insert(std::string(ir::Info(state.kind).header));
+  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+    const ir::Inst& inst = program[id];
+    const std::string_view header = ir::Info(inst.op).header;
+    if (!header.empty()) headers.insert(std::string(header));
+    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
+    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
+  }
+  for (const layout::PlaceStorage& stored : emittable.layout.places) {
+    const bool wide = stored.storage == layout::Storage::kWide || stored.storage == layout::Storage::kIndexed ||
+                      stored.storage == layout::Storage::kRetentiveWide ||
+                      stored.storage == layout::Storage::kRetentiveIndexed;
+    if (wide) headers.insert("wide.h");
+  }
+  if (emittable.layout.retentive_bytes > 0) headers.insert("retentive.h");
+  if (emittable.options.flavour == Flavour::kDebug) headers.insert("forced.h");
+  emittable.headers.assign(headers.begin(), headers.end());
 }
 
 }  // namespace plcxx::emit::legalize

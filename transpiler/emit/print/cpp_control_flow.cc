@@ -1,6 +1,6 @@
 // If, switch, loops, blocks, and the ways out of them.
 
-#include <algorithm>
+#include <optional>
 
 #include "transpiler/emit/print/part_printer.h"
 #include "transpiler/ir/builder.h"
@@ -13,106 +13,74 @@ Text Bracketed(const Spelling& spelling) {
   return spelling.precedence <= ir::Precedence::kUnary ? spelling.text : "(" + spelling.text + ")";
 }
 
-ir::IfOrigin OriginOf(const ir::Inst& inst) { return static_cast<ir::IfOrigin>(inst.payload); }
-
 }  // namespace
 
-Text PartPrinter::Condition(const ir::Inst& inst) const {
-  const Spelling condition = Spell(emittable_, ir::ValueId(inst.a));
-  if (!debug() || !statement_.valid()) return condition.text;
-  const bool head = program_.statements[statement_].opens_block;
-  switch (head ? ir::IfOrigin::kSource : OriginOf(inst)) {
-    case ir::IfOrigin::kSource:
-      return On() + " & " + Bracketed(condition);
-    case ir::IfOrigin::kJumps:
-      return Switchable() ? On() + " && " + Bracketed(condition) : condition.text;
-    case ir::IfOrigin::kStays:
-      return Switchable() ? "!" + On() + " || " + Bracketed(condition) : condition.text;
+/// A condition, switched off together with its statement in the debug flavour.
+Text PartPrinter::Condition(ir::InstId id) const {
+  const Spelling condition = Spell(emittable_, ir::ValueId(program_[id].a));
+  const Switch* of = SwitchOf(id);
+  if (of == nullptr) return condition.text;
+  const std::string on = On(of->statement);
+  switch (of->joint) {
+    case Switch::Joint::kAnd:
+    case Switch::Joint::kLoop:
+    case Switch::Joint::kValue:
+      return on + " & " + Bracketed(condition);
+    case Switch::Joint::kOnlyIfOn:
+      return on + " && " + Bracketed(condition);
+    case Switch::Joint::kUnlessOff:
+      return "!" + on + " || " + Bracketed(condition);
   }
   PLCXX_UNREACHABLE();
 }
 
-ir::InstId PartPrinter::ChainedIf(ir::RegionId otherwise, ir::StatementId& statement) const {
-  const auto& insts = program_.regions[otherwise].insts;
-  const ir::InstId last = insts.back();
-  if (program_[last].op != ir::OpKind::kIf || emittable_.forms[last.index] != Form::kLine) return {};
-  if (!emittable_.region_chunks[otherwise.index].empty()) return {};
-  statement = {};
-  for (size_t i = 0; i + 1 < insts.size(); ++i) {
-    const ir::Inst& other = program_[insts[i]];
-    if (other.op == ir::OpKind::kStatement && i == 0) {
-      statement = ir::StatementId(other.payload);
-    } else if (IsEffect(emittable_, insts[i]) || other.op == ir::OpKind::kStatement ||
-               emittable_.forms[insts[i].index] == Form::kLocal) {
-      return {};
-    }
-  }
-  // Switched off, both arms of a plain If are off, which a chain cannot say; the head of a block is just false.
-  const ir::StatementId own = statement.valid() ? statement : statement_;
-  const bool head = !own.valid() || program_.statements[own].opens_block;
-  const bool plain = OriginOf(program_[last]) == ir::IfOrigin::kSource;
-  if (debug() && !head && plain && (statement.valid() || !switched_)) return {};
-  return last;
-}
-
 void PartPrinter::If(ir::InstId id) {
   const ir::StatementId outer = statement_;
-  const bool outer_switched = switched_;
-  const ir::Inst* inst = &program_[id];
-  Text head = Spelled("if (" + Condition(*inst) + ") {", id);
-  for (;;) {
-    Line(std::move(head));
+  Line(Spelled("if (" + Condition(id) + ") {", id));
+  for (ir::InstId at = id; at.valid();) {
+    const ir::Inst& inst = program_[at];
     ++indent_;
-    RegionBody(ir::RegionId(inst->b));
+    RegionBody(ir::RegionId(inst.b));
     --indent_;
-    Line("}");
-    const ir::RegionId otherwise(inst->c);
-    if (!otherwise.valid() || program_.regions[otherwise].insts.empty()) break;
-    ir::StatementId statement;
-    const ir::InstId chained = ChainedIf(otherwise, statement);
-    if (!chained.valid()) {
-      out_.resize(out_.size() - 1);
-      out_ += " else {\n";
-      ++indent_;
-      RegionBody(otherwise);
-      --indent_;
+    const ElseArm& arm = emittable_.else_arms.at(at.index);
+    std::string before = "} ";
+    if (arm.statement.valid()) {
       Line("}");
-      break;
+      statement_ = arm.statement;
+      StatementComments(program_.statements[statement_]);
+      before.clear();
     }
-    if (statement.valid()) {
-      statement_ = statement;
-      switched_ = false;
-      StatementComments(program_.statements[statement]);
+    switch (arm.kind) {
+      case ElseArm::Kind::kNone:
+        Line("}");
+        break;
+      case ElseArm::Kind::kBlock:
+        Line("} else {");
+        ++indent_;
+        RegionBody(ir::RegionId(inst.c));
+        --indent_;
+        Line("}");
+        break;
+      case ElseArm::Kind::kIf:
+        Line(Spelled(before + "else if (" + Condition(arm.chained) + ") {", arm.chained));
+        break;
+      case ElseArm::Kind::kAlways:
+        Line(Spelled(before + "else {", arm.chained));
+        break;
     }
-    inst = &program_[chained];
-    const ir::Inst& condition = program_[ir::ValueId(inst->a)];
-    const bool always =
-        condition.op == ir::OpKind::kConst && ir::ConstantValue(condition) != 0 && !ir::RegionId(inst->c).valid();
-    head = Spelled(always && !debug() ? "else {" : "else if (" + Condition(*inst) + ") {", chained);
-    if (!statement.valid()) {
-      out_.pop_back();  // no comment between: "} else if"
-      head = "} " + head;
-      out_.resize(out_.rfind('\n') + 1);
-    }
+    at = arm.chained;
   }
   statement_ = outer;
-  switched_ = outer_switched;
 }
 
-/// Whether the last thing in the region is a jump, so that nothing behind it is reached.
-bool PartPrinter::EndsElsewhere(ir::RegionId region) const {
-  const std::vector<ir::InstId>& insts = program_.regions[region].insts;
-  if (debug() || insts.empty()) return false;
-  const ir::Inst& last = program_[insts.back()];
-  if (last.op != ir::OpKind::kExit || ir::ValueId(last.a).valid()) return false;
-  return emittable_.leaves.at(insts.back().index) != Leave::kFallsThrough;
-}
-
-void PartPrinter::Switch(ir::InstId id) {
+void PartPrinter::SwitchOver(ir::InstId id) {
   const ir::Inst& inst = program_[id];
   Line(Spelled("switch (" + Value(inst.a) + ") {", id));
   ++indent_;
-  for (const ir::SwitchCase& arm : program_.switches[ir::SwitchId(inst.payload)].cases) {
+  const std::vector<ir::SwitchCase>& arms = program_.switches[ir::SwitchId(inst.payload)].cases;
+  for (size_t arm_index = 0; arm_index < arms.size(); ++arm_index) {
+    const ir::SwitchCase& arm = arms[arm_index];
+    const ArmEnd arm_end = emittable_.arm_ends[inst.payload][arm_index];
     if (arm.values.empty()) {
       Line("default: {");
     } else {
@@ -122,10 +90,10 @@ void PartPrinter::Switch(ir::InstId id) {
     }
     ++indent_;
     RegionBody(arm.region);
-    if (!arm.falls_through && !EndsElsewhere(arm.region)) Line("break;");
+    if (arm_end == ArmEnd::kBreak) Line("break;");
     --indent_;
     Line("}");
-    if (arm.falls_through) Line("[[fallthrough]];");
+    if (arm_end == ArmEnd::kFallsThrough) Line("[[fallthrough]];");
   }
   --indent_;
   Line("}");
@@ -134,38 +102,11 @@ void PartPrinter::Switch(ir::InstId id) {
 /// A label stands one step to the left of what it labels.
 void PartPrinter::Label(const std::string& label) {
   if (label.empty()) return;
-  if (indent_ == 1) out_ += '\n';  // it belongs to what follows
+  if (indent_ == 1) BlankLine();  // it belongs to what follows
   --indent_;
   Line(label + ":;");
   ++indent_;
-}
-
-/// Whether control never gets to the end of a list.
-bool PartPrinter::EndsByLeaving(ir::RegionId region) const {
-  if (!region.valid()) return false;
-  const auto& insts = program_.regions[region].insts;
-  for (size_t i = insts.size(); i-- > 0;) {
-    if (!IsEffect(emittable_, insts[i])) continue;
-    const ir::Inst& inst = program_[insts[i]];
-    const bool always = !ir::ValueId(inst.a).valid();
-    if (inst.op == ir::OpKind::kExit) {
-      return always && emittable_.leaves.at(insts[i].index) != Leave::kFallsThrough;
-    }
-    if (inst.op == ir::OpKind::kRepeat) return always && EndsByLeaving(ir::RegionId(inst.b));
-    if (inst.op == ir::OpKind::kIf) return EndsByLeaving(ir::RegionId(inst.b)) && EndsByLeaving(ir::RegionId(inst.c));
-    return false;
-  }
-  return false;
-}
-
-/// Whether all of the list is in the spelling of its last value.
-bool PartPrinter::IsSpelledAsOne(ir::RegionId region) const {
-  const auto& insts = program_.regions[region].insts;
-  return std::all_of(insts.begin(), insts.end(), [this](ir::InstId id) {
-    const ir::Shape shape = ir::Info(program_[id].op).shape;
-    const bool value = shape == ir::Shape::kConst || shape == ir::Shape::kPure || shape == ir::Shape::kLoad;
-    return value && emittable_.forms[id.index] != Form::kLocal;
-  });
+  last_ = Last::kLabel;
 }
 
 /// "i = Add16(i, 1)"; empty: the loop has no step.
@@ -182,17 +123,10 @@ void PartPrinter::BudgetLoop(const ir::Loop& loop, const Landing& labels) {
   ++indent_;
   Label(labels.again);
   RegionBody(loop.body);
-  if (debug() || !EndsByLeaving(loop.body)) Line("break;");
+  if (labels.ends_with_break) Line("break;");
   --indent_;
   Line("}");
   Label(labels.behind);
-}
-
-/// In the head of the loop.
-Spelling PartPrinter::LoopCondition(const ir::Loop& loop, ir::StatementId statement) const {
-  const Spelling spelled = Spell(emittable_, program_.regions[loop.condition].insts.back());
-  if (!debug() || !statement.valid()) return spelled;
-  return Spelling{"(" + On(statement) + " & " + Bracketed(spelled) + ")", ir::Precedence::kPrimary};
 }
 
 /// `condition` is empty where it has lines of its own.
@@ -210,24 +144,26 @@ Text PartPrinter::LoopHead(const ir::Loop& loop, const std::string& counter, con
 
 void PartPrinter::Loop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
-  loops_.push_back({out_.size(), ir::LoopId(inst.payload)});
   spelled_.Add(Spelled("", id));
-  const auto landing = emittable_.landings.find(id.index);
-  const Landing none;
-  const Landing& labels = landing == emittable_.landings.end() ? none : landing->second;
+  const Landing& labels = emittable_.landings.at(id.index);
   if (loop.kind == ir::LoopBound::kBudget) {
+    loops_.push_back({out_.line(), std::nullopt, loop.budget});
     BudgetLoop(loop, labels);
     return;
   }
-  const ir::StatementId statement = statement_;
-  const bool in_head = loop.condition.valid() && IsSpelledAsOne(loop.condition);
-  Line(LoopHead(loop, labels.counter, in_head ? LoopCondition(loop, statement).text : Text()));
+  loops_.push_back({out_.line(), loop.bound});
+  const Switch* of = SwitchOf(id);
+  Spelling condition;
+  if (loop.condition.valid()) condition = Spell(emittable_, program_.regions[loop.condition].insts.back());
+  Text in_head = labels.condition_in_head ? condition.text : Text();
+  if (labels.condition_in_head && of != nullptr) in_head = "(" + On(of->statement) + " & " + Bracketed(condition) + ")";
+  Line(LoopHead(loop, labels.counter, in_head));
   ++indent_;
-  if (loop.condition.valid() && !in_head) {
+  if (loop.condition.valid() && !labels.condition_in_head) {
     // Switched off, it asks nothing.
-    if (debug() && statement.valid()) Line("if (!" + On(statement) + ") break;");
+    if (of != nullptr) Line("if (!" + On(of->statement) + ") break;");
     Range(loop.condition, 0, static_cast<uint32_t>(program_.regions[loop.condition].insts.size()));
-    Line("if (!" + Bracketed(Spell(emittable_, program_.regions[loop.condition].insts.back())) + ") break;");
+    Line("if (!" + Bracketed(condition) + ") break;");
   }
   if (loop.kind == ir::LoopBound::kGuard) {
     Line("if (" + labels.counter + " == " + std::to_string(loop.bound) + ") {");

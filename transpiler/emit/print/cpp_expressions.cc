@@ -79,17 +79,6 @@ std::string Complement(std::string_view comparison) {
   PLCXX_UNREACHABLE();
 }
 
-/// A comparison of integers that is spelled with its operator; of floats one that does not hold may have no order.
-bool HasComplement(const Emittable& emittable, ir::ValueId value) {
-  const ir::Program& program = *emittable.program;
-  const ir::Inst& inst = program[value];
-  const Precedence precedence = ir::Info(inst.op).precedence;
-  if (precedence != Precedence::kRelational && precedence != Precedence::kEquality) return false;
-  if (emittable.forms[value.index] == Form::kLocal || emittable.by_function[value.index]) return false;
-  const ir::Type type = program[ir::ValueId(inst.a)].type;
-  return type != ir::Type::kF32 && type != ir::Type::kF64;
-}
-
 Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::string_view pattern);
 
 Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
@@ -98,14 +87,18 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
   const ir::ValueId first(inst.a);
   // "{0}" alone: the conversion is C++'s own.
   if (info.spelling == "{0}") return Spell(emittable, first);
-  if (emittable.by_function[id.index]) {
-    return {Text(info.function) + "(" + Spell(emittable, first).text + ", " +
-                Spell(emittable, ir::ValueId(inst.b)).text + ")",
-            Precedence::kPrimary};
-  }
-  if (inst.op == ir::OpKind::kBitNot && HasComplement(emittable, first)) {
-    const ir::Inst& comparison = (*emittable.program)[first];
-    return SpellPattern(emittable, comparison, Complement(ir::Info(comparison.op).spelling));
+  switch (emittable.wordings[id.index]) {
+    case Wording::kFunction:
+      return {Text(info.function) + "(" + Spell(emittable, first).text + ", " +
+                  Spell(emittable, ir::ValueId(inst.b)).text + ")",
+              Precedence::kPrimary};
+    case Wording::kComplement: {
+      const ir::Inst& comparison = (*emittable.program)[first];
+      return SpellPattern(emittable, comparison, Complement(ir::Info(comparison.op).spelling));
+    }
+    case Wording::kTable:
+    case Wording::kDiscard:
+      break;
   }
   return SpellPattern(emittable, inst, info.spelling);
 }

@@ -1,8 +1,5 @@
 // The generated header: host functions, tags, State, entry points, texts.
 
-#include <algorithm>
-#include <set>
-
 #include "transpiler/emit/print/cpp_printer.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/source/decode.h"
@@ -44,24 +41,7 @@ void HeaderPrinter::Top() {
                       : std::string("then the partitions as the control does: each one says when.")) +
           "\n// m[NAME] reads and writes a signal, word, timer or counter by its name in the PLC program.\n";
   out_ += "#pragma once\n\n#include <stddef.h>\n#include <stdint.h>\n\n";
-  std::set<std::string> headers = {"arith.h", "bcd.h", "bits.h", "logic.h", "state.h"};
-  for (const ir::StateInstance& state : program_.states) headers.insert(std::string(ir::Info(state.kind).header));
-  for (const ir::InstId id : PrintedInsts(program_, emittable_.options.flavour)) {
-    const ir::Inst& inst = program_[id];
-    const std::string_view header = ir::Info(inst.op).header;
-    if (!header.empty()) headers.insert(std::string(header));
-    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
-    if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
-  }
-  for (const layout::PlaceStorage& stored : emittable_.layout.places) {
-    const bool wide = stored.storage == layout::Storage::kWide || stored.storage == layout::Storage::kIndexed ||
-                      stored.storage == layout::Storage::kRetentiveWide ||
-                      stored.storage == layout::Storage::kRetentiveIndexed;
-    if (wide) headers.insert("wide.h");
-  }
-  if (emittable_.layout.retentive_bytes > 0) headers.insert("retentive.h");
-  if (debug()) headers.insert("forced.h");
-  for (const std::string& header : headers) out_ += "#include <plcxx/" + header + ">\n";
+  for (const std::string& header : emittable_.headers) out_ += "#include <plcxx/" + header + ">\n";
   out_ += "\nnamespace " + emittable_.namespace_name + " {\n\n";
 }
 

@@ -20,19 +20,13 @@ void PartPrinter::OpenFunction(const std::string& head, const Locals& locals, st
   function_ = std::move(pieces);
   spelled_ = {};
   body_begin_ = out_.size();
+  last_ = Last::kText;
   indent_ = 1;
   return_ = "return;";
 }
 
 void PartPrinter::CloseFunction() {
   spelled_.CheckOnce(emittable_, function_);
-  VisitFunction(emittable_, function_,
-                {.inst =
-                     [this](ir::InstId id) {
-                       if (emittable_.forms[id.index] == Form::kLocal)
-                         local_names_[id.index] = emittable_.value_names[id.index];
-                     },
-                 .chunk = [](uint32_t) {}});
   Own({});
   out_ += "}\n\n";
   indent_ = 0;
@@ -55,19 +49,18 @@ std::string PartPrinter::Prototype(const std::string& head, const Locals& locals
 
 /// What stands before the type of a routine. A subroutine of a program in one file is nobody else's. One that a slice
 /// calls stays a function, as the chunks of slices do.
-std::string PartPrinter::Linkage(ir::RoutineId id, const std::vector<bool>& called) const {
+std::string PartPrinter::Linkage(ir::RoutineId id) const {
   const std::string whole = emittable_.called_by_slice[id.index] ? "[[gnu::noinline]] " : "";
   if (emittable_.parts.size() > 1 || !SharesLocals(program_.routines[id].kind)) return whole;
-  return whole + (called[id.index] ? "static " : "[[maybe_unused]] static ");
+  return whole + (Calls(id) ? "static " : "[[maybe_unused]] static ");
 }
 
-void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {
+void PartPrinter::Routine(ir::RoutineId id) {
   const ir::Routine& routine = program_.routines[id];
   const Locals& locals = emittable_.routine_locals[id.index];
   if (!routine.comment.empty()) Comment(routine.comment);
-  OpenFunction(
-      Linkage(id, called) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index], locals,
-      PiecesOf(emittable_, id));
+  OpenFunction(Linkage(id) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index],
+               locals, PiecesOf(emittable_, id));
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";
   for (const Locals::Declared& local : locals.declared) {
     const ir::Type type = program_.places[local.place].type;
@@ -78,7 +71,7 @@ void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {
   // What the control does before and after the statements stands apart from them.
   for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
     if (!region.valid() || program_.regions[region].insts.empty()) continue;
-    if (out_.size() > body_begin_) out_ += '\n';
+    if (out_.size() > body_begin_) BlankLine();
     statement_ = {};
     RegionBody(region);
   }
@@ -87,14 +80,14 @@ void PartPrinter::Routine(ir::RoutineId id, const std::vector<bool>& called) {
 }
 
 /// Each behind what was cut out of it: where a routine grows beyond one function, its text stays where it is.
-void PartPrinter::Routines(const std::vector<bool>& called) {
+void PartPrinter::Routines() {
   size_t chunk = 0;
   for (uint32_t i = 0; i < program_.routines.size(); ++i) {
     const ir::RoutineId id(i);
     const bool printed = IsPrinted(id);
     for (; chunk < emittable_.chunks.size() && emittable_.chunks[chunk].routine == id; ++chunk)
       if (printed && emittable_.chunks[chunk].part == part_) PrintChunk(emittable_.chunks[chunk]);
-    if (printed && emittable_.routine_parts[i] == part_) Routine(id, called);
+    if (printed && emittable_.routine_parts[i] == part_) Routine(id);
   }
 }
 
@@ -137,38 +130,14 @@ void PartPrinter::Using() {
 
 bool PartPrinter::IsPrinted(ir::RoutineId id) const { return debug() || !program_.routines[id].simulation_only; }
 
-/// The subroutines that this file calls, by RoutineId.
-std::vector<bool> PartPrinter::CalledSubroutines() const {
-  std::vector<bool> called(program_.routines.size());
-  const FunctionVisitor note = {.inst =
-                                    [this, &called](ir::InstId id) {
-                                      const ir::Inst& inst = program_[id];
-                                      if (inst.op == ir::OpKind::kCall)
-                                        called[program_.calls[ir::CallId(inst.payload)].routine.index] = true;
-                                    },
-                                .chunk = [](uint32_t) {}};
-  for (const Chunk& chunk : emittable_.chunks) {
-    if (chunk.part == part_ && IsPrinted(chunk.routine)) VisitFunction(emittable_, {PieceOf(chunk)}, note);
-  }
-  for (uint32_t i = 0; i < called.size(); ++i) {
-    const ir::RoutineId id(i);
-    if (emittable_.routine_parts[i] == part_ && IsPrinted(id))
-      VisitFunction(emittable_, PiecesOf(emittable_, id), note);
-  }
-  for (uint32_t i = 0; i < called.size(); ++i) {
-    called[i] = called[i] && SharesLocals(program_.routines[ir::RoutineId(i)].kind);
-  }
-  return called;
-}
-
 /// Subroutines that are called here before they are defined, or elsewhere; and what the partitions call of other files.
-void PartPrinter::Declarations(const std::vector<bool>& called) {
+void PartPrinter::Declarations() {
   const size_t before = out_.size();
   const bool one_file = emittable_.parts.size() == 1;
-  for (uint32_t i = 0; i < called.size(); ++i) {
+  for (uint32_t i = 0; i < program_.routines.size(); ++i) {
     const ir::RoutineId id(i);
     const bool defined = !one_file && part_ != 0 && emittable_.routine_parts[i] == part_;
-    if (!called[i] && !defined) continue;
+    if (!Calls(id) && !defined) continue;
     const std::string type(ir::CppName(program_.routines[id].result));
     out_ +=
         Prototype((one_file ? "static " : "") + type + " " + emittable_.routine_names[i], emittable_.routine_locals[i]);
@@ -179,12 +148,11 @@ void PartPrinter::Declarations(const std::vector<bool>& called) {
   if (out_.size() > before) out_ += '\n';
 }
 
-std::string PartPrinter::Run() {
+OutputFile PartPrinter::Run() {
   Includes();
   out_ += "namespace " + emittable_.namespace_name + " {\n\n";
   Using();
-  const std::vector<bool> called = CalledSubroutines();
-  Declarations(called);
+  Declarations();
   if (part_ == 0) {
     for (const layout::Member& member : emittable_.layout.members) {
       out_ += "static_assert(offsetof(State, " + member.name + ") == " + std::to_string(member.offset) +
@@ -192,50 +160,18 @@ std::string PartPrinter::Run() {
     }
     if (!emittable_.layout.members.empty()) out_ += '\n';
   }
-  Routines(called);
+  Routines();
   Runs();
   out_ += "}  // namespace " + emittable_.namespace_name + "\n";
-  return std::move(out_);
-}
-
-std::vector<PrintedLoop> PartPrinter::LoopsIn(std::string_view text) const {
-  std::vector<PrintedLoop> found;
-  uint32_t line = 1;
-  size_t at = 0;
-  for (const LoopHeadAt& head : loops_) {
-    line += static_cast<uint32_t>(std::count(text.begin() + at, text.begin() + head.offset, '\n'));
-    at = head.offset;
-    const std::string_view row = text.substr(text.find_first_not_of(' ', at));
-    PLCXX_CHECK(row.starts_with("for (") || row.starts_with("while ("));
-    const ir::Loop& loop = program_.loops[head.loop];
-    if (loop.kind == ir::LoopBound::kBudget) {
-      found.push_back({line, std::nullopt, loop.budget});
-    } else {
-      found.push_back({line, loop.bound});
-    }
-  }
-  return found;
-}
-
-std::vector<LineOwner> PartPrinter::OwnersIn(std::string_view text) const {
-  std::vector<LineOwner> found;
-  uint32_t line = 1;
-  size_t at = 0;
-  for (const Owner& owner : owners_) {
-    line += static_cast<uint32_t>(std::count(text.begin() + at, text.begin() + owner.offset, '\n'));
-    at = owner.offset;
-    found.push_back({line, owner.statement});
-  }
-  return found;
+  return {.name = emittable_.options.name + emittable_.parts[part_].suffix + ".cpp",
+          .text = out_.Take(),
+          .loops = std::move(loops_),
+          .owners = std::move(owners_),
+          .locals = std::move(local_names_)};
 }
 
 OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part) {
-  PartPrinter printer(emittable, sources, part);
-  OutputFile file{emittable.options.name + emittable.parts[part].suffix + ".cpp", printer.Run()};
-  file.loops = printer.LoopsIn(file.text);
-  file.owners = printer.OwnersIn(file.text);
-  file.locals = printer.locals();
-  return file;
+  return PartPrinter(emittable, sources, part).Run();
 }
 
 }  // namespace plcxx::emit::print

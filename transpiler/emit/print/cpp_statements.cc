@@ -37,12 +37,13 @@ size_t BreakIn(std::string_view text, size_t width) {
 
 void PartPrinter::Own(ir::StatementId statement) {
   const ir::StatementId before = owners_.empty() ? ir::StatementId() : owners_.back().statement;
-  if (statement != before) owners_.push_back({out_.size(), statement});
+  if (statement != before) owners_.push_back({out_.line(), statement});
 }
 
 void PartPrinter::Comment(std::string_view text) {
   Own();
-  out_.append(static_cast<size_t>(indent_) * 2, ' ');
+  last_ = Last::kText;
+  out_ += std::string(static_cast<size_t>(indent_) * 2, ' ');
   out_ += "//";
   const std::string safe = CommentText(text);
   if (!safe.empty()) {
@@ -55,12 +56,13 @@ void PartPrinter::Comment(std::string_view text) {
 /// Writes a line; a long one is broken before operators.
 void PartPrinter::Line(Text line_of) {
   Own();
+  last_ = Last::kText;
   spelled_.Add(line_of);
   std::string& text = line_of.chars;
   const size_t margin = static_cast<size_t>(indent_) * 2;
   if (margin + text.size() <= kLineWidth) {
     std::replace(text.begin(), text.end(), kBreak, ' ');
-    out_.append(margin, ' ');
+    out_ += std::string(margin, ' ');
     out_ += text;
     out_ += '\n';
     return;
@@ -71,11 +73,16 @@ void PartPrinter::Line(Text line_of) {
     if (indent + end > kLineWidth) end = std::min(end, BreakIn(rest, kLineWidth - std::min(kLineWidth, indent)));
     std::string line(rest.substr(0, end));
     std::replace(line.begin(), line.end(), kBreak, ' ');
-    out_.append(indent, ' ');
+    out_ += std::string(indent, ' ');
     out_ += line;
     out_ += '\n';
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+}
+
+void PartPrinter::BlankLine() {
+  out_ += '\n';
+  last_ = Last::kBlank;
 }
 
 /// The source's comments, then its lines as they stand there. A comment between these lines has its place among them.
@@ -98,7 +105,8 @@ void PartPrinter::StatementComments(const ir::Statement& statement) {
 void PartPrinter::Local(ir::InstId id) {
   Text value = SpellDefinition(emittable_, id).text;
   const std::string type(ir::CppName(program_[id].type));
-  if (Switchable() && !value.effects.empty()) value = On() + " ? " + value + " : " + type + "{}";
+  if (const Switch* of = SwitchOf(id)) value = On(of->statement) + " ? " + value + " : " + type + "{}";
+  local_names_[id.index] = emittable_.value_names[id.index];
   Line("const " + type + " " + emittable_.value_names[id.index] + " = " + value + ";");
 }
 
@@ -107,10 +115,9 @@ std::string PartPrinter::On(ir::StatementId statement) const {
   return "m.on(" + std::to_string(statement.index) + ")";
 }
 
-bool PartPrinter::Switchable() const {
-  if (!debug() || !statement_.valid() || switched_) return false;
-  const ir::Statement& statement = program_.statements[statement_];
-  return !statement.opens_block && !statement.closes_block;
+const Switch* PartPrinter::SwitchOf(ir::InstId id) const {
+  const auto found = emittable_.switches.find(id.index);
+  return found == emittable_.switches.end() ? nullptr : &found->second;
 }
 
 /// The copy is taken over only when it has this program's layout.
@@ -125,10 +132,8 @@ void PartPrinter::Store(ir::InstId id) {
   const ir::Inst& inst = program_[id];
   const Text target = SpellPlace(emittable_, ir::PlaceId(inst.payload), ir::ValueId(inst.b)).text;
   const Text value = Value(inst.a);
-  // Of a variable of its own, `i = i;` is a warning of some compilers; a signal's is a call of an operator.
-  const bool same =
-      value.chars == target.chars && emittable_.layout.places[inst.payload].storage == layout::Storage::kLocal;
-  Line(Spelled(same ? "static_cast<void>(" + value + ");" : target + " = " + value + ";", id));
+  const bool discard = emittable_.wordings[id.index] == Wording::kDiscard;
+  Line(Spelled(discard ? "static_cast<void>(" + value + ");" : target + " = " + value + ";", id));
 }
 
 /// An instruction that has lines of its own.
@@ -159,7 +164,7 @@ void PartPrinter::Effect(ir::InstId id) {
       If(id);
       return;
     case ir::Shape::kSwitch:
-      Switch(id);
+      SwitchOver(id);
       return;
     case ir::Shape::kLoop:
       Loop(id, inst);
@@ -205,87 +210,55 @@ void PartPrinter::Inst(ir::InstId id) {
   }
 }
 
-/// Whether switching the statement off leaves other statements in its regions on: they were put there by a jump.
-bool PartPrinter::HoldsOthers(const ir::Inst& inst) const {
-  switch (inst.op) {
-    case ir::OpKind::kBlock:
-      return true;
-    case ir::OpKind::kLoop:
-      return program_.loops[ir::LoopId(inst.payload)].kind == ir::LoopBound::kBudget;
-    case ir::OpKind::kIf:
-      return static_cast<ir::IfOrigin>(inst.payload) != ir::IfOrigin::kSource;
-    default:
-      return false;
-  }
-}
-
-void PartPrinter::OpenStretch(ir::RegionId region, uint32_t begin, uint32_t end) {
+void PartPrinter::Segment(ir::RegionId region, uint32_t begin, uint32_t end) {
   const auto& insts = program_.regions[region].insts;
-  const auto close = [this] {
-    if (!switched_) return;
-    switched_ = false;
-    --indent_;
-    Line("}");
-  };
-  for (uint32_t i = begin; i < end; ++i) {
-    const Form form = emittable_.forms[insts[i].index];
-    if (form == Form::kLocal || (form == Form::kLine && HoldsOthers(program_[insts[i]]))) {
-      close();
-      Inst(insts[i]);
-    } else if (form == Form::kNowhere) {
-      Comments(insts[i]);
-    } else if (form == Form::kLine) {
-      if (!switched_) {
-        Line("if (" + On() + ") {");
-        ++indent_;
-        switched_ = true;
-      }
-      Effect(insts[i]);
-    }
-  }
-  close();
-}
-
-void PartPrinter::Stretch(ir::RegionId region, uint32_t begin, uint32_t end) {
-  const auto& insts = program_.regions[region].insts;
-  const bool switchable = Switchable();
-  if (switchable && std::any_of(insts.begin() + begin, insts.begin() + end,
-                                [this](ir::InstId id) { return HoldsOthers(program_[id]); })) {
-    OpenStretch(region, begin, end);
-    return;
-  }
-  if (switchable) {
-    Line("if (" + On() + ") {");
+  const std::vector<Guard>& guards = emittable_.guards[region.index];
+  auto guard = std::ranges::lower_bound(guards, begin, {}, &Guard::begin);
+  const auto open = [&] {
+    Line("if (" + On(guard->statement) + ") {");
     ++indent_;
-    switched_ = true;
-  }
-  for (uint32_t i = begin; i < end; ++i) Inst(insts[i]);
-  if (switchable) {
-    switched_ = false;
+  };
+  const auto close = [&] {
     --indent_;
     Line("}");
+    ++guard;
+  };
+  bool inside = false;
+  for (uint32_t i = begin; i < end; ++i) {
+    if (inside && guard->end == i) {
+      close();
+      inside = false;
+    }
+    if (!inside && guard != guards.end() && guard->begin == i) {
+      open();
+      inside = true;
+    }
+    Inst(insts[i]);
   }
+  // Of a statement without instructions, too.
+  if (begin == end && guard != guards.end() && guard->begin == begin) {
+    open();
+    inside = true;
+  }
+  if (inside) close();
 }
 
 void PartPrinter::Range(ir::RegionId region, uint32_t begin, uint32_t end) {
   const ir::StatementId outer = statement_;
-  const bool outer_switched = switched_;
   const auto& insts = program_.regions[region].insts;
   for (uint32_t i = begin; i < end;) {
     if (program_[insts[i]].op == ir::OpKind::kStatement) {
-      if (i > begin && indent_ == 1 && !out_.ends_with(":;\n") && !out_.ends_with("\n\n")) out_ += '\n';
+      if (i > begin && indent_ == 1 && last_ == Last::kText) BlankLine();
       statement_ = ir::StatementId(program_[insts[i]].payload);
-      switched_ = false;
       StatementComments(program_.statements[statement_]);
       ++i;
     }
     uint32_t stop = i;
     while (stop < end && program_[insts[stop]].op != ir::OpKind::kStatement) ++stop;
-    Stretch(region, i, stop);
+    Segment(region, i, stop);
     i = stop;
   }
   statement_ = outer;
-  switched_ = outer_switched;
 }
 
 void PartPrinter::RegionBody(ir::RegionId region) {

@@ -1,0 +1,43 @@
+// Chooses the text of operations that their row of the table would not spell well.
+//
+//   not.bit (eq.i8 a, b)   ->   a != b
+//   store s, (load s)      ->   nothing but a use of s
+
+#include "transpiler/emit/legalize/steps.h"
+#include "transpiler/ir/builder.h"
+
+namespace plcxx::emit::legalize {
+namespace {
+
+/// A comparison of integers that is spelled with its operator; of floats one that does not hold may have no order.
+bool HasComplement(const Emittable& emittable, ir::ValueId value) {
+  const ir::Program& program = *emittable.program;
+  const ir::Inst& inst = program[value];
+  const ir::Precedence precedence = ir::Info(inst.op).precedence;
+  if (precedence != ir::Precedence::kRelational && precedence != ir::Precedence::kEquality) return false;
+  if (emittable.forms[value.index] == Form::kLocal || emittable.wordings[value.index] == Wording::kFunction)
+    return false;
+  const ir::Type type = program[ir::ValueId(inst.a)].type;
+  return type != ir::Type::kF32 && type != ir::Type::kF64;
+}
+
+/// `i = i;` of a variable of its own is a warning of some compilers; a signal's is a call of an operator.
+bool KeepsALocal(const Emittable& emittable, const ir::Inst& store) {
+  const ir::Inst& value = (*emittable.program)[ir::ValueId(store.a)];
+  return value.op == ir::OpKind::kLoad && value.payload == store.payload && emittable.forms[store.a] != Form::kLocal &&
+         emittable.layout.places[store.payload].storage == layout::Storage::kLocal;
+}
+
+}  // namespace
+
+void ChooseWordings(Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+    const ir::Inst& inst = program[id];
+    Wording& wording = emittable.wordings[id.index];
+    if (inst.op == ir::OpKind::kBitNot && HasComplement(emittable, ir::ValueId(inst.a))) wording = Wording::kComplement;
+    if (inst.op == ir::OpKind::kStore && KeepsALocal(emittable, inst)) wording = Wording::kDiscard;
+  }
+}
+
+}  // namespace plcxx::emit::legalize
