@@ -434,7 +434,7 @@ routine twice subroutine (in : i16 = in) -> i16 out_value {
   EXPECT_THAT(source,
               HasSubstr("uint16_t twice(State& m, uint16_t in, Host&) noexcept {\n  uint16_t out_value = 0;\n"));
   EXPECT_THAT(source, HasSubstr("  if (t104) return out_value;\n"));
-  EXPECT_THAT(source, HasSubstr("  return out_value;\n}\n"));
+  EXPECT_THAT(source, HasSubstr("  return Add16(t105, t105);\n}\n"));
   EXPECT_THAT(source, HasSubstr("  m[w] = twice(m, m[w], host);\n"));
 }
 

@@ -52,7 +52,8 @@ struct Parameter {
 struct Locals {
   struct Declared {
     ir::PlaceId place;
-    bool read = false;  // a compiler would report a local that is only written
+    bool read = false;      // a compiler would report a local that is only written
+    ir::InstId first = {};  // the store that gives it its first value; none: 0
   };
   std::vector<Declared> declared;     // of its own
   std::vector<ir::PlaceId> shared;    // of its caller, by reference
@@ -124,6 +125,8 @@ enum class Wording : uint8_t {
   kFunction,    // of a comparison whose outcome compilers see, and report: a call of its function
   kComplement,  // of a negation: the comparison that it negates, with the opposite sign
   kDiscard,     // of a store that gives a local its own value: no assignment, which compilers report
+  kNegative,    // of a constant: Minus32 of its complement, "Minus32(1)"
+  kSubtract,    // of an addition of such a constant: a subtraction of the complement
 };
 
 /// The debug flavour: instructions [begin, end) of a list are text inside of `if (m.on(statement)) {`.
@@ -170,13 +173,16 @@ struct Emittable {
   std::unordered_map<uint32_t, Leave> leaves;       // by InstId, of every Exit and Repeat
   std::unordered_map<uint32_t, Landing> landings;   // by InstId, of all loops, and of blocks that have anything
   std::unordered_map<uint32_t, ElseArm> else_arms;  // by InstId, of every If that has text
-  std::vector<std::vector<ArmEnd>> arm_ends;        // by SwitchId, in the order of its cases
-  std::vector<std::vector<Guard>> guards;           // by RegionId, ascending; of the debug flavour
-  std::unordered_map<uint32_t, Switch> switches;    // by InstId, likewise
-  std::vector<std::string> functions;               // of runtime_support that expressions call, sorted
-  std::vector<std::string> headers;                 // of runtime_support that the program's header includes, sorted
-  std::vector<bool> host_used;                      // by HostFunctionId
-  std::vector<bool> called_by_slice;                // by RoutineId: a piece of a sliced routine calls it
+  /// By InstId, of stores of a result: they are `return value;`, and so is this Exit, if any, that follows.
+  std::unordered_map<uint32_t, ir::InstId> returns;
+  std::vector<bool> returns_at_end;  // by RoutineId: the text's end is reached, and returns the result's variable
+  std::vector<std::vector<ArmEnd>> arm_ends;      // by SwitchId, in the order of its cases
+  std::vector<std::vector<Guard>> guards;         // by RegionId, ascending; of the debug flavour
+  std::unordered_map<uint32_t, Switch> switches;  // by InstId, likewise
+  std::vector<std::string> functions;             // of runtime_support that expressions call, sorted
+  std::vector<std::string> headers;               // of runtime_support that the program's header includes, sorted
+  std::vector<bool> host_used;                    // by HostFunctionId
+  std::vector<bool> called_by_slice;              // by RoutineId: a piece of a sliced routine calls it
 };
 
 /// The instructions of the routines that this flavour of the generated code has, in their order.

@@ -6,6 +6,7 @@
 
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/ir/op.h"
 #include "transpiler/ir/reader.h"
 
 namespace plcxx::emit::print {
@@ -23,6 +24,7 @@ place c bit m[0].2
 place w i8 m[1]
 place u i16 m[2]
 place f f32 m[4]
+place d i32 m[8]
 place s bit r[0].0
 place rounds i32 r[4]
 statement s1 subject ONE
@@ -88,6 +90,77 @@ TEST(PlainText, LongLinesAreBrokenBetweenComparisons) {
   const std::string source = Plain(body + "store a " + sum + "\n");
   EXPECT_THAT(source, HasSubstr("\n      | (m[u] == "));
   EXPECT_THAT(source, Not(HasSubstr("\n      == ")));
+}
+
+TEST(PlainText, NegativeNumbersOf32BitsReadAsSuch) {
+  const auto source = [](std::string_view operation) {
+    return Plain("%0 = load d\n%1 = const i32 4294966796\n%2 = " + std::string(operation) + " %0 %1\nstore d %2\n");
+  };
+  EXPECT_THAT(source("add.i32"), HasSubstr("m[d] = Sub32(m[d], 500);\n"));
+  EXPECT_THAT(source("add.i32"), HasSubstr("using plcxx::Sub32;\n"));
+  EXPECT_THAT(source("add.i32"), Not(HasSubstr("using plcxx::Minus32;\n")));
+  EXPECT_THAT(source("mul.i32"), HasSubstr("m[d] = Mul32(m[d], Minus32(500));\n"));
+  EXPECT_THAT(source("mul.i32"), HasSubstr("using plcxx::Minus32;\n"));
+  // What declares it is included.
+  const ir::Program program =
+      ir::ReadOrDie(std::string(kPlaces) + "routine fast fast {\n%0 = const i32 4294967295\nstore d %0\n}\n");
+  EXPECT_THAT(PrintCpp(legalize::Legalize(program, {.name = "p"}), source::SourceManager()).front().text,
+              HasSubstr("#include <plcxx/" + std::string(ir::Info(ir::OpKind::kMinus32).header) + ">\n"));
+  EXPECT_THAT(Plain("%0 = const i32 4294901760\nstore d %0\n"), HasSubstr("m[d] = 4294901760u;\n"));
+}
+
+TEST(PlainText, MasksHaveAsManyDigitsAsTheirNumberNeeds) {
+  const auto source = [](std::string_view number) {
+    return Plain("%0 = load d\n%1 = const i32 " + std::string(number) + "\n%2 = and.i32 %0 %1\nstore d %2\n");
+  };
+  EXPECT_THAT(source("0x20"), HasSubstr("m[d] & 0x20;\n"));
+  EXPECT_THAT(source("0x100"), HasSubstr("m[d] & 0x0100;\n"));
+  EXPECT_THAT(source("0x10000"), HasSubstr("m[d] & 0x00010000;\n"));
+}
+
+TEST(PlainText, WhatTheControlAssignsFirstIsInTheDeclaration) {
+  const std::string own = Plain("%0 = const bit 1\nstore s %0\nstmt s1\n%1 = load s\nstore a %1\n");
+  EXPECT_THAT(own, HasSubstr("  bool s = true;\n\n  // ONE\n  m[a] = s;\n"));
+  // A statement's assignment is below its comment.
+  EXPECT_THAT(Plain("stmt s1\n%0 = const bit 1\nstore s %0\n%1 = load s\nstore a %1\n"),
+              HasSubstr("  bool s = false;\n\n  // ONE\n  s = true;\n"));
+  // Behind something else it stays where it is.
+  EXPECT_THAT(Plain("%0 = load b\nstore c %0\n%1 = const bit 1\nstore s %1\n%2 = load s\nstore a %2\n"),
+              HasSubstr("  m[c] = m[b];\n  s = true;\n"));
+}
+
+/// The text of a subroutine that gives `s`.
+std::string Giving(std::string_view body, Flavour flavour = Flavour::kRelease) {
+  const ir::Program program =
+      ir::ReadOrDie(std::string(kPlaces) + "routine sub subroutine -> bit s {\n" + std::string(body) +
+                    "}\nroutine fast fast {\n%90 = call sub ()\nstore b %90\n}\n");
+  const std::string source =
+      PrintCpp(legalize::Legalize(program, {.name = "p", .flavour = flavour}), source::SourceManager()).back().text;
+  const size_t begin = source.find(") noexcept {\n") + 13;
+  return source.substr(begin, source.find("\n}\n", begin) + 1 - begin);
+}
+
+TEST(PlainText, AResultIsReturnedWhereItIsKnown) {
+  EXPECT_EQ(Giving("stmt s1\n%0 = load a\nstore s %0\n"), "  // ONE\n  return m[a];\n");
+  // Also early, and in each arm that nothing follows.
+  EXPECT_EQ(Giving("block @1 {\nstmt s1\n%0 = load a\nif %0 {\nstore s %0\nexit @1\n}\nstmt s2\n%1 = load b\n"
+                   "store s %1\n}\n"),
+            "  // ONE\n  const bool t101 = m[a];\n  if (t101) {\n    return t101;\n  }\n\n  // TWO\n  return m[b];\n");
+  EXPECT_EQ(Giving("%0 = load a\nif %0 {\n%1 = load b\nstore s %1\n} else {\n%2 = load c\nstore s %2\n}\n"),
+            "  if (m[a]) {\n    return m[b];\n  } else {\n    return m[c];\n  }\n");
+}
+
+TEST(PlainText, AResultThatIsNotAlwaysGivenIsAVariable) {
+  EXPECT_EQ(Giving("%0 = load a\nif %0 {\n%1 = load b\nstore s %1\n}\n"),
+            "  bool s = false;\n\n  if (m[a]) {\n    return m[b];\n  }\n  return s;\n");
+  // What follows the assignment comes before the return.
+  EXPECT_EQ(Giving("%0 = load a\nstore s %0\n%1 = load b\nstore c %1\n"),
+            "  bool s = false;\n\n  s = m[a];\n  m[c] = m[b];\n  return s;\n");
+}
+
+TEST(PlainText, InTheDebugFlavourAResultIsAVariable) {
+  EXPECT_THAT(Giving("stmt s1\n%0 = load a\nstore s %0\n", Flavour::kDebug),
+              HasSubstr("  if (m.on(0)) {\n    s = m[a];\n  }\n  return s;\n"));
 }
 
 }  // namespace

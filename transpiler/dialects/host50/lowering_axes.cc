@@ -80,26 +80,32 @@ ValueId Lowering::RealsDiffer(ValueId now, ValueId before) {
   return And(bits_differ, a_number);
 }
 
+/// What was sent last is kept in the block's own instance. A constant is not: while the block is active, it is what was
+/// sent.
 void Lowering::SendRequest(const AxisRequest& request, ValueId axis) {
   const AxisBlock& block = *request.block;
-  ValueId changed = Not(builder_.Load(AxisField(request, "active")));
-  const auto compare = [&](AxisValue value, ValueId now, std::string_view field) {
-    if (value == AxisValue::kNotWritten) return;
-    const ValueId before = builder_.Load(AxisField(request, field));
-    const bool real = program_[now].type == ir::Type::kF32;
-    changed = Or(changed, real ? RealsDiffer(now, before) : builder_.Pure(OpKind::kNotEqual32, {now, before}));
+  struct Kept {
+    std::string_view field;
+    ValueId now;
   };
-  compare(block.method, request.method, "method");
-  compare(block.position, request.position, "position");
-  compare(block.speed, request.speed, "speed");
+  std::vector<Kept> kept;
+  const auto keep = [&](AxisValue value, ValueId now, std::string_view field) {
+    if (value != AxisValue::kNotWritten && program_[now].op != OpKind::kConst) kept.push_back({field, now});
+  };
+  keep(block.method, request.method, "method");
+  keep(block.position, request.position, "position");
+  keep(block.speed, request.speed, "speed");
+  ValueId changed = Not(builder_.Load(AxisField(request, "active")));
+  for (const Kept& number : kept) {
+    const ValueId before = builder_.Load(AxisField(request, number.field));
+    const bool real = program_[number.now].type == ir::Type::kF32;
+    changed =
+        Or(changed, real ? RealsDiffer(number.now, before) : builder_.Pure(OpKind::kNotEqual32, {number.now, before}));
+  }
   builder_.If(changed, RegionOf([&] {
                 const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(1);
                 CallHost(HostCall::kAxisCommand, {axis, kind, active, request.method, request.position, request.speed});
-                if (block.method != AxisValue::kNotWritten)
-                  builder_.Store(AxisField(request, "method"), request.method);
-                if (block.position != AxisValue::kNotWritten)
-                  builder_.Store(AxisField(request, "position"), request.position);
-                if (block.speed != AxisValue::kNotWritten) builder_.Store(AxisField(request, "speed"), request.speed);
+                for (const Kept& number : kept) builder_.Store(AxisField(request, number.field), number.now);
                 builder_.Store(AxisField(request, "active"), builder_.Bit(1));
               }));
 }

@@ -62,15 +62,9 @@ ValueId Lowering::StepCounter(const Instruction& instruction, ValueId input) {
   const ValueId preset = Number(OperandOf(tree_, instruction, 1), Type::kInteger);
   PLCXX_CHECK(instruction.pins.count == 3);
   ValueId pins[3];
-  uint64_t constant = 0;
-  bool all_constant = true;
-  for (uint32_t i = 0; i < 3; ++i) {
-    pins[i] = PinValue(tree_.pins[instruction.pins.first + i]);
-    all_constant = all_constant && (IsConstant(pins[i], 0) || IsConstant(pins[i], 1));
-    if (IsConstant(pins[i], 1)) constant |= uint64_t{1} << i;
-  }
-  const ValueId packed = all_constant ? builder_.Constant(ir::Type::kI8, constant)
-                                      : builder_.Pure(OpKind::kCounterPins, {pins[0], pins[1], pins[2]});
+  for (uint32_t i = 0; i < 3; ++i) pins[i] = PinValue(tree_.pins[instruction.pins.first + i]);
+  // Constant pins are written as pins, too: a number would not say which is which.
+  const ValueId packed = builder_.Pure(OpKind::kCounterPins, {pins[0], pins[1], pins[2]});
   const OpKind step = settings_.cnud == CnudOption::kHold ? OpKind::kCountHold : OpKind::kCountRing;
   return builder_.Step(step, InstanceOf(OperandOf(tree_, instruction, 0).address), {input, preset, packed});
 }

@@ -2,6 +2,8 @@
 //
 //   not.bit (eq.i8 a, b)   ->   a != b
 //   store s, (load s)      ->   nothing but a use of s
+//   add.i32 %0, 4294966796 ->   Sub32(..., 500)
+//   4294967295             ->   Minus32(1)
 
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
@@ -28,6 +30,13 @@ bool KeepsALocal(const Emittable& emittable, const ir::Inst& store) {
          emittable.layout.places[store.payload].storage == layout::Storage::kLocal;
 }
 
+/// A number of 32 bits that nobody writes but as a negative one. One of 16 bits may well be a large one.
+bool IsNegative(const ir::Inst& inst) {
+  constexpr uint64_t kLeast = 0xFFFF8000;
+  return inst.op == ir::OpKind::kConst && inst.type == ir::Type::kI32 && inst.c != 16 &&
+         ir::ConstantValue(inst) >= kLeast;
+}
+
 }  // namespace
 
 void ChooseWordings(Emittable& emittable) {
@@ -37,6 +46,8 @@ void ChooseWordings(Emittable& emittable) {
     Wording& wording = emittable.wordings[id.index];
     if (inst.op == ir::OpKind::kBitNot && HasComplement(emittable, ir::ValueId(inst.a))) wording = Wording::kComplement;
     if (inst.op == ir::OpKind::kStore && KeepsALocal(emittable, inst)) wording = Wording::kDiscard;
+    if (IsNegative(inst)) wording = Wording::kNegative;
+    if (inst.op == ir::OpKind::kAdd32 && IsNegative(program[ir::ValueId(inst.b)])) wording = Wording::kSubtract;
   }
 }
 

@@ -11,8 +11,6 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   emittable.layout = layout::MakeLayout(program);
   FindForegoneComparisons(emittable);  // before FindUsedFunctions: they are called by name
   FindUsedHostFunctions(emittable);
-  FindUsedFunctions(emittable);
-  FindUsedHeaders(emittable);
   NamePlaces(emittable);
   PlaceTemporaries(emittable);  // before CutChunks: a chunk never cuts between a value and its use
   CutChunks(emittable);
@@ -22,6 +20,9 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   PlaceEffects(emittable);    // after ChooseLeaves: a way out that needs no text asks for no value
   PlaceBraces(emittable);     // after PlaceEffects: around the locals
   ChooseWordings(emittable);  // after PlaceEffects: what has a name is not spelled inside
+  FindUsedFunctions(emittable);
+  FindUsedHeaders(emittable);
+  PlaceValues(emittable);  // after ChooseWordings: what is no assignment gives no result
   FindUsedParameters(emittable);
   NameLocals(emittable);     // after FindUsedParameters: no local has a parameter's name
   ShapeBranches(emittable);  // after PlaceEffects: whether an arm holds anything but an If

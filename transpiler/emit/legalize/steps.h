@@ -18,6 +18,7 @@ void ChooseLeaves(Emittable& emittable);
 void PlaceEffects(Emittable& emittable);
 void PlaceBraces(Emittable& emittable);
 void ChooseWordings(Emittable& emittable);
+void PlaceValues(Emittable& emittable);
 void ShapeBranches(Emittable& emittable);
 void FindCalledSubroutines(Emittable& emittable);
 void NameLocals(Emittable& emittable);

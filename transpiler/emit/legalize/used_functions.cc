@@ -5,6 +5,7 @@
 
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/uses.h"
 
 namespace plcxx::emit::legalize {
 
@@ -19,11 +20,29 @@ void FindUsedHostFunctions(Emittable& emittable) {
   }
 }
 
+namespace {
+
+/// By OpKind: whether the text of an instruction names it. What has a wording of its own may name another one.
+std::vector<bool> NamedOperations(const Emittable& emittable) {
+  const ir::Program& program = *emittable.program;
+  std::vector<bool> named(ir::OpCount(), false);
+  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+    const bool subtracts = emittable.wordings[id.index] == Wording::kSubtract;
+    named[static_cast<size_t>(subtracts ? ir::OpKind::kSub32 : program[id].op)] = true;
+    ir::ForEachUse(program, program[id], [&](uint32_t word) {
+      if (emittable.wordings[word] == Wording::kNegative && !subtracts)
+        named[static_cast<size_t>(ir::OpKind::kMinus32)] = true;
+    });
+  }
+  return named;
+}
+
+}  // namespace
+
 void FindUsedFunctions(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const std::vector<ir::InstId> insts = PrintedInsts(program, emittable.options.flavour);
-  std::vector<bool> used(ir::OpCount(), false);
-  for (const ir::InstId id : insts) used[static_cast<size_t>(program[id].op)] = true;
+  const std::vector<bool> used = NamedOperations(emittable);
   for (uint32_t i = 0; i < used.size(); ++i) {
     const auto op = static_cast<ir::OpKind>(i);
     const ir::OpInfo& info = ir::Info(op);
@@ -58,10 +77,13 @@ void FindUsedHeaders(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   std::set<std::string> headers = {"arith.h", "bcd.h", "bits.h", "logic.h", "state.h"};
   for (const ir::StateInstance& state : program.states) headers.insert(std::string(ir::Info(state.kind).header));
+  const std::vector<bool> named = NamedOperations(emittable);
+  for (uint32_t i = 0; i < named.size(); ++i) {
+    const std::string_view header = ir::Info(static_cast<ir::OpKind>(i)).header;
+    if (named[i] && !header.empty()) headers.insert(std::string(header));
+  }
   for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
     const ir::Inst& inst = program[id];
-    const std::string_view header = ir::Info(inst.op).header;
-    if (!header.empty()) headers.insert(std::string(header));
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
   }

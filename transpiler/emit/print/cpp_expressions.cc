@@ -24,6 +24,18 @@ std::string Hex(uint64_t value, uint32_t digits) {
   return "0x" + out;
 }
 
+/// As many as a byte, a word, a double word has: the mask 0x20 is spelled alike wherever it is used.
+uint32_t HexDigits(uint64_t value) {
+  if (value <= 0xFF) return 2;
+  if (value <= 0xFFFF) return 4;
+  return value <= 0xFFFFFFFF ? 8 : 16;
+}
+
+/// "500" of 4294966796: what is subtracted where that is added.
+std::string Negated(const ir::Inst& constant) {
+  return std::to_string((uint64_t{1} << 32) - ir::ConstantValue(constant));
+}
+
 /// The shortest decimal that reads back as the same number; numbers that have none by their bits.
 template <class T>
 std::string FloatText(T value, std::string_view suffix) {
@@ -37,7 +49,7 @@ std::string FloatText(T value, std::string_view suffix) {
 Spelling SpellConstant(const ir::Inst& inst) {
   const uint64_t value = ir::ConstantValue(inst);
   const bool integer = inst.type != ir::Type::kBit && inst.type != ir::Type::kF32 && inst.type != ir::Type::kF64;
-  if (integer && inst.c == 16) return {Hex(value, 2 * ir::Bytes(inst.type)), Precedence::kPrimary};
+  if (integer && inst.c == 16) return {Hex(value, HexDigits(value)), Precedence::kPrimary};
   const std::string text = ConstantText(inst.type, value);
   return {text, text.front() == '-' ? Precedence::kUnary : Precedence::kPrimary};
 }
@@ -96,8 +108,13 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
       const ir::Inst& comparison = (*emittable.program)[first];
       return SpellPattern(emittable, comparison, Complement(ir::Info(comparison.op).spelling));
     }
+    case Wording::kSubtract:
+      return {Text(ir::Info(ir::OpKind::kSub32).function) + "(" + Spell(emittable, first).text + ", " +
+                  Negated((*emittable.program)[ir::ValueId(inst.b)]) + ")",
+              Precedence::kPrimary};
     case Wording::kTable:
     case Wording::kDiscard:
+    case Wording::kNegative:
       break;
   }
   return SpellPattern(emittable, inst, info.spelling);
@@ -200,6 +217,8 @@ Spelling SpellDefinition(const Emittable& emittable, ir::ValueId value) {
   const ir::OpInfo& info = ir::Info(inst.op);
   switch (info.shape) {
     case ir::Shape::kConst:
+      if (emittable.wordings[value.index] == Wording::kNegative)
+        return {Text(ir::Info(ir::OpKind::kMinus32).function) + "(" + Negated(inst) + ")", Precedence::kPrimary};
       return SpellConstant(inst);
     case ir::Shape::kPure:
       return SpellPure(emittable, value);

@@ -64,18 +64,20 @@ void PartPrinter::Routine(ir::RoutineId id) {
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";
   for (const Locals::Declared& local : locals.declared) {
     const ir::Type type = program_.places[local.place].type;
+    const Text value =
+        local.first.valid() ? Spelled(Value(program_[local.first].a), local.first) : Text(ConstantText(type, 0));
     Line((local.read ? "" : "[[maybe_unused]] ") + std::string(ir::CppName(type)) + " " +
-         emittable_.place_names[local.place.index] + " = " + ConstantText(type, 0) + ";");
+         emittable_.place_names[local.place.index] + " = " + value + ";");
   }
   if (routine.kind == ir::RoutineKind::kInit) InitStorage();
   // What the control does before and after the statements stands apart from them.
   for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
     if (!region.valid() || program_.regions[region].insts.empty()) continue;
-    if (out_.size() > body_begin_) BlankLine();
+    if (out_.size() > body_begin_ && last_ != Last::kBlank) BlankLine();
     statement_ = {};
     RegionBody(region);
   }
-  if (routine.result_place.valid()) Line(return_);
+  if (emittable_.returns_at_end[id.index]) Line(return_);
   CloseFunction();
 }
 

@@ -132,6 +132,11 @@ void PartPrinter::Store(ir::InstId id) {
   const ir::Inst& inst = program_[id];
   const Text target = SpellPlace(emittable_, ir::PlaceId(inst.payload), ir::ValueId(inst.b)).text;
   const Text value = Value(inst.a);
+  if (const auto returned = emittable_.returns.find(id.index); returned != emittable_.returns.end()) {
+    Text text = Spelled("return " + value + ";", id);
+    Line(returned->second.valid() ? Spelled(std::move(text), returned->second) : std::move(text));
+    return;
+  }
   const bool discard = emittable_.wordings[id.index] == Wording::kDiscard;
   Line(Spelled(discard ? "static_cast<void>(" + value + ");" : target + " = " + value + ";", id));
 }

@@ -39,7 +39,8 @@ void FunctionText::Run(const std::string& name, const Locals& locals, const std:
   Line(head);
   ++depth_;
   for (const Locals::Declared& local : locals.declared)
-    Line("variable " + emittable_.place_names[local.place.index] + (local.read ? "" : ", never read"));
+    Line("variable " + emittable_.place_names[local.place.index] + (local.read ? "" : ", never read") +
+         (local.first.valid() ? ", first value in its declaration" : ""));
   Pieces(pieces);
   --depth_;
 }
@@ -132,6 +133,7 @@ std::string FunctionText::Decisions(ir::InstId id) const {
   if (inst.op == ir::OpKind::kIf && emittable_.else_arms.contains(id.index))
     text += OfIf(emittable_.else_arms.at(id.index));
   if (inst.op == ir::OpKind::kExit || inst.op == ir::OpKind::kRepeat) text += OfLeave(id);
+  if (emittable_.returns.contains(id.index)) text += ", as a return";
   if (emittable_.landings.contains(id.index)) text += OfLanding(emittable_.landings.at(id.index));
   if (inst.op == ir::OpKind::kSwitch) {
     static constexpr std::string_view kEnds[] = {"break", "fallthrough", "nothing"};
@@ -144,7 +146,12 @@ std::string FunctionText::Decisions(ir::InstId id) const {
 
 void FunctionText::Inst(ir::InstId id) {
   static constexpr std::string_view kForms[] = {"nowhere", "inside", "local", "line"};
-  static constexpr std::string_view kWordings[] = {"", ", as a call", ", as its complement", ", as a discarded value"};
+  static constexpr std::string_view kWordings[] = {"",
+                                                   ", as a call",
+                                                   ", as its complement",
+                                                   ", as a discarded value",
+                                                   ", as a negative number",
+                                                   ", as a subtraction"};
   const ir::Inst& inst = program_[id];
   const Form form = emittable_.forms[id.index];
   const Wording wording = emittable_.wordings[id.index];

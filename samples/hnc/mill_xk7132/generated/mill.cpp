@@ -98,22 +98,19 @@ static void record_fault(State& m, uint8_t code, uint32_t statement, Host& host)
 
 // limited()
 static uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noexcept {
-  uint16_t result = 0;
-
   // if (value < low)
   if (S16(value) < S16(low)) {
     // return low;
-    result = low;
+    return low;
   }
   // if (value > high)
   else if (S16(value) > S16(high)) {
     // return high;
-    result = high;
+    return high;
   } else {
     // return value;
-    result = value;
+    return value;
   }
-  return result;
 }
 
 // read_inputs()
@@ -204,7 +201,7 @@ static void mode_lamps(State& m, Host&) noexcept {
     // if (*axis_stat(a) & AX_COORD_SETUP)
     if ((m[At(F, Mul16(a, 10))] & 0x0800) != 0) {
       // lamps |= 0x20 << a;
-      lamps = lamps | LowByte16(ShiftLeft16(0x0020, a));
+      lamps = lamps | LowByte16(ShiftLeft16(0x20, a));
     }
   }
 
@@ -226,7 +223,7 @@ static void program_keys(State& m, Host&) noexcept {
   }
 
   // if (HIT_DRY && !(*ch_stat(0) & CH_CYCLE_LAMP))
-  if (((m[pressed_0] & 8) != 0) & ((m[ch_stat_0] & 0x0020) == 0)) {
+  if (((m[pressed_0] & 8) != 0) & ((m[ch_stat_0] & 0x20) == 0)) {
     // dry_run = !dry_run;
     m[dry_run] = (m[dry_run] == 0 ? 1 : 0);
   }
@@ -243,7 +240,7 @@ static void program_keys(State& m, Host&) noexcept {
   // if (dry_run)
   if (m[dry_run] != 0) {
     // *ch_ctrl(0) |= CH_DRY_RUN;
-    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x0040;
+    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x40;
   } else {
     // *ch_ctrl(0) &= ~CH_DRY_RUN;
     m[ch_ctrl_0] = m[ch_ctrl_0] & 0xFFBF;
@@ -251,18 +248,18 @@ static void program_keys(State& m, Host&) noexcept {
 
   // if (KEY_START && automatic && machine_on && alarms == 0 && DOOR_CLOSED)
   if (((m[sample_0] & 1) != 0) & (automatic != 0) & (m[machine_on] != 0) & (m[alarms] == 0)
-      & ((m[sample_4] & 0x0080) != 0)) {
+      & ((m[sample_4] & 0x80) != 0)) {
     // *ch_ctrl(0) |= CH_CYCLE_SW;
-    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x0020;
+    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x20;
   } else {
     // *ch_ctrl(0) &= ~CH_CYCLE_SW;
     m[ch_ctrl_0] = m[ch_ctrl_0] & 0xFFDF;
   }
 
   // if (KEY_HOLD || alarms & ALARM_STOPS)
-  if (((m[sample_0] & 2) != 0) | ((m[alarms] & 0x0083) != 0)) {
+  if (((m[sample_0] & 2) != 0) | ((m[alarms] & 0x83) != 0)) {
     // *ch_ctrl(0) |= CH_FEEDHOLD_SW;
-    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x0010;
+    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x10;
   } else {
     // *ch_ctrl(0) &= ~CH_FEEDHOLD_SW;
     m[ch_ctrl_0] = m[ch_ctrl_0] & 0xFFEF;
@@ -272,7 +269,7 @@ static void program_keys(State& m, Host&) noexcept {
   // if (mod_m00_m01(0) & CH_M00 || mod_m00_m01(0) & CH_M01 && single_block)
   if (((m[mod_m00_m01_0] & 0x1000) != 0) | (((m[mod_m00_m01_0] & 0x2000) != 0) & (m[single_block] != 0))) {
     // *ch_ctrl(0) |= CH_FEEDHOLD_SW;
-    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x0010;
+    m[ch_ctrl_0] = m[ch_ctrl_0] | 0x10;
     // *ch_ctrl(0) &= ~CH_CYCLE_SW;
     m[ch_ctrl_0] = m[ch_ctrl_0] & 0xFFDF;
   }
@@ -287,23 +284,23 @@ static void program_keys(State& m, Host&) noexcept {
 // overrides()
 static void overrides(State& m, Host&) noexcept {
   // *ch_feedover(0) = FEED_SWITCH * 10;
-  m[ch_feedover_0] = Mul16(m[X3] & 0x000F, 10);
+  m[ch_feedover_0] = Mul16(m[X3] & 0x0F, 10);
 
   // *ch_rapidover(0) = FEED_SWITCH > 10 ? 100 : FEED_SWITCH * 10;
-  m[ch_rapidover_0] = ((m[X3] & 0x000F) > 10 ? 100 : Mul16(m[X3] & 0x000F, 10));
+  m[ch_rapidover_0] = ((m[X3] & 0x0F) > 10 ? 100 : Mul16(m[X3] & 0x0F, 10));
 }
 
 // panel_lamps()
 static void panel_lamps(State& m, Host&) noexcept {
   // put_y(0, 0, *ch_stat(0) & CH_CYCLE_LAMP)
-  if ((m[ch_stat_0] & 0x0020) != 0) {
+  if ((m[ch_stat_0] & 0x20) != 0) {
     m[Y0] = m[Y0] | 1;
   } else {
     m[Y0] = m[Y0] & 0xFE;
   }
 
   // put_y(0, 1, *ch_stat(0) & CH_FEEDHOLD_LAMP)
-  if ((m[ch_stat_0] & 0x0010) != 0) {
+  if ((m[ch_stat_0] & 0x10) != 0) {
     m[Y0] = m[Y0] | 2;
   } else {
     m[Y0] = m[Y0] & 0xFD;
@@ -358,7 +355,7 @@ static void limit_switches(State& m, Host&) noexcept {
   a = 0;
   for (; a < 3; a = Add16(a, 1)) {
     // unsigned ends = ~LIMITS >> 2 * a & 0x03;
-    ends = ArithmeticShiftRight16(Not16(m[LIMITS]), Mul16(2, a)) & 0x0003;
+    ends = ArithmeticShiftRight16(Not16(m[LIMITS]), Mul16(2, a)) & 0x03;
     // *axis_ctrl(a) &= ~(AX_LSP | AX_LSN | AX_DISABLE_P | AX_DISABLE_N);
     const uint32_t t721 = Mul16(a, 10);
     m[At(G, t721)] = m[At(G, t721)] & 0xFF5C;
@@ -366,13 +363,13 @@ static void limit_switches(State& m, Host&) noexcept {
     if ((ends & 1) != 0) {
       // *axis_ctrl(a) |= AX_LSP | AX_DISABLE_P;
       const uint32_t t444 = Mul16(a, 10);
-      m[At(G, t444)] = m[At(G, t444)] | 0x0021;
+      m[At(G, t444)] = m[At(G, t444)] | 0x21;
     }
     // if (ends & 2)
     if ((ends & 2) != 0) {
       // *axis_ctrl(a) |= AX_LSN | AX_DISABLE_N;
       const uint32_t t856 = Mul16(a, 10);
-      m[At(G, t856)] = m[At(G, t856)] | 0x0082;
+      m[At(G, t856)] = m[At(G, t856)] | 0x82;
     }
     // if (ends)
     if (ends != 0) {
@@ -403,7 +400,6 @@ static void limit_switches(State& m, Host&) noexcept {
 
 // -1, 0 or 1: both keys of an axis together are none, and a pressed end lets the axis move away from it only.
 static uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
-  uint16_t result = 0;
   uint16_t d = 0;
   bool both = false;
   bool both_local = false;
@@ -455,8 +451,7 @@ static uint16_t direction(State& m, uint16_t a, Host& host) noexcept {
   }
 
   // return d;
-  result = d;
-  return result;
+  return d;
 }
 
 // jog()
@@ -469,7 +464,7 @@ static void jog(State& m, uint16_t a, Host& host) noexcept {
   d = direction(m, a, host);
 
   // int speed = KEY_RAPID && *axis_stat(a) & AX_COORD_SETUP ? rapid_speed : jog_speed;
-  const bool t599 = (m[sample_1] & 0x0040) != 0;
+  const bool t599 = (m[sample_1] & 0x40) != 0;
   both = t599;
   if (t599) {
     const uint32_t t600 = SignExtend16To32(Mul16(a, 10));
@@ -600,7 +595,7 @@ static void reference(State& m, uint16_t a, Host& host) noexcept {
     if (t411 > 255) {
       record_fault(m, 2, 0x4AC0C99F, host);
     }
-    if ((m[At(F, t411)] & 0x0010) != 0) {
+    if ((m[At(F, t411)] & 0x10) != 0) {
       // set_axis_home(a, 0);
       const uint16_t t435 = a;
       if (t435 > 15) {
@@ -744,11 +739,8 @@ static void axes(State& m, Host& host) noexcept {
 
 // speed_percent()
 static uint16_t speed_percent(State& m, Host&) noexcept {
-  uint16_t result = 0;
-
   // return 50 + 10 * SPEED_SWITCH;
-  result = Add16(50, Mul16(10, ShiftRight16(m[X3], 4) & 7));
-  return result;
+  return Add16(50, Mul16(10, ShiftRight16(m[X3], 4) & 7));
 }
 
 // start_spindle()
@@ -775,12 +767,12 @@ static void spindle_keys(State& m, Host& host) noexcept {
     // return;
   } else {
     // if (HIT_SPINDLE && CLAMPED && machine_on)
-    if (((m[pressed_0] & 0x0040) != 0) & ((m[sample_7] & 4) != 0) & (m[machine_on] != 0)) {
+    if (((m[pressed_0] & 0x40) != 0) & ((m[sample_7] & 4) != 0) & (m[machine_on] != 0)) {
       // start_spindle(SPINDLE_CW);
       start_spindle(m, 1, host);
     }
     // if (HIT_SP_STOP)
-    if ((m[pressed_0] & 0x0080) != 0) {
+    if ((m[pressed_0] & 0x80) != 0) {
       // start_spindle(SPINDLE_STOPPED);
       start_spindle(m, 0, host);
     }
@@ -884,7 +876,6 @@ static void on_s(State& m, uint16_t ch, Host& host) noexcept {
 
 // The pocket of a tool, 1..12, or 0.
 static uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
-  uint16_t result = 0;
   uint16_t p = 0;
 
   // for (p = 0; p < POCKETS; p++)
@@ -893,14 +884,12 @@ static uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
     // if (*cutter_in_mag(p) == tool)
     if (m[At(B_from_1, p)] == tool) {
       // return p + 1;
-      result = Add16(p, 1);
-      return result;
+      return Add16(p, 1);
     }
   }
 
   // return 0;
-  result = 0;
-  return result;
+  return 0;
 }
 
 // on_t()
@@ -924,7 +913,7 @@ static void on_t(State& m, uint16_t ch, Host& host) noexcept {
   }
   if (both) {
     // alarms |= ALARM_TOOL;
-    m[alarms] = m[alarms] | 0x0020;
+    m[alarms] = m[alarms] | 0x20;
     // stays busy until reset withdraws the request
     // return;
   } else {
@@ -972,30 +961,28 @@ static void next_step(State& m, uint16_t state, Host&) noexcept {
 
 // Turns the shorter way round: pockets ahead in the positive direction.
 static uint16_t positive_turn(State& m, Host&) noexcept {
-  uint16_t result = 0;
   uint16_t ahead = 0;
 
   // int ahead = (target_pocket - pocket_in_front + POCKETS) % POCKETS;
   ahead = SignedRem16(Add16(Sub16(m[target_pocket], m[pocket_in_front]), 12), 12);
 
   // return ahead <= POCKETS / 2;
-  result = S16(ahead) <= 6;
-  return result;
+  return S16(ahead) <= 6;
 }
 
 // count_pockets()
 static void count_pockets(State& m, Host&) noexcept {
   // if (!HIT_POCKET)
-  if ((m[pressed_7] & 0x0010) == 0) {
+  if ((m[pressed_7] & 0x10) == 0) {
     // return;
   }
   // if (Y[3] & 0x01)
-  else if ((m[Y3] & 0x0001) != 0) {
+  else if ((m[Y3] & 0x01) != 0) {
     // pocket_in_front = pocket_in_front % POCKETS + 1;
     m[pocket_in_front] = Add16(SignedRem16(m[pocket_in_front], 12), 1);
   }
   // if (Y[3] & 0x02)
-  else if ((m[Y3] & 0x0002) != 0) {
+  else if ((m[Y3] & 0x02) != 0) {
     // pocket_in_front = pocket_in_front > 1 ? pocket_in_front - 1 : POCKETS;
     m[pocket_in_front] = (S16(m[pocket_in_front]) > 1 ? Sub16(m[pocket_in_front], 1) : 12);
   }
@@ -1047,7 +1034,7 @@ static void tool_change(State& m, Host& host) noexcept {
   // if (change_state == CHANGE_IDLE)
   if (m[change_state] == 0) {
     // Y_UNCLAMP(KEY_UNCLAMP && spindle_state == SPINDLE_STOPPED && machine_on)
-    if (((m[sample_1] & 0x0080) != 0) & (m[spindle_state] == 0) & (m[machine_on] != 0)) {
+    if (((m[sample_1] & 0x80) != 0) & (m[spindle_state] == 0) & (m[machine_on] != 0)) {
       m[Y3] = m[Y3] | 4;
     } else {
       m[Y3] = m[Y3] & 0xFB;
@@ -1064,10 +1051,10 @@ static void tool_change(State& m, Host& host) noexcept {
     }
     if (both & (m[step_limit] != 0)) {
       // alarms |= ALARM_CHANGE;
-      m[alarms] = m[alarms] | 0x0040;
+      m[alarms] = m[alarms] | 0x40;
     }
     // if (alarms & ALARM_CHANGE || !machine_on)
-    if (((m[alarms] & 0x0040) != 0) | (m[machine_on] == 0)) {
+    if (((m[alarms] & 0x40) != 0) | (m[machine_on] == 0)) {
       // stop_magazine();
       stop_magazine(m, host);
       // return;
@@ -1079,7 +1066,7 @@ static void tool_change(State& m, Host& host) noexcept {
           // start_spindle(SPINDLE_ORIENT);
           start_spindle(m, 3, host);
           // if (!ORIENTED)
-          if ((m[sample_7] & 0x0040) == 0) {
+          if ((m[sample_7] & 0x40) == 0) {
             return;
           }
           // next_step(CHANGE_OUT);
@@ -1252,7 +1239,7 @@ static void tool_change(State& m, Host& host) noexcept {
 // mcodes.h - M functions of channel 0 The handler is called in every scan until it sets the code to -1.
 static void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept {
   // if (alarms & ALARM_SPINDLE)
-  if ((m[alarms] & 0x0080) != 0) {
+  if ((m[alarms] & 0x80) != 0) {
     // return;
   } else {
     // start_spindle(state);
@@ -1351,7 +1338,7 @@ static void on_m(State& m, uint16_t ch, Host& host) noexcept {
       // start_spindle(SPINDLE_ORIENT);
       start_spindle(m, 3, host);
       // if (ORIENTED)
-      if ((m[sample_7] & 0x0040) != 0) {
+      if ((m[sample_7] & 0x40) != 0) {
         // mod_M_code(ch) = -1;
         const uint32_t t553 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
         if (t553 > 255) {
@@ -1402,7 +1389,7 @@ static void power(State& m, Host& host) noexcept {
   }
 
   // if (HIT_RESET)
-  if ((m[pressed_0] & 0x0010) != 0) {
+  if ((m[pressed_0] & 0x10) != 0) {
     // alarms &= ALARM_LIMIT;
     m[alarms] = m[alarms] & 0x0100;
     // change_state = CHANGE_IDLE;
@@ -1454,23 +1441,23 @@ static void watch(State& m, Host&) noexcept {
       // if (!SP_READY)
       if ((m[sample_4] & 4) == 0) {
         // alarms |= ALARM_SPINDLE;
-        m[alarms] = m[alarms] | 0x0080;
+        m[alarms] = m[alarms] | 0x80;
       }
     }
     // if (!AIR_OK)
-    if ((m[sample_4] & 0x0010) == 0) {
+    if ((m[sample_4] & 0x10) == 0) {
       // alarms |= ALARM_AIR;
       m[alarms] = m[alarms] | 4;
     }
     // if (!OIL_OK)
-    if ((m[sample_4] & 0x0020) == 0) {
+    if ((m[sample_4] & 0x20) == 0) {
       // alarms |= ALARM_OIL;
       m[alarms] = m[alarms] | 8;
     }
     // if (!COOLANT_OK)
-    if ((m[sample_4] & 0x0040) == 0) {
+    if ((m[sample_4] & 0x40) == 0) {
       // alarms |= ALARM_COOLANT;
-      m[alarms] = m[alarms] | 0x0010;
+      m[alarms] = m[alarms] | 0x10;
     }
   }
 }
@@ -1478,13 +1465,13 @@ static void watch(State& m, Host&) noexcept {
 // coolant()
 static void coolant(State& m, Host&) noexcept {
   // if (HIT_COOLANT)
-  if ((m[pressed_0] & 0x0020) != 0) {
+  if ((m[pressed_0] & 0x20) != 0) {
     // coolant_wanted = !coolant_wanted;
     m[coolant_wanted] = (m[coolant_wanted] == 0 ? 1 : 0);
   }
 
   // coolant_on = coolant_wanted && machine_on && !(alarms & ALARM_COOLANT);
-  m[coolant_on] = (((m[coolant_wanted] != 0) & (m[machine_on] != 0) & ((m[alarms] & 0x0010) == 0)) ? 1 : 0);
+  m[coolant_on] = (((m[coolant_wanted] != 0) & (m[machine_on] != 0) & ((m[alarms] & 0x10) == 0)) ? 1 : 0);
 
   // Y_COOLANT(coolant_on)
   if (m[coolant_on] != 0) {
@@ -1678,10 +1665,7 @@ static void plc2(State& m, Host& host) noexcept {
 
 // The control's own get_axis_den.
 static uint16_t get_axis_den(State& m, uint16_t a, Host&) noexcept {
-  uint16_t result = 0;
-
-  result = (m[At(G_ul_from_0_by_20, a)] == 0) & (m[At(G_from_0_by_20_n, a)] == 0);
-  return result;
+  return (m[At(G_ul_from_0_by_20, a)] == 0) & (m[At(G_from_0_by_20_n, a)] == 0);
 }
 
 // The control's own set_axis_stop.
@@ -1711,7 +1695,7 @@ static void set_axis_jog(State& m, uint16_t a, uint16_t v, Host&) noexcept {
 // The control's own set_axis_home.
 static void set_axis_home(State& m, uint16_t a, uint16_t on, Host&) noexcept {
   if (on != 0) {
-    m[At(G_by_20, a)] = m[At(G_by_20, a)] | 0x0040;
+    m[At(G_by_20, a)] = m[At(G_by_20, a)] | 0x40;
   } else {
     m[At(G_by_20, a)] = m[At(G_by_20, a)] & 0xFFBF;
   }
@@ -1816,7 +1800,7 @@ static void dispatch(State& m, uint32_t channel, Host& host) noexcept {
   if (m[At(state_M, channel)] == 0) {
     if (((m[At(mst_strobes, channel)] & 0x0100) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
       m[At(mod_M, channel)] = m[At(M_code, channel)];
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0001;
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x01;
       m[At(state_M, channel)] = 1;
       if (m[At(M_code, channel)] == 0) {
         m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x1000;
@@ -1856,7 +1840,7 @@ static void dispatch(State& m, uint32_t channel, Host& host) noexcept {
   if (m[At(state_S, channel)] == 0) {
     if (((m[At(mst_strobes, channel)] & 0x0200) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
       m[At(mod_S, channel)] = m[At(S_code, channel)];
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0002;
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x02;
       m[At(state_S, channel)] = 1;
     }
   }
@@ -1890,7 +1874,7 @@ static void dispatch(State& m, uint32_t channel, Host& host) noexcept {
   if (m[At(state_T, channel)] == 0) {
     if (((m[At(mst_strobes, channel)] & 0x0400) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
       m[At(mod_T, channel)] = m[At(T_code, channel)];
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0004;
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x04;
       m[At(state_T, channel)] = 1;
     }
   }
@@ -1924,7 +1908,7 @@ static void dispatch(State& m, uint32_t channel, Host& host) noexcept {
   if (m[At(state_B, channel)] == 0) {
     if (((m[At(mst_strobes, channel)] & 0x0800) != 0) & ((m[At(mst_strobes, channel)] & 0x8000) == 0)) {
       m[At(mod_B, channel)] = m[At(B_code, channel)];
-      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x0008;
+      m[At(mst_flags, channel)] = m[At(mst_flags, channel)] | 0x08;
       m[At(state_B, channel)] = 1;
     }
   }
@@ -1953,34 +1937,34 @@ static void complete(State& m, uint32_t channel, Host&) noexcept {
   if (m[At(state_M, channel)] == 1) {
     if (m[At(mod_M, channel)] == Minus16(1)) {
       m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFE;
-      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0001;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x01;
       m[At(state_M, channel)] = 2;
     }
   }
   if (m[At(state_S, channel)] == 1) {
     if (m[At(mod_S, channel)] == Minus16(1)) {
       m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFD;
-      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0002;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x02;
       m[At(state_S, channel)] = 2;
     }
   }
   if (m[At(state_T, channel)] == 1) {
     if (m[At(mod_T, channel)] == Minus16(1)) {
       m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFFB;
-      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0004;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x04;
       m[At(state_T, channel)] = 2;
     }
   }
   if (m[At(state_B, channel)] == 1) {
     if (m[At(mod_B, channel)] == Minus16(1)) {
       m[At(mst_flags, channel)] = m[At(mst_flags, channel)] & 0xFFF7;
-      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0008;
+      m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x08;
       m[At(state_B, channel)] = 2;
     }
   }
   if ((m[At(state_M, channel)] == 1) | (m[At(state_S, channel)] == 1) | (m[At(state_T, channel)] == 1)
       | (m[At(state_B, channel)] == 1)) {
-    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x0010;
+    m[At(mst_acks, channel)] = m[At(mst_acks, channel)] | 0x10;
   } else {
     m[At(mst_acks, channel)] = m[At(mst_acks, channel)] & 0xFFEF;
   }

@@ -949,10 +949,8 @@ static void SR50(State& m, Host& host) noexcept {
     m[Q1040] = true;
     m[QW0] = 33;
     m[QF0] = 500.0F;
-    if ((!m[HOME_1_active]) | (33 != m[HOME_1_method]) | (BitsOfF32(500.0F) != BitsOfF32(m[HOME_1_speed]))) {
+    if (!m[HOME_1_active]) {
       axis_command(host, 0, axis_command_kind::HOME, true, 33, 0.0F, 500.0F);
-      m[HOME_1_method] = 33;
-      m[HOME_1_speed] = 500.0F;
       m[HOME_1_active] = true;
     }
   } else if (m[HOME_1_active]) {
@@ -985,11 +983,9 @@ static void SR50(State& m, Host& host) noexcept {
     m[QF10] = t182;
     const float t183 = m[POSM_1_position];
     if ((!m[POSM_1_active]) | ((BitsOfF32(t182) != BitsOfF32(t183))
-        & (EqualF32(t182, t182) | EqualF32(t183, t183)))
-        | (BitsOfF32(1200.0F) != BitsOfF32(m[POSM_1_speed]))) {
+        & (EqualF32(t182, t182) | EqualF32(t183, t183)))) {
       axis_command(host, 0, axis_command_kind::POSM, true, 0, t182, 1200.0F);
       m[POSM_1_position] = t182;
-      m[POSM_1_speed] = 1200.0F;
       m[POSM_1_active] = true;
     }
   } else if (m[POSM_1_active]) {

@@ -268,19 +268,10 @@ enum AxisRequestTag : uint16_t {
   HOME_1,
   POSM_1,
 };
-struct AxisRequest_method {
-  AxisRequestTag instance;
-};
-inline constexpr AxisRequest_method HOME_1_method{HOME_1};
 struct AxisRequest_position {
   AxisRequestTag instance;
 };
 inline constexpr AxisRequest_position POSM_1_position{POSM_1};
-struct AxisRequest_speed {
-  AxisRequestTag instance;
-};
-inline constexpr AxisRequest_speed HOME_1_speed{HOME_1};
-inline constexpr AxisRequest_speed POSM_1_speed{POSM_1};
 struct AxisRequest_active {
   AxisRequestTag instance;
 };
@@ -334,12 +325,8 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const plcxx::PositionCounter& operator[](PositionCounterTag tag) const noexcept { return position_counter[tag]; }
   [[gnu::const, gnu::always_inline]] plcxx::AxisRequest& operator[](AxisRequestTag tag) noexcept { return axis_request[tag]; }
   [[gnu::pure, gnu::always_inline]] const plcxx::AxisRequest& operator[](AxisRequestTag tag) const noexcept { return axis_request[tag]; }
-  [[gnu::const, gnu::always_inline]] uint32_t& operator[](AxisRequest_method tag) noexcept { return axis_request[tag.instance].method; }
-  [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](AxisRequest_method tag) const noexcept { return axis_request[tag.instance].method; }
   [[gnu::const, gnu::always_inline]] float& operator[](AxisRequest_position tag) noexcept { return axis_request[tag.instance].position; }
   [[gnu::pure, gnu::always_inline]] const float& operator[](AxisRequest_position tag) const noexcept { return axis_request[tag.instance].position; }
-  [[gnu::const, gnu::always_inline]] float& operator[](AxisRequest_speed tag) noexcept { return axis_request[tag.instance].speed; }
-  [[gnu::pure, gnu::always_inline]] const float& operator[](AxisRequest_speed tag) const noexcept { return axis_request[tag.instance].speed; }
   [[gnu::const, gnu::always_inline]] bool& operator[](AxisRequest_active tag) noexcept { return axis_request[tag.instance].active; }
   [[gnu::pure, gnu::always_inline]] const bool& operator[](AxisRequest_active tag) const noexcept { return axis_request[tag.instance].active; }
 };

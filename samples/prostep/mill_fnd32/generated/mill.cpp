@@ -17,6 +17,7 @@ using plcxx::S32;
 using plcxx::S8;
 using plcxx::ShiftRight16;
 using plcxx::Sub16;
+using plcxx::Sub32;
 using plcxx::ToBcd16;
 using plcxx::ToBcd8;
 using plcxx::UnsignedRem32;
@@ -147,7 +148,7 @@ void init(State& m, Host& host) noexcept {
       const uint16_t t647 = WithLowByte16(ax, t646);
       const uint32_t t648 = Add32(m[DB24], 540);
       m[At(DB_from_0, t648)] = t646;
-      m[At(DB_from_500, Add32(t648, 4294966796u))] = t646;
+      m[At(DB_from_500, Sub32(t648, 500))] = t646;
       const uint16_t t649 = Add16(t647, 1);
       m[DB24] = LowByte16(t649);
       ax = t649;
@@ -401,7 +402,6 @@ void slow_step(State& m, Host& host) noexcept {
   uint8_t tries = 0;
   bool active = false;
 
-  tries = 0;
   while (tries < 8) {
     tries = Add8(tries, 1);
     const uint8_t t1 = m[next_slice];
@@ -812,63 +812,63 @@ static void PM20(State& m, uint16_t& ax, uint32_t& nc_value, Host& host) noexcep
           {
             {
               {
-                if (t608 != 0x0003) {
+                if (t608 != 0x03) {
                   // :!=
                   // : K 04D
                   // :T OW 84
                   // :JC M04
                   const uint16_t t732 = ax;
                   m[OW84] = t732;
-                  if (t732 == 0x0004) goto to_F4_1;
+                  if (t732 == 0x04) goto to_F4_1;
                   // :!=
                   // : K 05D
                   // :T OW 84
                   // :JC M05
                   const uint16_t t822 = ax;
                   m[OW84] = t822;
-                  if (t822 == 0x0005) goto to_F4_0;
+                  if (t822 == 0x05) goto to_F4_0;
                   // :!=
                   // : K 06D
                   // :T OW 84
                   // :JC M06
                   const uint16_t t300 = ax;
                   m[OW84] = t300;
-                  if (t300 == 0x0006) goto to_PM26;
+                  if (t300 == 0x06) goto to_PM26;
                   // :!=
                   // : K 07D
                   // :T OW 84
                   // :JC M07
                   const uint16_t t190 = ax;
                   m[OW84] = t190;
-                  if (t190 == 0x0007) goto to_F4_4;
+                  if (t190 == 0x07) goto to_F4_4;
                   // :!=
                   // : K 08D
                   // :T OW 84
                   // :JC M08
                   const uint16_t t936 = ax;
                   m[OW84] = t936;
-                  if (t936 == 0x0008) goto to_F4_3;
+                  if (t936 == 0x08) goto to_F4_3;
                   // :!=
                   // : K 09D
                   // :T OW 84
                   // :JC M09
                   const uint16_t t994 = ax;
                   m[OW84] = t994;
-                  if (t994 == 0x0009) goto to_F4_3_2;
+                  if (t994 == 0x09) goto to_F4_3_2;
                   // :!=
                   // : K 19D
                   // :T OW 84
                   // :JC M19
                   const uint16_t t533 = ax;
                   m[OW84] = t533;
-                  if (t533 == 0x0019) goto to_F4_0_2;
+                  if (t533 == 0x19) goto to_F4_0_2;
                   // :!=
                   // : K 30D
                   // :T OW 84
                   // :JC M30
                   const uint16_t t903 = ax;
                   m[OW84] = t903;
-                  if (t903 == 0x0030) goto to_F4_0_3;
+                  if (t903 == 0x30) goto to_F4_0_3;
                   // :EM
                   return;
                 }
@@ -1479,7 +1479,7 @@ static void PM21(State& m, uint16_t& ax, Host& host) noexcept {
   // :L FB 10
   // :JU FM 8
   // : K 7EH
-  ax = m[FB10] & 0x007E;
+  ax = m[FB10] & 0x7E;
 
   // :><
   // : K 0
@@ -1565,7 +1565,7 @@ static void PM22(State& m, uint16_t& ax, Host& host) noexcept {
     // : DB 540
     // : DB 24
     const uint32_t t850 = Add32(m[DB24], 540);
-    ax = WithLowByte16(ax, m[At(DB_from_0, t850)] | m[At(DB_from_500, Add32(t850, 4294966796u))]);
+    ax = WithLowByte16(ax, m[At(DB_from_0, t850)] | m[At(DB_from_500, Sub32(t850, 500))]);
     // :!=
     // : DB 510
     // :T DB 25

@@ -845,19 +845,19 @@ static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx,
     // JL1  PF_M3
     const uint16_t t895 = m[IN10];
     dr = t895;
-    if (t895 != 0x00000003) {
+    if (t895 != 0x03) {
       // EQ   CNST.4h
       // JL1  PF_M4
-      if (LowHalf32(dr) == 0x00000004) goto to_PF_M4;
+      if (LowHalf32(dr) == 0x04) goto to_PF_M4;
       // EQ   CNST.6h
       // JL1  PF_M6
-      if (LowHalf32(dr) == 0x00000006) goto to_PF_M6;
+      if (LowHalf32(dr) == 0x06) goto to_PF_M6;
       // EQ   CNST.8h
       // JL1  PF_M8
-      if (LowHalf32(dr) == 0x00000008) goto to_PF_M8;
+      if (LowHalf32(dr) == 0x08) goto to_PF_M8;
       // EQ   CNST.19h
       // JL1  PF_M19
-      if (LowHalf32(dr) == 0x00000019) goto to_PF_M19;
+      if (LowHalf32(dr) == 0x19) goto to_PF_M19;
       // JUM  PF_KONEC
       goto to_PF_KONEC;
     }
@@ -986,13 +986,13 @@ static void ZAVERECNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) n
     // JL1  ZF_M5
     const uint16_t t487 = m[IN10];
     dr = t487;
-    if (t487 != 0x00000005) {
+    if (t487 != 0x05) {
       // EQ   CNST.9h
       // JL1  ZF_M9
-      if (LowHalf32(dr) != 0x00000009) {
+      if (LowHalf32(dr) != 0x09) {
         // EQ   CNST.30h
         // JL1  ZF_M30
-        if (LowHalf32(dr) == 0x00000030) goto to_ZF_M30;
+        if (LowHalf32(dr) == 0x30) goto to_ZF_M30;
         // JUM  ZF_KONEC
         goto to_ZF_KONEC;
       }
@@ -1421,7 +1421,7 @@ static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
     case 12: {
       if (!m[I_RUKA_ZAKL]) {
         const uint16_t t654 = m[VYMENA_timer11];
-        if (t654 >= 0x00000064) {
+        if (t654 >= 0x64) {
           m[VYMENA_timer11] = 0;
           goto to_VN_CHYBA;
         }
@@ -1440,7 +1440,7 @@ static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
     case 13: {
       if (!m[I_LUZ_NAHORE]) {
         const uint16_t t811 = m[VYMENA_timer12];
-        if (t811 >= 0x00000064) {
+        if (t811 >= 0x64) {
           m[VYMENA_timer12] = 0;
           goto to_VN_CHYBA;
         }
@@ -1874,8 +1874,6 @@ static void MODULE_HALT(State& m, Host&) noexcept {
 static bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
 
-  left = false;
-
   // ; Kontrolní suma tabulky nástrojů (přepíše DR)
   // SUMA:     XOR  BX,BX
   // XOR  AL,AL
@@ -1905,8 +1903,7 @@ static bool SUMA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& r
         continue;
       }
       fault(host, fault_kind::LOOP, 3203754869u);
-      left = true;
-      return left;
+      return true;
     }
     break;
   }
@@ -1969,8 +1966,6 @@ static void SET_IND(State&, uint16_t& ax, uint16_t& bx, uint32_t& dr, Host&) noe
 static bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
 
-  left = false;
-
   // ; Hledá nástroj HLEDANY v tabulce; LUZKO = lůžko, 0 = není v zásobníku
   // NAJDI:    XOR  BX,BX
   // MOV  DX,1
@@ -1998,8 +1993,7 @@ static bool NAJDI(State& m, uint16_t& bx, uint16_t& dx, uint32_t& rounds_left, H
         continue;
       }
       fault(host, fault_kind::LOOP, 3228567888u);
-      left = true;
-      return left;
+      return true;
     }
     break;
   }
@@ -2059,8 +2053,6 @@ static void ZIVOTNOST(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept
 // Subprogram.
 static bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t& rounds_left, Host& host) noexcept {
   bool left = false;
-
-  left = false;
 
   // ; Prohodí nástroj ve vřetenu a v lůžku u výměny
   // PREPIS:   LOD  LABEL_MEM.ZN_POZ
