@@ -133,13 +133,27 @@ std::vector<PhaseGolden> PhaseGoldens(const fs::path& directory) {
   for (const auto& [suffix, phase] : kPhases) {
     for (const fs::path& file : FilesBelow(directory, suffix)) {
       const fs::path program = fs::path(file).replace_extension();
-      if (!fs::exists(program)) continue;  // a file of this folder's own C++
+      if (file.parent_path() == directory && !fs::exists(program)) continue;  // a file of this folder's own C++
       const fs::path scenario = fs::path(program).replace_extension(".yaml");
       goldens.push_back(
           {file, std::string(phase), fs::exists(scenario) ? scenario : fs::path(), program.filename().string()});
     }
   }
   return goldens;
+}
+
+std::vector<std::string> MissingPhases(const fs::path& directory, size_t least) {
+  std::vector<std::string> problems;
+  for (const auto& language : fs::directory_iterator(directory)) {
+    if (!language.is_directory()) continue;
+    for (const std::string_view suffix : {".syntax", ".ir", ".cc"}) {
+      const size_t count = FilesBelow(language.path(), suffix).size();
+      if (count >= least) continue;
+      problems.push_back(language.path().string() + ": " + std::to_string(count) + " files *" + std::string(suffix) +
+                         " beside programs, and " + std::to_string(least) + " are asked for");
+    }
+  }
+  return problems;
 }
 
 std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode) {

@@ -27,6 +27,8 @@ TEST(Golden, PrintedPhases) {
   }
 }
 
+TEST(Golden, EachLanguageHasPhases) { EXPECT_THAT(MissingPhases(kRoot / "tests/golden", 12), ElementsAre()); }
+
 // The same sources give the same bytes. covers: TECHNOL-213
 TEST(Golden, GeneratedCodeOfTheSamples) {
   for (const auto& dialect : fs::directory_iterator(kRoot / "samples")) {
@@ -98,6 +100,18 @@ TEST(GoldenRunner, SeesAPhaseThatChanged) {
   EXPECT_THAT(ReadFile(goldens[0].file), HasSubstr("U4A8"));
   folder.Write("coil.plc", "$\nU4A8=\n");
   EXPECT_THAT(CheckPhase(goldens[0], Mode::kCompare).value_or(""), HasSubstr("plcxx ends with 1"));
+}
+
+TEST(GoldenRunner, SeesAPhaseWithoutItsProgramAndALanguageWithoutPhases) {
+  const Folder folder;
+  folder.Write("nc110/coil.plc.ir", "");
+  folder.Write("golden.cc", "");
+  const std::vector<PhaseGolden> goldens = PhaseGoldens(folder.path);
+  ASSERT_EQ(goldens.size(), 1u);
+  EXPECT_THAT(CheckPhase(goldens[0], Mode::kUpdate).value_or(""), HasSubstr("coil.plc"));
+  EXPECT_THAT(MissingPhases(folder.path, 1),
+              ElementsAre(HasSubstr("nc110: 0 files *.syntax beside programs, and 1 are asked for"),
+                          HasSubstr("nc110: 0 files *.cc beside programs")));
 }
 
 TEST(GoldenRunner, SeesASampleThatChanged) {
