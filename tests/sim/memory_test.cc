@@ -337,6 +337,25 @@ TEST(LastWrites, TellWhoWroteABit) {
   EXPECT_THAT(of("W.0"), IsEmpty());
 }
 
+TEST(LastWrites, TimesGoOnWhereTheClockOfTheControlWraps) {
+  Machine machine(R"(
+    statement s1
+    space A 1 volatile little host_visible
+    place OUT bit A[0].0
+    place IN bit A[0].7
+    routine period schedule {
+      stmt s1
+      %0 = load IN
+      store OUT %0
+    }
+    schedule period period
+  )");
+  machine.simulator.RecordLastWrites();
+  for (const uint32_t now : {0u, 0xFFFFFFF0u, 0x10u}) machine.Run(now);
+  const LastWrite write{Writer::kProgram, ir::StatementId(0), 0, 0x100000010u, 0};
+  EXPECT_THAT(machine.simulator.last_writes()->Of(PlaceNamed(machine.program, "OUT")), ElementsAre(write));
+}
+
 TEST(Memory, LastWritesOfAWordHaveItsValue) {
   Machine machine(R"(
     space M 8 volatile little

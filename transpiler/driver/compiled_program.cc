@@ -29,7 +29,14 @@ class Batch {
     arguments_.insert(arguments_.end(), platform_->link.begin(), platform_->link.end());
     const compile::ProcessResult result = compile::RunProcess(arguments_, seconds);
     if (result.exit_code == 0) return std::monostate();
-    return CompileFailure{"'" + arguments_[0] + "' cannot compile the generated code:\n" + FirstLines(result.output)};
+    std::string first = FirstLines(result.output);
+    const bool silent = first.find_first_not_of(" \r\n") == std::string::npos;
+    if (silent && (result.exit_code < 0 || result.exit_code == 127)) {
+      return CompileFailure{"'" + arguments_[0] +
+                            "' cannot be run, or did not end in time: install it, or name another with --cxx"};
+    }
+    if (silent) first = "it ended with exit code " + std::to_string(result.exit_code) + " and said nothing";
+    return CompileFailure{"'" + arguments_[0] + "' cannot compile the generated code:\n" + first};
   }
 
   std::shared_ptr<CompiledProgram> Compiled(uint32_t number) const {

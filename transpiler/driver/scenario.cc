@@ -76,6 +76,32 @@ std::string WhyNotTwo(const std::string& text, ScenarioMark second) {
   return "the file holds more than one YAML document";
 }
 
+/// Names of locations with signs that YAML takes for its own: Y[0], %I0, !LAMP. Behind its message, or nothing.
+std::string QuotesMissing(const std::string& text, uint32_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (uint32_t i = 0; i < number; ++i) std::getline(lines, line);
+  if (const size_t tab = line.find_first_not_of(' '); tab != std::string::npos && line[tab] == '\t') {
+    return "; indent with blanks, not with tabs";
+  }
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  bool quoted = false;
+  for (size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '"' || line[at] == '\'') quoted = !quoted;
+    if (quoted || line[at] == '#') continue;
+    const bool begins = at > 0 && std::string_view(" {[,").find(line[at - 1]) != std::string_view::npos;
+    const bool sign = begins && (line[at] == '%' || line[at] == '@' || line[at] == '!');
+    const bool bracket = at > 0 && line[at] == '[' && is_word(line[at - 1]);
+    if (!sign && !bracket) continue;
+    size_t first = at, last = at;
+    while (bracket && first > 0 && is_word(line[first - 1])) --first;
+    while (last + 1 < line.size() && (is_word(line[last + 1]) || line[last + 1] == ']' || line[last + 1] == '.'))
+      ++last;
+    return "; write names with such signs in quotes: \"" + line.substr(first, last + 1 - first) + "\"";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string ToText(const ScenarioError& error) {
@@ -108,7 +134,8 @@ ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text,
   } catch (const YAML::Exception& fault) {
     const bool placed = !fault.mark.is_null();
     const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
-    return Refuse(path, {line, static_cast<uint32_t>(placed ? fault.mark.column + 1 : 0)}, "not YAML: " + fault.msg);
+    return Refuse(path, {line, static_cast<uint32_t>(placed ? fault.mark.column + 1 : 0)},
+                  "not YAML: " + fault.msg + QuotesMissing(text, line));
   }
   if (!reader.errors().empty()) return std::move(reader.errors());
   return scenario;

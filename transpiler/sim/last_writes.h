@@ -18,8 +18,8 @@ enum class Writer : uint8_t { kProgram, kHost, kForce };
 struct LastWrite {
   Writer writer = Writer::kProgram;
   ir::StatementId statement;  // of kProgram; none: the program's own schedule
-  uint32_t first_ms = 0;      // since when this writer writes this value
-  uint32_t last_ms = 0;
+  uint64_t first_ms = 0;      // since when this writer writes this value
+  uint64_t last_ms = 0;
   uint64_t value = 0;  // what the cell held afterwards: a forced bit keeps its own
   /// Of an access of several bytes that wrote it: its first byte, their number, and what they held afterwards.
   uint32_t offset = 0;

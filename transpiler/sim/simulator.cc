@@ -39,23 +39,30 @@ void Simulator::PowerOn() {
   }
   instances_.Clear();
   now_ms_ = 0;
+  whole_ms_ = 0;
   Run(program_.schedule.init);
 }
 
-void Simulator::RunPeriod(uint32_t now_ms) {
+/// A control's clock wraps; what is told of last writes does not.
+void Simulator::SetTime(uint32_t now_ms) {
+  whole_ms_ += static_cast<uint32_t>(now_ms - now_ms_);
   now_ms_ = now_ms;
+}
+
+void Simulator::RunPeriod(uint32_t now_ms) {
+  SetTime(now_ms);
   BeginLocals();
   Run(program_.schedule.period);
 }
 
 void Simulator::RunFastOnly(uint32_t now_ms) {
-  now_ms_ = now_ms;
+  SetTime(now_ms);
   BeginLocals();
   Run(program_.schedule.fast_only);
 }
 
 void Simulator::RunElapse(uint32_t now_ms) {
-  now_ms_ = now_ms;
+  SetTime(now_ms);
   BeginLocals();
   Run(program_.schedule.elapse);
 }
@@ -201,8 +208,8 @@ void Simulator::Set(const PlaceAccess& access, uint64_t index, uint64_t value, W
 LastWrite Simulator::NewWrite(Writer writer) const {
   return {.writer = writer,
           .statement = writer == Writer::kProgram ? current_.statement : ir::StatementId(),
-          .first_ms = now_ms_,
-          .last_ms = now_ms_};
+          .first_ms = whole_ms_,
+          .last_ms = whole_ms_};
 }
 
 void Simulator::NoteField(uint32_t instance, uint8_t field, LastWrite write) {

@@ -66,6 +66,7 @@ class Simulator : public Engine {
     bool head_is_false = false;  // the head of a block, switched off: its condition counts as false
   };
 
+  void SetTime(uint32_t now_ms);
   void Run(ir::RoutineId routine);
   /// Begins a partition: its named locals are all 0.
   void BeginLocals();
@@ -115,6 +116,7 @@ class Simulator : public Engine {
   ir::InstId leaving_;
   bool repeats_ = false;  // what leaves is a Repeat: another round of the loop it names
   uint32_t now_ms_ = 0;
+  uint64_t whole_ms_ = 0;  // the same since power-on, without wrapping
   uint64_t executed_ = 0;
   std::function<bool()> stop_;
   uint32_t regions_ = 0;  // begun since `stop_` was asked

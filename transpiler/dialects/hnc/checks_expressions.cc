@@ -74,8 +74,14 @@ class ExpressionChecks {
         NoEffect(statement.expression);
         Order(statement.expression);
         break;
+      case StatementKind::kCompound:
+        for (size_t i = 0; i + 1 < statement.body.size(); ++i) {
+          EmptyLoop(unit_.statements[statement.body[i]], unit_.statements[statement.body[i + 1]]);
+        }
+        break;
       case StatementKind::kIf:
         EmptyBody(statement);
+        EmptyElse(statement);
         [[fallthrough]];
       case StatementKind::kWhile:
       case StatementKind::kDo:
@@ -100,20 +106,42 @@ class ExpressionChecks {
     }
   }
 
+  /// W29 of an else, or of a loop with a block after it.
+  void EmptyElse(const Statement& statement) {
+    if (!statement.otherwise.valid() || statement.macro.valid()) return;
+    const Statement& otherwise = unit_.statements[statement.otherwise];
+    if (otherwise.kind != StatementKind::kEmpty || otherwise.macro.valid()) return;
+    if (!OnlyBlanksBetween(statement.otherwise_keyword, otherwise.range)) return;
+    context_.diagnostics.Report(otherwise.range, diag::HncEmptyElse);
+  }
+
+  void EmptyLoop(const Statement& loop, const Statement& next) {
+    const bool is_loop = loop.kind == StatementKind::kFor || loop.kind == StatementKind::kWhile;
+    if (!is_loop || !loop.then.valid() || loop.macro.valid() || next.kind != StatementKind::kCompound) return;
+    const Statement& then = unit_.statements[loop.then];
+    if (then.kind != StatementKind::kEmpty || then.macro.valid()) return;
+    if (OnlyBlanksBetween(loop.head, then.range)) context_.diagnostics.Report(then.range, diag::HncEmptyLoop);
+  }
+
+  /// Is the second a ';' on the line on which the first ends, with nothing in between?
+  bool OnlyBlanksBetween(source::Range first, source::Range second) const {
+    if (second.begin < first.end) return false;
+    const std::string_view between = context_.sources.Text({first.end, second.begin});
+    return between.find_first_not_of(" \t") == std::string_view::npos &&
+           context_.sources.Text({second.begin, second.begin + 1}) == ";";
+  }
+
   /// W29: nothing but blanks in front of the ';', in the same line. A macro that is empty may be there on purpose.
   void EmptyBody(const Statement& statement) {
     const Statement& then = unit_.statements[statement.then];
     if (then.kind != StatementKind::kEmpty || then.macro.valid() || statement.macro.valid()) return;
-    if (statement.otherwise.valid() || then.range.begin < statement.head.end) return;
-    const std::string_view between = context_.sources.Text({statement.head.end, then.range.begin});
-    if (between.find_first_not_of(" \t") != std::string_view::npos) return;
-    if (context_.sources.Text({then.range.begin, then.range.begin + 1}) != ";") return;
+    if (statement.otherwise.valid() || !OnlyBlanksBetween(statement.head, then.range)) return;
     context_.diagnostics.Report(then.range, diag::HncEmptyBody);
   }
 
   /// W3
   void NoEffect(ExprId id) {
-    if (!HasType(id) || At(id).kind == ExprKind::kPoison) return;
+    if (unit_.faulty || !HasType(id) || At(id).kind == ExprKind::kPoison) return;
     const Type& type = unit_.TypeOf(id);
     if (type.kind == TypeKind::kVoid) return;
     bool effect = false;
@@ -135,6 +163,19 @@ class ExpressionChecks {
     }
   }
 
+  /// W30: `Y[0] && 0x0F`. Not 0 and 1, which switch a part of a condition on or off, nor what a macro says.
+  void LogicalConstant(const Expr& expr, ExprId side) {
+    const ExprId operand = Unconverted(side);
+    if (!HasType(operand) || !At(operand).constant || At(operand).macro.valid()) return;
+    const std::string_view text = context_.sources.Text(At(operand).range);
+    if (text.empty() || text.front() < '0' || text.front() > '9') return;
+    const int64_t value = At(operand).constant->integer;
+    if (value == 0 || value == 1) return;
+    const bool conjunction = expr.kind == ExprKind::kAnd;
+    context_.diagnostics.Report(At(operand).range, diag::HncLogicalConstant, conjunction ? "&&" : "||", text,
+                                conjunction ? "&" : "|");
+  }
+
   void ExpressionRules(ExprId id) {
     const Expr& expr = At(id);
     if (!expr.type.valid()) return;
@@ -147,6 +188,8 @@ class ExpressionChecks {
       case ExprKind::kOr:
         AssignmentInstead(expr.a);
         AssignmentInstead(expr.b);
+        LogicalConstant(expr, expr.a);
+        LogicalConstant(expr, expr.b);
         break;
       case ExprKind::kConditional:
         AssignmentInstead(expr.a);

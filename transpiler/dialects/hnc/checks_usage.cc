@@ -74,6 +74,7 @@ Usage FindUsage(const CheckContext& context) {
 
 void WarnOfUnused(const CheckContext& context) {
   const Unit& unit = context.unit;
+  if (unit.faulty) return;  // its use may be in what was not understood
   const Usage usage = FindUsage(context);
   for (uint32_t i = 0; i < unit.variables.size(); ++i) {
     const Variable& variable = unit.variables[VariableId(i)];

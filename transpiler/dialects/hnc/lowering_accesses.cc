@@ -18,9 +18,17 @@ void Lowering::ReportIndex(ObjectId object, int64_t offset, uint32_t bytes, Expr
   // As the program counts it: P[k] is a word.
   const bool words =
       target.kind == ObjectKind::kArea && RowOf(static_cast<Area>(target.index)).basic != "unsigned char";
+  const bool variable = target.kind == ObjectKind::kVariable;
+  const Type* type = variable ? &unit_.types[unit_.variables[VariableId(target.index)].type] : nullptr;
+  const bool array = type != nullptr && type->kind == TypeKind::kArray && type->count != 0;
   diagnostics_.Report(range, diag::HncIndexOf,
                       text + " is outside of " + target.name + ", which has " +
-                          std::to_string(words ? target.size / 2 : target.size) + (words ? " words" : " bytes"));
+                          std::to_string(array   ? type->count
+                                         : words ? target.size / 2
+                                                 : target.size) +
+                          (array   ? " elements"
+                           : words ? " words"
+                                   : " bytes"));
 }
 
 std::optional<Lowering::Access> Lowering::AccessTo(ObjectId object, const Address& address, ir::Type type, ExprId at) {

@@ -111,6 +111,7 @@ class Connections {
   void JoinRows();
   void JoinColumns();
   void CollectNets();
+  bool IsRightRail(uint32_t element) const;
   void CheckCoils();
   void CheckSources();
   void CheckDangling();
@@ -124,7 +125,8 @@ class Connections {
   std::vector<std::vector<CellNode>> nodes_;  // by row and cell
   std::vector<ElementEnds> ends_;             // by element
   UnionFind sets_;
-  std::vector<Net> nets_;  // by node; used at roots
+  std::vector<Net> nets_;    // by node; used at roots
+  bool right_rail_ = false;  // reported
 };
 
 void Connections::AddNodes() {
@@ -191,12 +193,27 @@ void Connections::CollectNets() {
   });
 }
 
+/// The coil is the last element of its row, and after it are wires and, at the end, a '|'.
+bool Connections::IsRightRail(uint32_t element) const {
+  const std::vector<DrawnCell>& cells = drawing_.rows[ends_[element].row].cells;
+  const auto behind = std::span(cells).subspan(ends_[element].cell + 1);
+  return !behind.empty() && behind.back().kind == CellKind::kLink &&
+         std::ranges::all_of(behind.first(behind.size() - 1),
+                             [](const DrawnCell& cell) { return cell.kind == CellKind::kWire; });
+}
+
 /// E608; the net right of a coil is not looked at any more.
 void Connections::CheckCoils() {
   for (uint32_t element = 0; element < count(); ++element) {
     if (!IsCoil(element) || !NodeOf(element).right_side) continue;
-    FaultOfElement(element, diag::Host50LadderBehindCoil);
     RightNet(element).reported = true;
+    if (!IsRightRail(element)) {
+      FaultOfElement(element, diag::Host50LadderBehindCoil);
+      continue;
+    }
+    if (std::exchange(right_rail_, true)) meanings_[element].faulty = true;  // one fault for all its rows
+    FaultOfElement(element, diag::Host50LadderRightRail);
+    nets_[sets_.Find(nodes_[ends_[element].row].back().node)].reported = true;
   }
 }
 

@@ -80,21 +80,34 @@ std::string_view Parser::WordOf(const Line& line) const {
   return token.kind == TokenKind::kWord ? TextOf(token) : std::string_view();
 }
 
-void Parser::FaultOfBadCharacter(const Token& token) {
+char NarrowOf(char32_t point) {
   constexpr char32_t kWideBlank = 0x3000, kFirstWide = 0xFF01, kLastWide = 0xFF5E, kWideDistance = 0xFEE0;
+  if (point == kWideBlank) return ' ';
+  const bool wide = point >= kFirstWide && point <= kLastWide;
+  return wide ? static_cast<char>(point - kWideDistance) : '\0';
+}
+
+void Parser::FaultOfBadCharacter(const Token& token) {
   const std::string_view text = TextOf(token);
   const char32_t point = source::FirstCodePoint(text).value;
   const std::string picture = point < ' ' ? "without a picture" : "'" + std::string(text) + "'";
-  const bool wide = point >= kFirstWide && point <= kLastWide;
+  const char narrow = NarrowOf(point);
   const bool behind_letter =
       token.range.begin > source_->base && IsLetter(source_->text[token.range.begin - source_->base - 1]);
-  if (point == kWideBlank || wide) {
-    const char narrow = wide ? static_cast<char>(point - kWideDistance) : ' ';
+  const bool behind_digit =
+      token.range.begin > source_->base && IsDigit(source_->text[token.range.begin - source_->base - 1]);
+  if (narrow != '\0') {
     Fault(token.range, diag::Host50WideCharacter, picture, CodePointName(point),
-          wide ? "'" + std::string(1, narrow) + "'" : std::string("blank"))
+          narrow != ' ' ? "'" + std::string(1, narrow) + "'" : std::string("blank"))
         .fixits.push_back({token.range, std::string(1, narrow)});
   } else if (point == '%' && behind_letter) {
     Fault(token.range, diag::Host50PercentBehindLetter).fixits.push_back({{token.range.begin, token.range.begin}, " "});
+  } else if (point == '#' && behind_digit) {
+    Fault(token.range, diag::Host50BadCharacterHint, picture, CodePointName(point),
+          "a hexadecimal number begins with '$': 16#FF is $FF");
+  } else if (point == '!' || point == '~') {
+    Fault(token.range, diag::Host50BadCharacterHint, picture, CodePointName(point),
+          "an inverted contact is LDI, ANDI or ORI; 'not equal' is '<>'");
   } else {
     Fault(token.range, diag::Host50BadCharacter, picture, CodePointName(point));
   }

@@ -33,7 +33,41 @@ ExprId Parser::ErrorExpr(source::Range range) { return program_.exprs.Add({.kind
 /// E401, E111, or where a comparison stands in its place E402 and E403.
 void Parser::FaultOfExpression(std::string_view what) {
   if (FaultOfBadToken()) return;
-  Fault(Peek().range, diag::Host50ExpressionExpected, what, Found());
+  const std::string_view meant = MeantInExpression();
+  if (meant.empty()) {
+    Fault(Peek().range, diag::Host50ExpressionExpected, what, Found());
+  } else {
+    Fault(Peek().range, diag::Host50ExpressionForeign, what, Found(), meant);
+  }
+}
+
+/// What operators and numbers of other languages are in this one, as a remedy; empty: nobody knows.
+std::string_view Parser::MeantInExpression() const {
+  const Token token = Peek();
+  const std::string_view text = TextOf(token);
+  const size_t at = token.range.begin - source_->base;
+  const char before = at > 0 ? source_->text[at - 1] : ' ';
+  const char behind =
+      token.range.end - source_->base < source_->text.size() ? source_->text[token.range.end - source_->base] : ' ';
+  if (before == '=' && text == "=") return "'equal' is one '='";
+  if (before == '=' && text == "<") return "'less or equal' is '<='";
+  if (before == '=' && text == ">") return "'greater or equal' is '>='";
+  if (text == "!" && behind == '=') return "'not equal' is '<>'";
+  if (text == "!") return "there is no negation in an expression: compare with 0";
+  if (before == '&' && text == "&")
+    return "'and' is one '&', on the bits of integers; conditions are joined by contacts";
+  if (before == '|' && text == "|")
+    return "'or' is one '|', on the bits of integers; conditions are joined by contacts";
+  const auto is_hexadecimal = [](char c) { return IsDigit(c) || (Upper(c) >= 'A' && Upper(c) <= 'F'); };
+  const auto digits = [&](std::string_view part) { return !part.empty() && std::ranges::all_of(part, is_hexadecimal); };
+  const bool c_form = before == '0' && (text.starts_with('x') || text.starts_with('X')) && digits(text.substr(1));
+  const bool h_form = IsDigit(before) && !text.empty() && Upper(text.back()) == 'H' &&
+                      (text.size() == 1 || digits(text.substr(0, text.size() - 1)));
+  if (c_form || h_form) return "a hexadecimal number begins with '$': $FF";
+  if (EqualIgnoringCase(text, "AND")) return "'and' is '&', on the bits of integers";
+  if (EqualIgnoringCase(text, "OR")) return "'or' is '|', on the bits of integers";
+  if (EqualIgnoringCase(text, "MOD")) return "there is no remainder: %W3 - %W3 / 10 * 10";
+  return {};
 }
 
 /// The rest of the statement must be empty.

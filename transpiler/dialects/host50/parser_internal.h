@@ -24,6 +24,9 @@ namespace plcxx::host50 {
 /// Where an instruction is written.
 enum class Setting : uint8_t { kList, kDrawing };
 
+/// The ASCII character of which this one is the full-width form; '\0' for all others.
+char NarrowOf(char32_t point);
+
 class Parser {
  public:
   Parser(const source::SourceManager& sources, const std::map<std::string, std::string>& options,
@@ -135,6 +138,9 @@ class Parser {
   /// An address or symbol at the cursor, which moves behind it.
   Resolved ReadAddress();
   Resolved ResolveAddress(const Token& token);
+  void FaultOfAddressNumber(const Token& token);
+  std::string SymbolWithSign(const Token& token);
+  bool IsAddressWithoutSign(std::string_view name) const;
   Resolved ResolveName(const Token& token, std::string_view name, std::string_view attribute);
   std::string RangesText(Area area) const;
 
@@ -191,6 +197,7 @@ class Parser {
   ExprId AddConstant(const Token& token, source::Range range, bool negative);
   ExprId ErrorExpr(source::Range range);
   void FaultOfExpression(std::string_view what);
+  std::string_view MeantInExpression() const;
   void CloseExpression(bool quoted);
   bool AtExpressionEnd() const { return At(TokenKind::kEnd) || At(TokenKind::kQuote); }
 

@@ -1,6 +1,7 @@
 // SYMBOLS, predefined names, and what addresses and names stand for (specification 2.5, 2.6, 8).
 #include "transpiler/dialects/host50/parser_internal.h"
 #include "transpiler/dialects/host50/signals.h"
+#include "transpiler/source/characters.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -100,6 +101,23 @@ Parser::Resolved Parser::ReadAddress() {
   return ResolveName(token, text, {});
 }
 
+/// A full-width sign right after an address is read as a part of it.
+void Parser::FaultOfAddressNumber(const Token& token) {
+  const std::string_view text = TextOf(token);
+  for (size_t at = 0; at < text.size();) {
+    const source::CodePoint point = source::FirstCodePoint(text.substr(at));
+    if (const char narrow = NarrowOf(point.value); narrow != '\0') {
+      const source::Offset begin = token.range.begin + static_cast<source::Offset>(at);
+      const std::string replacement(1, narrow);
+      Fault(token.range, diag::Host50AddressWide, text, text.substr(at, point.length), replacement)
+          .fixits.push_back({{begin, begin + point.length}, replacement});
+      return;
+    }
+    at += point.length;
+  }
+  Fault(token.range, diag::Host50AddressNumber, text);
+}
+
 Parser::Resolved Parser::ResolveAddress(const Token& token) {
   const std::string_view text = TextOf(token);
   const AddressText address = ReadAddressText(text, program_.settings.channels);
@@ -110,15 +128,36 @@ Parser::Resolved Parser::ResolveAddress(const Token& token) {
       Fault(token.range, diag::Host50AddressArea, text);
       break;
     case AddressFault::kNumber:
-      Fault(token.range, diag::Host50AddressNumber, text);
+      FaultOfAddressNumber(token);
       break;
     case AddressFault::kAttribute:
-      Fault(token.range, diag::Host50AddressAttribute, text);
+      if (IsDigit(text.back())) {
+        Fault(token.range, diag::Host50AddressBit, text);
+      } else {
+        Fault(token.range, diag::Host50AddressAttribute, text);
+      }
       break;
     case AddressFault::kRange:
       Fault(token.range, diag::Host50AddressRange, text, "%" + std::string(Info(address.area).name),
             RangesText(address.area));
       break;
+  }
+  return {};
+}
+
+/// I0 for %I0.
+bool Parser::IsAddressWithoutSign(std::string_view name) const {
+  return ReadAddressText("%" + std::string(name), program_.settings.channels).fault == AddressFault::kNone;
+}
+
+/// In an expression `axis4-` is the name axis4 and a minus: the symbol that the text from here on spells, if one does.
+std::string Parser::SymbolWithSign(const Token& token) {
+  constexpr size_t kLongest = 64;
+  const std::string_view line = std::string_view(source_->text).substr(token.range.begin - source_->base, kLongest);
+  for (size_t length = std::min(line.find_first_of(" \t,;'\"\r\n"), line.size()); length > 0; --length) {
+    const std::string_view candidate = line.substr(0, length);
+    const bool sign = candidate.find_first_of("+-/.#") != std::string_view::npos;
+    if (sign && SymbolNamed(candidate).valid()) return std::string(candidate);
   }
   return {};
 }
@@ -130,7 +169,14 @@ Parser::Resolved Parser::ResolveName(const Token& token, std::string_view name, 
   }
   const SymbolId symbol = SymbolNamed(name);
   if (!symbol.valid()) {
-    Fault(token.range, diag::Host50UnknownSymbol, name);
+    const std::string quoted = SymbolWithSign(token);
+    if (quoted.empty() && IsAddressWithoutSign(name)) {
+      Fault(token.range, diag::Host50UnknownSymbolAddress, name);
+    } else if (quoted.empty()) {
+      Fault(token.range, diag::Host50UnknownSymbol, name);
+    } else {
+      Fault(token.range, diag::Host50UnknownSymbolQuoted, name, quoted);
+    }
     return {};
   }
   Resolved resolved{.ok = true, .address = program_.symbols[symbol].address, .symbol = symbol};

@@ -56,6 +56,7 @@ class AccessChecks {
       CheckCoil(access);
       CheckSections(access);
       CheckWritten(access);
+      CheckRun(access);
       CheckAlarm(access);
     }
     if (program_.sections.empty()) return;  // tables only
@@ -151,6 +152,24 @@ class AccessChecks {
     }
   }
 
+  /// W22.
+  void CheckRun(const Access& access) {
+    const Area area = access.address.area;
+    if (access.kind != Access::Kind::kRead || (area != Area::kTm && area != Area::kC)) return;
+    if (!run_) {
+      run_.emplace();
+      for (const Operand& operand : program_.operands) {
+        const bool names = operand.role == OperandRole::kTimer || operand.role == OperandRole::kCounter;
+        if (names && operand.kind == OperandKind::kAddress) run_->insert(PlaceOf(operand.address));
+      }
+    }
+    // A counter's value may be all that is used of it: as a word that is kept at power-off.
+    if (run_->contains(PlaceOf(access.address)) || written_.contains(PlaceOf(access.address))) return;
+    Address whole = access.address;
+    whole.attribute = Attribute::kNone;
+    if (run_->insert(PlaceOf(whole)).second) Report(access, diag::Host50ReadNeverRun, TextOf(access, whole));
+  }
+
   /// W12.
   void CheckAlarm(const Access& access) {
     if (access.kind != Access::Kind::kWrite) return;
@@ -178,6 +197,7 @@ class AccessChecks {
   std::set<Key> written_, undocumented_, unwritten_;
   std::map<Key, Coils> coils_;
   std::optional<std::set<Key>> in_fast_;  // written in FAST, not yet reported
+  std::optional<std::set<Key>> run_;      // timers and counters with a block, and those that were reported
   std::vector<bool> alarm_texts_;         // by alarm: it has a text, or its lack was reported
 };
 

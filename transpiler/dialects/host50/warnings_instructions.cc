@@ -39,6 +39,7 @@ class InstructionChecks {
       diagnostics_.Report(instruction.range, diag::Host50RotDirection, reverse ? "reverse" : "forward");
     }
     if (instruction.op == Op::kEq || instruction.op == Op::kNe) CheckEquality(instruction);
+    CheckSeries(id);
   }
 
  private:
@@ -74,6 +75,51 @@ class InstructionChecks {
     if (program_.exprs[expr.left].type == Type::kFloat || program_.exprs[expr.right].type == Type::kFloat) {
       diagnostics_.Report(expr.range, diag::Host50FloatEquality, expr.kind == ExprKind::kEqual ? "=" : "<>");
     }
+  }
+
+  /// W23. Back through the contacts in series with this one, as long as nothing between them could write the bit.
+  void CheckSeries(InstructionId id) {
+    constexpr uint32_t kMostContacts = 64;
+    const Contact contact = Info(program_.instructions[id].op).contact;
+    const Operand* own = ContactOf(id);
+    if (own == nullptr || Info(program_.instructions[id].op).effect != RungEffect::kSeries) return;
+    InstructionId at = id;
+    for (uint32_t i = 0; i < kMostContacts; ++i) {
+      const Instruction& instruction = program_.instructions[at];
+      if (Info(instruction.op).effect != RungEffect::kSeries || instruction.input.kind != InputKind::kResults) return;
+      if (instruction.input.results.count != 1) return;
+      const InstructionId before = program_.results[instruction.input.results.first];
+      if (before.index >= at.index || WritesBetween(before, at)) return;
+      at = before;
+      const Operand* other = ContactOf(at);
+      if (other == nullptr) return;
+      if (other->address == own->address && Info(program_.instructions[at].op).contact != contact) {
+        diagnostics_.Report(program_.instructions[id].range, diag::Host50ContactsExclude, ToText(own->address))
+            .notes.push_back({program_.instructions[at].range, "the other contact"});
+        return;
+      }
+    }
+  }
+
+  /// The bit of a contact that is not an edge; none for anything else.
+  const Operand* ContactOf(InstructionId id) const {
+    const Instruction& instruction = program_.instructions[id];
+    if (instruction.unknown || instruction.faulty || instruction.operands.count != 1) return nullptr;
+    const InstructionInfo& info = Info(instruction.op);
+    const bool series = info.effect == RungEffect::kSeries || info.effect == RungEffect::kLoad;
+    if (!series || (info.contact != Contact::kPlain && info.contact != Contact::kInverted)) return nullptr;
+    const Operand& operand = program_.operands[instruction.operands.first];
+    return operand.kind == OperandKind::kAddress ? &operand : nullptr;
+  }
+
+  bool WritesBetween(InstructionId first, InstructionId last) const {
+    for (uint32_t i = first.index + 1; i < last.index; ++i) {
+      const RungEffect effect = Info(program_.instructions[InstructionId(i)].op).effect;
+      const bool contact =
+          effect == RungEffect::kSeries || effect == RungEffect::kLoad || effect == RungEffect::kParallel;
+      if (!contact) return true;
+    }
+    return false;
   }
 
   void CheckEquality(const Instruction& instruction) {

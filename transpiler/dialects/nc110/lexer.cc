@@ -148,11 +148,63 @@ class Lexer {
   void LexIllegal() {
     const size_t begin = at_;
     const CodePoint point = FirstCodePoint(text_.substr(at_));
+    const std::string remedy = MeantBy(begin);
     SkipIllegal();
-    const source::Range range = RangeFrom(begin);
-    diagnostics_.Report({range.begin, range.begin + point.length}, diag::Nc110UnknownCharacter,
-                        Picture(text_.substr(begin), point), CodePointName(point.value));
+    if (text_[begin] == '%') SkipAddress();
+    if (text_[begin] == '\'') SkipSingleQuoted();
+    const source::Range range = {RangeFrom(begin).begin, RangeFrom(begin).begin + point.length};
+    const std::string picture = Picture(text_.substr(begin), point);
+    if (remedy.empty()) {
+      diagnostics_.Report(range, diag::Nc110UnknownCharacter, picture, CodePointName(point.value));
+    } else {
+      diagnostics_.Report(range, diag::Nc110UnknownCharacterHint, picture, CodePointName(point.value), remedy);
+    }
     Add(TokenKind::kBad, begin).faulty = true;
+  }
+
+  /// %I0.1: one cause, though its point is no character of this language either.
+  void SkipAddress() {
+    while (at_ < text_.size() && (IsRunCharacter(text_[at_]) || text_[at_] == '.')) {
+      ++at_;
+    }
+  }
+
+  /// 'A': one cause, to the second quote if the line has one.
+  void SkipSingleQuoted() {
+    size_t end = at_;
+    while (end < text_.size() && !IsLineEnd(text_[end]) && text_[end] != '\'') {
+      ++end;
+    }
+    if (end < text_.size() && text_[end] == '\'') {
+      at_ = end + 1;
+    }
+  }
+
+  /// What a character of other languages is in this one, as a remedy; empty: nobody knows.
+  std::string MeantBy(size_t at) const {
+    const auto digit = [&](size_t place) { return place < text_.size() && IsDigit(text_[place]); };
+    switch (text_[at]) {
+      case '.':
+        if (at == 0 || !digit(at - 1) || !digit(at + 1)) return {};
+        return "numbers are whole: a delay counts 100 ms (T48 to T63: 10 ms), so that 3.5 s are 35";
+      case '%':
+        return "operands are written without '%': I0A1, U4K3";
+      case '|':
+        return "OR is written '+'";
+      case '~':
+        return "NOT is written '/' in front of its operand";
+      case '^':
+        return "exclusive OR is written '&'";
+      case '#':
+        return "a hexadecimal number ends with H and begins with a digit: 0FFH";
+      case '\'':
+        return "a text is compared in double quotes: \"ABC\"";
+      case '{':
+      case '}':
+        return "a block begins with DOF: and its condition, and ends with ENDF";
+      default:
+        return {};
+    }
   }
 
   /// What has been read of a run of letters and digits.
@@ -250,6 +302,12 @@ class Lexer {
 
   void LexSymbol() {
     const size_t begin = at_++;
+    if (Peek() == '=') {
+      ++at_;
+      diagnostics_.Report(RangeFrom(begin), diag::Nc110ComparisonSignForeign, "!=", "/[a=b] for 'not equal'");
+      Add(TokenKind::kBad, begin).faulty = true;
+      return;
+    }
     bool foreign = false;
     while (at_ < text_.size() && (IsNameCharacter(text_[at_]) || !IsAscii(text_[at_]))) {
       foreign = foreign || !IsAscii(text_[at_]);

@@ -45,6 +45,17 @@ dialects::Location LocationOf(const ir::Program& program, const Operand& operand
   return location;
 }
 
+/// "4A": the 32 signals of a connector, of which signal 0 is the least bit.
+std::optional<dialects::Location> WholeConnector(std::string_view text) {
+  const Operand first = text.empty() ? Operand{} : OperandFromText("W" + std::string(text) + "0");
+  if (first.kind != OperandKind::kWord || first.index != 0 || IsDigit(text.back())) return std::nullopt;
+  dialects::Location location;
+  location.place = MemoryPlace(first);
+  location.place.type = ir::Type::kI32;
+  location.place.name = text;
+  return location;
+}
+
 }  // namespace
 
 std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
@@ -61,7 +72,7 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   Operand operand;
   if (!symbol_only) operand = OperandFromText(text);
   if (operand.kind == OperandKind::kNone) operand = OperandOfSymbol(program, text);
-  if (operand.kind == OperandKind::kNone) return std::nullopt;
+  if (operand.kind == OperandKind::kNone) return WholeConnector(text);
   return LocationOf(program, operand);
 }
 

@@ -60,6 +60,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   CheckBcdComparisons(checked, diagnostics);
   if (!diagnostics.HasErrors()) {  // what is missing may stand in a statement that was not understood
     CheckUnwritten(checked, diagnostics);
+    CheckUnwrittenFields(checked, diagnostics);
     CheckSelfHold(checked, diagnostics);
     CheckSequencers(checked, diagnostics);
     LintLadder(sources, tree, diagnostics);

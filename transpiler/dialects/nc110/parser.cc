@@ -83,7 +83,15 @@ bool Parser::Require(TokenKind kind, std::string_view what) {
   if (TakeIf(kind)) {
     return true;
   }
-  Expected(what);
+  if (kind == TokenKind::kAssign && At(TokenKind::kColon)) {
+    HardFault(MissingAt(), diag::Nc110ExpectedHint, what, Found(), "assign with '=' alone");
+  } else if (kind == TokenKind::kColon) {
+    failed_ = failed_ || At(TokenKind::kBad);  // its character has been reported
+    HardFault(MissingAt(), diag::Nc110ExpectedHint, what, Found(),
+              "a head is DOF, DOE or DOW, its name if any, a colon and the condition: DOF LAMP: I0A0");
+  } else {
+    Expected(what);
+  }
   return false;
 }
 
@@ -170,7 +178,16 @@ void Parser::ReportNoStatement() {
     default:
       break;
   }
-  Fault(token.range, diag::Nc110StatementExpected, Found());
+  const TokenKind next = Peek(1).kind;
+  const bool second_slash = position_ > 0 && lexed_.tokens[position_ - 1].kind == TokenKind::kSlash;
+  const bool comment = (token.kind == TokenKind::kSlash && (second_slash || next == TokenKind::kSlash)) ||
+                       (token.kind == TokenKind::kOpenParenthesis && next == TokenKind::kStar) ||
+                       (token.kind == TokenKind::kSlash && next == TokenKind::kStar);
+  if (comment) {
+    Fault(token.range, diag::Nc110StatementExpectedHint, Found(), "a comment begins with ';' and ends with its line");
+  } else {
+    Fault(token.range, diag::Nc110StatementExpected, Found());
+  }
 }
 
 void Parser::ParseCycleMark(Item& item) {

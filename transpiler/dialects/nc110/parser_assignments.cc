@@ -37,7 +37,7 @@ bool Parser::ParseTarget(Assignment& assignment) {
   }
   const bool parameter = At(TokenKind::kOpenParenthesis);
   if (!parameter && !At(TokenKind::kAssign)) {
-    Expected("'='");
+    Require(TokenKind::kAssign, "'='");
     return false;
   }
   switch (kind) {

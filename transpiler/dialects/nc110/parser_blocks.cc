@@ -181,6 +181,10 @@ void Parser::CloseBlock(BlockEnd& end, const Token& word) {
   }
   CheckEndName(end);
   end.block = open_blocks_.back().block;
+  if (const source::Range lone = open_blocks_.back().lone_end; lone.begin != 0) {
+    const std::string text(sources_.Text(lone));
+    diagnostics_.Report(lone, diag::Nc110UnknownIdentifierCause, text, CauseOfUnknown(text));
+  }
   open_blocks_.pop_back();
   program_.blocks[end.block].end = ItemId(program_.items.size());
   chain_ = end.kind == BlockKind::kDow ? BlockId() : end.block;
@@ -213,12 +217,38 @@ void Parser::CheckEndName(const BlockEnd& end) {
   }
 }
 
+/// END alone, or ENDIF: where its block is not closed otherwise, that is one fault with the missing end.
+bool Parser::IsMeantEnd(std::string_view run, source::Range range) {
+  const std::string capitals = Capitals(run);
+  if (failed_ || open_blocks_.empty() || (capitals != "END" && capitals != "ENDIF")) {
+    return false;
+  }
+  OpenBlock& open = open_blocks_.back();
+  if (open.reported || open.lone_end.begin != 0) {
+    return false;
+  }
+  open.lone_end = range;
+  return true;
+}
+
+namespace {
+
+void NoteLoneEnd(source::Range lone_end, diag::Diagnostic& report) {
+  if (lone_end.begin != 0) {
+    report.notes.push_back({lone_end, "this is no end of a block: its letter F, E or W is missing"});
+  }
+}
+
+}  // namespace
+
 void Parser::ReportOpenBlocksAtMark(source::Range mark) {
   for (OpenBlock& open : open_blocks_) {
     if (!std::exchange(open.reported, true)) {
       const Block& block = program_.blocks[open.block];
-      diagnostics_.Report(block.keyword, diag::Nc110BlockCycleMark, HeadWord(block.kind), EndWord(block.kind))
-          .notes.push_back({mark, "'$' stands here"});
+      diag::Diagnostic& report =
+          diagnostics_.Report(block.keyword, diag::Nc110BlockCycleMark, HeadWord(block.kind), EndWord(block.kind));
+      report.notes.push_back({mark, "'$' stands here"});
+      NoteLoneEnd(open.lone_end, report);
     }
   }
 }
@@ -227,7 +257,8 @@ void Parser::ReportOpenBlocksAtEnd() {
   for (const OpenBlock& open : open_blocks_) {
     if (!open.reported) {
       const Block& block = program_.blocks[open.block];
-      diagnostics_.Report(block.keyword, diag::Nc110BlockOpen, HeadWord(block.kind), EndWord(block.kind));
+      NoteLoneEnd(open.lone_end,
+                  diagnostics_.Report(block.keyword, diag::Nc110BlockOpen, HeadWord(block.kind), EndWord(block.kind)));
     }
   }
 }

@@ -92,6 +92,7 @@ class Parser {
   /// kOperand, kSymbol or kRun.
   OperandUse TakeOperand();
   void FaultOfUnknown(std::string_view run, source::Range range);
+  bool IsMeantEnd(std::string_view run, source::Range range);
   Operand ReadOperand(std::string_view run, source::Range range);
   struct ConstantUse {
     uint32_t value = 0;
@@ -127,6 +128,7 @@ class Parser {
   ExprId ParseSum();
   ExprId ParseTerm();
   ExprId ParseComparator();
+  ExprId DoubledSign(ExprId left, TokenKind first);
   ExprId ParseComparatorArgument();
   void CheckComparison(ExprId comparison);
   bool EnterParenthesis(source::Range range);
@@ -186,6 +188,7 @@ class Parser {
   struct OpenBlock {
     BlockId block;
     bool reported = false;   // its missing end, too deep nesting
+    source::Range lone_end;  // an END without its letter, or ENDIF, which was meant to close it
     bool continued = false;  // W304 given
   };
   std::vector<OpenBlock> open_blocks_;

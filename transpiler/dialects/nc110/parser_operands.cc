@@ -26,7 +26,11 @@ OperandUse Parser::TakeOperand() {
     use.operand = program_.symbols[use.symbol].operand;
     failed_ = failed_ || use.operand.kind == OperandKind::kNone;  // its definition was reported
   } else if (undefined_.insert(std::string(name)).second) {
-    Fault(token.range, diag::Nc110SymbolUndefined, name);
+    if (Decode(name).fault == OperandFault::kNone) {
+      Fault(token.range, diag::Nc110SymbolIsAddress, name);
+    } else {
+      Fault(token.range, diag::Nc110SymbolUndefined, name);
+    }
   } else {
     failed_ = true;
   }
@@ -36,7 +40,12 @@ OperandUse Parser::TakeOperand() {
 /// Says what is meant where that is plain: words of other languages, numbers without their first digit, timers and
 /// counters without their field.
 void Parser::FaultOfUnknown(std::string_view run, source::Range range) {
-  const std::string cause = CauseOfUnknown(run);
+  if (IsMeantEnd(run, range)) {
+    failed_ = true;
+    return;
+  }
+  const std::string cause =
+      FindSymbol(run).valid() ? "it is a symbol: write !" + std::string(run) : CauseOfUnknown(run);
   if (cause.empty()) {
     Fault(range, diag::Nc110UnknownIdentifier, run);
   } else {

@@ -181,11 +181,12 @@ ExprId Parser::ParseComparator() {
     return HardFault(Peek().range, diag::Nc110ComparatorArithmetic, Found());
   }
   if (!IsComparisonSign(sign)) {
+    failed_ = failed_ || sign == TokenKind::kBad;  // its character has been reported
     return HardFault(MissingAt(), diag::Nc110ComparisonSign, Found());
   }
   Take();
   if (IsComparisonSign(Peek().kind)) {
-    return HardFault(Peek().range, diag::Nc110ComparisonSignTwice, Found());
+    return DoubledSign(left, sign);
   }
   if (Peek().first_on_line && LooksLikeTarget(0)) {
     return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());  // the next statement
@@ -210,6 +211,29 @@ ExprId Parser::ParseComparator() {
   program_.exprs[result].range = {begin, Take().range.end};
   CheckComparison(result);
   return result;
+}
+
+/// '>=', '==' and the like: what is meant, with the operands that are there.
+ExprId Parser::DoubledSign(ExprId left, TokenKind first) {
+  const TokenKind second = Peek().kind;
+  const Token& right = Peek(1);
+  const bool both = first == second && first != TokenKind::kAssign;  // '<<', '>>'
+  const bool operand =
+      right.kind == TokenKind::kOperand || right.kind == TokenKind::kNumber || right.kind == TokenKind::kSymbol;
+  if (both || !operand) {
+    return HardFault(Peek().range, diag::Nc110ComparisonSignTwice, Found());
+  }
+  const auto either = [&](TokenKind kind) { return first == kind || second == kind; };
+  const bool less = either(TokenKind::kLess), greater = either(TokenKind::kGreater);
+  const std::string_view sign = less == greater ? "=" : less ? ">" : "<";
+  const std::string comparator = "[" + std::string(sources_.Text(program_.exprs[left].range)) + std::string(sign) +
+                                 std::string(TextOf(right)) + "]";
+  const bool negated = less || greater;
+  const auto text = [](TokenKind kind) {
+    return kind == TokenKind::kLess ? "<" : kind == TokenKind::kGreater ? ">" : "=";
+  };
+  const std::string written = std::string(text(first)) + text(second);
+  return HardFault(Peek().range, diag::Nc110ComparisonSignForeign, written, (negated ? "/" : "") + comparator);
 }
 
 ExprId Parser::ParseComparatorArgument() {

@@ -389,7 +389,38 @@ constexpr MeantWord kMeantWords[] = {
     {"OR", "OR is written '+'"},
     {"NOT", "NOT is written '/' in front of its operand"},
     {"XOR", "exclusive OR is written '&'"},
+    {"THEN", "a head is DOF: and the condition; the statements follow on the next lines"},
+    {"END_IF", "close DOF with ENDF, DOE with ENDE"},
+    {"CASE", "write a DOF block with a comparator for each value, [W1K0=3], or MUX"},
+    {"FOR", "a cycle has no loops: count with a word from cycle to cycle, [W1K0+1]"},
+    {"WHILE", "a cycle has no loops: write DOF: and the condition, which is asked in each cycle"},
+    {"RETURN", "write a DOF block around what is to be left out"},
+    {"TRUE", "as a signal write 1"},
+    {"FALSE", "as a signal write 0"},
 };
+
+/// Q0A1, M1K0, MW3, B3: what other controls call outputs, memory and words.
+std::string CauseOfForeignAddress(std::string_view capitals) {
+  const auto digit = std::ranges::find_if(capitals, IsDigit);
+  const std::string_view letters = capitals.substr(0, static_cast<size_t>(digit - capitals.begin()));
+  if (letters.empty() || digit == capitals.end()) return {};
+  // What follows the letter is right as it is: M1K0 is U1K0.
+  const std::string same(capitals.substr(letters.size()));
+  const auto example = [&](char letter, std::string_view otherwise) {
+    const std::string changed = letter + same;
+    return Decode(changed).fault == OperandFault::kNone ? changed : std::string(otherwise);
+  };
+  if (letters == "Q" || letters == "Y") return "outputs are written with U: " + example('U', "U4A0");
+  if (letters == "E" || letters == "X") return "inputs are written with I: " + example('I', "I0A7");
+  if (letters == "M" || letters == "B" || letters == "F" || letters == "R" || letters == "MX") {
+    return "bits of the memory are written with U and package K: " + example('U', "U4K3") + "; words " +
+           example('W', "W4K0");
+  }
+  if (letters == "MB" || letters == "MW" || letters == "D" || letters == "DB" || letters == "DW") {
+    return "words of the memory are written with W and package K, and have 8 bits: " + example('W', "W4K0");
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -410,7 +441,7 @@ std::string CauseOfUnknown(std::string_view run) {
     return "a hexadecimal number begins with a digit: 0" + capitals;
   }
   const std::string_view number = std::string_view(capitals).substr(1);
-  if (!std::ranges::all_of(number, IsDigit)) return {};
+  if (!std::ranges::all_of(number, IsDigit)) return CauseOfForeignAddress(capitals);
   if (capitals.front() == 'T') {
     return "name a field of the timer: " + capitals + "I starts it, " + capitals + "U is 1 when it is over, " +
            capitals + "D while it runs, " + capitals + "A stops it";
@@ -419,7 +450,7 @@ std::string CauseOfUnknown(std::string_view run) {
     return "name a field of the counter: " + capitals + "I counts, " + capitals + "A turns the direction, " + capitals +
            "Z resets, " + capitals + "W is the value, " + capitals + "R the carry";
   }
-  return {};
+  return CauseOfForeignAddress(capitals);
 }
 
 }  // namespace plcxx::nc110

@@ -28,6 +28,9 @@ struct CheckedProgram {
 void CheckZones(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W358: free memory that is read and never written.
 void CheckUnwritten(const CheckedProgram& program, diag::Engine& diagnostics);
+
+/// W324: a reset or direction of a counter, a hold of a timer, that is read and never written.
+void CheckUnwrittenFields(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W359: U = a + U without another statement that writes U.
 void CheckSelfHold(const CheckedProgram& program, diag::Engine& diagnostics);
 /// W354: counters whose input depends on their own count and may stay 1 from one step to the next.

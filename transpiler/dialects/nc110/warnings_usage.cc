@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <set>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "transpiler/dialects/nc110/accesses.h"
 #include "transpiler/dialects/nc110/signals.h"
@@ -62,6 +65,33 @@ void CheckUnwritten(const CheckedProgram& program, diag::Engine& diagnostics) {
     if (reported.insert(key).second) {
       diagnostics.Report(access.range, diag::Nc110ReadNeverWritten, ToText(access.operand));
     }
+  });
+}
+
+/// W324. A counter that is driven, but whose reset or direction nothing writes.
+void CheckUnwrittenFields(const CheckedProgram& program, diag::Engine& diagnostics) {
+  const auto what_it_does = [](OperandKind kind) -> std::string_view {
+    if (kind == OperandKind::kCounterReset) return "the counter is to be reset";
+    if (kind == OperandKind::kCounterDown) return "the counter is to count down";
+    return kind == OperandKind::kTimerHold ? "the timer is to be held" : "";
+  };
+  using Field = std::pair<OperandKind, uint32_t>;
+  std::set<Field> written;
+  for (const Item& item : program.tree.items) {
+    if (item.kind != ItemKind::kAssignment) continue;
+    const Operand& target = program.tree.assignments[item.assignment()].target.operand;
+    written.emplace(target.kind, target.number);
+  }
+  std::set<Field> reported;
+  ForEachAccess(program.tree, [&](const Access& access) {
+    const Operand& field = access.operand;
+    const std::string_view what = what_it_does(field.kind);
+    if (IsWrite(access.kind) || what.empty() || written.contains({field.kind, field.number})) return;
+    const bool timer = field.kind == OperandKind::kTimerHold;
+    const OperandKind input = timer ? OperandKind::kTimerInput : OperandKind::kCounterInput;
+    if (!written.contains({input, field.number})) return;  // W352 speaks of the whole
+    if (!reported.emplace(field.kind, field.number).second) return;
+    diagnostics.Report(access.range, diag::Nc110FieldNeverWritten, ToText(access.operand), what);
   });
 }
 

@@ -47,10 +47,11 @@ bool LooksLikeInstruction(std::string_view text) {
   const auto skip_blanks = [&text] { text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size())); };
   const std::string mnemonic = take(!text.empty() && IsRelation(text.front()) ? IsRelation : IsLetter);
   const Form form = FormOf(mnemonic);
-  if (!form.known || !form.operand || text.empty() || IsLetter(text.front())) return false;
+  const bool module = ModuleMarkByName(mnemonic).has_value();
+  if ((!module && (!form.known || !form.operand)) || text.empty() || IsLetter(text.front())) return false;
   skip_blanks();
   const std::string operand = take(IsLetter);
-  if (ClassByName(operand) == OperandClass::kNone) return false;
+  if (ClassByName(operand) == OperandClass::kNone || (module && operand != "PM")) return false;
   skip_blanks();
   if (text.empty() || !IsDigit(text.front())) return false;
   take([](char c) { return IsDigit(c) || IsLetter(c) || c == '.'; });

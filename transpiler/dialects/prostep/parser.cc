@@ -67,6 +67,7 @@ void Parser::TakeStatement(const LexedFile& lexed, const Line& line) {
   if (!module_.valid()) return ReportOutside(statement);
   // Junk at the beginning is a 'K' that runs into a character which may not stand there.
   if (first == TokenKind::kClass || first == TokenKind::kJunk) return TakeOperandLine(statement);
+  if (first == TokenKind::kUnknown && IsWrongOperand(statement)) return;
   FinishWaiting();
   TakeInstruction(statement);
 }

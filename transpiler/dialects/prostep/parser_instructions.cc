@@ -58,6 +58,16 @@ uint32_t MostLines(std::string_view mnemonic) {
   return most;
 }
 
+/// For a number that has neither a class nor K in front of it.
+std::string BareNumberHint(std::string_view mnemonic, std::string_view number) {
+  for (const InstructionInfo& info : Instructions()) {
+    if (info.mnemonic == mnemonic && info.lines == Lines::kOneOf) {
+      return "a constant is K and its number, on the next line: K " + std::string(number);
+    }
+  }
+  return "write in front of it which memory is meant: I, O, F and the like";
+}
+
 }  // namespace
 
 std::string Accepted(OperandSet set) {
@@ -169,6 +179,8 @@ void Parser::WithOperand(const Statement& statement, std::string_view mnemonic, 
     const std::string_view hint = ForeignOperandHint(UpperOf(statement.tokens[1]));
     if (operand_class == OperandClass::kNone && !hint.empty()) {
       diagnostics_.Report(range, diag::ProstepOperandForeign, text, hint);
+    } else if (operand_class == OperandClass::kNone && IsDigit(text.front())) {
+      diagnostics_.Report(range, diag::ProstepOperandForeign, text, BareNumberHint(mnemonic, text));
     } else if (operand_class == OperandClass::kNone) {
       diagnostics_.Report(range, diag::ProstepOperandUnknown, text, mnemonic, Accepted(mnemonic));
     } else if (ShapeOf(operand_class) == Shape::kDouble) {

@@ -99,6 +99,7 @@ class Parser {
   void CheckVariable(const Instruction& instruction, Function function);
   /// No operand line follows any more.
   void FinishWaiting();
+  bool IsWrongOperand(const Statement& statement);
 
   // parser_operands.cc
   /// The operand that `tokens` spell from `first` on: its class, its number in that form and within any range that does

@@ -83,9 +83,12 @@ void Parser::CheckBcd(const Operand& operand, BcdUse use) {
   const std::string name = "K " + std::string(TrimBlanks(text.substr(1)));
   if (!IsBcd(operand.value, use)) {
     const bool time = use == BcdUse::kTime;
+    const bool digits = operand.form == NumberForm::kDecimal && operand.value <= 999 && !time;
+    const std::string with_d = "its bits are no decimal digits: write the digits with D, " + name + "D";
     diagnostics_.Report(operand.range, diag::ProstepBcdRange, name, time ? "a time" : "a preset",
-                        time ? "a time has a scale digit 0 to 3 and three digits: 2050D is 50 times 100 ms"
-                             : "a preset has three digits: 0D to 999D");
+                        digits ? std::string_view(with_d)
+                        : time ? "a time has a scale digit 0 to 3 and three digits: 2050D is 50 times 100 ms"
+                               : "a preset has three digits: 0D to 999D");
   } else if (operand.form == NumberForm::kDecimal && operand.value > 9) {
     diagnostics_.Report(operand.range, diag::ProstepDecimalAsBcd, name, DigitsOf(operand.value));
   }
@@ -161,6 +164,36 @@ void Parser::CheckVariable(const Instruction& instruction, Function function) {
   } else if (!IsVariable(index->value, field->field_bytes, use)) {
     diagnostics_.Report(index->range, diag::ProstepVariableAccess, index->value, name, call);
   }
+}
+
+/// `: 30.1` where an operand is waited for: no instruction, but what the operand would be in another language, or
+/// without its K. One fault with the missing operand.
+bool Parser::IsWrongOperand(const Statement& statement) {
+  const Token& token = statement.tokens.front();
+  if (waiting_.reported || waiting_.found >= waiting_.fewest || token.faulty || !statement.labels.empty()) return false;
+  const std::string_view text = TextOf(token);
+  const std::string word =
+      Upper(text.substr(0, static_cast<size_t>(std::ranges::find_if_not(text, IsLetter) - text.begin())));
+  const bool timer_form = word == "KT" || word == "KZ" || word == "KC" || word == "KM" || word == "KY";
+  const bool typed = text.find('#') != std::string_view::npos;
+  const bool number = IsDigit(text.front()) || (text.front() == '-' && text.size() > 1 && IsDigit(text[1]));
+  if (!number && !typed && !timer_form && ForeignOperandHint(word).empty()) return false;
+  Instruction& instruction = Current();
+  const OperandSet own = Info(instruction.op).own;
+  std::string remedy = "a constant is K and its number: K 5, K 0FFH";
+  if (!instruction.function && Info(instruction.op).lines == Lines::kOwnAndNext) {
+    remedy = (own & kTimerSet) != 0
+                 ? "a time is K, a scale digit and three digits: K 2030D is 30 times 100 ms (scale 0: 1 ms, 1: 10 ms, "
+                   "2: 100 ms, 3: 1 s)"
+                 : "a preset is K and up to three digits: K 30D";
+  } else if (!number && !typed && !timer_form) {
+    remedy = ForeignOperandHint(word);
+  }
+  instruction.faulty = true;
+  diagnostics_.Report(instruction.range, diag::ProstepOperandLineForm, ToText(program_, instruction), text, remedy);
+  waiting_.reported = true;
+  waiting_.most = 255;  // what follows belongs to the fault
+  return true;
 }
 
 void Parser::FinishWaiting() {

@@ -123,8 +123,11 @@ Operand Parser::ReadConstantOperand(const Token& class_token, const Token* numbe
                         "a constant has two bytes: -32768 to 65535, 0FFFFH, four BCD digits");
     return {};
   }
-  return {
-      .kind = OperandClass::kK, .value = static_cast<uint16_t>(constant.value), .form = constant.form, .range = range};
+  return {.kind = OperandClass::kK,
+          .value = static_cast<uint16_t>(constant.value),
+          .form = constant.form,
+          .has_minus = TextOf(*number).starts_with('-'),
+          .range = range};
 }
 
 bool Parser::IsInRange(const Operand& operand, Access access) {

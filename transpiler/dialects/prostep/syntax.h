@@ -36,6 +36,7 @@ struct Operand {
   uint16_t number = 0;                     // byte address, timer, counter or module
   uint16_t value = 0;                      // kK: the sixteen bits
   NumberForm form = NumberForm::kDecimal;  // kK
+  bool has_minus = false;                  // kK, as written
   source::Range range;
 
   bool exists() const { return kind != OperandClass::kNone; }

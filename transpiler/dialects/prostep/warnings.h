@@ -18,8 +18,12 @@ using Paths = std::vector<ModulePaths>;
 
 /// Lost conditions (W11), operand-less O without effect (W12), backward jumps (W15).
 void CheckSequences(const Program& program, const Paths& paths, diag::Engine& diagnostics);
-/// Registers on the paths from the scheduler (W10, W13, W14, W22, W23), instructions that none reaches (W28).
+/// Registers on the paths from the scheduler (W10, W13, W14, W22, W23, W43, W44), instructions that none reaches (W28).
 void CheckPaths(const Program& program, const Paths& paths, const Settings& settings, diag::Engine& diagnostics);
+/// Sequences whose result nothing uses (W42).
+void CheckResults(const Program& program, const Paths& paths, const Settings& settings, diag::Engine& diagnostics);
+/// Does the functional module leave a result in S?
+bool SetsS(Function function);
 /// Bits assigned in several places (W18), or assigned and set (W19).
 void CheckCoils(const Program& program, const Paths& paths, diag::Engine& diagnostics);
 /// Memory without writer or reader (W37), against its direction (W38), overwritten outputs (W39), shared by fast and

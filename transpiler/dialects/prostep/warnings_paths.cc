@@ -5,6 +5,7 @@
 // state behind the call. Calls form no ring. A use is reported once; behind it the register counts as set, so that one
 // cause gives one message.
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -15,6 +16,9 @@
 namespace plcxx::prostep {
 namespace {
 
+/// What AX can hold, as far as it is known: a whole number from 0 to this.
+enum class AxLimit : uint8_t { kByte, kCounter, kAny };
+
 struct State {
   bool reached = false;
   // On some path:
@@ -24,6 +28,7 @@ struct State {
   bool byte_in_word = false;  // AX was last loaded by a byte, with such an AH
   bool may_load = false;      // by the run-time reading the next operation is the first of its sequence
   bool may_combine = false;
+  AxLimit ax_limit = AxLimit::kAny;  // the widest one
   // On all paths:
   bool s_is_0 = false;  // a conditional jump was not taken
 
@@ -41,6 +46,7 @@ State Join(const State& a, const State& b) {
           .byte_in_word = a.byte_in_word || b.byte_in_word,
           .may_load = a.may_load || b.may_load,
           .may_combine = a.may_combine || b.may_combine,
+          .ax_limit = std::max(a.ax_limit, b.ax_limit),
           .s_is_0 = a.s_is_0 && b.s_is_0};
 }
 
@@ -115,10 +121,6 @@ AxUse AxUseOf(Function function) {
   }
 }
 
-bool SetsS(Function function) {
-  return function == Function::kToBcd || (function >= Function::kAddLong && function <= Function::kLessSigned);
-}
-
 /// S, R, timers and counters: with S = 0 always they do nothing, or the same each time. Not '=', which assigns this 0,
 /// nor what asks S whether to go elsewhere: several JC in a row are several ways.
 bool ActsOnS(Op op) {
@@ -147,6 +149,8 @@ struct PathChecker {
   void UseAx(const Instruction& instruction, State& state);
   void LoadByte(State& state);
   void Load(const Instruction& instruction, State& state);
+  void CompareWithConstant(const Instruction& instruction, const State& state);
+  void CheckSigned(const Instruction& instruction, const Operand& constant);
   void Perform(const Instruction& instruction, State& state);
   void Call(const Instruction& instruction, State& state);
 };
@@ -164,12 +168,14 @@ void PathChecker::UseAx(const Instruction& instruction, State& state) {
 void PathChecker::LoadByte(State& state) {
   state.ax_unset = false;
   state.byte_in_word = state.high_set;
+  state.ax_limit = state.high_set ? AxLimit::kAny : AxLimit::kByte;
 }
 
 void PathChecker::Load(const Instruction& instruction, State& state) {
   const Operand& operand = instruction.operand;
   if (instruction.op == Op::kLoad && operand.shape() == Shape::kByte) return LoadByte(state);
   state.ax_unset = state.byte_in_word = false;
+  state.ax_limit = instruction.op == Op::kLoadCounter ? AxLimit::kCounter : AxLimit::kAny;
   state.high_set = operand.shape() != Shape::kConstant || operand.value > 0xFF;
 }
 
@@ -187,9 +193,65 @@ void PathChecker::Logic(const Instruction& instruction, const TextState& text, S
   if (conjunction && combines && always && state.s_is_0) Report(diag::ProstepAlwaysZero, instruction);
 }
 
+/// W43, W44. A constant is compared as a word with a sign.
+void PathChecker::CompareWithConstant(const Instruction& instruction, const State& state) {
+  const Operand& operand = instruction.operand;
+  if (operand.shape() != Shape::kConstant) return;
+  CheckSigned(instruction, operand);
+  if (state.ax_limit == AxLimit::kAny || state.byte_in_word) return;
+  const int32_t most = state.ax_limit == AxLimit::kByte ? 255 : 999;
+  const int32_t constant = static_cast<int16_t>(operand.value);
+  const bool below = most < constant, above = constant < 0;  // all of AX against the constant
+  const bool at_least_0 = constant == 0, at_most = constant == most;
+  bool always = false, never = false;
+  switch (instruction.op) {
+    case Op::kEqual:
+      never = below || above;
+      break;
+    case Op::kNotEqual:
+      always = below || above;
+      break;
+    case Op::kLess:
+      always = below, never = above || at_least_0;
+      break;
+    case Op::kLessEqual:
+      always = below || at_most, never = above;
+      break;
+    case Op::kGreater:
+      always = above, never = below || at_most;
+      break;
+    case Op::kGreaterEqual:
+      always = above || at_least_0, never = below;
+      break;
+    default:
+      break;
+  }
+  if (!always && !never) return;
+  if (!reported.emplace(&diag::ProstepComparisonConstant, instruction.range.begin).second) return;
+  diagnostics.Report(instruction.range, diag::ProstepComparisonConstant, ToText(program, instruction),
+                     always ? "true" : "false", 0, most);
+}
+
+/// W44. Not what is written in hexadecimal, or with its minus.
+void PathChecker::CheckSigned(const Instruction& instruction, const Operand& constant) {
+  if (constant.form != NumberForm::kDecimal || constant.has_minus || constant.value < 0x8000) return;
+  if (!reported.emplace(&diag::ProstepReadSigned, constant.range.begin).second) return;
+  diagnostics.Report(constant.range, diag::ProstepReadSigned, "K " + std::to_string(constant.value),
+                     "K " + std::to_string(static_cast<int16_t>(constant.value)),
+                     instruction.function ? ToText(instruction.operand) : std::string(Info(instruction.op).mnemonic));
+}
+
 void PathChecker::Perform(const Instruction& instruction, State& state) {
   const Function function = *instruction.function;
+  const bool multiplies = function == Function::kMultiply || function == Function::kDivide;
+  if (multiplies && settings.muldiv == MulDiv::kSigned) {
+    for (uint32_t i = 0; i < 2; ++i) {
+      const Operand& factor = program.Argument(instruction, i);
+      if (factor.shape() == Shape::kConstant) CheckSigned(instruction, factor);
+    }
+  }
   if (SetsS(function)) state.s_unset = state.s_is_0 = false;
+  if (AxUseOf(function) != AxUse::kNone && AxUseOf(function) != AxUse::kReads) state.ax_limit = AxLimit::kAny;
   switch (AxUseOf(function)) {
     case AxUse::kNone:
       return;
@@ -259,6 +321,7 @@ void PathChecker::Step(const ModulePaths& module, uint32_t number, State& state)
       if (instruction.operand.shape() == Shape::kConstant && state.byte_in_word) {
         Report(diag::ProstepHighByteUnknown, instruction);
       }
+      CompareWithConstant(instruction, state);
       if (text.depth > 0) break;
       state.s_unset = state.s_is_0 = state.may_load = false;
       state.may_combine = true;

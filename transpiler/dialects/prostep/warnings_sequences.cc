@@ -108,8 +108,13 @@ void CheckWhatIsExecuted(const Program& program, const Settings& settings, diag:
   for (uint32_t i = 0; i < program.modules.size(); ++i) paths.emplace_back(program, ModuleId(i));
   CheckSequences(program, paths, diagnostics);
   CheckPaths(program, paths, settings, diagnostics);
+  CheckResults(program, paths, settings, diagnostics);
   CheckCoils(program, paths, diagnostics);
   CheckMemory(program, diagnostics);
+}
+
+bool SetsS(Function function) {
+  return function == Function::kToBcd || (function >= Function::kAddLong && function <= Function::kLessSigned);
 }
 
 std::vector<bool> ReachedFrom(const Program& program, uint32_t first, uint32_t last) {

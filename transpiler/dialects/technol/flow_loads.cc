@@ -155,8 +155,9 @@ void LoadChecker::Look(InstructionId id, const Missing& missing) {
     reported_[id.index] = true;
     const std::string name = NameOf(reads & missing.since_wait);
     const InstructionId wait = WaitBefore(id);
+    const auto& message = IsWait(instruction.op) ? diag::TechnolWaitAcrossWait : diag::TechnolAcrossWait;
     diag::Diagnostic& diagnostic =
-        Report(diagnostics_, program_, instruction, diag::TechnolAcrossWait, name, ToText(program_, instruction));
+        Report(diagnostics_, program_, instruction, message, name, ToText(program_, instruction));
     if (wait.valid()) diagnostic.notes.push_back({program_.instructions[wait].range, "the wait"});
     return;
   }

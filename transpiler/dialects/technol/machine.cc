@@ -132,6 +132,10 @@ std::string_view NearMnemonic(std::string_view word) {
   static const std::vector<std::string_view> mnemonics = [] {
     std::vector<std::string_view> words;
     for (const auto& [name, op] : OpsByName()) words.push_back(name);
+    for (const std::string_view word : {"DATA", "DATA_END", "STOP", "MECH_BEGIN", "MECH_END", "MODULE_MAIN",
+                                        "MODULE_MAIN_END", "MODULE_FAST", "MODULE_FAST_END"}) {
+      words.push_back(word);
+    }
     return words;
   }();
   return support::NearestWord(word, mnemonics);
@@ -147,6 +151,64 @@ Op AssemblerForm(Op op) {
 bool IsForeignInstruction(std::string_view word) {
   static const std::vector<std::string_view> words = Sorted(kForeignInstructions);
   return std::ranges::binary_search(words, word);
+}
+
+std::string_view ForeignHint(std::string_view word) {
+  struct ForeignWord {
+    std::string_view word, hint;
+  };
+  constexpr std::string_view kLoadBit = "a bit is loaded by LDR, data by LOD", kWriteBit = "a bit is written by WR";
+  constexpr std::string_view kAnd = "bits are combined by LA", kOr = "bits are combined by LO";
+  constexpr std::string_view kAndNot = "bits are combined by LA, negated by '-': LA -NAME",
+                             kOrNot = "bits are combined by LO, negated by '-': LO -NAME";
+  constexpr std::string_view kSet = "a bit is set by FL 1,NAME", kReset = "a bit is reset by FL 0,NAME";
+  constexpr std::string_view kJump = "the jump is JUM, with a condition JL0 or JL1",
+                             kTimer = "waiting for a time is TIM, in a mechanism";
+  constexpr ForeignWord kWords[] = {
+      {"LD", kLoadBit},
+      {"LDN", "a negated bit is loaded by LDR -NAME"},
+      {"LDI", "a negated bit is loaded by LDR -NAME"},
+      {"L", kLoadBit},
+      {"ST", "a bit is written by WR, data by STO"},
+      {"STN", "a bit is written by WR; negate where it is read"},
+      {"OUT", kWriteBit},
+      {"T", "data is stored by STO"},
+      {"S", kSet},
+      {"SET", kSet},
+      {"R", kReset},
+      {"RST", kReset},
+      {"RES", kReset},
+      {"RESET", kReset},
+      {"CLR", kReset},
+      {"A", kAnd},
+      {"U", kAnd},
+      {"AN", kAndNot},
+      {"UN", kAndNot},
+      {"ANDN", kAndNot},
+      {"ANI", kAndNot},
+      {"O", kOr},
+      {"ON", kOrNot},
+      {"ORN", kOrNot},
+      {"ORI", kOrNot},
+      {"JUMP", kJump},
+      {"JU", kJump},
+      {"GOTO", kJump},
+      {"SPA", kJump},
+      {"BRA", kJump},
+      {"JC", "the jump with a condition is JL1, when the result is 1, or JL0"},
+      {"SPB", "the jump with a condition is JL1, when the result is 1, or JL0"},
+      {"JMPC", "the jump with a condition is JL1, when the result is 1, or JL0"},
+      {"IF", "load the condition with LDR and jump with JL0 or JL1"},
+      {"RETURN", "a subprogram ends with RET"},
+      {"END", "a module ends with its name and _END, a program with STOP"},
+      {"TON", kTimer},
+      {"TOF", kTimer},
+      {"TP", kTimer},
+      {"TIMER", kTimer},
+      {"WAIT", "waiting is EX0, EX1, TEX0, TEX1 or TIM, in a mechanism"},
+  };
+  const auto* const row = std::ranges::find(kWords, word, &ForeignWord::word);
+  return row == std::end(kWords) ? std::string_view() : row->hint;
 }
 
 bool IsReserved(std::string_view word) {

@@ -145,6 +145,8 @@ std::string_view NearMnemonic(std::string_view word);
 Op AssemblerForm(Op op);
 /// An assembler instruction outside the subset: INT, MOVSB, FLD ... (TE070). LEA is none: it is TE065.
 bool IsForeignInstruction(std::string_view word);
+/// What a mnemonic of other controls is in TECHNOL, as a remedy; empty: nobody knows. In capitals.
+std::string_view ForeignHint(std::string_view word);
 /// Words that may not be names (TE005), `word` in capitals.
 bool IsReserved(std::string_view word);
 

@@ -87,7 +87,19 @@ void OperandParser::Add(Operand operand, size_t first) {
 
 void OperandParser::CheckEnd() {
   if (reader_.AtEnd()) return;
-  context_.Report(reader_.Here(), diag::TechnolSurplus, Shown(reader_.Peek()), mnemonic_);
+  const std::string mnemonic(mnemonic_);
+  if (reader_.IsPunctuation('.')) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "a bit has a name of its own in its DFM, no number; BYTE. and CNST. stand in front of a name");
+  } else if (reader_.IsPunctuation(',')) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "'" + mnemonic + "' takes no further operand");
+  } else if (reader_.IsWord("AND") || reader_.IsWord("OR") || reader_.IsWord("XOR")) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "bits are combined line by line: LA, LO");
+  } else {
+    context_.Report(reader_.Here(), diag::TechnolSurplus, Shown(reader_.Peek()), mnemonic);
+  }
 }
 
 bool OperandParser::ExpectComma() {

@@ -108,7 +108,7 @@ bool OperandParser::ReadBase(Address& address, uint8_t& width, uint32_t level) {
       return false;
     case SymbolKind::kBit:
     case SymbolKind::kMechanism:
-      context_.Report(token->range, diag::TechnolBitAsData, token->text);
+      ReportBitAsData(*token);
       return false;
     case SymbolKind::kStructure:
     case SymbolKind::kLabel:

@@ -11,6 +11,23 @@ bool OperandParser::IsSingleBit() {
   return false;
 }
 
+/// IN0.1 for the second bit of a DFM: what that bit is called. Empty: the cell is no byte of a DFM.
+std::string OperandParser::BitOfByte(SymbolId cell) const {
+  const auto is_bit_of = [&](const Symbol& symbol) { return symbol.kind == SymbolKind::kBit && symbol.byte == cell; };
+  if (std::ranges::none_of(context_.program.symbols, is_bit_of)) return {};
+  const std::string name = context_.names[cell].name;
+  const Token* digits = reader_.IsPunctuation('.') ? reader_.Peek(1) : nullptr;
+  const Number number = digits == nullptr ? Number{} : ReadNumber(digits->text);
+  if (digits == nullptr || number.fault != NumberFault::kNone || number.value > 7) {
+    return "'" + name + "' is a byte: its bits have the names that its DFM gives them";
+  }
+  const std::string bit = "bit " + std::to_string(number.value) + " of '" + name + "'";
+  for (const Symbol& symbol : context_.program.symbols) {
+    if (is_bit_of(symbol) && symbol.bit == number.value) return bit + " has the name " + symbol.name;
+  }
+  return bit + " has no name: give it one in its DFM";
+}
+
 /// The name of a bit or a mechanism.
 std::optional<Operand> OperandParser::ReadBit() {
   const Token& token = *reader_.Peek();
@@ -35,12 +52,35 @@ std::optional<Operand> OperandParser::ReadBit() {
   if (named.kind == SymbolKind::kMechanism) {
     return Operand{.kind = OperandKind::kBit, .width = 1, .mechanism = named.unit, .symbol = symbol};
   }
+  if (named.kind == SymbolKind::kCell) {
+    if (const std::string remedy = BitOfByte(symbol); !remedy.empty()) {
+      reader_.TakeRest();
+      context_.Report(token.range, diag::TechnolBitOfByte, mnemonic_, token.text, remedy);
+      return std::nullopt;
+    }
+  }
   if (named.kind != SymbolKind::kBit) return refuse(KindText(named));
   return Operand{.kind = OperandKind::kBit,
                  .bit = named.bit,
                  .width = 1,
                  .address = {.area = named.area, .offset = named.offset, .base = named.byte},
                  .symbol = symbol};
+}
+
+/// AND I1 and the like: the instructions of bits have names of their own.
+void OperandParser::ReportBitAsData(const Token& token) {
+  std::string_view meant;
+  if (instruction_.op == Op::kLod) meant = "LDR";
+  if (instruction_.op == Op::kSto) meant = "WR";
+  if (instruction_.op == Op::kAnd || instruction_.op == Op::kAsmAnd) meant = "LA";
+  if (instruction_.op == Op::kOr || instruction_.op == Op::kAsmOr) meant = "LO";
+  if (instruction_.op == Op::kMov) meant = "LDR and WR";
+  if (instruction_.op == Op::kNot) meant = "LDR with '-' in front of the name";
+  if (meant.empty()) {
+    context_.Report(token.range, diag::TechnolBitAsData, token.text);
+  } else {
+    context_.Report(token.range, diag::TechnolBitAsDataMeant, token.text, mnemonic_, meant);
+  }
 }
 
 void OperandParser::TakeBit(Access access) {

@@ -44,6 +44,8 @@ class OperandParser {
   void TakeBit(Access access);
   void TakeFlag();
   bool IsSingleBit();
+  std::string BitOfByte(SymbolId cell) const;
+  void ReportBitAsData(const Token& token);
   std::optional<Operand> ReadBit();
   void CheckRequest(const Operand& bit, int64_t value);
 

@@ -128,7 +128,7 @@ void Parser::TakeLine(std::string_view text, const LinePlace& place) {
     warned_behind_stop_ = true;
     return;
   }
-  if (!CheckTokens(words)) return;
+  if (!CheckTokens(words)) return KeepFaultyLine(statement, words);
   file_has_items_ = true;
   if (words.size() > 1 && words[0].kind == TokenKind::kWord && words[1].text == ":") {
     statement.label = words.data();
@@ -140,6 +140,20 @@ void Parser::TakeLine(std::string_view text, const LinePlace& place) {
   statement.upper = UpperWord(words, 0);
   TakeStatement(statement);
 }
+
+namespace {
+
+/// What a character of other languages is in this one, as a remedy; empty: nobody knows.
+std::string_view MeantByCharacter(std::string_view character) {
+  if (character == "#") return "a constant is written CNST.5, a hexadecimal number 0FFh";
+  if (character == "%") return "bits and cells have the names that DATA gives them, without '%'";
+  if (character == "!" || character == "~") return "the negated bit is -NAME";
+  if (character == "|") return "bits are combined by LO, data by OR";
+  if (character == "{" || character == "}") return "a comment begins with ';'";
+  return {};
+}
+
+}  // namespace
 
 /// Characters and continuations; a statement that has them is not looked at.
 bool Parser::CheckTokens(std::span<const Token> tokens) {
@@ -156,8 +170,13 @@ bool Parser::CheckTokens(std::span<const Token> tokens) {
           token.kind == TokenKind::kInvalid ? token.text : std::string_view(bad, token.text.end());
       const std::string_view shown = character.substr(0, CharacterBytes(character));
       const bool printable = static_cast<uint8_t>(shown.front()) >= ' ' && shown.front() != '\x7F';
-      context_.Report(token.range, diag::TechnolCharacter, printable ? "'" + std::string(shown) + "'" : "code",
-                      CodePointName(character));
+      const std::string picture = printable ? "'" + std::string(shown) + "'" : "code";
+      const std::string_view meant = MeantByCharacter(shown);
+      if (meant.empty()) {
+        context_.Report(token.range, diag::TechnolCharacter, picture, CodePointName(character));
+      } else {
+        context_.Report(token.range, diag::TechnolCharacterHint, picture, CodePointName(character), meant);
+      }
       return false;
     }
   }
@@ -287,15 +306,28 @@ void Parser::UnknownLine(const Statement& statement) {
     context_.Report(first.range, diag::TechnolSegments, first.text);
     KeepUnknown(statement);
   } else if (IsForeignInstruction(statement.upper)) {
-    context_.Report(first.range, diag::TechnolForeignInstruction, first.text);
+    const std::string_view meant = ForeignHint(statement.upper);
+    if (meant.empty()) {
+      context_.Report(first.range, diag::TechnolForeignInstruction, first.text);
+    } else {
+      context_.Report(first.range, diag::TechnolForeignInstructionHint, first.text, meant);
+    }
     KeepUnknown(statement);
   } else if (symbol.valid() && context_.names[symbol].faulty) {
     context_.Forgive();
   } else if (IsReserved(statement.upper)) {
     context_.Report(first.range, diag::TechnolSyntax, Shown(&first), "an instruction");
   } else {
+    const std::string_view meant = ForeignHint(statement.upper);
     const std::string_view near = NearMnemonic(statement.upper);
-    if (near.empty()) {
+    const bool is_label = second != nullptr && second->kind == TokenKind::kWord && statement.label == nullptr &&
+                          OpByMnemonic(UpperWord(statement.words, 1)) != Op::kUnknown;
+    if (is_label) {
+      context_.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text,
+                      "a label ends with ':': " + std::string(first.text) + ":");
+    } else if (!meant.empty()) {
+      context_.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text, meant);
+    } else if (near.empty()) {
       context_.Report(first.range, diag::TechnolUnknownInstruction, first.text);
     } else {
       context_.Report(first.range, diag::TechnolUnknownInstructionNear, first.text, near);
@@ -304,7 +336,18 @@ void Parser::UnknownLine(const Statement& statement) {
   }
 }
 
-/// Something stands here: what it would load is not missed behind it.
+/// A statement with a bad character: what it would load is not missed after it.
+void Parser::KeepFaultyLine(Statement& statement, std::span<const Token> words) {
+  if (words.size() > 2 && words[0].kind == TokenKind::kWord && words[1].text == ":") words = words.subspan(2);
+  const std::string upper = UpperWord(words, 0);
+  if (structure_ || OpByMnemonic(upper) == Op::kUnknown) return;
+  statement.words = words;
+  statement.range = {words.front().range.begin, words.back().range.end};
+  statement.upper = upper;
+  KeepUnknown(statement);
+}
+
+/// Something stands here: what it would load is not missed after it.
 void Parser::KeepUnknown(const Statement& statement) {
   if (!in_data_ && including_.size() == 1) TakeInstruction(statement, Op::kUnknown);
 }

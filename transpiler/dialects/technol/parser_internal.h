@@ -66,6 +66,7 @@ class Parser {
   bool TakeDefinition(const Statement& statement);
   void UnknownLine(const Statement& statement);
   void KeepUnknown(const Statement& statement);
+  void KeepFaultyLine(Statement& statement, std::span<const Token> words);
   void EndOfSource(source::FileId file);
   void CheckWhole();
   /// The last line of a file that is not blank.

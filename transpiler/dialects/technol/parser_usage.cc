@@ -6,6 +6,7 @@ namespace plcxx::technol {
 
 /// TW004. A definition file's constants serve many programs, so those that one of them leaves out are no fault.
 void Parser::WarnOfUnused() {
+  if (context_.diagnostics.HasErrors()) return;  // its use may be in a statement that was not understood
   Program& program = context_.program;
   std::set<std::pair<Area, uint32_t>> used_bytes;  // as a whole, by whichever of their names
   for (const Symbol& symbol : program.symbols) {
@@ -41,7 +42,11 @@ void Parser::WarnOfUnused() {
     }
     if (kind.empty()) continue;
     context_.BeginStatement(0, {});
-    context_.Report(symbol.range, diag::TechnolUnused, kind, WrittenName(symbol.name));
+    if (symbol.kind == SymbolKind::kBit) {
+      context_.Report(symbol.range, diag::TechnolUnusedBit, WrittenName(symbol.name));
+    } else {
+      context_.Report(symbol.range, diag::TechnolUnused, kind, WrittenName(symbol.name));
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include "transpiler/dialects/hnc/headers.h"
 #include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/parser/converter.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -62,6 +63,16 @@ bool Converter::ReportRefused(const Call& call) {
   return true;
 }
 
+/// A function of the program or the control whose name is most like this one; empty: none is.
+std::string Converter::NearFunction(const std::string& name) const {
+  std::vector<std::string_view> words;
+  for (const Function& function : unit_.functions) {
+    if (function.body.valid()) words.push_back(function.name);
+  }
+  for (const FunctionRow& row : SystemFunctions()) words.push_back(row.name);
+  return std::string(support::NearestWord(name, words));
+}
+
 void Converter::ReportUndefined(const Call& call) {
   const std::string name = call.function->getNameAsString();
   if (call.function->isVariadic() && call.function->getType()->isFunctionProtoType()) {
@@ -73,7 +84,12 @@ void Converter::ReportUndefined(const Call& call) {
   if (const FunctionRow* row = FindSystemFunction(name)) {
     findings().Report(call.range, diag::HncUndefinedFunctionHeader, name, FirstHeader(*row));
   } else {
-    findings().Report(call.range, diag::HncUndefinedFunction, name);
+    const std::string near = NearFunction(name);
+    if (near.empty()) {
+      findings().Report(call.range, diag::HncUndefinedFunction, name);
+    } else {
+      findings().Report(call.range, diag::HncUndefinedFunctionNear, name, near);
+    }
   }
 }
 

@@ -155,7 +155,11 @@ void Converter::CheckSystemVariable(const clang::VarDecl* variable) {
       fits = unit_.variables[id].view && bounded->getSize().getLimitedValue() == unit_.variables[id].view->count;
     }
   }
-  if (!fits) findings().Report(NameOf(variable), diag::HncConflictingTypes, name);
+  if (!fits) {
+    findings().Report(NameOf(variable), diag::HncConflictingSystem, name,
+                      IsPeriod(name) ? "define it as unsigned " + name + ", or leave it out: plc.h declares it"
+                                     : "leave it out: plc.h declares it");
+  }
 }
 
 void Converter::Initialise(const clang::VarDecl* variable, VariableId id) {

@@ -64,6 +64,7 @@ class Converter {
   bool ReportRefused(const Call& call);
   void CheckArguments(const Call& call, const clang::FunctionDecl* definition);
   void ReportUndefined(const Call& call);
+  std::string NearFunction(const std::string& name) const;
   void CheckEntries();
 
   // convert_expressions.cc

@@ -17,6 +17,7 @@
 
 #include "transpiler/dialects/hnc/characters.h"
 #include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/parser/foreign_forms.h"
 #include "transpiler/dialects/hnc/parser/product_names.h"
 
 namespace plcxx::hnc {
@@ -116,7 +117,6 @@ const Rule kRules[] = {
     {cd::err_typecheck_assign_const, &diag::HncNotAssignable, kWords, "it is const"},
     {cd::err_typecheck_expression_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "it is a value"},
     {cd::err_typecheck_lvalue_casts_not_supported, &diag::HncNotAssignable, kWords, "a cast is a value"},
-    {cd::err_typecheck_array_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "an array is no variable"},
     {cd::err_typecheck_non_object_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "a function is no variable"},
     {cd::err_typecheck_incomplete_type_not_modifiable_lvalue, &diag::HncNotAssignable, kWords,
      "an array is no variable"},
@@ -219,7 +219,6 @@ const Rule kRules[] = {
     {cd::ext_typecheck_cast_to_union, &diag::HncExtension, kWords, "cast to a union"},
     {cd::ext_typecheck_cond_one_void, &diag::HncIncompatible, kWords, "one side of ':' is void"},
     {cd::ext_imaginary_constant, &diag::HncExtension, kWords, "imaginary constant"},
-    {cd::err_function_definition_not_allowed, &diag::HncExtension, kWords, "function in a function"},
     {cd::ext_c99_array_usage, &diag::HncExtension, kWords, "static or qualifier in an array"},
     // accepted
     {cd::ext_c_label_end_of_compound_statement, &diag::HncWithoutMeaning, kWords, "a label without a statement"},
@@ -256,9 +255,9 @@ bool IsFoundElsewhere(unsigned id) {
 /// Clang's own words for what is accepted are warnings that no rule names.
 bool IsError(clang::DiagnosticsEngine::Level level) { return level >= clang::DiagnosticsEngine::Error; }
 
-std::string Quoted(const std::string& text) { return "'" + text + "'"; }
-
 }  // namespace
+
+std::string Quoted(const std::string& text) { return "'" + text + "'"; }
 
 std::string ArgumentText(const clang::Diagnostic& info, unsigned index) {
   if (index >= info.getNumArgs()) return {};
@@ -305,27 +304,6 @@ source::Range Diagnoser::RangeOf(const clang::Diagnostic& info) const {
   return range.begin == 0 ? session_.output.unit.last_token : range;
 }
 
-/// The manual's own notation of a bit, `X0.1`, where the undeclared name `X0` was found.
-bool Diagnoser::ManualNotation(source::Range range, const std::string& name) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (name.size() < 2 || !std::ranges::all_of(name.substr(1), is_digit)) return false;
-  const bool byte = name[0] == 'X' || name[0] == 'Y' || name[0] == 'R', table = name[0] == 'F' || name[0] == 'G';
-  if (!byte && !table && name[0] != 'P' && name[0] != 'B') return false;
-  const std::string behind = Written({range.end, range.end + 4});
-  const std::string number(behind.begin() + (behind.empty() ? 0 : 1),
-                           std::find_if_not(behind.begin() + (behind.empty() ? 0 : 1), behind.end(), is_digit));
-  if (!behind.starts_with('.') || number.empty() || number.size() > 2) return false;
-  const int bit = std::stoi(number);
-  if (bit >= (byte ? 8 : 16)) return false;
-  char mask[8];
-  std::snprintf(mask, sizeof mask, byte ? "0x%02X" : "0x%04X", 1u << bit);
-  const std::string cell = (table ? "*" : "") + name.substr(0, 1) + "[" + name.substr(1) + "]";
-  session_.findings().Report({range.begin, range.end + 1 + static_cast<source::Offset>(number.size())},
-                             diag::HncManualNotation, name, name + "." + number, cell + " & " + mask,
-                             cell + " |= " + mask);
-  return true;
-}
-
 std::string Diagnoser::TokenAt(source::Range range) const {
   const clang::Token* current = session_.parser == nullptr ? nullptr : &session_.parser->getCurToken();
   if (current != nullptr && current->is(clang::tok::eof)) return "the end of the file";
@@ -354,9 +332,29 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
                       text == "plc2_time";
   const bool type =
       info.getID() == cd::err_redefinition_different_type || info.getID() == cd::err_redeclaration_different_type;
-  if (rule->message == &diag::HncUndeclared && ManualNotation(range, text)) return true;
+  const bool undeclared = rule->message == &diag::HncUndeclared;
+  if (undeclared && ManualNotation(range, text)) return true;
+  if (undeclared && mistyped_.contains(text)) return true;  // its declaration has been reported
+  if (undeclared || info.getID() == cd::err_unknown_typename) {
+    const std::string name = Written(range);
+    if (const std::string declared = NameAfter(range.end); !declared.empty()) mistyped_.insert(declared);
+    if (const std::string remedy = MeantByName(name); !remedy.empty()) {
+      session_.findings().Report(range, undeclared ? diag::HncUndeclaredForeign : diag::HncSyntaxForeign,
+                                 undeclared ? text : Quoted(name), remedy);
+      return true;
+    }
+  }
+  if (undeclared) {
+    if (const std::string near = NearDeclared(text); !near.empty()) {
+      session_.findings().Report(range, diag::HncUndeclaredNear, text, near);
+      return true;
+    }
+  }
   if (system && type) {
-    session_.findings().Report(range, diag::HncConflictingTypes, text);
+    const bool period = text == "plc1_time" || text == "plc2_time";
+    session_.findings().Report(range, diag::HncConflictingSystem, text,
+                               period ? "define it as unsigned " + text + ", or leave it out: plc.h declares it"
+                                      : "leave it out: plc.h declares it");
   } else if (rule->message == &diag::HncRedefinition && system) {
     session_.findings().Report(range, diag::HncRedefinitionSystem, text);
   } else {
@@ -382,6 +380,15 @@ bool Diagnoser::Calls(const clang::Diagnostic& info) {
       return true;
     case cd::err_too_many_args_in_macro_invoc:
       session_.findings().Report(RangeOf(info), diag::HncPreprocessorArguments, "many");
+      return true;
+    case cd::err_typecheck_array_not_modifiable_lvalue:
+      session_.findings().Report(RangeOf(info), diag::HncArrayNotAssignable,
+                                 info.getNumRanges() > 0
+                                     ? Quoted(Written(session_.places.Of(info.getRange(0).getAsRange())))
+                                     : TokenAt(RangeOf(info)));
+      return true;
+    case cd::err_function_definition_not_allowed:
+      session_.findings().Report(RangeOf(info), diag::HncFunctionInside);
       return true;
     case cd::err_multiple_default_labels_defined:
       session_.findings().Report(RangeOf(info), diag::HncDuplicateDefault);
@@ -427,7 +434,7 @@ bool Diagnoser::Operands(const clang::Diagnostic& info) {
            clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(0)))->isArrayType();
   };
   if (info.getID() == cd::err_typecheck_illegal_increment_decrement && is_array()) {
-    session_.findings().Report(RangeOf(info), diag::HncNotAssignable, "an array is no variable");
+    session_.findings().Report(RangeOf(info), diag::HncArrayNotAssignable, TokenAt(RangeOf(info)));
     return true;
   }
   if (info.getID() == cd::err_typecheck_statement_requires_integer) {
@@ -450,7 +457,11 @@ bool Diagnoser::Operands(const clang::Diagnostic& info) {
     session_.findings().Report(RangeOf(info), diag::HncIncompatible,
                                "'*' needs a pointer, found " + Quoted(ArgumentText(info, 0)));
   } else if (is_pointer(0) || is_pointer(1)) {
-    session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, "an operand is an address");
+    if (const std::string area = AreaAmong(info); !area.empty()) {
+      session_.findings().Report(RangeOf(info), diag::HncAreaAsValue, area);
+    } else {
+      session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, "an operand is an address");
+    }
   } else {
     std::string types = Quoted(ArgumentText(info, 0));
     if (info.getNumArgs() > 1) types += " and " + Quoted(ArgumentText(info, 1));
@@ -475,27 +486,6 @@ bool Diagnoser::Conversions(const clang::Diagnostic& info) {
     }
     default:
       return false;
-  }
-}
-
-void Diagnoser::Syntax(const clang::Diagnostic& info) {
-  const source::Range range = RangeOf(info);
-  const std::string token = TokenAt(range);
-  const unsigned id = info.getID();
-  if (id == cd::err_expected_expression && token == "'else'") {
-    session_.findings().Report(range, diag::HncMisplaced, "else");
-  } else if (id == cd::err_expected || id == cd::err_expected_after) {
-    session_.findings().Report(range, diag::HncSyntax, token,
-                               Quoted(ArgumentText(info, id == cd::err_expected ? 0 : 1)));
-  } else if (id == cd::err_expected_semi_after_expr || id == cd::err_expected_semi_after_stmt ||
-             id == cd::err_expected_semi_declaration || id == cd::err_expected_semi_decl_list) {
-    session_.findings().Report(range, diag::HncSyntax, token, "';'");
-  } else if (id == cd::err_expected_expression) {
-    session_.findings().Report(range, diag::HncSyntax, token, "an expression");
-  } else if (id == cd::err_invalid_decl_spec_combination) {
-    session_.findings().Report(range, diag::HncSyntaxTypeWords, token);
-  } else {
-    session_.findings().Report(range, diag::HncSyntaxAt, token);
   }
 }
 
