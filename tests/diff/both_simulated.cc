@@ -1,5 +1,6 @@
 #include "tests/diff/both_simulated.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <set>
@@ -160,7 +161,11 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
                              new_uses = prove::compare::UsesOf(new_version);
   const CellWords old_words(old_version, old_side.compilation), new_words(new_version, new_side.compilation);
   std::set<std::string> listed;
-  for (const DiffItem& item : diff.items) listed.insert(item.name);
+  for (const DiffItem& item : diff.items) {
+    listed.insert(item.name);
+    // What is seen between two slices is one item.
+    if (item.kind == ItemKind::kSchedule) listed.insert(item.through.begin(), item.through.end());
+  }
   Locations locations;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
@@ -211,10 +216,20 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
     Machine old_machine(old_side, answers, seed), new_machine(new_side, answers, seed);
     const uint64_t one_in = uint64_t{1} << (random.Next() % 6), ones = 1 + random.Next() % 3;
     for (int step = 1; step <= runs.steps; ++step) {
+      // Bits at random; now and then whole bytes are what people write: small numbers, limits of a type.
+      constexpr std::array<uint8_t, 12> kUsual = {0, 1, 2, 3, 5, 9, 0x10, 0x64, 0x7F, 0x80, 0x99, 0xFF};
+      const bool bytes = random.OneIn(3);
+      uint64_t usual = 0, byte = ~uint64_t{0};
       for (const Compared& input : locations.inputs) {
-        if (step != 1 && !random.OneIn(one_in)) continue;
-        const uint64_t value = random.Next() % 4 < ones ? 1 : 0;
-        old_machine.Set(input.old_place, value);
+        const ir::Place& place = input.old_place;
+        if (const uint64_t here = uint64_t{place.space.index} << 32 | place.offset; here != byte) {
+          byte = here;
+          usual = random.OneIn(one_in) || step == 1 ? kUsual[(random.Next() >> 9) % kUsual.size()] : 0x100;
+        }
+        if (bytes && usual == 0x100) continue;
+        if (!bytes && step != 1 && !random.OneIn(one_in)) continue;
+        const uint64_t value = bytes ? usual >> place.bit & 1 : random.Next() % 4 < ones ? 1 : 0;
+        old_machine.Set(place, value);
         new_machine.Set(input.new_place, value);
       }
       const uint64_t what = random.Next() % 32, length = 1 + random.Next() % 40;

@@ -219,9 +219,9 @@ TEST(Diff, AValueThatDiffersInTheMiddleOfAScanHasItsStatementShown) {
   EXPECT_TRUE(item.new_statements[1].changed);
 }
 
-TEST(Diff, TheWakeOfAChangeThatReachesEverythingIsCounted) {
+TEST(Diff, WhatFollowsFromAChangeThatReachesEverythingIsShown) {
   // A row of flags, each a scan behind the one before it; the change is at its beginning, behind inputs that no random
-  // run sets alike.
+  // run sets alike. The solver finds them; from the end of its run the search goes on.
   std::string row, condition;
   for (int i = 499; i > 0; --i) {
     const auto name = [](int k) { return "U" + std::to_string(200 + k / 32) + "K" + std::to_string(k % 32); };
@@ -229,14 +229,14 @@ TEST(Diff, TheWakeOfAChangeThatReachesEverythingIsCounted) {
   }
   for (int i = 0; i < 28; ++i) condition += (i == 0 ? "I0A" : i % 3 == 0 ? "*I0A" : "*/I0A") + std::to_string(i);
   const Compared compared = CompareTexts("$\n" + row + "U200K0=" + condition + "\n",
-                                         "$\n" + row + "U200K0=" + condition + "*I1A0\n", {.time_ms = 600'000});
-  EXPECT_EQ(compared.diff.items.size(), 500U);
+                                         "$\n" + row + "U200K0=" + condition + "*I1A0\n", {.time_ms = 60'000});
   EXPECT_EQ(std::ranges::count_if(compared.diff.items, &DiffItem::changed_itself), 1);
   EXPECT_TRUE(compared.diff.items[0].changed_itself);
   EXPECT_EQ(compared.diff.items[0].verdict, ItemVerdict::kDifferent);
+  EXPECT_GT(std::ranges::count(compared.diff.items, ItemVerdict::kDifferent, &DiffItem::verdict), 100);
   const std::string text = DiffText(compared.diff, {.old_label = "old", .new_label = "new"}, diag::Colour::kOff);
-  EXPECT_NE(text.find("and 479 more that are not decided, at most through what stands above"), std::string::npos)
-      << text;
+  EXPECT_NE(text.find("through U200K0"), std::string::npos) << text;
+  EXPECT_LT(std::ranges::count(text, '\n'), 40) << text;
 }
 
 TEST(DiffOutput, SaysTheSameInEveryForm) {

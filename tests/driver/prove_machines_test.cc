@@ -1,6 +1,7 @@
 // plcxx prove on a machine of each language, written for this: what holds is proved, what does not is shown by a run.
 //
-// tests/prove/machines: the properties of NAME.yaml hold, those of NAME.wrong do not; both are worked out by hand.
+// tests/prove/machines and samples/classics: the properties of NAME.yaml hold, those of NAME.wrong do not; both are
+// worked out by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,10 +27,11 @@ class ProveMachines : public ::testing::TestWithParam<std::string> {
     if (dear && !testing_support::IsWholeVolume()) GTEST_SKIP() << "long proof: dev/test --all";
   }
 
-  static std::string Path(const std::string& ending) {
-    const std::string source = GetParam();
-    return PLCXX_ROOT "/tests/prove/machines/" + source.substr(0, source.find('.')) + ending;
+  static std::string Source() {
+    const bool is_sample = GetParam().find('/') != std::string::npos;
+    return PLCXX_ROOT + std::string(is_sample ? "/samples/" : "/tests/prove/machines/") + GetParam();
   }
+  static std::string Path(const std::string& ending) { return Source().substr(0, Source().rfind('.')) + ending; }
 };
 
 TEST_P(ProveMachines, WhatHoldsIsProved) {
@@ -39,7 +41,7 @@ TEST_P(ProveMachines, WhatHoldsIsProved) {
 
 TEST_P(ProveMachines, WhatDoesNotHoldIsShown) {
   const Workplace work;
-  const Ran ran = work.Run("prove " PLCXX_ROOT "/tests/prove/machines/" + GetParam() + " --property " + Path(".wrong") +
+  const Ran ran = work.Run("prove " + Source() + " --property " + Path(".wrong") +
                            " --time 40s --format json --counterexamples found");
   EXPECT_EQ(ran.code, 1) << ran;
   size_t number = 0;
@@ -64,6 +66,17 @@ INSTANTIATE_TEST_SUITE_P(EachLanguage, ProveMachines,
                          ::testing::Values("hnc_press.cld", "host50_feed.il", "nc110_clamp.plc", "prostep_drum.plc",
                                            "prostep_press.plc", "technol_arm.plc", "technol_functions.plc"),
                          [](const auto& machine) { return machine.param.substr(0, machine.param.find('.')); });
+
+/// Each is decided in a moment.
+INSTANTIATE_TEST_SUITE_P(Classics, ProveMachines,
+                         ::testing::Values("classics/motor_interlock.plc", "classics/conveyor.il",
+                                           "classics/emergency_shutdown.plc", "classics/water.plc",
+                                           "classics/stairs.cld", "classics/pick_and_place_0.plc",
+                                           "classics/pick_and_place_1.plc", "classics/pick_and_place_2.plc"),
+                         [](const auto& machine) {
+                           const size_t begin = machine.param.find('/') + 1;
+                           return machine.param.substr(begin, machine.param.find('.') - begin);
+                         });
 
 }  // namespace
 }  // namespace plcxx::driver

@@ -74,6 +74,7 @@ constexpr std::string_view kControlled = R"(
 /// Holds inputs and ports as a machine does.
 class HeldMachine : public dialects::ControlStub {
  public:
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<HeldMachine>(*this); }
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
                 std::optional<uint64_t>&) override {
     if (function.name == "read_inputs") image.Set(ir::SpaceId(0), 0, input_);

@@ -141,6 +141,7 @@ TEST(ScenarioRun, TheWaveformHoldsWhatTheScenarioNames) {
 /// Answers I0 = 1 before each period, and counts the slow cycles in W1.
 class Answering : public dialects::ControlStub {
  public:
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Answering>(*this); }
   void PowerOn(dialects::ImagePort&) override {}
   void BeforePeriod(uint32_t, dialects::ImagePort& image) override { image.Set(ir::SpaceId(0), 0, 0x03); }
   void AfterPeriod(uint32_t, uint32_t slow_cycles, dialects::ImagePort& image) override {

@@ -125,6 +125,8 @@ class ImagePort {
 class ControlStub {
  public:
   virtual ~ControlStub() = default;
+  /// The same control at the same moment: a simulation that goes back to it goes on with this one.
+  virtual std::unique_ptr<ControlStub> Clone() const = 0;
   /// Power fails: before the init of a power cycle, not before the first one. What the machine holds (inputs) stays.
   virtual void PowerOff() {}
   /// Right after init, at the first power-on, too. Host calls of init have come before.

@@ -81,7 +81,8 @@ struct Diff {
   std::string refusal;          // not empty: nothing was compared, and why
   /// Why what is shown was not run as generated code, where it should have been; else empty.
   std::string not_compiled;
-  std::vector<std::string> not_looked_at;  // what no claim is made of, a sentence each
+  std::vector<ItemStatement> old_statements, new_statements;  // that the other version does not have
+  std::vector<std::string> not_looked_at;                     // what no claim is made of, a sentence each
 };
 
 struct DiffOptions {

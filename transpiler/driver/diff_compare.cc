@@ -10,6 +10,7 @@
 #include "transpiler/driver/diff_declared.h"
 #include "transpiler/driver/diff_items.h"
 #include "transpiler/driver/diff_runs.h"
+#include "transpiler/driver/diff_search.h"
 #include "transpiler/driver/diff_statements.h"
 #include "transpiler/driver/optimized_program.h"
 #include "transpiler/passes/pipeline.h"
@@ -124,9 +125,11 @@ void DropOrderOfCalls(std::vector<Gathered>& items, CellId order) {
 
 constexpr uint32_t kNoItem = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
-constexpr uint64_t kExampleShare = 50;  // of the time: for shorter runs
-constexpr uint64_t kLastShare = 8;      // of the time: left for that, and for showing them
-constexpr uint64_t kSlicesShare = 6;    // of the time, where the slow part is in slices: for what is seen between them
+constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
+constexpr uint64_t kExampleShare = 10;    // of the time: for shorter runs
+constexpr uint64_t kLastShare = 6;        // of the time: left for that, and for showing them
+constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kSearchShare = 6;  // of the time: for runs
+constexpr uint64_t kSlicesShare = 6;  // of the time, where the slow part is in slices: for what is seen between them
 
 /// What the statements of one version do with the items, by index of the item.
 struct Touched {
@@ -349,24 +352,50 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   prove::compare::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
   const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
-  const auto find_different = [&](const std::vector<CellId>& cells, prove::compare::Effort effort) {
-    std::vector<CellId> sought = cells;
+  std::optional<DirectedSearch> search;
+  const auto find_different = [&](const prove::compare::Sought& sought, prove::compare::Effort effort,
+                                  uint64_t most_ms) {
+    using prove::compare::Effort;
+    const auto part = [&](uint64_t share) {
+      return std::min(compare_end, Clock::now() + std::chrono::milliseconds(options.time_ms / share));
+    };
     // Of a word that differs the other bits are not looked for any longer.
-    if (effort == prove::compare::Effort::kThorough) {
-      std::erase_if(sought, [&](CellId cell) {
-        return std::ranges::any_of(old_named.words.WordOf(cell).cells,
+    const auto open = [&] {
+      std::vector<CellId> cells = sought.open;
+      std::erase_if(cells, [&](CellId cell) {
+        return runs.difference_of.contains(cell) ||
+               std::ranges::any_of(old_named.words.WordOf(cell).cells,
                                    [&](CellId bit) { return runs.difference_of.contains(bit); });
       });
-    }
-    if (!sought.empty()) {
+      return cells;
+    };
+    if (!search) search.emplace(old_side, new_side, old_version, new_version, match, old_named.words, sought.all);
+    const auto run_both = [&](const std::vector<CellId>& cells) {
+      if (cells.empty()) return;
       RunBoth(old_side, new_side,
               {.old_version = old_version,
                .new_version = new_version,
                .match = match,
-               .cells = sought,
+               .cells = cells,
                .effort = effort,
                .end = compare_end},
               options, runs);
+    };
+    switch (effort) {
+      case Effort::kQuick:
+        search->RunScenarios(part(kScenariosShare), runs);
+        run_both(sought.all);
+        search->Run(open(), part(kQuickSearchShare), runs);
+        break;
+      case Effort::kThorough:
+        search->Follow(sought.runs, part(kSearchShare), runs);
+        search->Run(open(), part(kSearchShare), runs);
+        run_both(open());
+        break;
+      case Effort::kLasting:
+        search->Follow(sought.runs, compare_end, runs);
+        search->Run(open(), std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms)), runs);
+        break;
     }
     std::vector<CellId> different;
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
@@ -376,6 +405,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       prove::compare::CompareVersions(old_version, new_version, match, find_different, limits);
   Diff diff{.invariants = result.invariants, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
+  DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),
+                   .new_statements = ChangedStatements(new_side, old_side)};
+  if (std::max(changes.old_statements.size(), changes.new_statements.size()) <= kMostChangesShown)
+    ShowChangedLines(old_side, new_side, changes);
+  diff.old_statements = std::move(changes.old_statements);
+  diff.new_statements = std::move(changes.new_statements);
   std::vector<Gathered> items = Gather(result, old_named, new_named);
   DropOrderOfCalls(items, old_version.cells.OfOrder());
   AddCauses(items, old_named, new_named);

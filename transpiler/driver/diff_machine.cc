@@ -42,11 +42,12 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& ve
       control_(side.compilation.program, *side.compilation.dialect, simulator_,
                side.compilation.dialect->make_stub(side.compilation.program, side.compilation.options)),
       clock_(side.compilation.program, {&simulator_}),
+      end_(end),
       byte_of_(MakeBytesOf(version)),
       calls_(version.cells.CallCells()) {
   clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
   clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
-  if (end != Time::max()) clock_.interrupted = [end] { return std::chrono::steady_clock::now() >= end; };
+  if (end != Time::max()) clock_.interrupted = [this] { return std::chrono::steady_clock::now() >= end_; };
   clock_.PowerOn();
   control_.PowerOn();
 }
@@ -89,6 +90,11 @@ void DiffMachine::SetWord(const std::string& text, const std::string& value) {
 }
 
 bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell) {
+  if (stimulus.power_cycle) {
+    control_.PowerOff();
+    clock_.PowerCycle();
+    control_.PowerOn();
+  }
   for (const prove::compare::SetCell& input : stimulus.inputs) {
     if ((input.*cell).valid()) SetCell(input.*cell, input.value);
   }
@@ -99,8 +105,21 @@ bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::
 bool DiffMachine::Advance(const Stimulus& stimulus) {
   const sim::Step step = stimulus.slow != 0   ? clock_.RunSlow(stimulus.slow)
                          : stimulus.fast != 0 ? clock_.RunFast(stimulus.fast)
-                                              : clock_.RunMs(stimulus.ms);
+                         : stimulus.ms != 0   ? clock_.RunMs(stimulus.ms)
+                                              : sim::Step::kDone;
   return step == sim::Step::kDone;
+}
+
+DiffMachine::Saved DiffMachine::Save() const {
+  return {.simulator = simulator_.Save(), .control = control_.Save(), .time_ms = clock_.time_ms(), .calls = calls_};
+}
+
+void DiffMachine::Restore(const Saved& saved) {
+  simulator_.Restore(saved.simulator);
+  control_.Restore(saved.control);
+  clock_.GoTo(saved.time_ms);
+  calls_ = saved.calls;
+  Look();
 }
 
 void DiffMachine::Look() {

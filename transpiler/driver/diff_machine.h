@@ -36,6 +36,22 @@ class DiffMachine {
   /// The calls between the last two pictures.
   const std::vector<sim::HostEvent>& events() const { return events_; }
 
+  /// The picture, and where it has a cell that is no calls: for who compares many.
+  const std::vector<uint8_t>& picture() const { return picture_; }
+  uint32_t ByteOf(prove::execute::CellId cell) const { return byte_of_[cell.index]; }
+
+  /// A moment between two steps; to be saved behind Look().
+  struct Saved {
+    sim::Simulator::Saved simulator;
+    ScenarioControl::Saved control;
+    uint64_t time_ms = 0;
+    std::vector<uint64_t> calls;
+  };
+  Saved Save() const;
+  /// Goes back to what this machine has saved.
+  void Restore(const Saved& saved);
+  void EndAt(Time end) { end_ = end; }
+
  private:
   bool Advance(const Stimulus& stimulus);
 
@@ -45,6 +61,7 @@ class DiffMachine {
   sim::Simulator simulator_;
   ScenarioControl control_;
   sim::Clock clock_;
+  Time end_;
   std::vector<uint32_t> byte_of_;  // by cell: where the picture has it; kNowhere: nowhere
   std::vector<uint8_t> picture_;
   std::vector<sim::HostEvent> events_;

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/diff_groups.h"
 
 namespace plcxx::driver {
 namespace {
@@ -62,36 +66,47 @@ std::string Paint(std::string text, const char* code, diag::Colour colour) {
   return colour == diag::Colour::kOn ? "\x1B[" + std::string(code) + "m" + text + "\x1B[0m" : text;
 }
 
-/// Why an item is in the list.
-std::string Cause(const DiffItem& item) {
+}  // namespace
+
+std::string Cause(const DiffGroup& group) {
+  const DiffItem& item = group.first();
   if (item.declared)
     return item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one";
   std::string text;
   const bool undecided = item.verdict == ItemVerdict::kUndecided;
-  if (!item.changed_itself && !item.through.empty()) {
-    text = (undecided ? "at most through " : "through ") + Joined(item.through, 4);
+  if (!group.causes.empty()) text = (undecided ? "at most through " : "through ") + Joined(group.causes, 4);
+  if (!undecided) return text;
+  std::string reason = item.reason;
+  for (const DiffItem* const other : group.items) {
+    if (other->reason != reason) reason = "of some " + item.reason + "; of others " + other->reason;
+    if (other->reason != item.reason) break;
   }
-  if (undecided) text += (text.empty() ? "" : "; ") + item.reason;
-  return text;
+  return text + (text.empty() ? "" : "; ") + reason;
 }
 
-/// Of the wake of a change that reaches everything a few are enough; the outputs are shown all.
-constexpr size_t kMostOfWake = 20;
-bool IsWake(const DiffItem& item) {
-  return item.verdict == ItemVerdict::kUndecided && !item.changed_itself && item.kind != ItemKind::kOutput;
+std::string Heading(const DiffGroup& group) {
+  const std::string names = NamesOf(group);
+  return group.items.size() == 1 ? names : names + " (" + std::to_string(group.items.size()) + ")";
 }
-std::string RestOfWake(size_t count) {
-  return "and " + std::to_string(count) + " more that are not decided, at most through what stands above" +
-         " (--format json lists them)";
+
+namespace {
+
+/// Runs of one group that are shown; each location has one in JSON and among the written scenarios.
+constexpr size_t kMostRunsTold = 8;
+
+std::string RestOfRuns(size_t count) {
+  return "and " + std::to_string(count) + " more, each with a run of its own in --format json and --counterexamples";
 }
+
+constexpr size_t kMostStatements = 6;  // of one location
+constexpr size_t kMostChanges = 20;    // of all
 
 void AddStatements(std::string& text, std::string_view side, const std::vector<ItemStatement>& statements,
-                   diag::Colour colour) {
-  constexpr size_t kMostStatements = 6;
+                   diag::Colour colour, size_t most) {
   size_t shown = 0;
   for (const ItemStatement& statement : statements) {
-    if (shown++ == kMostStatements) {
-      text += "      " + std::string(side) + "  and " + std::to_string(statements.size() - kMostStatements) + " more\n";
+    if (shown++ == most) {
+      text += "      " + std::string(side) + "  and " + std::to_string(statements.size() - most) + " more\n";
       return;
     }
     const std::string line = statement.file + ":" + std::to_string(statement.line) + "  " + statement.text;
@@ -100,7 +115,19 @@ void AddStatements(std::string& text, std::string_view side, const std::vector<I
   }
 }
 
-std::string ExampleText(const Counterexample& example, const DiffNames&) {
+/// As lines of a patch.
+void AddChanges(std::string& text, std::string_view sign, const std::vector<ItemStatement>& statements) {
+  for (size_t i = 0; i < statements.size() && i < kMostChanges; ++i) {
+    text += std::string(sign) + " " + statements[i].file + ":" + std::to_string(statements[i].line) + "  " +
+            statements[i].text + "\n";
+  }
+  if (statements.size() > kMostChanges)
+    text += std::string(sign) + " and " + std::to_string(statements.size() - kMostChanges) + " more\n";
+}
+
+const char* CodeOf(ItemVerdict verdict) { return verdict == ItemVerdict::kDifferent ? "1;31" : "1;33"; }
+
+std::string ExampleText(const Counterexample& example) {
   std::string text = (example.steps.empty() ? "a run that no scenario can say" : example.steps) + ": ";
   text += example.old_value == example.new_value
               ? "the calls differ"
@@ -152,28 +179,75 @@ std::string DiffSummary(const Diff& diff) {
   return text;
 }
 
+std::vector<std::string> RunsOf(const DiffGroup& group) {
+  std::vector<std::string> lines;
+  size_t more = 0;
+  std::string steps;
+  for (const DiffItem* const item : group.items) {
+    if (!item->counterexample) continue;
+    if (lines.size() == kMostRunsTold) {
+      ++more;
+      continue;
+    }
+    Counterexample example = *item->counterexample;
+    const bool is_same = !lines.empty() && !example.steps.empty() && example.steps == steps;
+    steps = example.steps;
+    if (is_same) example.steps = "behind the same run";
+    lines.push_back((group.items.size() == 1 ? std::string() : item->name + ": ") + ExampleText(example));
+  }
+  if (more != 0) lines.push_back(RestOfRuns(more));
+  return lines;
+}
+
+namespace {
+
+/// The changed statements, when they are not all told with one difference.
+bool TellsChanges(const Diff& diff, const std::vector<DiffGroup>& groups) {
+  if (diff.old_statements.empty() && diff.new_statements.empty()) return false;
+  std::set<std::pair<bool, uint32_t>> open;
+  for (const ItemStatement& statement : diff.old_statements) open.emplace(true, statement.statement.index);
+  for (const ItemStatement& statement : diff.new_statements) open.emplace(false, statement.statement.index);
+  for (const DiffGroup& group : groups) {
+    if (!group.first().changed_itself) continue;
+    for (const ItemStatement& statement : group.first().old_statements) open.erase({true, statement.statement.index});
+    for (const ItemStatement& statement : group.first().new_statements) open.erase({false, statement.statement.index});
+    return !open.empty();
+  }
+  return !groups.empty();
+}
+
+/// Of statements that nobody changed the first ones are enough.
+std::vector<ItemStatement> Telling(const std::vector<ItemStatement>& statements) {
+  std::vector<ItemStatement> changed;
+  std::ranges::copy_if(statements, std::back_inserter(changed), &ItemStatement::changed);
+  return changed.empty() ? statements : changed;
+}
+
+}  // namespace
+
 std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colour) {
   std::string text = names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
-  for (const ItemKind kind : kKinds) {
-    bool titled = false;
-    size_t wake = 0;
-    for (const DiffItem& item : diff.items) {
-      if (item.kind != kind || (IsWake(item) && ++wake > kMostOfWake)) continue;
-      if (!titled) text += "\n" + std::string(WordsOf(kind).title) + "\n";
-      titled = true;
-      const char* const code = item.verdict == ItemVerdict::kDifferent ? "1;31" : "1;33";
-      text += "  " + Paint(item.name, "1", colour);
-      if (!item.meaning.empty()) text += "  (" + item.meaning + ")";
-      text += "  " + Paint(std::string(VerdictText(item.verdict)), code, colour);
-      if (const std::string cause = Cause(item); !cause.empty()) text += ", " + cause;
-      text += "\n";
-      if (item.changed_itself) {
-        AddStatements(text, "old", item.old_statements, colour);
-        AddStatements(text, "new", item.new_statements, colour);
-      }
-      if (item.counterexample) text += "      " + ExampleText(*item.counterexample, names) + "\n";
+  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  if (TellsChanges(diff, groups)) {
+    text += "\nChanged\n";
+    AddStatements(text, "old", diff.old_statements, colour, kMostChanges);
+    AddStatements(text, "new", diff.new_statements, colour, kMostChanges);
+  }
+  std::optional<ItemKind> kind;
+  for (const DiffGroup& group : groups) {
+    const DiffItem& item = group.first();
+    if (kind != item.kind) text += "\n" + std::string(WordsOf(item.kind).title) + "\n";
+    kind = item.kind;
+    text += "  " + Paint(Heading(group), "1", colour);
+    if (group.items.size() == 1 && !item.meaning.empty()) text += "  (" + item.meaning + ")";
+    text += "  " + Paint(std::string(VerdictText(item.verdict)), CodeOf(item.verdict), colour);
+    if (const std::string cause = Cause(group); !cause.empty()) text += ", " + cause;
+    text += "\n";
+    if (item.changed_itself) {
+      AddStatements(text, "old", Telling(item.old_statements), colour, kMostStatements);
+      AddStatements(text, "new", Telling(item.new_statements), colour, kMostStatements);
     }
-    if (wake > kMostOfWake) text += "  " + RestOfWake(wake - kMostOfWake) + "\n";
+    for (const std::string& line : RunsOf(group)) text += "      " + line + "\n";
   }
   return text;
 }
@@ -181,44 +255,71 @@ std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colo
 std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
   std::string text = "### What changed from " + EscapedMarkdown(names.old_label) + " to " +
                      EscapedMarkdown(names.new_label) + "\n\n" + DiffSummary(diff) + ".\n";
-  for (const ItemKind kind : kKinds) {
-    bool titled = false;
-    size_t wake = 0;
-    for (const DiffItem& item : diff.items) {
-      if (item.kind != kind || (IsWake(item) && ++wake > kMostOfWake)) continue;
-      if (!titled) {
-        text += "\n**" + std::string(WordsOf(kind).title) +
-                "**\n\n| | verdict | statements | shown by |\n|---|---|---|---|\n";
+  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  const auto statements = [](const std::vector<ItemStatement>& old_statements,
+                             const std::vector<ItemStatement>& new_statements) {
+    std::string all, separator;
+    for (const auto& [sign, list] : {std::pair("-", &old_statements), std::pair("+", &new_statements)}) {
+      for (const ItemStatement& statement : *list) {
+        if (!statement.changed) continue;
+        all += separator + sign + " " + EscapedMarkdown(statement.text);
+        separator = "<br>";
       }
-      titled = true;
-      text += "| `" + item.name + "`" + (item.meaning.empty() ? "" : " " + EscapedMarkdown(item.meaning)) + " | " +
-              std::string(VerdictText(item.verdict));
-      if (const std::string cause = Cause(item); !cause.empty()) text += ", " + EscapedMarkdown(cause);
-      text += " | ";
-      std::string separator;
-      if (item.changed_itself) {
-        for (const auto& [sign, list] : {std::pair("-", &item.old_statements), std::pair("+", &item.new_statements)}) {
-          for (const ItemStatement& statement : *list) {
-            if (!statement.changed) continue;
-            text += separator + sign + " " + EscapedMarkdown(statement.text);
-            separator = "<br>";
-          }
-        }
-      }
-      text += " | " +
-              (item.counterexample ? EscapedMarkdown(ExampleText(*item.counterexample, names)) : std::string()) +
-              " |\n";
     }
-    if (wake > kMostOfWake) text += "\n" + RestOfWake(wake - kMostOfWake) + "\n";
+    return all;
+  };
+  if (TellsChanges(diff, groups)) {
+    text += "\n```diff\n";
+    AddChanges(text, "-", diff.old_statements);
+    AddChanges(text, "+", diff.new_statements);
+    text += "```\n";
+  }
+  std::optional<ItemKind> kind;
+  for (const DiffGroup& group : groups) {
+    const DiffItem& item = group.first();
+    if (kind != item.kind) {
+      text += "\n**" + std::string(WordsOf(item.kind).title) +
+              "**\n\n| | verdict | statements | shown by |\n|---|---|---|---|\n";
+    }
+    kind = item.kind;
+    const bool is_one = group.items.size() == 1;
+    text += "| `" + NamesOf(group) + "`" + (is_one ? "" : " (" + std::to_string(group.items.size()) + ")") +
+            (is_one && !item.meaning.empty() ? " " + EscapedMarkdown(item.meaning) : std::string()) + " | " +
+            std::string(VerdictText(item.verdict));
+    if (const std::string cause = Cause(group); !cause.empty()) text += ", " + EscapedMarkdown(cause);
+    text +=
+        " | " + (item.changed_itself ? statements(item.old_statements, item.new_statements) : std::string()) + " | ";
+    std::string separator;
+    for (const std::string& line : RunsOf(group)) {
+      text += separator + EscapedMarkdown(line);
+      separator = "<br>";
+    }
+    text += " |\n";
   }
   return text;
 }
 
 std::string DiffJson(const Diff& diff, const DiffNames& names) {
-  Json json = {{"old", names.old_label},       {"new", names.new_label},
-               {"summary", DiffSummary(diff)}, {"notLookedAt", diff.not_looked_at},
-               {"equal", diff.equal},          {"invariants", diff.invariants},
+  Json json = {{"old", names.old_label},
+               {"new", names.new_label},
+               {"summary", DiffSummary(diff)},
+               {"notLookedAt", diff.not_looked_at},
+               {"equal", diff.equal},
+               {"invariants", diff.invariants},
+               {"oldStatements", ToJson(diff.old_statements)},
+               {"newStatements", ToJson(diff.new_statements)},
+               {"groups", Json::array()},
                {"items", Json::array()}};
+  for (const DiffGroup& group : GroupsOf(diff)) {
+    Json members = Json::array();
+    for (const DiffItem* const item : group.items) members.push_back(item->name);
+    json["groups"].push_back({{"names", NamesOf(group)},
+                              {"kind", WordsOf(group.first().kind).one},
+                              {"verdict", VerdictText(group.first().verdict)},
+                              {"causes", group.causes},
+                              {"text", Cause(group)},
+                              {"items", std::move(members)}});
+  }
   for (const DiffItem& item : diff.items) {
     Json entry = {{"name", item.name},
                   {"meaning", item.meaning},
@@ -244,14 +345,24 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
   return diag::JsonForTerminals(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-std::string DiffSarif(const Diff& diff, const DiffNames& names) {
+std::string DiffSarif(const Diff& diff, const DiffNames&) {
   Json results = Json::array();
-  for (const DiffItem& item : diff.items) {
-    std::string message = item.name + " " +
-                          std::string(item.verdict == ItemVerdict::kDifferent ? "behaves differently"
-                                                                              : "is not proved to behave as before");
-    if (const std::string cause = Cause(item); !cause.empty()) message += " (" + cause + ")";
-    if (item.counterexample) message += ": " + ExampleText(*item.counterexample, names);
+  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  for (const DiffGroup& group : groups) {
+    const DiffItem& item = group.first();
+    const bool is_one = group.items.size() == 1;
+    std::string message = Heading(group) + " ";
+    if (item.verdict == ItemVerdict::kDifferent) {
+      message += is_one ? "behaves differently" : "behave differently";
+    } else {
+      message += is_one ? "is not proved to behave as before" : "are not proved to behave as before";
+    }
+    if (const std::string cause = Cause(group); !cause.empty()) message += " (" + cause + ")";
+    std::string separator = ": ";
+    for (const std::string& line : RunsOf(group)) {
+      message += separator + line;
+      separator = "; ";
+    }
     Json result = {{"ruleId", item.verdict == ItemVerdict::kDifferent ? "behaviour-differs" : "behaviour-not-decided"},
                    {"level", item.verdict == ItemVerdict::kDifferent ? "warning" : "note"},
                    {"message", {{"text", message}}}};
@@ -272,6 +383,7 @@ std::string DiffSarif(const Diff& diff, const DiffNames& names) {
                       {"version", "2.1.0"},
                       {"runs", Json::array({{{"tool", {{"driver", {{"name", "plcxx diff"}, {"rules", rules}}}}},
                                              {"columnKind", "unicodeCodePoints"},
+                                             {"properties", {{"summary", DiffSummary(diff)}}},
                                              {"results", std::move(results)}}})}};
   return diag::JsonForTerminals(sarif.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/driver/diff.h"
+#include "transpiler/driver/diff_groups.h"
 
 namespace plcxx::driver {
 
@@ -19,5 +21,10 @@ std::string DiffSarif(const Diff& diff, const DiffNames& names);
 
 /// "2 outputs differ, 1 is not decided; 41 proved equal"
 std::string DiffSummary(const Diff& diff);
+
+/// Of a group: why it is in the list, "U4A0..3 (4)", and its runs, a line each.
+std::string Cause(const DiffGroup& group);
+std::string Heading(const DiffGroup& group);
+std::vector<std::string> RunsOf(const DiffGroup& group);
 
 }  // namespace plcxx::driver

@@ -1,5 +1,7 @@
 #include "transpiler/driver/diff_page.h"
 
+#include "transpiler/driver/diff_groups.h"
+#include "transpiler/driver/diff_output.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/report/page.h"
 
@@ -36,22 +38,13 @@ constexpr report::Verdict VerdictOf(ItemVerdict verdict) {
   return report::Verdict::kNotDecided;
 }
 
-/// What the text form of the diff says of the item, in sentences.
-std::string TextOf(const DiffItem& item) {
-  std::string text = item.meaning.empty() ? "" : item.meaning + ". ";
-  if (item.declared)
-    text += item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one. ";
-  if (item.counterexample) {
-    text += "Behind " + item.counterexample->steps + ": " + item.counterexample->old_value + " in the old version, " +
-            item.counterexample->new_value + " in the new one" +
-            (item.counterexample->replay == Replay::kSideBySide ? " (not as a scenario)" : "") + ". ";
-  }
-  if (!item.reason.empty()) text += "Not decided: " + item.reason + ". ";
-  if (!item.through.empty()) {
-    text += "Through";
-    for (size_t i = 0; i < item.through.size(); ++i) text += (i == 0 ? " " : ", ") + item.through[i];
-    text += ".";
-  }
+/// What the text form of the diff says of the group, in sentences.
+std::string TextOf(const DiffGroup& group) {
+  const DiffItem& item = group.first();
+  const bool is_one = group.items.size() == 1;
+  std::string text = item.meaning.empty() || !is_one ? "" : item.meaning + ". ";
+  if (const std::string cause = Cause(group); !cause.empty()) text += cause + ". ";
+  for (const std::string& run : RunsOf(group)) text += run + ". ";
   return text;
 }
 
@@ -61,15 +54,23 @@ std::string DiffPage(const Diff& diff, const DiffSide& old_side, const DiffSide&
   report::Review review;
   review.old_program = PageInput(old_side.compilation);
   review.equal = diff.equal;
-  for (const DiffItem& item : diff.items) {
+  review.summary = DiffSummary(diff);
+  for (const DiffGroup& group : GroupsOf(diff)) {
+    const DiffItem& item = group.first();
     report::Finding finding;
-    finding.place = item.name;
+    finding.place = Heading(group);
     finding.kind = KindOf(item.kind);
     finding.verdict = VerdictOf(item.verdict);
-    for (const ItemStatement& statement : item.old_statements) finding.old_statements.push_back(statement.statement);
-    for (const ItemStatement& statement : item.new_statements) finding.new_statements.push_back(statement.statement);
-    finding.text = TextOf(item);
-    if (item.counterexample) finding.counterexample = item.counterexample->scenario;
+    // What follows from a change stands with that.
+    if (item.changed_itself || group.causes.empty()) {
+      for (const ItemStatement& statement : item.old_statements) finding.old_statements.push_back(statement.statement);
+      for (const ItemStatement& statement : item.new_statements) finding.new_statements.push_back(statement.statement);
+    }
+    finding.text = TextOf(group);
+    for (const DiffItem* const one : group.items) {
+      if (!one->counterexample || one->counterexample->scenario.empty()) continue;
+      finding.counterexample += (finding.counterexample.empty() ? "" : "\n") + one->counterexample->scenario;
+    }
     review.findings.push_back(std::move(finding));
   }
   return report::Page(PageInput(new_side.compilation), review);

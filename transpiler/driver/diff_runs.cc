@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "transpiler/driver/diff_machine.h"
+#include "transpiler/driver/diff_search.h"
 #include "transpiler/driver/diff_stimuli.h"
-#include "transpiler/driver/known_runs.h"
 #include "transpiler/prove/compare/requests.h"
 #include "transpiler/prove/compare/transition.h"
 #include "transpiler/prove/terms/random.h"
@@ -20,29 +20,12 @@ using prove::execute::CellId;
 using prove::terms::Random;
 
 constexpr int kMostRuns = 20, kSteps = 60;
-constexpr int kMostDisturbed = 200, kDisturbances = 6, kSpareRuns = 6;
+constexpr int kSpareRuns = 6;
 constexpr uint64_t kRandomShare = 5, kQuickShare = 80;  // of the time: a fifth, an eightieth
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr uint32_t kLeastPulses = 20;
 constexpr size_t kMostSought = 400;
 constexpr uint64_t kWatchedMs = 30'000;  // from power-on
-
-/// The pairs that the host writes and a version reads, by the names of inputs that a scenario can set.
-std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
-                                              const prove::compare::Version& new_version,
-                                              const prove::compare::Match& match) {
-  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
-                             new_uses = prove::compare::UsesOf(new_version);
-  std::vector<prove::compare::SetCell> inputs;
-  for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
-    const CellId old_cell(i), new_cell = match.new_of_old[i];
-    if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
-    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
-      inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
-    }
-  }
-  return inputs;
-}
 
 /// The control does what it was asked for now and then: the requests are cleared before some of the steps.
 void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>& requests, Stimuli& stimuli) {
@@ -129,24 +112,23 @@ std::vector<prove::compare::SetCell> InputsAfter(const Stimuli& stimuli, uint32_
   return inputs;
 }
 
-std::vector<Stimuli> StimuliOfScenarios(const DiffSide& side) {
-  std::vector<Stimuli> all;
-  for (const std::vector<KnownStep>& steps : KnownRuns(side.request)) {
-    Stimuli stimuli;
-    Stimulus next;
-    for (const KnownStep& step : steps) {
-      next.words.insert(next.words.end(), step.words.begin(), step.words.end());
-      next.slow = step.slow;
-      next.ms = step.ms;
-      next.fast = step.fast;
-      stimuli.push_back(std::exchange(next, {}));
-    }
-    if (!stimuli.empty()) all.push_back(std::move(stimuli));
-  }
-  return all;
-}
-
 }  // namespace
+
+std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
+                                              const prove::compare::Version& new_version,
+                                              const prove::compare::Match& match) {
+  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
+                             new_uses = prove::compare::UsesOf(new_version);
+  std::vector<prove::compare::SetCell> inputs;
+  for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
+    const CellId old_cell(i), new_cell = match.new_of_old[i];
+    if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
+    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+      inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
+    }
+  }
+  return inputs;
+}
 
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result) {
@@ -220,7 +202,6 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
     if (std::ranges::all_of(pairs, differs)) --spare;
   };
-  const std::vector<Stimuli> known = StimuliOfScenarios(old_side);
   std::vector<bool> wanted(new_version.cells.count);
   for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
   std::vector<prove::compare::SetCell> behind;
@@ -257,33 +238,6 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     // In a large program waiting costs much: the first runs show what differs without.
     const Waits waits = quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome;
     run_both(MakeStimuli(random, run % 3 == 2 ? inputs : all_of_the_machine, run, waits, has_fast));
-  }
-  for (const Stimuli& stimuli : known) {
-    if (options.progress) options.progress("scenarios");
-    if (!late()) run_both(stimuli);
-  }
-  // The machine at work, and then something unexpected.
-  for (int run = 0; !quick && run < kMostDisturbed && !known.empty() && !inputs.empty() && !late(); ++run) {
-    if (options.progress) options.progress("disturbed run " + std::to_string(run + 1));
-    Stimuli stimuli = known[random.Next() % known.size()];
-    stimuli.resize(1 + random.Next() % stimuli.size());
-    for (int step = 0; step < kDisturbances; ++step) {
-      // A whole pass, or a period only: then the slow part may be half done.
-      Stimulus stimulus{.inputs = {}, .words = {}};
-      if (random.OneIn(2)) {
-        stimulus.ms = old_side.compilation.program.schedule.period_ms;
-      } else {
-        stimulus.slow = 1;
-      }
-      for (uint64_t i = 0; i <= random.Next() % 3; ++i) {
-        // Mostly what matters.
-        const std::vector<prove::compare::SetCell>& from = behind.empty() || random.OneIn(4) ? inputs : behind;
-        stimulus.inputs.push_back(from[random.Next() % from.size()]);
-        stimulus.inputs.back().value = random.Next() >> 7 & 1;
-      }
-      stimuli.push_back(std::move(stimulus));
-    }
-    run_both(stimuli);
   }
 }
 

@@ -17,13 +17,14 @@
 
 namespace plcxx::driver {
 
-/// Inputs set, then time.
+/// Power fails, perhaps; inputs are set; then time passes.
 struct Stimulus {
   std::vector<prove::compare::SetCell> inputs;
   std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
   uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
   uint32_t ms = 0;
   uint32_t fast = 0;  // times the fast part alone; 0: `ms`
+  bool power_cycle = false;
 };
 using Stimuli = std::vector<Stimulus>;
 
@@ -45,9 +46,9 @@ struct RunRequest {
   std::chrono::steady_clock::time_point end;  // of the whole comparison
 };
 
-/// Runs of both versions from power-on, in the simulator, with the same inputs at the same time: those of the scenarios
-/// that stand beside the sources, these with random inputs behind their first steps, and random ones. A thorough search
-/// ends when all of the cells have differed, or with its share of the time. Adds to `result`.
+/// Runs of both versions from power-on, in the simulator, with the same random inputs at the same time. A thorough
+/// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See diff_search.h
+/// for what begins with a machine at work.
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result);
 

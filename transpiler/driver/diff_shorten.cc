@@ -112,7 +112,9 @@ void Shortener::DropTime() {
   if (!std::ranges::any_of(stimuli_, is_wait)) return;
   Stimuli at_once = stimuli_;
   for (Stimulus& stimulus : at_once) {
-    if (is_wait(stimulus)) stimulus = {.inputs = stimulus.inputs, .words = stimulus.words, .slow = 1};
+    if (!is_wait(stimulus)) continue;
+    stimulus.ms = 0;
+    stimulus.slow = 1;
   }
   if (Try(std::move(at_once))) return;
   for (size_t step = 0; step < stimuli_.size(); ++step) {
@@ -167,7 +169,7 @@ Stimuli Shortener::Shorten(Stimuli stimuli) {
 Stimuli Joined(const Stimuli& stimuli) {
   Stimuli joined;
   for (const Stimulus& stimulus : stimuli) {
-    const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty();
+    const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty() || stimulus.power_cycle;
     const auto part_of = [](const Stimulus& of) { return std::pair(of.slow != 0, of.fast != 0); };
     if (!joined.empty() && !sets && part_of(joined.back()) == part_of(stimulus)) {
       joined.back().slow += stimulus.slow;

@@ -136,6 +136,17 @@ ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const Statem
   return item;
 }
 
+std::vector<ItemStatement> ChangedStatements(const DiffSide& side, const DiffSide& other) {
+  const StatementTexts texts = TextsOf(other.compilation);
+  std::vector<ItemStatement> changed;
+  for (uint32_t i = 0; i < side.whole.statements.size(); ++i) {
+    const std::string_view text = side.compilation.sources->Text(side.whole.statements[ir::StatementId(i)].range);
+    if (text.empty() || texts.statements.contains(Normalized(text))) continue;
+    changed.push_back(StatementOf(side, ir::StatementId(i), texts));
+  }
+  return changed;
+}
+
 void ShowChangedLines(const DiffSide& old_side, const DiffSide& new_side, DiffItem& item) {
   for (ItemStatement& statement : item.old_statements)
     ShowChangedLine(old_side, statement, new_side, item.new_statements);

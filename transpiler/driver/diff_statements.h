@@ -17,6 +17,9 @@ struct StatementTexts {
 };
 StatementTexts TextsOf(const Compilation& compilation);
 
+/// The statements of one version that the other one does not have.
+std::vector<ItemStatement> ChangedStatements(const DiffSide& side, const DiffSide& other);
+
 ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const StatementTexts& other_texts);
 
 /// Of changed statements of several lines that both versions have: the first line that the other one has not at this

@@ -46,6 +46,10 @@ std::vector<KnownStep> StepsOf(const std::vector<ScenarioStep>& steps) {
         }
         known.push_back(std::exchange(next, {}));
       }
+    } else if (std::holds_alternative<PowerCycleStep>(step.action)) {
+      // What was set before holds while the power is off.
+      if (!next.words.empty()) known.push_back(std::exchange(next, {}));
+      next.power_cycle = true;
     } else if (!std::holds_alternative<ExpectStep>(step.action) &&
                !std::holds_alternative<ExpectCallsStep>(step.action) &&
                !std::holds_alternative<ExpectMessagesStep>(step.action)) {

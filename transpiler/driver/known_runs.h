@@ -11,16 +11,17 @@
 
 namespace plcxx::driver {
 
-/// Locations set, as the scenario writes them with their values, then time.
+/// A power cycle, perhaps; locations set, as the scenario writes them with their values, then time.
 struct KnownStep {
   std::vector<std::pair<std::string, std::string>> words;
   // One of them is not 0.
   uint32_t slow = 0;  // complete slow passes
   uint32_t fast = 0;  // ticks of the fast part
   uint32_t ms = 0;
+  bool power_cycle = false;
 };
 
-/// The steps of the scenarios in the directory of the first source, by name, up to the first force or power cycle;
+/// The steps of the scenarios in the directory of the first source, by name, up to the first force;
 /// without what they expect. Files that are no scenarios, or have no steps, are left out.
 std::vector<std::vector<KnownStep>> KnownRuns(const CompilationRequest& request);
 

@@ -100,6 +100,7 @@ void PropertyRuns::AddPlanOf(const std::vector<KnownStep>& steps) {
   const prove::properties::PropertyTiming& timing = machine_.timing;
   Plan plan;
   for (const KnownStep& step : steps) {
+    if (step.power_cycle) break;
     for (const auto& [word, text] : step.words) {
       const std::optional<dialects::Location> location = dialect.locate(program, word);
       if (!location || location->absent || location->text_input || location->cell) continue;

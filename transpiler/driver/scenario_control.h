@@ -42,6 +42,18 @@ class ScenarioControl : private dialects::ImagePort {
   void BeforePeriod(uint32_t now_ms);
   void AfterPeriod(uint32_t now_ms);
 
+  /// The control at a moment, but for the messages that the operator has seen.
+  struct Saved {
+    std::unique_ptr<dialects::ControlStub> stub;
+    std::vector<std::vector<uint8_t>> set_bits;
+  };
+  Saved Save() const { return {.stub = stub_ ? stub_->Clone() : nullptr, .set_bits = set_bits_}; }
+  /// Goes back to what this one has saved.
+  void Restore(const Saved& saved) {
+    stub_ = saved.stub ? saved.stub->Clone() : nullptr;
+    set_bits_ = saved.set_bits;
+  }
+
   /// The scenario writes `value` into a location that is neither a text input nor absent.
   void Set(const dialects::Location& location, uint64_t value);
   uint64_t ReadCell(uint32_t cell) { return stub_ ? stub_->ReadCell(cell) : 0; }

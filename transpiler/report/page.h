@@ -33,6 +33,7 @@ struct Finding {
 struct Review {
   ProgramInput old_program;
   std::vector<Finding> findings;  // shown in this order: outputs first is the caller's choice
+  std::string summary;            // the verdict in one sentence; empty: the counts are told
   uint32_t equal = 0;             // places proved equal that are not among the findings
 };
 

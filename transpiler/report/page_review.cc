@@ -60,9 +60,12 @@ void AppendSide(const View& view, const char* title, const std::vector<ir::State
 void AppendReview(const View& old_view, const View& view, const Review& review, std::string& out) {
   std::array<size_t, 3> counts{};
   for (const Finding& finding : review.findings) ++counts[static_cast<size_t>(finding.verdict)];
+  const std::string summary = !review.summary.empty()
+                                  ? review.summary
+                                  : std::to_string(counts[0]) + " different, " + std::to_string(counts[1]) +
+                                        " not decided, " + std::to_string(counts[2] + review.equal) + " proved equal";
   out += "<section id=\"review\" aria-labelledby=\"h-review\">\n<h2 id=\"h-review\">Review: what changed</h2>\n<p>" +
-         std::to_string(counts[0]) + " different, " + std::to_string(counts[1]) + " not decided, " +
-         std::to_string(counts[2] + review.equal) + " proved equal.</p>\n";
+         Escape(summary) + ".</p>\n";
   out +=
       "<table><thead><tr><th>Place</th><th>Kind</th><th>Verdict</th><th>Old</th><th>New</th><th>What is "
       "known</th></tr></thead><tbody>";

@@ -32,6 +32,8 @@ class Clock {
 
   /// The time t of the simulation: during a period that of the period, between two what has passed since power-on.
   uint64_t time_ms() const { return time_ms_; }
+  /// Goes back to a moment, as the engines do.
+  void GoTo(uint64_t time_ms) { time_ms_ = time_ms; }
 
   /// Every engine initializes itself; t = 0.
   void PowerOn();

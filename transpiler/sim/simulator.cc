@@ -137,6 +137,13 @@ std::vector<uint8_t> Simulator::Snapshot() {
   return bytes;
 }
 
+void Simulator::Restore(const Saved& saved) {
+  spaces_ = saved.spaces;
+  instances_ = saved.instances;
+  stored_ = saved.stored;
+  events_.clear();
+}
+
 void Simulator::RecordLastWrites() {
   if (!last_writes_) last_writes_ = std::make_unique<LastWrites>();
 }

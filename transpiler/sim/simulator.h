@@ -43,6 +43,16 @@ class Simulator : public Engine {
   std::vector<HostEvent> TakeEvents() override;
   std::vector<uint8_t> Snapshot() override;
 
+  /// Everything that decides the future, at the end of a part; not which writes were noted.
+  struct Saved {
+    std::vector<ForcedBytes> spaces;
+    Instances instances;
+    std::optional<std::vector<uint8_t>> stored;
+  };
+  Saved Save() const { return {.spaces = spaces_, .instances = instances_, .stored = stored_}; }
+  /// Goes back, or to what another simulator of this program has saved; events that nobody took are gone.
+  void Restore(const Saved& saved);
+
   /// From now on every write is noted; costs time, so it is off at first.
   void RecordLastWrites();
   /// None unless RecordLastWrites was called.

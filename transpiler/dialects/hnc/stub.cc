@@ -30,6 +30,8 @@ class Stub final : public dialects::ControlStub {
     }
   }
 
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
+
   void PowerOn(dialects::ImagePort& image) override { image_ = &image; }
 
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,

@@ -36,6 +36,8 @@ class MachineStub final : public dialects::ControlStub {
     return 0;
   }
 
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<MachineStub>(*this); }
+
   bool Written(const ir::Place& place, uint64_t value, dialects::ImagePort&) override {
     if (place.is_field() || !IsInput(place.space)) return false;
     Hold(place, value);

@@ -51,6 +51,7 @@ class NcStub final : public dialects::ControlStub {
  public:
   explicit NcStub(uint32_t motion_ms) : motion_ms_(motion_ms) {}
 
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<NcStub>(*this); }
   void PowerOn(dialects::ImagePort& image) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort& image) override;
   void AfterPeriod(uint32_t now_ms, uint32_t slow_cycles, dialects::ImagePort& image) override;

@@ -16,6 +16,7 @@ class Stub final : public dialects::ControlStub {
  public:
   Stub(const ir::Program& program, uint32_t axes) : memory_(program), axes_(memory_, axes) {}
 
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
   void PowerOff() override;
   void PowerOn(dialects::ImagePort& image) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort&) override;

@@ -16,6 +16,7 @@ class Stub final : public dialects::ControlStub {
   Stub(const ir::Program& program, Retain retain)
       : memory_(program), retain_(retain), backup_(*FindName(program, "REQ_BACKUP_MEM")) {}
 
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
   void PowerOn(dialects::ImagePort& image) override {
     was_pending_ = false;
     GiveConstants(image);

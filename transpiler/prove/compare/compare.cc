@@ -81,21 +81,26 @@ void SetVerdicts(Comparison& comparison) {
   }
 }
 
-void MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort) {
-  std::vector<execute::CellId> asked;
-  bool any = false;
+/// Gives how many open pairs differ.
+uint32_t MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort,
+                       uint64_t most_ms = 0) {
+  Sought sought;
   for (const PairResult& result : comparison.results) {
-    const bool open = !comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided;
-    any = any || open;
-    // A short run looks at everything at once; a thorough one for what is left.
-    if (open || effort == Effort::kQuick) asked.push_back(result.old_cell);
+    sought.all.push_back(result.old_cell);
+    if (result.run && !result.run->from_state) sought.runs.push_back(*result.run);
+    if (!comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided)
+      sought.open.push_back(result.old_cell);
   }
-  if (!any) return;
+  if (sought.open.empty()) return 0;
   comparison.Report("running both");
-  for (const execute::CellId cell : find_different(asked, effort)) {
-    comparison.results[comparison.result_of_old[cell.index]].verdict = PairVerdict::kDifferent;
+  uint32_t added = 0;
+  for (const execute::CellId cell : find_different(sought, effort, most_ms)) {
+    PairResult& result = comparison.results[comparison.result_of_old[cell.index]];
+    added += result.verdict == PairVerdict::kUndecided ? 1 : 0;
+    result.verdict = PairVerdict::kDifferent;
     comparison.pairing.Separate(cell);
   }
+  return added;
 }
 
 /// What is different for certain is not taken for equal; the rest is tried again.
@@ -242,6 +247,15 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
     try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 6));
   } else if (is_tried() && comparison.UndecidedCount() < undecided) {
     try_reachable();
+  }
+  // What is left of the time is used while something is open.
+  constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
+  while (find_different && comparison.UndecidedCount() > 0 &&
+         comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
+    const uint64_t rest_ms = comparison.RestMs() - limits.total_ms / kStatesShare;
+    const uint32_t added = MarkDifferent(comparison, find_different, Effort::kLasting,
+                                         std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare)));
+    if (added != 0 && is_tried()) try_reachable();
   }
   SearchStates(comparison);
   return Finish(comparison, invariants);

@@ -63,10 +63,16 @@ struct CompareResult {
   uint32_t invariants = 0;        // that were proved on the way and needed
 };
 
-enum class Effort : uint8_t { kQuick, kThorough };
-/// Asked with pairs (by old cell): gives those of which running both versions shows a difference.
+enum class Effort : uint8_t { kQuick, kThorough, kLasting };
+/// Pairs, by old cell: all that are compared, and those that are open; runs from power-on that show a difference.
+struct Sought {
+  std::vector<execute::CellId> all, open;
+  std::vector<Run> runs;
+};
+/// Gives those of all pairs of which running both versions shows a difference. `most_ms` is for a lasting search; the
+/// others know what they may cost.
 using FindDifferent =
-    std::function<std::vector<execute::CellId>(const std::vector<execute::CellId>& old_cells, Effort effort)>;
+    std::function<std::vector<execute::CellId>(const Sought& sought, Effort effort, uint64_t most_ms)>;
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
                               const FindDifferent& find_different, const CompareLimits& limits);

@@ -1,0 +1,73 @@
+// plcxx diff: what follows from a change is folded under it, and rows of locations are ranges.
+#include "transpiler/driver/diff_groups.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/diff/compared_texts.h"
+#include "transpiler/driver/diff_output.h"
+
+namespace plcxx::driver {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Groups, RowsOfNamesAreRanges) {
+  EXPECT_EQ(NamesAsRanges({"F byte 0", "F byte 1", "F byte 2", "F byte 3", "Y[5]"}), "F byte 0..3, Y[5]");
+  EXPECT_EQ(NamesAsRanges({"G[7]", "G[8]", "G[9]", "G[11]"}), "G[7..9], G[11]");
+  EXPECT_EQ(NamesAsRanges({"U4A0", "U4A1"}), "U4A0, U4A1");
+  EXPECT_EQ(NamesAsRanges({"DB 10", "DB 11", "DB 12"}), "DB 10..12");
+  EXPECT_EQ(NamesAsRanges({"a", "b"}), "a, b");
+}
+
+DiffItem Item(const std::string& name, ItemKind kind, ItemVerdict verdict, std::vector<std::string> through) {
+  return {.name = name,
+          .kind = kind,
+          .verdict = verdict,
+          .changed_itself = through.empty(),
+          .through = std::move(through),
+          .reason = verdict == ItemVerdict::kUndecided ? "nobody knows" : ""};
+}
+
+Diff Pump() {
+  Diff diff;
+  diff.items.push_back(Item("U4A0", ItemKind::kOutput, ItemVerdict::kUndecided, {"U100K0"}));
+  diff.items.push_back(Item("U4A1", ItemKind::kOutput, ItemVerdict::kUndecided, {"U4A0"}));
+  diff.items.push_back(Item("U4A2", ItemKind::kOutput, ItemVerdict::kUndecided, {"U4A1", "U4A0"}));
+  diff.items.push_back(Item("U4A9", ItemKind::kOutput, ItemVerdict::kDifferent, {"U100K0"}));
+  diff.items.push_back(Item("U100K0", ItemKind::kInternal, ItemVerdict::kDifferent, {}));
+  diff.items.back().old_statements = {
+      {.statement = ir::StatementId(3), .file = "p.plc", .line = 7, .text = "U100K0 = 1", .changed = true}};
+  return diff;
+}
+
+TEST(Groups, WhatFollowsIsFoldedUnderItsCause) {
+  const Diff diff = Pump();
+  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(NamesOf(groups[0]), "U4A9");
+  EXPECT_EQ(NamesOf(groups[1]), "U4A0..2");
+  EXPECT_THAT(groups[1].causes, ElementsAre("U100K0"));
+  EXPECT_EQ(NamesOf(groups[2]), "U100K0");
+  EXPECT_TRUE(groups[2].causes.empty());
+}
+
+TEST(Groups, EachFormSaysThem) {
+  const Diff diff = Pump();
+  const DiffNames names{"a", "b"};
+  const std::string text = DiffText(diff, names, diag::Colour::kOff);
+  EXPECT_THAT(text, HasSubstr("  U4A0..2 (3)  not decided, at most through U100K0; nobody knows\n"));
+  EXPECT_THAT(text, HasSubstr("      old * p.plc:7  U100K0 = 1\n"));
+  EXPECT_THAT(text, Not(HasSubstr("  U4A1")));
+  EXPECT_THAT(DiffMarkdown(diff, names),
+              HasSubstr("| `U4A0..2` (3) | not decided, at most through U100K0; nobody knows |"));
+  EXPECT_THAT(DiffSarif(diff, names), HasSubstr("U4A0..2 (3) are not proved to behave as before"));
+  const std::string json = DiffJson(diff, names);
+  EXPECT_THAT(json, HasSubstr("\"names\": \"U4A0..2\""));
+  EXPECT_THAT(json, HasSubstr("\"name\": \"U4A1\""));
+}
+
+}  // namespace
+}  // namespace plcxx::driver

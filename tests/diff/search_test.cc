@@ -1,0 +1,160 @@
+// plcxx diff: where the search for runs begins, and that the time is used.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/diff/compared_texts.h"
+#include "transpiler/driver/diff_search.h"
+#include "transpiler/driver/diff_shorten.h"
+
+namespace plcxx::driver {
+namespace {
+
+using testing::HasSubstr;
+
+/// Both versions with a scenario beside the old one.
+struct WithScenario {
+  WithScenario(const std::string& old_text, const std::string& new_text, const std::string& scenario) {
+    old_.Write("p.plc", old_text);
+    new_.Write("p.plc", new_text);
+    old_.Write("s.yaml", "dialect: nc110\nsources: [p.plc]\nsteps:\n" + scenario);
+  }
+  Diff Compared(uint64_t time_ms) const {
+    const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+      CompilationRequest request;
+      request.sources = {"p.plc"};
+      request.base_directory = directory.path().string();
+      request.dialect = "nc110";
+      return MakeDiffSide(name, request);
+    };
+    DiffSide old_side = side("old", old_), new_side = side("new", new_);
+    return CompareSides(old_side, new_side,
+                        {.same = {}, .time_ms = time_ms, .scenario_directory = old_.path().string(), .progress = {}});
+  }
+  testing_support::TemporaryDirectory old_, new_;
+};
+
+/// A code that nobody guesses, in four words one after the other; then a timer.
+std::string Lock(const std::string& preset) {
+  return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\n"
+         "U100K2 = U100K1*[W0A0=211] + U100K2\nU100K3 = U100K2*[W0A0=98] + U100K3\nT1I(" +
+         preset + ") = U100K3\nU4A0 = T1U\n";
+}
+
+TEST(Search, BeginsWithTheScenariosBesideTheProgram) {
+  const WithScenario pair(Lock("30"), Lock("50"),
+                          "- set: {W0A0: 157}\n- run: {slow: 1}\n- set: {W0A0: 46}\n- run: {slow: 1}\n"
+                          "- set: {W0A0: 211}\n- run: {slow: 1}\n- set: {W0A0: 98}\n- run: {ms: 9000}\n");
+  const Diff diff = pair.Compared(4000);
+  const DiffItem* const lamp = ItemNamed(diff, "U4A0");
+  ASSERT_NE(lamp, nullptr);
+  ASSERT_TRUE(lamp->counterexample.has_value());
+  EXPECT_EQ(lamp->verdict, ItemVerdict::kDifferent);
+  EXPECT_EQ(lamp->counterexample->replay, Replay::kSimulator);
+}
+
+/// The scenario sets a symbol that has another name in the new version: it is set there all the same.
+TEST(Search, ARenamedInputIsTheSameInput) {
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  const auto program = [](const std::string& name) {
+    return "#include \"plc.h\"\nint " + name +
+           ", seen;\nvoid init() { plc1_time = 1; plc2_time = 1; }\nvoid plc1() { seen = " + name +
+           " + X[0]; }\nvoid plc2() { }\n";
+  };
+  old_directory.Write("p.cld", program("wanted"));
+  new_directory.Write("p.cld", program("desired"));
+  old_directory.Write("s.yaml", "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {wanted: 7}\n- run: {slow: 2}\n");
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    CompilationRequest request;
+    request.sources = {"p.cld"};
+    request.base_directory = directory.path().string();
+    request.dialect = "hnc";
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const Diff diff =
+      CompareSides(old_side, new_side,
+                   {.same = {}, .time_ms = 3000, .scenario_directory = old_directory.path().string(), .progress = {}});
+  EXPECT_EQ(NamesIn(diff), "");
+}
+
+/// A lamp that was kept without power, and is not any more: only a power failure shows it.
+TEST(Search, PowerFailsInARun) {
+  const std::string text =
+      "SLOW\nNETWORK \"a\"\nLD %I0\nSET %B20\nSET %B600\nLD %I1\nRST %B20\nRST %B600\nLD @\nOUT %Q0\nEND_SLOW\n";
+  const Diff diff = ComparedTexts(kHost50, With(text, "%B20"), With(text, "%B600"),
+                                  {.same = {}, .time_ms = 20'000, .scenario_directory = {}, .progress = {}});
+  const DiffItem* const lamp = ItemNamed(diff, "Q0");
+  ASSERT_NE(lamp, nullptr);
+  ASSERT_TRUE(lamp->counterexample.has_value());
+  EXPECT_THAT(lamp->counterexample->steps, HasSubstr("power off and on"));
+  EXPECT_EQ(lamp->counterexample->replay, Replay::kSimulator);
+}
+
+/// The search goes back to moments; a difference counts because the run from power-on shows it, too.
+TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
+  const testing_support::TemporaryDirectory changed;
+  const std::filesystem::path lathe = PLCXX_ROOT "/samples/nc110/lathe_16k20";
+  for (const auto& entry : std::filesystem::directory_iterator(lathe)) {
+    if (entry.is_regular_file()) std::filesystem::copy_file(entry.path(), changed.path() / entry.path().filename());
+  }
+  std::ifstream in(lathe / "turret.plc", std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  text.replace(text.find("T24I(30)"), 8, "T24I(50)");
+  changed.Write("turret.plc", text);
+  const auto side = [](const std::string& name, const std::filesystem::path& directory) {
+    CompilationRequest request;
+    request.sources = {"lathe.sym", "fast.plc", "spindle.plc", "turret.plc"};
+    request.base_directory = directory.string();
+    request.options = {{"iocfil", "IOCFIL"}, {"axcfil", "AXCFIL"}, {"pgcfil", "PGCFIL"}};
+    request.dialect = "nc110";
+    return MakeDiffSide(name, request);
+  };
+  const DiffSide old_side = side("old", lathe), new_side = side("new", changed.path());
+  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.whole),
+                                new_version = prove::compare::MakeVersion(new_side.whole);
+  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, {});
+  const CellWords words(old_version, old_side.compilation);
+  std::vector<prove::execute::CellId> cells;
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+    if (match.new_of_old[i].valid() && prove::compare::IsState(old_version, prove::execute::CellId(i)))
+      cells.emplace_back(i);
+  }
+  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
+  RandomRuns found;
+  using Clock = std::chrono::steady_clock;
+  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
+  search.Run(cells, Clock::now() + std::chrono::seconds(2), found);
+  EXPECT_GT(found.difference_of.size(), 5U);
+  for (const auto& [cell, difference] : found.difference_of) {
+    const Stimuli& whole = found.runs[difference.run];
+    const Stimuli run(whole.begin(), whole.begin() + difference.steps);
+    const Shortener shortener(old_side, new_side, old_version, new_version, {cell}, {match.new_of_old[cell.index]},
+                              Clock::time_point::max());
+    EXPECT_TRUE(shortener.Shows(run, Clock::time_point::max())) << words.WordOf(cell).name;
+  }
+}
+
+TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
+  // Equal for all numbers, and far beyond what is proved of products in two seconds.
+  const auto program = [](const std::string& value) {
+    return "#include \"plc.h\"\nlong a, b, o;\nvoid init() { plc1_time = 1; plc2_time = 1; }\n"
+           "void plc1() { a = a * 31421 + X[0]; b = b * 7919 + X[1]; o = " +
+           value + "; }\nvoid plc2() { }\n";
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, program("(a * b) * (a + b)"), program("a * a * b + b * b * a"),
+                                  {.same = {}, .time_ms = 2000, .scenario_directory = {}, .progress = {}});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const DiffItem* const product = ItemNamed(diff, "o");
+  if (product == nullptr) GTEST_SKIP() << "it was proved";
+  EXPECT_EQ(product->verdict, ItemVerdict::kUndecided);
+  EXPECT_GT(seconds, 1.5);
+}
+
+}  // namespace
+}  // namespace plcxx::driver

@@ -1,0 +1,57 @@
+// plcxx_pairs: random pairs of programs for as long as it is told; one table. What is judged wrongly is saved; the exit
+// code is 1 then.
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "tests/pairs/judge.h"
+
+int main(int argc, char** argv) {
+  using namespace plcxx::pairs;
+  CLI::App app("Random pairs of programs: is what plcxx diff says of them right?");
+  std::vector<std::string> dialects{"nc110", "technol", "host50", "prostep", "hnc"};
+  uint64_t pairs = 1000, seed = 1;
+  unsigned jobs = 2;
+  JudgeOptions options{.runs = 16, .steps = 60};
+  std::string save = "pairs";
+  bool tells = false;
+  app.add_option("--dialect", dialects, "only these");
+  app.add_option("--pairs", pairs, "of each language");
+  app.add_option("--seed", seed, "another seed gives other pairs");
+  app.add_option("--jobs", jobs, "pairs at a time");
+  app.add_option("--time", options.time_ms, "milliseconds for each");
+  app.add_option("--save", save, "the folder for what is judged wrongly");
+  app.add_flag("--tell", tells, "what is done, and how long it takes");
+  CLI11_PARSE(app, argc, argv);
+  std::map<std::string, Tally> tallies;
+  std::mutex mutex;
+  std::atomic<uint64_t> next = 0;
+  const auto work = [&] {
+    for (uint64_t one = next++; one < pairs * dialects.size(); one = next++) {
+      const std::string& dialect = dialects[one % dialects.size()];
+      const uint64_t number = (seed << 32) + one / dialects.size();
+      const Pair pair = PairOf(dialect, number);
+      const Tally tally = Judge(pair, number, options, save);
+      const std::lock_guard lock(mutex);
+      Add(tallies[dialect], tally);
+      for (const std::string& what : tally.unsound) std::cout << what << std::endl;
+      if (tells && tally.pairs != 0)
+        std::cout << dialect << " " << number << " " << tally.longest_ms << " ms, " << tally.undecided
+                  << " not decided: " << pair.what << std::endl;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 0; i < jobs; ++i) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  std::cout << TableHead();
+  bool is_sound = true;
+  for (const std::string& dialect : dialects) {
+    std::cout << TableRow(dialect, tallies[dialect]);
+    is_sound = is_sound && tallies[dialect].unsound.empty();
+  }
+  return is_sound ? 0 : 1;
+}
