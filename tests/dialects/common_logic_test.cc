@@ -62,13 +62,14 @@ class Logic : public testing::Test {
 
   ir::Program program_;
   ir::Builder builder_{program_};
+  ir::FactChecks facts_{builder_};
   std::array<ir::PlaceId, 8> places_;
   ir::PlaceId s_, ax_;
   ir::RegionId body_;
 };
 
 TEST_F(Logic, LeftToRightWithoutPrecedence) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.Operate(Join::kOr, Load('b'));
@@ -78,7 +79,7 @@ TEST_F(Logic, LeftToRightWithoutPrecedence) {
 }
 
 TEST_F(Logic, AnEndedSequenceKeepsItsValueAndLoadsNext) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.EndSequence();
@@ -90,7 +91,7 @@ TEST_F(Logic, AnEndedSequenceKeepsItsValueAndLoadsNext) {
 }
 
 TEST_F(Logic, AlternativesJoinAndBeforeOr) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.Operate(Join::kAnd, Load('b'));
@@ -106,7 +107,7 @@ TEST_F(Logic, AlternativesJoinAndBeforeOr) {
 }
 
 TEST_F(Logic, AnEmptyStringIsNothingAndAnOrEndsOne) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.BeginAlternative();
@@ -116,7 +117,7 @@ TEST_F(Logic, AnEmptyStringIsNothingAndAnOrEndsOne) {
 }
 
 TEST_F(Logic, LevelsBeginEmpty) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.Push();
@@ -135,7 +136,7 @@ TEST_F(Logic, LevelsBeginEmpty) {
 }
 
 TEST_F(Logic, AComparisonReplacesWhatWaits) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.Operate(Join::kAnd, Load('a'));
   logic.BeginAlternative();
@@ -147,7 +148,7 @@ TEST_F(Logic, AComparisonReplacesWhatWaits) {
 }
 
 TEST_F(Logic, TheRunTimeTellsWhatIsFirst) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   LogicStack logic(builder_, status);
   logic.OperateUnless(Load('f'), Join::kAnd, Load('a'));
   Store('b', logic.Value());
@@ -157,7 +158,7 @@ TEST_F(Logic, TheRunTimeTellsWhatIsFirst) {
 }
 
 TEST_F(Logic, ARegisterIsLoadedOnceAndStoredWhereItMustLast) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   Store('a', status.Get());
   Store('b', status.Get());
   status.Spill();  // nothing was set
@@ -168,7 +169,7 @@ TEST_F(Logic, ARegisterIsLoadedOnceAndStoredWhereItMustLast) {
 }
 
 TEST_F(Logic, AConstantSurvivesItsStatementButNoBorder) {
-  Register status(builder_, s_);
+  Register status(builder_, s_, facts_);
   status.Set(builder_.Bit(1));
   EXPECT_EQ(status.known(), 1u);
   status.EndStatement();

@@ -53,11 +53,12 @@ struct LoweredProgram {
 };
 
 inline void LowerInto(LoweredProgram& lowered, const std::string& text,
-                      const std::map<std::string, std::string>& options = {}) {
+                      const std::map<std::string, std::string>& options = {}, ir::Facts facts = ir::Facts::kTrusted) {
   dialects::Request request;
   request.sources = &lowered.sources;
   request.diagnostics = &lowered.diagnostics;
   request.options = options;
+  request.facts = facts;
   request.files.push_back(lowered.sources.AddText("test.cld", text));
   lowered.lowered = kHnc.lower(request);
   lowered.diagnostics.SortBySource();

@@ -109,12 +109,12 @@ TEST(HncLowering, FactsAreExecutedWhereTheyAreAskedFor) {
   const std::string text =
       "#include \"plc.h\"\nint table[8], n;\nvoid init() { plc1_time = 16; plc2_time = 16; }\n"
       "void plc1() { int k; for (k = 0; k < 8; k++) table[k] = 0; n = k > 8; }\nvoid plc2() { }\n";
-  for (const std::string facts : {"trusted", "checked"}) {
+  for (const ir::Facts facts : {ir::Facts::kTrusted, ir::Facts::kChecked}) {
     LoweredProgram lowered;
-    LowerInto(lowered, text, {{"facts", facts}});
+    LowerInto(lowered, text, {}, facts);
     const std::vector<std::string> lines = lowered.Routine("plc1");
-    // That the loop ends after 8 iterations, that the index is inside, that k is at most 8 behind it.
-    EXPECT_EQ(HasLine(lines, "false_fact"), facts == "checked") << testing::PrintToString(lines);
+    // That the index is inside, that k is at most 8 after the loop.
+    EXPECT_EQ(HasLine(lines, "false_fact"), facts == ir::Facts::kChecked) << testing::PrintToString(lines);
   }
 }
 

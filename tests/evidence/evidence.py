@@ -28,8 +28,11 @@ PROMISES = [
      "loops", "tests/judges/avr", "avr"),
     ("every loop of hnc that is accepted ends, with the right value of its counter", "the matrix of types, relations, "
      "steps and limits against exact arithmetic", "tests/differential/loops", None),
-    ("what hnc's lowering decides from ranges is so", "the facts are executed as assertions in all of hnc's scenarios "
-     "(`plcxx test --checked`)", "transpiler/dialects/hnc", None),
+    ("what is decided from ranges and bounds is so, in every language", "each decision states its fact; all scenarios "
+     "execute them as assertions (`plcxx test --checked`), and a false one of each kind is found", "transpiler/ir/facts.h",
+     None),
+    ("of one program, what is decided from ranges and bounds is so for every state", "`plcxx verify` proves each fact or "
+     "lists it", "transpiler/prove/facts", None),
     ("the simulator and the generated C++ are one meaning", "each scenario runs in both in lockstep, a part of them on "
      "emulated Cortex-M and RISC-V", "tests/golden", None),
     ("each effect of a program is in its C++ exactly once", "a record that the printer follows, and a check after "
@@ -58,7 +61,8 @@ NOT_PROMISED = [
     "That a specification reads its control's manual rightly: a second reading shares the specification with the first.",
     "The timing of a real machine: periods are simulated, and costs are estimates until `plcxx build` measures a target.",
     "f64 of hnc against another machine: avr-gcc has none; it is compared with the host's compiler only.",
-    "That a range decides rightly in the languages other than hnc: only hnc's decisions are executed as assertions.",
+    "That a decision of the front end which states no fact is right: facts are of ranges, bounds and known constants, "
+    "not of the reading of a language.",
     "Targets that no emulator here runs, and compilers other than GCC and Clang.",
 ]
 

@@ -16,6 +16,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/lints.h"
+#include "transpiler/ir/facts.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 
@@ -48,6 +49,7 @@ struct Request {
   std::vector<std::string> include_directories;         // -I
   std::vector<std::string> system_include_directories;  // --system-include
   std::vector<MacroOption> macros;                      // -D and -U in their order
+  ir::Facts facts = ir::Facts::kTrusted;                // whether what decisions rest on becomes assertions
 };
 
 /// What the program uses of what the control has.

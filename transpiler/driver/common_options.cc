@@ -97,6 +97,8 @@ std::string DialectOptionsText() {
       text += line + "\n";
     }
   }
+  text += "Option of every dialect:\n  " + std::string(kFactsOption) +
+          "             what plcxx decides from becomes assertions: trusted or checked (trusted)\n";
   return text;
 }
 

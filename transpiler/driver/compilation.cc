@@ -11,6 +11,7 @@
 #include "transpiler/driver/source_loading.h"
 #include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/verifier.h"
+#include "transpiler/passes/complete_facts.h"
 #include "transpiler/passes/nest_blocks.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/structure.h"
@@ -103,6 +104,7 @@ class Pipeline {
   }
 
   void Load();
+  void TakeFacts(const std::string& value);
   void Lower();
   void Structure();
   void Check();
@@ -114,18 +116,29 @@ class Pipeline {
   bool stopped_ = false;
 };
 
+/// The one option that is the same in every dialect: it is about how plcxx decides, not about a control.
+void Pipeline::TakeFacts(const std::string& value) {
+  if (value == "checked") {
+    compilation_.facts = ir::Facts::kChecked;
+  } else if (value == "trusted") {
+    compilation_.facts = ir::Facts::kTrusted;
+  } else {
+    compilation_.diagnostics.Report({}, diag::BadOptionValue, std::string(kFactsOption), value, "trusted or checked");
+  }
+}
+
 void Pipeline::Load() {
   Show("reading");
   LoadSources(request_, compilation_);
   if (compilation_.dialect == nullptr) return;
+  const uint32_t before = compilation_.diagnostics.error_count();
   for (const auto& [name, value] : request_.options) {
-    // A dialect that decides nothing from facts has none to check.
-    const bool known =
-        std::ranges::any_of(compilation_.dialect->options, [&](const auto& option) { return option.key == name; });
-    if (name == "facts" && !known) continue;
+    if (name == kFactsOption) {
+      TakeFacts(value);
+      continue;
+    }
     compilation_.options[OptionName(*compilation_.dialect, name)] = value;
   }
-  const uint32_t before = compilation_.diagnostics.error_count();
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
   if (!request_.macros.empty() && !compilation_.dialect->takes_macros) {
     compilation_.diagnostics.Report({}, diag::UnknownOption, request_.macros.front().text ? "-D" : "-U",
@@ -159,6 +172,7 @@ void Pipeline::Structure() {
   Show("structuring");
   passes::Structure(compilation_.program);
   passes::NestBlocks(compilation_.program);
+  passes::CompleteFacts(compilation_.program);
   CheckIr(compilation_.program, ir::Stage::kStructured);
 }
 
@@ -194,6 +208,7 @@ dialects::Request Compilation::MakeRequest() {
   request.include_directories = include_directories;
   request.system_include_directories = system_include_directories;
   request.macros = macros;
+  request.facts = facts;
   return request;
 }
 

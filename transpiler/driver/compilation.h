@@ -85,7 +85,11 @@ struct Compilation {
   std::optional<source::Encoding> encoding;
   std::vector<std::string> include_directories, system_include_directories;
   std::vector<dialects::MacroOption> macros;
+  ir::Facts facts = ir::Facts::kTrusted;  // by the option kFactsOption
 };
+
+/// Of --set and of scenarios, for every dialect: "trusted" or "checked".
+inline constexpr std::string_view kFactsOption = "facts";
 
 /// Never fails as a call: after an error the later stages are left out.
 Compilation Compile(const CompilationRequest& request, Stage until = Stage::kOptimized);

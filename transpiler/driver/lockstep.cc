@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "transpiler/driver/lockstep_snapshot.h"
+#include "transpiler/ir/facts.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::driver {
@@ -32,7 +33,7 @@ bool IsNaN(ir::Type type, uint64_t bits) {
 }  // namespace
 
 Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines)
-    : program_(program), engines_(std::move(engines)) {
+    : program_(program), engines_(std::move(engines)), false_fact_function_(ir::FalseFactOf(program)) {
   PLCXX_CHECK(!engines_.empty());
 }
 
@@ -145,6 +146,8 @@ std::vector<sim::HostEvent> Lockstep::TakeEvents() { return std::exchange(events
 void Lockstep::Compare(uint32_t now_ms) {
   const std::vector<sim::HostEvent> events = engines_.front()->TakeEvents();
   events_.insert(events_.end(), events.begin(), events.end());
+  const auto false_fact = std::ranges::find(events, false_fact_function_, &sim::HostEvent::function);
+  if (false_fact_function_.valid() && !false_fact_ && false_fact != events.end()) false_fact_ = *false_fact;
   if (engines_.size() == 1) return;
   const std::vector<uint8_t> state = engines_.front()->Snapshot();
   for (size_t i = 1; i < engines_.size(); ++i) {

@@ -36,6 +36,8 @@ class Lockstep : public sim::Engine {
   const std::vector<std::unique_ptr<sim::Engine>>& engines() const { return engines_; }
   /// The first one since the beginning; stays.
   const std::optional<Difference>& difference() const { return difference_; }
+  /// The first call that says so of a program whose facts are checked (ir/facts.h); stays.
+  const std::optional<sim::HostEvent>& false_fact() const { return false_fact_; }
 
   std::string_view name() const override { return engines_.front()->name(); }
   void PowerOn() override;
@@ -82,6 +84,8 @@ class Lockstep : public sim::Engine {
   bool answering_ = false;           // the last one of calls_ is being answered
   uint32_t now_ms_ = 0;
   std::optional<Difference> difference_;
+  ir::HostFunctionId false_fact_function_;  // none: facts are trusted
+  std::optional<sim::HostEvent> false_fact_;
 };
 
 /// "fault(kind: PARAM_RANGE, index: 20)"

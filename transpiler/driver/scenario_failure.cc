@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "transpiler/driver/scenario_control.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::driver {
 namespace {
@@ -40,15 +41,20 @@ std::string WriterText(const sim::LastWrite& write, const ir::Program& program, 
     case sim::Writer::kProgram:
       break;
   }
-  if (!write.statement.valid()) return "the control's schedule";
-  const source::Range range = program.statements[write.statement].range;
+  return StatementPlace(write.statement, program, sources);
+}
+
+}  // namespace
+
+std::string StatementPlace(ir::StatementId statement, const ir::Program& program,
+                           const source::SourceManager& sources) {
+  if (!statement.valid()) return "the control's schedule";
+  const source::Range range = program.statements[statement].range;
   if (range == source::Range{} || sources.size() == 0) return "the program";
   const source::Position position = sources.Locate(range.begin);
   return sources.Get(position.file).path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) +
          ": " + StatementText(sources.Text(range));
 }
-
-}  // namespace
 
 std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, ScenarioMark mark, uint64_t time_ms,
                         std::string_view message) {
@@ -68,6 +74,20 @@ std::string LastWritesText(const std::string& name, const dialects::Location& lo
             ": " + WriterText(write, program, sources);
   }
   return text;
+}
+
+std::string FalseFactText(const sim::HostEvent& call, const ir::Program& program,
+                          const source::SourceManager& sources) {
+  const auto argument = [&call](ir::FalseFactArgument which) { return call.arguments[static_cast<size_t>(which)]; };
+  ir::StatementId statement;
+  for (uint32_t i = 0; i < program.statements.size(); ++i) {
+    if (program.statements[ir::StatementId(i)].id == argument(ir::FalseFactArgument::kStatement))
+      statement = ir::StatementId(i);
+  }
+  return "a fact that the code rests on does not hold: " +
+         std::string(ir::FactNames()[argument(ir::FalseFactArgument::kKind)]) + " of the value " +
+         std::to_string(argument(ir::FalseFactArgument::kValue)) +
+         "; this is a fault of plcxx, please report it\n  it belongs to " + StatementPlace(statement, program, sources);
 }
 
 std::string DifferenceText(const Difference& difference) {

@@ -25,6 +25,12 @@ std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, Scen
 std::string LastWritesText(const std::string& name, const dialects::Location& location, const sim::LastWrites* writes,
                            const ir::Program& program, const source::SourceManager& sources);
 
+/// "main.cld:7:9: a[i] = 0;"; without a statement it is the control's own.
+std::string StatementPlace(ir::StatementId statement, const ir::Program& program, const source::SourceManager& sources);
+
+/// What a call of false_fact (ir/facts.h) tells: the kind of the fact, the value, the statement.
+std::string FalseFactText(const sim::HostEvent& call, const ir::Program& program, const source::SourceManager& sources);
+
 /// "simulator and compiled differ in U4A8 (simulator: 1, compiled: 0)"
 std::string DifferenceText(const Difference& difference);
 

@@ -36,7 +36,9 @@ class Runner {
         control_(run_.program, run_.dialect, run_.engines, std::move(run_.stub)) {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) { AfterPeriod(now_ms); };
-    clock_.interrupted = [this] { return run_.engines.difference().has_value() || Violation() != nullptr; };
+    clock_.interrupted = [this] {
+      return run_.engines.difference() || run_.engines.false_fact() || Violation() != nullptr;
+    };
   }
 
   Verdict Run() {
@@ -69,15 +71,8 @@ class Runner {
 
   /// Of a program that is compiled with checked facts: code was left out, or chosen, for a reason that does not hold.
   Verdict FindFalseFact() const {
-    const std::optional<dialects::Location> fact = run_.dialect.locate(run_.program, "FALSE_FACT");
-    if (!fact || fact->absent) return std::nullopt;
-    for (const auto& engine : run_.engines.engines()) {
-      if (engine->Read(fact->place) == 0) continue;
-      return Failed(step_->written->mark,
-                    "a fact that the code rests on is false: this is a fault of plcxx, please report it") +
-             "\n" + LastWritesText("FALSE_FACT", *fact, run_.writes, run_.program, run_.sources);
-    }
-    return std::nullopt;
+    if (!run_.engines.false_fact()) return std::nullopt;
+    return Failed(step_->written->mark, FalseFactText(*run_.engines.false_fact(), run_.program, run_.sources));
   }
 
   std::string Failed(ScenarioMark mark, const std::string& message) const {

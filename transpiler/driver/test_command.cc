@@ -29,6 +29,10 @@ constexpr const char* kTestFooter = R"(Examples:
 The emulated machines are compiled for with -O2: cortex-m and cortex-m7 (QEMU's mps2-an386, mps2-an500), riscv and
 riscv64 (rv32imac, rv64gc; QEMU's virt). With PLCXX_ALL_TARGETS=1 in the environment, NAME/N runs all scenarios.
 
+With --checked a scenario also fails when something does not hold that plcxx has left out code for, or chosen it by; the
+kind, the value and the statement are told. Such a failure is a fault of plcxx. --set facts=checked shows these facts in
+print and emit; plcxx verify proves them.
+
 Exit codes: 0 all passed, 1 a scenario failed, 2 a scenario cannot be read.)";
 
 struct TestSettings {
@@ -109,7 +113,7 @@ std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
   SuiteOptions options;
   options.programs = {settings.sources, request->options, request->warnings};
   options.reach = settings.common.allow_outside ? Reach::kAnywhere : Reach::kProject;
-  if (settings.checked) options.programs.options.emplace_back("facts", "checked");
+  if (settings.checked) options.programs.options.emplace_back(kFactsOption, "checked");
   options.jobs = settings.jobs;
   options.time_limit = settings.time_limit;
   options.waveform = !settings.waveform.empty();
@@ -171,7 +175,7 @@ void AddTest(CLI::App& app, Run& run) {
       ->type_name("SECONDS")
       ->check(CLI::Range(1u, 86'400u));
   command->add_flag("--checked", settings->checked,
-                    "Execute what the compiler's decisions rest on, ranges and bounds, as assertions");
+                    "Execute what plcxx has decided from as assertions: ranges, bounds, constants in registers");
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
   AddAllowOutside(*command, settings->common);

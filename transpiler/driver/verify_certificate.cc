@@ -1,5 +1,6 @@
 #include "transpiler/driver/verify_certificate.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "transpiler/compile/runtime_files.h"
@@ -56,6 +57,42 @@ Json RoutineJson(const prove::compiled::RoutineProof& proof) {
   return json;
 }
 
+/// "main.cld:7:9: a[i] = 0;" without the folder of the file.
+std::string WithoutFolder(const std::string& place) {
+  const size_t slash = place.rfind('/', place.find(':'));
+  return slash == std::string::npos ? place : place.substr(slash + 1);
+}
+
+/// How many of each kind are proved, and each one that is not.
+Json FactsJson(const FactsReport& facts) {
+  Json json = {{"proved", facts.CountOf(prove::facts::FactResult::kProved)}, {"of", facts.findings.size()}};
+  if (!facts.refusal.empty()) json["refused"] = facts.refusal;
+  std::map<std::string, uint64_t> kinds;
+  for (const FactFinding& finding : facts.findings) {
+    if (finding.result == prove::facts::FactResult::kProved) ++kinds[finding.kind];
+  }
+  json["kinds"] = Json::object();
+  for (const auto& [kind, count] : kinds) json["kinds"][kind] = count;
+  for (const FactFinding& finding : facts.findings) {
+    switch (finding.result) {
+      case prove::facts::FactResult::kProved:
+        break;
+      case prove::facts::FactResult::kNotDecided:
+        json["open"].push_back(
+            {{"kind", finding.kind}, {"statement", WithoutFolder(finding.place)}, {"reason", finding.reason}});
+        break;
+      case prove::facts::FactResult::kViolated:
+        json["violated"].push_back({{"kind", finding.kind},
+                                    {"statement", WithoutFolder(finding.place)},
+                                    {"value", finding.value},
+                                    {"routine", finding.routine},
+                                    {"state", finding.state}});
+        break;
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string CertificateText(const Certificate& certificate) {
@@ -79,6 +116,7 @@ std::string CertificateText(const Certificate& certificate) {
   json["assumed"] = {"a bit that has a byte of its own is 0 or 1 there before a routine",
                      "host functions write what their declarations say and nothing else",
                      "a retentive copy that the host gives has the program's layout",
+                     "of the state from which a fact is shown, nothing",
                      "the compiler translates LLVM IR to the processor's instructions as LLVM defines it"};
   bool all = true;
   json["routines"] = Json::array();
@@ -86,6 +124,8 @@ std::string CertificateText(const Certificate& certificate) {
     json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof));
     if (proof.exported) all = all && proof.result == prove::compiled::ProofResult::kProved;
   }
+  json["facts"] = FactsJson(*certificate.facts);
+  all = all && certificate.facts->all_proved();
   if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
   json["proved"] = all && certificate.left_out.empty();
   return json.dump(2) + "\n";

@@ -6,6 +6,7 @@
 
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/driver/compilation.h"
+#include "transpiler/driver/verify_facts.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
@@ -19,6 +20,7 @@ struct Certificate {
   const compile::Target* target = nullptr;
   const prove::compiled::Bitcode* bitcode = nullptr;
   const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
+  const FactsReport* facts = nullptr;
   std::vector<std::string> left_out;  // routines that nobody asked for
 };
 

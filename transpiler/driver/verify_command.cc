@@ -15,6 +15,7 @@
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/verify_certificate.h"
+#include "transpiler/driver/verify_facts.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
@@ -37,6 +38,8 @@ program means it and once as it was compiled, and both are proved equal for ever
 the result, and what host functions are told. Callees come first; one that is proved is not looked into again. Functions
 are compiled as such: what the compiler puts into one another in plcxx build is not looked at.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
+Then the facts that plcxx has decided from, ranges and bounds that test --checked executes: each is proved for every
+state, or listed with its statement; one that does not hold with a state from which the simulator shows it.
 Assumed is what the certificate lists.
 Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wrong use, 3 a fault of plcxx.)";
 
@@ -94,9 +97,14 @@ std::string ProofText(const prove::compiled::RoutineProof& proof) {
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
-  Verification(const VerifySettings& settings, const compile::Target& target, uint64_t routine_ms,
-               Compilation& compilation, ProgressLine& progress)
-      : settings_(settings), target_(target), routine_ms_(routine_ms), compilation_(compilation), progress_(progress) {}
+  Verification(const VerifySettings& settings, const CompilationRequest& request, const compile::Target& target,
+               uint64_t routine_ms, Compilation& compilation, ProgressLine& progress)
+      : settings_(settings),
+        request_(request),
+        target_(target),
+        routine_ms_(routine_ms),
+        compilation_(compilation),
+        progress_(progress) {}
 
   /// Whether all is proved.
   bool Run();
@@ -110,6 +118,7 @@ class Verification {
   bool WriteCertificate(const prove::compiled::Bitcode& bitcode);
 
   const VerifySettings& settings_;
+  const CompilationRequest& request_;
   const compile::Target& target_;
   uint64_t routine_ms_;
   Compilation& compilation_;
@@ -119,6 +128,7 @@ class Verification {
   std::vector<ir::RoutineId> routines_;
   std::vector<std::string> left_out_;
   std::vector<prove::compiled::RoutineProof> proofs_;
+  FactsReport facts_;
   std::string text_;
 };
 
@@ -164,6 +174,7 @@ bool Verification::WriteCertificate(const prove::compiled::Bitcode& bitcode) {
                                                                   .target = &target_,
                                                                   .bitcode = &bitcode,
                                                                   .proofs = &proofs_,
+                                                                  .facts = &facts_,
                                                                   .left_out = left_out_})});
   output.protected_paths = PathsRead(compilation_);
   const auto failure = WriteAll(output);
@@ -208,11 +219,14 @@ bool Verification::Run() {
   }
   if (!all) text_ += causes;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
+  facts_ = VerifyFacts(request_, settings_.routines,
+                       {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
+  text_ += facts_.Text();
   const std::string what = std::string(left_out_.empty() ? "the compiled code" : "what was asked for") +
                            (settings_.target == "host" ? "" : " for " + settings_.target) + " is";
   text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
   if (!settings_.certificate.empty() && !WriteCertificate(bitcode)) return false;
-  return all;
+  return all && facts_.all_proved();
 }
 
 int RunVerify(const VerifySettings& settings) {
@@ -233,7 +247,7 @@ int RunVerify(const VerifySettings& settings) {
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   Compilation compilation = Compile(*request);
-  Verification verification(settings, *target, *routine_ms, compilation, progress);
+  Verification verification(settings, *request, *target, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(settings.common));

@@ -2,8 +2,30 @@
 
 namespace plcxx::dialects {
 
+void Register::CheckKnown() {
+  if (!facts_.on() || !known_ || value_.valid() || !in_place_) return;
+  const ir::Type type = builder_.program().places[place_].type;
+  const ir::OpKind equal = type == ir::Type::kI8    ? ir::OpKind::kEqual8
+                           : type == ir::Type::kI16 ? ir::OpKind::kEqual16
+                                                    : ir::OpKind::kEqual32;
+  const ir::ValueId kept = builder_.Load(place_);
+  ir::ValueId holds = kept;
+  if (type != ir::Type::kBit) {
+    holds = builder_.Pure(equal, {kept, builder_.Constant(type, *known_)});
+  } else if (*known_ == 0) {
+    holds = builder_.Pure(ir::OpKind::kBitNot, {kept});
+  }
+  facts_.Check(ir::FactKind::kRegister, holds, kept);
+}
+
+std::optional<uint64_t> Register::Known() {
+  CheckKnown();
+  return known_;
+}
+
 ir::ValueId Register::Get() {
   if (value_.valid()) return value_;
+  CheckKnown();
   value_ = known_ ? builder_.Constant(builder_.program().places[place_].type, *known_) : builder_.Load(place_);
   return value_;
 }

@@ -10,13 +10,16 @@
 #include <optional>
 
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::dialects {
 
 class Register {
  public:
-  /// `place`: of lifetime kRoutine. What the register holds at first is in it.
-  Register(ir::Builder& builder, ir::PlaceId place) : builder_(builder), place_(place) {}
+  /// `place`: of lifetime kRoutine. What the register holds at first is in it. `facts` gets what a constant that it is
+  /// known to hold rests on.
+  Register(ir::Builder& builder, ir::PlaceId place, const ir::FactChecks& facts)
+      : builder_(builder), place_(place), facts_(facts) {}
 
   ir::PlaceId place() const { return place_; }
 
@@ -26,8 +29,8 @@ class Register {
   /// It is known to hold `value` here, and so does its place, by the way that the program has come (a jump that was
   /// not taken tells its condition).
   void Know(uint64_t value);
-  /// The constant that it is known to hold.
-  std::optional<uint64_t> known() const { return known_; }
+  /// The constant that it is known to hold, for who decides something by it.
+  std::optional<uint64_t> Known();
   /// Was something set or loaded in this statement?
   bool has_value() const { return value_.valid(); }
 
@@ -39,8 +42,12 @@ class Register {
   void EndStatement();
 
  private:
+  /// That the place holds the constant, where that is not the last thing which this statement has set.
+  void CheckKnown();
+
   ir::Builder& builder_;
   ir::PlaceId place_;
+  const ir::FactChecks& facts_;
   ir::ValueId value_;              // none: not in this statement
   std::optional<uint64_t> known_;  // survives statements
   bool in_place_ = true;           // the place holds the same

@@ -24,7 +24,8 @@ void ReportLoadError(const std::string& path, const source::LoadError& error, di
 std::string Syntax(dialects::Request& request) { return PrintSyntax(*request.sources, Parse(request)); }
 
 dialects::Lowered LowerProgram(dialects::Request& request) {
-  const Settings settings = ReadSettings(request.options);
+  Settings settings = ReadSettings(request.options);
+  settings.facts = request.facts;
   const Unit unit = Parse(request);
   dialects::Lowered lowered;
   lowered.summary = {.lines = unit.line_count, .statements = unit.statement_count};

@@ -107,7 +107,6 @@ std::optional<Location> PlaceNamed(const ir::Program& program, std::string_view 
 std::optional<Location> Runtime(const ir::Program& program, std::string_view text) {
   if (text == "FAULT.code") return PlaceNamed(program, "fault_code", text);
   if (text == "FAULT.count") return PlaceNamed(program, "fault_count", text);
-  if (text == "FALSE_FACT") return PlaceNamed(program, "false_fact", text);  // of facts=checked
   if (text == "FAULT.line") {
     Location location;
     location.place.name = text;

@@ -47,7 +47,7 @@ static bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
   return true;
 }
 
-Bounds Lowering::BoundsOfExpr(ExprId id) {
+Bounds Lowering::BoundsOfExpr(ExprId id, Origin believed) {
   const Expr& expr = ExprAt(id);
   if (!expr.type.valid() || !IsInteger(TypeAt(expr.type))) return {0, 0};
   const Type& type = TypeAt(expr.type);
@@ -58,23 +58,25 @@ Bounds Lowering::BoundsOfExpr(ExprId id) {
       const std::optional<StaticAddress> at = facts_.AddressOf(expr.a);
       if (!at) return all;
       // The same bytes may have been looked at through a type with the other sign.
-      const std::optional<Bounds> known = flow_.Find(Cell{at->object, at->offset, type.size});
+      const Cell cell{at->object, at->offset, type.size};
+      const bool all_count = believed == Origin::kStored || IsLocalObject(at->object);
+      const std::optional<Bounds> known = all_count ? flow_.Find(cell) : flow_.FindTested(cell);
       return known && known->Within(all) ? *known : all;
     }
     case ExprKind::kConvert: {
       if (!IsInteger(unit_.TypeOf(expr.a))) return all;
-      const Bounds from = BoundsOfExpr(expr.a);
+      const Bounds from = BoundsOfExpr(expr.a, believed);
       return from.Within(all) ? from : all;
     }
     case ExprKind::kBinary: {
       if (!IsInteger(unit_.TypeOf(expr.a))) return all;
-      const Bounds a = BoundsOfExpr(expr.a), b = BoundsOfExpr(expr.b);
+      const Bounds a = BoundsOfExpr(expr.a, believed), b = BoundsOfExpr(expr.b, believed);
       const std::optional<Bounds> result = Apply(expr.binary, a, b, type);
       return result && result->Within(all) ? *result : all;
     }
     case ExprKind::kUnary: {
       if (expr.unary == UnaryOp::kNot) return {0, 1};
-      const Bounds a = BoundsOfExpr(expr.a);
+      const Bounds a = BoundsOfExpr(expr.a, believed);
       const Bounds result = expr.unary == UnaryOp::kMinus        ? Bounds{-a.high, -a.low}
                             : expr.unary == UnaryOp::kComplement ? Bounds{~a.high, ~a.low}
                                                                  : a;
@@ -83,10 +85,10 @@ Bounds Lowering::BoundsOfExpr(ExprId id) {
     case ExprKind::kConditional: {
       const Flow before = flow_;
       Refine(expr.a, true);
-      const Bounds then = BoundsOfExpr(expr.b);
+      const Bounds then = BoundsOfExpr(expr.b, believed);
       flow_ = before;
       Refine(expr.a, false);
-      const Bounds otherwise = BoundsOfExpr(expr.c);
+      const Bounds otherwise = BoundsOfExpr(expr.c, believed);
       flow_ = before;
       return Join(then, otherwise);
     }
@@ -378,22 +380,32 @@ std::optional<LoopProof> Lowering::ProveBy(ExprId conjunct, const LoopShape& loo
     const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
     Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;
     if (!start.Within(all)) start = entered.IsOne() ? Wrapped(start, all) : all;
-    std::optional<LoopCount> count =
-        Count({.op = relation.op,
-               .start = start,
-               .limit = relation.limit.valid() ? BoundsOfExpr(relation.limit) : Bounds{0, 0},
-               .step = *step,
-               .type = all,
-               .wraps = !type.is_signed,
-               .conversions = relation.conversions});
+    CountedLoop counted{.op = relation.op,
+                        .start = start,
+                        .limit = relation.limit.valid() ? BoundsOfExpr(relation.limit, Origin::kStored) : Bounds{0, 0},
+                        .step = *step,
+                        .type = all,
+                        .wraps = !type.is_signed,
+                        .conversions = relation.conversions};
+    std::optional<LoopCount> count = Count(counted);
     if (!count) {
       WhyUnbounded(ProofStep::kRange, "its counter may step over the end of its type before the condition fails");
       continue;
     }
     LoopProof proof{.count = *count, .counter = cell, .knows_values = !in_condition};
+    if (relation.limit.valid() && BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
+      proof.rests_on_memory = true;
+      const auto last = static_cast<int64_t>(count->iterations);
+      const auto reached = [&](int64_t changes) {
+        return Join(start, {start.low + *step * changes, start.high + *step * changes});
+      };
+      proof.count.at_test = reached(last);
+      proof.count.in_body = last == 0 ? std::nullopt : std::optional(reached(last - 1));
+      proof.knows_values = proof.knows_values && proof.count.at_test.Within(all);
+    }
     if (!loop.tests_first) {  // the first iteration is not tested
       ++proof.count.iterations;
-      proof.count.in_body = Join(count->in_body.value_or(entered), entered);
+      proof.count.in_body = Join(proof.count.in_body.value_or(entered), entered);
     }
     return proof;
   }

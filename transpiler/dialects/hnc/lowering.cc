@@ -221,6 +221,7 @@ ir::Program Lowering::Run() {
   CollectCellNames();
   AddScheduleScalars();
   AddFaultRoutine();
+  facts_stated_.Begin(settings_.facts);
   AddRoutines();
   for (const FunctionId id : CalleesFirst()) LowerFunction(id);
   if (!has_entries || scope_ == Scope::kAll || diagnostics_.HasErrors()) return {};

@@ -63,11 +63,11 @@ std::optional<Lowering::Access> Lowering::AccessTo(ObjectId object, const Addres
   }
   const int64_t first = -(base / stride), last = (size - bytes - base) / stride;
   const bool inside = bounds.Within({first, last});
-  if (!inside || false_fact_.valid()) {
+  if (!inside || facts_stated_.on()) {
     const ValueId from_first = first == 0 ? index : Pure(OpKind::kAdd32, {index, Long(static_cast<uint32_t>(-first))});
     const ValueId most = Long(static_cast<uint32_t>(last - first));
     if (inside) {
-      Check(Pure(OpKind::kLessEqual32, {from_first, most}));
+      Check(ir::FactKind::kIndex, Pure(OpKind::kLessEqual32, {from_first, most}), index);
     } else {
       FaultWhen(Pure(OpKind::kGreater32, {from_first, most}), Fault::kIndex);
     }
@@ -177,7 +177,7 @@ Value Lowering::Load(const Lvalue& lvalue) {
     if (IsInteger(type)) {
       const std::optional<Bounds> known = flow_.Find(*CellOf(lvalue));
       if (known && known->Within(value.bounds)) value.bounds = *known;
-      CheckBounds(value);
+      CheckBounds(ir::FactKind::kVariable, value);
     }
     return value;
   }
@@ -186,7 +186,7 @@ Value Lowering::Load(const Lvalue& lvalue) {
   if (cell && IsInteger(type)) {
     const std::optional<Bounds> known = flow_.FindTested(*cell);
     if (known && known->Within(value.bounds)) value.bounds = *known;
-    CheckBounds(value);
+    CheckBounds(ir::FactKind::kVariable, value);
   }
   return value;
 }

@@ -255,7 +255,7 @@ Value Lowering::Conditional(const Expr& expr) {
     // Both are computed, each under what holds where it is chosen.
     const ValueId outer = given_;
     const auto under = [&](ValueId chosen) { return outer.valid() ? Pure(OpKind::kBitAnd, {outer, chosen}) : chosen; };
-    const bool checked = false_fact_.valid();
+    const bool checked = facts_stated_.on();
     Refine(expr.a, true);
     if (checked) given_ = under(condition);
     const Value then = Evaluate(expr.b);

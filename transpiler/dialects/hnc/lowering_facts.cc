@@ -1,6 +1,5 @@
-// Facts that decisions rest on, as assertions (option facts=checked): a comparison folded, a sign dropped, a
-// check of an index or a divisor left out, a loop called proved. A false one leaves the number of its statement in
-// `false_fact`.
+// Facts that decisions rest on, stated where they are decided (ir/facts.h): a comparison folded, a sign dropped, a
+// check of an index or a divisor left out.
 
 #include "transpiler/dialects/hnc/lowering_internal.h"
 
@@ -9,27 +8,15 @@ namespace plcxx::hnc {
 using ir::OpKind;
 using ir::ValueId;
 
-void Lowering::AddFalseFact() {
-  if (settings_.facts == FactsOption::kChecked) false_fact_ = AddScalar("false_fact", ir::Type::kI32);
-}
-
-void Lowering::Check(ValueId fact) {
-  if (!false_fact_.valid()) return;
-  ValueId wrong = Pure(OpKind::kBitNot, {fact});
-  if (given_.valid()) wrong = Pure(OpKind::kBitAnd, {given_, wrong});
-  When(wrong, [this] { NoteFalseFact(); });
-}
-
-/// The first one says why; what comes after it may follow from it.
-void Lowering::NoteFalseFact() {
-  When(Pure(OpKind::kEqual32, {builder_.Load(false_fact_), Long(0)}), [this] {
-    builder_.Store(false_fact_, builder_.Constant(ir::Type::kI32, statement_id_ == 0 ? 1 : statement_id_, 16));
-  });
+void Lowering::Check(ir::FactKind kind, ValueId fact, ValueId value) {
+  if (!facts_stated_.on()) return;
+  if (given_.valid()) fact = Pure(OpKind::kBitOr, {Pure(OpKind::kBitNot, {given_}), fact});
+  facts_stated_.Check(kind, fact, value);
 }
 
 /// That a number is where it is believed to be. What its type, or the byte that it was widened from, says is no belief.
-void Lowering::CheckBounds(const Value& value) {
-  if (!false_fact_.valid() || value.is_bit || !IsInteger(TypeAt(value.type)) || KnownInteger(value)) return;
+void Lowering::CheckBounds(ir::FactKind kind, const Value& value) {
+  if (!facts_stated_.on() || value.is_bit || !IsInteger(TypeAt(value.type)) || KnownInteger(value)) return;
   const OpKind made_by = program_[value.id].op;
   const bool from_byte = made_by == OpKind::kWiden8To16 || made_by == OpKind::kWiden8To32;
   if (from_byte && Bounds{0, 255}.Within(value.bounds)) return;
@@ -47,8 +34,8 @@ void Lowering::CheckBounds(const Value& value) {
                                 : (sign ? OpKind::kSignedGreaterEqual16 : OpKind::kGreaterEqual16);
   const OpKind not_above = wide ? (sign ? OpKind::kSignedLessEqual32 : OpKind::kLessEqual32)
                                 : (sign ? OpKind::kSignedLessEqual16 : OpKind::kLessEqual16);
-  if (value.bounds.low > all.low) Check(Pure(not_below, {number, constant(value.bounds.low)}));
-  if (value.bounds.high < all.high) Check(Pure(not_above, {number, constant(value.bounds.high)}));
+  if (value.bounds.low > all.low) Check(kind, Pure(not_below, {number, constant(value.bounds.low)}), number);
+  if (value.bounds.high < all.high) Check(kind, Pure(not_above, {number, constant(value.bounds.high)}), number);
 }
 
 }  // namespace plcxx::hnc

@@ -49,7 +49,6 @@ void Lowering::AddFaultRoutine() {
   fault_code_ = AddScalar("fault_code", ir::Type::kI8);
   fault_statement_ = AddScalar("fault_statement", ir::Type::kI32);
   fault_count_ = AddScalar("fault_count", ir::Type::kI32);
-  AddFalseFact();
   if (settings_.faults == FaultsOption::kStop) {
     stop_ = AddScalar("stop", ir::Type::kBit);
     stopped_ = AddScalar("stopped", ir::Type::kBit);

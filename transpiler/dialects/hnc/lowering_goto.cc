@@ -165,8 +165,8 @@ void Lowering::Goto(const Statement& statement) {
   const bool annotated = annotated_labels_[statement.label.index];
   if (annotated) {
     RecordFault(Fault::kLoop);
-  } else if (false_fact_.valid()) {
-    NoteFalseFact();
+  } else if (facts_stated_.on()) {
+    facts_stated_.Fail(ir::FactKind::kLoop, Long(0));
   }
   builder_.SetRegion(outside);
   builder_.JumpBack(GotoLabel(statement.label), {}, goto_budgets_[statement.label.index], refused);

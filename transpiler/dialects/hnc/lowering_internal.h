@@ -25,6 +25,7 @@
 #include "transpiler/dialects/hnc/registrations.h"
 #include "transpiler/dialects/hnc/walk.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::hnc {
 
@@ -79,6 +80,9 @@ struct LoopProof {
   LoopCount count;
   Cell counter;
   bool knows_values = false;  // `count` has the counter's values; else its condition changes it
+  /// Its limit is in memory, and what has been stored there may be forced: the values are right as long as the
+  /// iterations are counted.
+  bool rests_on_memory = false;
 };
 
 /// How far a proof came: of several candidates the one that came furthest says why there is none.
@@ -207,10 +211,8 @@ class Lowering {
   void ForEachTargetOf(const Address& address, const std::function<void(ObjectId)>& body);
 
   // --- facts that are executed (lowering_facts.cc) ---
-  void AddFalseFact();
-  void Check(ir::ValueId fact);
-  void CheckBounds(const Value& value);
-  void NoteFalseFact();
+  void Check(ir::FactKind kind, ir::ValueId fact, ir::ValueId value);
+  void CheckBounds(ir::FactKind kind, const Value& value);
 
   // --- faults and host (lowering_faults.cc) ---
   void AddFaultRoutine();
@@ -325,7 +327,8 @@ class Lowering {
   bool IsPartOf(StatementId id, const std::vector<StatementId>& statements) const;
   bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
-  Bounds BoundsOfExpr(ExprId id);
+  /// By facts of this origin at most: what is decided for good rests on nothing that may be forced.
+  Bounds BoundsOfExpr(ExprId id, Origin believed);
 
   // --- calls (lowering_calls.cc, lowering_system.cc, lowering_library.cc) ---
   struct CallResult {
@@ -484,8 +487,8 @@ class Lowering {
 
   // Schedule.
   ir::RoutineId init_, fast_, slow_, cycle_, period_, fault_;
-  ir::PlaceId false_fact_;  // none: facts are trusted
-  ir::ValueId given_;       // a bit: where it is 0, what is computed is not used; none: it is
+  ir::FactChecks facts_stated_{builder_};
+  ir::ValueId given_;  // a bit: where it is 0, what is computed is not used; none: it is
   ir::RoutineId dispatch_, complete_, standstill_;
   ir::PlaceId fault_code_, fault_statement_, fault_count_, stop_, stopped_, started_, due_fast_, due_slow_, next_fast_,
       next_slow_, fast_done_, slow_done_, now_, period1_, period2_;

@@ -170,10 +170,10 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
                                                 : proof              ? proof->count.iterations
                                                                      : 1);
   if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds);
-  // A counter in memory may be forced from outside: then the rounds are counted all the same.
-  const bool counts = statement.loop_bound || (proof && !IsLocalObject(proof->counter.object));
-  const bool guarded = counts || false_fact_.valid();
-  ir::Loop loop{.kind = guarded ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
+  // A counter or a limit in memory may be forced from outside: then the rounds are counted all the same.
+  const bool counts =
+      statement.loop_bound || (proof && (proof->rests_on_memory || !IsLocalObject(proof->counter.object)));
+  ir::Loop loop{.kind = counts ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
                 .bound = rounds,
                 .budget = {},
                 .condition = {},
@@ -227,11 +227,6 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
     at_end.reachable = false;
   }
   rounds_around_ = outer_rounds;
-  if (!counts && guarded) {
-    loop.exhausted = builder_.NewRegion();
-    builder_.SetRegion(loop.exhausted);
-    NoteFalseFact();
-  }
   if (statement.loop_bound) {
     loop.exhausted = builder_.NewRegion();
     builder_.SetRegion(loop.exhausted);

@@ -82,8 +82,8 @@ std::optional<bool> Outcome(BinaryOp op, const Bounds& a, const Bounds& b) {
 Value Lowering::Compare(BinaryOp op, const Value& a, const Value& b) {
   const Type& type = TypeAt(a.type);
   if (type.kind == TypeKind::kReal) return BinaryReal(op, a, b);
-  CheckBounds(a);
-  CheckBounds(b);
+  CheckBounds(ir::FactKind::kComparison, a);
+  CheckBounds(ir::FactKind::kComparison, b);
   // Decided by the types alone: compilers would warn of the comparison.
   if (const std::optional<bool> known = Outcome(op, a.bounds, b.bounds)) {
     return FromBit(builder_.Bit(*known ? 1 : 0));
@@ -131,8 +131,8 @@ Value Lowering::Divide(BinaryOp op, const Value& a, const Value& b, const Expr& 
     return Zero(a.type);
   }
   const Bounds all = BoundsOf(type);
-  CheckBounds(a);
-  CheckBounds(b);
+  CheckBounds(ir::FactKind::kDivision, a);
+  CheckBounds(ir::FactKind::kDivision, b);
   ValueId traps;
   if (b.bounds.Holds(0)) {
     traps = Pure(kEqual.For(type), {b.id, builder_.Constant(IrType(b.type), 0)});
@@ -162,8 +162,8 @@ Value Lowering::Shift(BinaryOp op, const Value& a, const Value& b, const Expr& a
   if (known && (*known < 0 || *known >= type.bits)) {
     diagnostics_.Report(at.range, diag::HncShiftCount, *known, type.bits - 1);
   }
-  CheckBounds(a);
-  CheckBounds(b);
+  CheckBounds(ir::FactKind::kShift, a);
+  CheckBounds(ir::FactKind::kShift, b);
   ValueId count;
   const int64_t most = wide ? 0xFF : 0x1F;
   const ir::Type count_type = wide ? ir::Type::kI32 : ir::Type::kI16;

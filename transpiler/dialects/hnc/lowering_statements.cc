@@ -474,7 +474,8 @@ void Lowering::RefineComparison(const Expr& expr, bool holds) {
     const ExprId read = turned ? expr.b : expr.a, limit = turned ? expr.a : expr.b;
     const std::optional<Cell> cell = CellOfRead(read);
     if (!cell || !limit.valid() || !IsInteger(unit_.TypeOf(limit))) continue;
-    const Bounds now = BoundsOfExpr(read), other = BoundsOfExpr(limit);
+    // What is known of the cell keeps its origin; what it is compared with must hold for good.
+    const Bounds now = BoundsOfExpr(read, Origin::kStored), other = BoundsOfExpr(limit, Origin::kTested);
     Bounds bounds = now;
     const bool upward = op == BinaryOp::kGreater || op == BinaryOp::kGreaterEqual;
     switch (op) {
@@ -538,7 +539,7 @@ void Lowering::Refine(ExprId condition, bool holds) {
       case ExprKind::kConvert: {
         const std::optional<Cell> cell = CellOfRead(id);
         if (!cell) break;
-        Bounds bounds = BoundsOfExpr(id);
+        Bounds bounds = BoundsOfExpr(id, Origin::kStored);
         if (!holds && bounds.Holds(0)) {
           flow_.Narrow(*cell, {0, 0});
         } else if (holds && bounds.low == 0 && bounds.high > 0) {

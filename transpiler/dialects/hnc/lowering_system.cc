@@ -294,7 +294,7 @@ ValueId Lowering::NumberIsOutside(const Value& number, uint32_t count, const Exp
     return {};
   }
   if (number.bounds.Within({0, static_cast<int64_t>(count) - 1})) {
-    CheckBounds(number);
+    CheckBounds(ir::FactKind::kIndex, number);
     return {};
   }
   return Pure(OpKind::kGreater16, {number.id, Word(count - 1)});

@@ -168,7 +168,7 @@ Value Lowering::ConvertInteger(const Value& value, TypeId to) {
   }
   // A number that is known not to be negative is the same word without its sign.
   const bool sign = from_type.is_signed && value.bounds.low < 0;
-  if (from_type.is_signed && !sign && to_type.bits > from_type.bits) CheckBounds(value);
+  if (from_type.is_signed && !sign && to_type.bits > from_type.bits) CheckBounds(ir::FactKind::kSign, value);
   if (to_type.bits < from_type.bits) {
     result.id = to_type.bits == 8 ? Narrow8(value.id) : Narrow16(value.id);
   } else if (from_type.bits == 8 && to_type.bits == 16) {

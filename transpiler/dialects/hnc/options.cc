@@ -55,10 +55,6 @@ constexpr Row kRows[] = {
      [](std::string_view text, Settings& s) {
        return OneOf(text, "continue", FaultsOption::kContinue, "stop", FaultsOption::kStop, s.faults);
      }},
-    {{"facts", "trusted or checked", "trusted", "ranges and bounds that decisions rest on are executed as assertions"},
-     [](std::string_view text, Settings& s) {
-       return OneOf(text, "trusted", FactsOption::kTrusted, "checked", FactsOption::kChecked, s.facts);
-     }},
     {{"base-cycle", "1..100 in ms", "1", "the host's base cycle"},
      [](std::string_view text, Settings& s) { return Number(text, 1, 100, s.base_cycle_ms); }},
 };

@@ -20,9 +20,6 @@ enum class M00FlagsOption : uint8_t { kOn, kOff };
 enum class StopOption : uint8_t { kCorrected, kPrinted };
 enum class FaultsOption : uint8_t { kContinue, kStop };
 
-/// What is done with facts that decisions rest on, such as the range of an index whose check is left out.
-enum class FactsOption : uint8_t { kTrusted, kChecked };
-
 struct Settings {
   CharOption plain_char = CharOption::kSigned;
   AbsMeaning abs = AbsMeaning::kInt;
@@ -35,7 +32,7 @@ struct Settings {
   uint32_t loop_warn = 1000;  // rounds from which a loop is warned about
   FaultsOption faults = FaultsOption::kContinue;
   uint32_t base_cycle_ms = 1;  // 1..100
-  FactsOption facts = FactsOption::kTrusted;
+  ir::Facts facts = ir::Facts::kTrusted;
 };
 
 std::span<const dialects::OptionInfo> Options();

@@ -50,7 +50,9 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
     lowered.summary.resources.push_back(
         {.name = Name(use.resource), .used = use.used, .available = Available(use.resource)});
   }
-  if (!tree.faulty) lowered.program = Lower(tree, tree.settings, *request.sources);
+  Settings settings = tree.settings;
+  settings.facts = request.facts;
+  if (!tree.faulty) lowered.program = Lower(tree, settings, *request.sources);
   return lowered;
 }
 

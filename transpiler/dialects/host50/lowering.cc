@@ -258,6 +258,7 @@ ir::Program Lowering::Run() {
   CountOwnNames();
   FindJumps();
   AddHostFunctions();
+  facts_.Begin(settings_.facts);
   AddRoutines();
   Sections();
   Init();

@@ -73,7 +73,11 @@ ValueId Lowering::RealsDiffer(ValueId now, ValueId before) {
   const ValueId bits_differ = builder_.Pure(OpKind::kNotEqual32, {now_bits, bits_before});
   // A constant is a number, and so is what was an integer.
   const OpKind origin = program_[now].op;
-  if (origin == OpKind::kConst || origin == OpKind::kSignedToF32) return bits_differ;
+  if (origin == OpKind::kConst) return bits_differ;
+  if (origin == OpKind::kSignedToF32) {
+    if (facts_.on()) facts_.Check(ir::FactKind::kResult, builder_.Pure(OpKind::kEqualF32, {now, now}), now_bits);
+    return bits_differ;
+  }
   const ValueId now_number = builder_.Pure(OpKind::kEqualF32, {now, now});
   const ValueId number_before = builder_.Pure(OpKind::kEqualF32, {before, before});
   const ValueId a_number = Or(now_number, number_before);

@@ -12,6 +12,7 @@
 #include "transpiler/dialects/host50/lowering.h"
 #include "transpiler/dialects/host50/places.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::host50 {
 
@@ -212,6 +213,7 @@ class Lowering {
   const source::SourceManager& sources_;
   ir::Program program_;
   ir::Builder builder_{program_};
+  ir::FactChecks facts_{builder_};
   dialects::StatementIds statement_ids_;
 
   Current now_;

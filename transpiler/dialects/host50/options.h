@@ -23,6 +23,7 @@ struct Settings {
   uint32_t channels = 1;  // 1..8
 #define HOST50_OPTION(Name, Member, Key, First, ...) Name##Option Member = Name##Option::First;
 #include "transpiler/dialects/host50/machine.def"
+  ir::Facts facts = ir::Facts::kTrusted;
 };
 
 std::span<const dialects::OptionInfo> Options();

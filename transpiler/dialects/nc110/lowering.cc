@@ -201,6 +201,7 @@ ir::Program Lowering::Run() {
   AddSpaces(program_, settings_.processes, settings_.t_initial);
   CollectSymbols();
   AddHostFunctions();
+  facts_.Begin(settings_.facts);
   AddRoutines();
   Items();
   FastFrame();

@@ -84,7 +84,10 @@ void Lowering::StepCounter(const Assignment& assignment, ir::ValueId input) {
       counted = builder_.Step(OpKind::kCountCarryUntilNext, counter, {input, modulus});
       break;
   }
-  if (!parametric) return;  // a constant modulus is in range
+  if (!parametric) {  // a constant modulus is in range
+    if (parameter != nullptr && facts_.on()) facts_.Check(ir::FactKind::kResult, counted, modulus);
+    return;
+  }
   const ir::RegionId behind = builder_.region();
   const ir::RegionId refused = builder_.NewRegion();
   builder_.If(builder_.Pure(OpKind::kBitNot, {counted}), refused);

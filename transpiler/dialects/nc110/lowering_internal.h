@@ -9,6 +9,7 @@
 #include "transpiler/dialects/nc110/lowering.h"
 #include "transpiler/dialects/nc110/places.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::nc110 {
 
@@ -112,6 +113,7 @@ class Lowering {
   const source::SourceManager& sources_;
   ir::Program program_;
   ir::Builder builder_{program_};
+  ir::FactChecks facts_{builder_};
   Part part_ = Part::kFast;
   ir::RegionId fast_body_, slow_body_;
 

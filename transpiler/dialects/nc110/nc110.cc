@@ -42,7 +42,8 @@ TextTable ReadNamedTexts(const dialects::Request& request, const char* key, Text
 dialects::Lowered LowerProgram(dialects::Request& request) {
   diag::Engine& diagnostics = *request.diagnostics;
   const source::SourceManager& sources = *request.sources;
-  const Settings settings = ReadSettings(request);
+  Settings settings = ReadSettings(request);
+  settings.facts = request.facts;
   const Program tree = Parse(sources, request.files, settings.parse, diagnostics);
 
   HelpTexts help;

@@ -33,6 +33,7 @@ struct Settings {
   std::vector<Operand> external;
   CarryEnd carry = CarryEnd::kScan;
   uint32_t stub_ms = 200;
+  ir::Facts facts = ir::Facts::kTrusted;
 };
 
 std::span<const dialects::OptionInfo> Options();

@@ -68,9 +68,9 @@ void Lowering::AddModuleRoutines() {
 
 void Lowering::LowerModule(ModuleId id) {
   const Module& module = tree_.modules[id];
-  dialects::Register s(builder_, PlaceOf(ScalarPlace::kS)), ax(builder_, PlaceOf(ScalarPlace::kAx));
+  dialects::Register s(builder_, PlaceOf(ScalarPlace::kS), facts_), ax(builder_, PlaceOf(ScalarPlace::kAx), facts_);
   std::optional<dialects::Register> first;
-  if (settings_.first_check == FirstCheck::kDynamic) first.emplace(builder_, PlaceOf(ScalarPlace::kFirst));
+  if (settings_.first_check == FirstCheck::kDynamic) first.emplace(builder_, PlaceOf(ScalarPlace::kFirst), facts_);
   dialects::LogicStack logic(builder_, s);
   module_ = &module;
   s_ = &s;
@@ -214,6 +214,7 @@ ir::Program Lowering::Run() {
   InitialData();
   FindCalledModules();
   AddHostFunctions();
+  facts_.Begin(settings_.facts);
   AddScheduleRoutines();
   AddModuleRoutines();
   Init();

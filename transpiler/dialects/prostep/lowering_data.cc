@@ -55,7 +55,8 @@ ValueId Lowering::LowByte() {
 
 void Lowering::SetLowByte(ValueId byte) {
   const auto widened = [&] { ax_->Set(builder_.Pure(OpKind::kWiden8To16, {byte})); };
-  if (ax_->known() && *ax_->known() <= 0xFF) return widened();
+  const std::optional<uint64_t> known = ax_->Known();
+  if (known && *known <= 0xFF) return widened();
   ValueId word = ax_->Get();
   const ir::Inst& inst = program_[word];
   if (inst.op == OpKind::kWiden8To16) return widened();

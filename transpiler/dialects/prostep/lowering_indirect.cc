@@ -21,8 +21,12 @@ Lowering::Reach Lowering::ReachOf(const Instruction& instruction, uint32_t bytes
   const ValueId wide = builder_.Pure(byte ? OpKind::kWiden8To32 : OpKind::kSignExtend16To32, {value});
   reach.address = Moved(wide, base.number);
   // Without a sign: what is below 0 is above everything else.
-  if (!byte || base.number + 0xFFu > last)
+  if (!byte || base.number + 0xFFu > last) {
     reach.outside = builder_.Pure(OpKind::kGreater32, {reach.address, Number(last)});
+  } else if (facts_.on()) {
+    const ValueId inside = builder_.Pure(OpKind::kLessEqual32, {reach.address, Number(last)});
+    facts_.Check(ir::FactKind::kIndex, inside, reach.address);
+  }
   return reach;
 }
 

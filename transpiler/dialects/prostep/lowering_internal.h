@@ -16,6 +16,7 @@
 #include "transpiler/dialects/prostep/lowering.h"
 #include "transpiler/dialects/prostep/memory.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::prostep {
 
@@ -239,6 +240,7 @@ class Lowering {
   const source::SourceManager& sources_;
   ir::Program program_;
   ir::Builder builder_{program_};
+  ir::FactChecks facts_{builder_};
   Memory memory_;
 
   const Module* module_ = nullptr;  // the one being lowered

@@ -16,7 +16,7 @@ void Lowering::Decided(uint64_t first) {
 void Lowering::Operate(Join join, ValueId operand) {
   // Inside brackets and OR strings the text decides in both readings.
   if (first_ != nullptr && logic_->depth() == 0 && !logic_->has_alternative()) {
-    const std::optional<uint64_t> first = first_->known();
+    const std::optional<uint64_t> first = first_->Known();
     if (!first) {
       logic_->OperateUnless(first_->Get(), join, operand);
       Decided(0);
@@ -39,7 +39,7 @@ void Lowering::Fold() {
 void Lowering::BeginString() {
   Fold();
   if (first_ == nullptr || logic_->depth() > 0) return logic_->BeginAlternative();
-  const std::optional<uint64_t> first = first_->known();
+  const std::optional<uint64_t> first = first_->Known();
   if (!first) {
     const ValueId before = dialects::Joined(builder_, Join::kAnd, logic_->Value(), Inverted(builder_, first_->Get()));
     return logic_->BeginAlternative(before);

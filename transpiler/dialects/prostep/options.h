@@ -36,6 +36,7 @@ struct Settings {
   uint32_t loop_budget = 10'000;
   uint32_t plc_axes = 0;  // modelled by the stub, 0 to 5
   bool strict = false;    // W01, W13 and W14 are errors
+  ir::Facts facts = ir::Facts::kTrusted;
 };
 
 std::span<const dialects::OptionInfo> Options();

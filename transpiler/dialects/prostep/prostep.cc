@@ -45,7 +45,8 @@ std::string Syntax(dialects::Request& request) {
 
 dialects::Lowered LowerProgram(dialects::Request& request) {
   diag::Engine& diagnostics = *request.diagnostics;
-  const Settings settings = ReadSettings(request.options);
+  Settings settings = ReadSettings(request.options);
+  settings.facts = request.facts;
   const Program tree = ParseProgram(request, settings);
   dialects::Lowered lowered;
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .resources = {}};

@@ -208,6 +208,7 @@ ir::Program Lowering::Run() {
   FindLeaving();
   FindStopping();
   AddHostFunctions();
+  facts_.Begin(settings_.facts);
   AddScheduleRoutines();
   AddBodyRoutines();
   Init();

@@ -20,6 +20,7 @@
 #include "transpiler/dialects/technol/lowering_body.h"
 #include "transpiler/dialects/technol/memory.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/facts.h"
 
 namespace plcxx::technol {
 
@@ -294,6 +295,7 @@ class Lowering {
   const source::SourceManager& sources_;
   ir::Program program_;
   ir::Builder builder_{program_};
+  ir::FactChecks facts_{builder_};
   Memory memory_;
 
   std::vector<Body> bodies_;

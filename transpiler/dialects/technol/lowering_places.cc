@@ -166,8 +166,12 @@ Lowering::Reach Lowering::ReachOf(const Operand& operand) {
       if (settings_.bounds == Bounds::kTrap) LeaveAll();
     });
     if (!at_base) index = at;
-  } else if (!at_base) {
-    index = Pure(OpKind::kAdd32, {index, Number(static_cast<uint64_t>(address.offset))});
+  } else {
+    if (facts_.on()) {
+      const ValueId at = Pure(OpKind::kAdd32, {index, Number(static_cast<uint64_t>(address.offset))});
+      facts_.Check(ir::FactKind::kIndex, Pure(OpKind::kLessEqual32, {at, Number(size - bytes)}), at);
+    }
+    if (!at_base) index = Pure(OpKind::kAdd32, {index, Number(static_cast<uint64_t>(address.offset))});
   }
   return {IndexedPlace(operand, at_base ? static_cast<uint32_t>(address.offset) : 0), index};
 }

@@ -18,11 +18,11 @@ constexpr std::string_view kWideNames[kWholeRegisters] = {"eax", "ebx", "dr", "e
 }  // namespace
 
 void Lowering::BeginRegisters() {
-  rlo_.emplace(builder_, Local("rlo", Type::kBit));
-  for (uint32_t i = 0; i < kFlagCount; ++i) flags_[i].emplace(builder_, Local(kFlagNames[i], Type::kBit));
+  rlo_.emplace(builder_, Local("rlo", Type::kBit), facts_);
+  for (uint32_t i = 0; i < kFlagCount; ++i) flags_[i].emplace(builder_, Local(kFlagNames[i], Type::kBit), facts_);
   for (uint32_t i = 0; i < kWholeRegisters; ++i) {
-    registers_[i].emplace(builder_,
-                          Local(wide_[i] ? kWideNames[i] : kNarrowNames[i], wide_[i] ? Type::kI32 : Type::kI16));
+    registers_[i].emplace(
+        builder_, Local(wide_[i] ? kWideNames[i] : kNarrowNames[i], wide_[i] ? Type::kI32 : Type::kI16), facts_);
   }
 }
 

@@ -38,6 +38,7 @@ struct Settings {
   TableVersion table_version = TableVersion::kOne;
   GluedItems glued_items = GluedItems::kRefuse;
   std::string signals;  // path of a table of signals; empty: none
+  ir::Facts facts = ir::Facts::kTrusted;
 };
 
 std::span<const dialects::OptionInfo> Options();

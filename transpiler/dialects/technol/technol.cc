@@ -40,7 +40,8 @@ std::vector<dialects::DataFile> TableFiles(const TechnologyTable& table, const s
 
 dialects::Lowered LowerProgram(dialects::Request& request) {
   diag::Engine& diagnostics = *request.diagnostics;
-  const Settings settings = ReadSettings(request.options);
+  Settings settings = ReadSettings(request.options);
+  settings.facts = request.facts;
   const Program tree = Parse(request, settings);
   dialects::Lowered lowered;
   lowered.summary = {.lines = tree.line_count, .statements = tree.statement_count, .raised_errors = RaisedErrors(tree)};

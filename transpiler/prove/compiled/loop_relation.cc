@@ -362,6 +362,7 @@ void LoopRelation::Close(terms::TermId again, std::span<const terms::TermId> val
     if (i != number) say(loops_[i]->given_before);
   }
   for (size_t i = loop.claims; i < claims_.size(); ++i) say(claims_[i].given);
+  for (terms::TermId& noted : noted_) say(noted);
   given_ = terms_.And(given_, Implies(loop.head.when, terms_.Not(again)));
 }
 

@@ -73,6 +73,14 @@ class LoopRelation : public execute::LoopHeads {
 
   /// What holds behind the loops that the code has left so far.
   terms::TermId given_in_code() const { return given_in_code_; }
+  /// What holds in the program where it is now, inside of open loops and behind others. Later() then tells the same
+  /// with the facts of these loops, which are known when they are closed.
+  size_t NoteGiven() {
+    noted_.push_back(given_);
+    return noted_.size() - 1;
+  }
+  terms::TermId Later(size_t noted) const { return noted_[noted]; }
+  bool is_in_loop() const { return !open_.empty(); }
   /// Behind all of them.
   terms::TermId Given() { return terms_.And(given_, given_in_code_); }
   const std::vector<LoopClaim>& claims() const { return claims_; }
@@ -158,6 +166,7 @@ class LoopRelation : public execute::LoopHeads {
   std::vector<std::unique_ptr<OfProgram>> loops_;
   std::vector<size_t> open_;  // of the program's
   terms::TermId given_;
+  std::vector<terms::TermId> noted_;
   std::vector<OfCode> open_in_code_;
   size_t next_in_code_ = 0;
   terms::TermId given_in_code_;

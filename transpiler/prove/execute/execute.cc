@@ -218,6 +218,8 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   }
   std::vector<terms::TermId> arguments;
   for (const ir::ValueId argument : call.arguments) arguments.push_back(ValueOf(argument.index));
+  const auto& tell = memory_.environment().tell;
+  if (tell && tell(id, arguments, Absolute())) return;
   const terms::TermId calls =
       CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
   WriteCell(memory_.cells().OfCalls(call.host), calls);

@@ -62,6 +62,9 @@ struct Environment {
   /// Called at a call of a host function that reads the state, with the memory then and when it comes there; may be
   /// empty.
   std::function<void(Memory& memory, ir::HostFunctionId function, terms::TermId when)> observe;
+  /// Called at each call of a host function, with its arguments and when execution comes there (known with a policy for
+  /// loops only). true: the call is dealt with, and nothing else follows from it. May be empty.
+  std::function<bool(ir::InstId call, std::span<const terms::TermId> arguments, terms::TermId when)> tell;
   /// By which name the host knows a bit that it writes; empty: its own. Two versions that have an input at different
   /// places name it alike.
   struct HostBit {

@@ -191,6 +191,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
   const Flow before = flow_;
   const terms::TermId left_out = std::exchange(policy.left_out, terms_.Bit(false));
   std::vector<Sample> samples;
+  policy.heads->BeginSamples();
   memory_.BeginChanges();
   ++sampling_;
   UnrollLoop(id, loop, &samples);

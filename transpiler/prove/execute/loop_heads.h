@@ -40,6 +40,8 @@ class LoopHeads {
   LoopHeads& operator=(const LoopHeads&) = delete;
   virtual ~LoopHeads() = default;
 
+  /// The first iterations are about to be executed: they are all, or Open follows, and they have been samples only.
+  virtual void BeginSamples() {}
   /// A loop begins; loops inside it are opened and closed before it is closed.
   virtual void Open() = 0;
   /// What the cells and the number of rounds are at the head of any round. Asked again with more cells where the round
