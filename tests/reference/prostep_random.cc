@@ -27,7 +27,7 @@ class ProstepGenerator {
         if (Chance(percent)) modules.push_back(number);
       }
     }
-    if (modules.size() < 2) modules.push_back(9);
+    if (modules.size() < 2) modules.push_back(modules.empty() || modules[0] != 9 ? 9 : 10);
     for (const uint32_t number : modules) {
       if (number >= 17 || Chance(3)) subroutines_.push_back(number);
     }

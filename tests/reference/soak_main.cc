@@ -178,7 +178,9 @@ class Soak {
     const auto fails = [&](const RandomProgram& less) {
       return RunRandom(less, dialect, directory).outcome == result.outcome;
     };
-    Save(dialect, seed, Shrink(program, fails), result.text);
+    // A program with errors would be made one without anything.
+    const bool runs = result.outcome == Outcome::kDisagrees;
+    Save(dialect, seed, runs ? Shrink(program, fails) : program, result.text);
     return std::nullopt;
   }
 
