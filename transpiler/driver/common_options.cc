@@ -80,6 +80,7 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--max-messages", options.most_messages,
                   "Show so many errors and so many warnings; 0: all. As text 100 if nothing is said")
+      ->check(CLI::Range(0l, 1'000'000'000l))  // CLI11 takes "-1" for a very large number
       ->type_name("N")
       ->group(kMessagesGroup);
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -42,6 +43,31 @@ bool HasBytes(const std::string& path, std::string_view bytes) {
   }
   return file.peek() == std::ifstream::traits_type::eof();
 }
+
+volatile std::sig_atomic_t ended_by = 0;
+
+/// Who ends the process while it writes gets it undone first: a signal that would end it is kept until then.
+class DelayedSignals {
+ public:
+  DelayedSignals() {
+    struct sigaction keep = {};
+    keep.sa_handler = [](int signal) { ended_by = signal; };
+    for (size_t i = 0; i < kSignals.size(); ++i) {
+      sigaction(kSignals[i], nullptr, &before_[i]);
+      if (before_[i].sa_handler == SIG_DFL) sigaction(kSignals[i], &keep, nullptr);
+    }
+  }
+  DelayedSignals(const DelayedSignals&) = delete;
+  DelayedSignals& operator=(const DelayedSignals&) = delete;
+  ~DelayedSignals() {
+    for (size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+    if (ended_by != 0) kill(getpid(), ended_by);
+  }
+
+ private:
+  static constexpr std::array kSignals = {SIGTERM, SIGINT, SIGHUP, SIGXCPU};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
 
 /// The work of one call; what it has begun is undone unless it ends well.
 class Transaction {
@@ -156,7 +182,9 @@ std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& 
   int problem = 0;
   while (!rest.empty() && problem == 0) {
     const ssize_t written = write(descriptor, rest.data(), rest.size());
-    if (written >= 0) {
+    if (ended_by != 0) {
+      problem = EINTR;
+    } else if (written >= 0) {
       rest.remove_prefix(static_cast<size_t>(written));
     } else if (errno != EINTR) {
       problem = errno;
@@ -189,6 +217,7 @@ std::optional<WriteFailure> Transaction::Run() {
   }
   for (Replacement& replacement : replacements_) {
     if (auto failure = Replace(replacement)) return failure;
+    if (ended_by != 0) return WriteFailure{replacement.path, SystemWords(EINTR)};
   }
   done_ = true;
   return std::nullopt;
@@ -205,6 +234,9 @@ std::string PathIn(const std::string& directory, const std::string& name) {
   return directory.empty() ? name : (fs::path(directory) / name).string();
 }
 
-std::optional<WriteFailure> WriteAll(const OutputRequest& request) { return Transaction(request).Run(); }
+std::optional<WriteFailure> WriteAll(const OutputRequest& request) {
+  const DelayedSignals delayed;  // ends behind the transaction: what was begun is undone by then
+  return Transaction(request).Run();
+}
 
 }  // namespace plcxx::driver

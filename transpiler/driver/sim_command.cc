@@ -118,7 +118,9 @@ void AddSim(CLI::App& app, Run& run) {
     return command->add_option(name, value, meaning)->type_name(placeholder)->group("Simulation");
   };
   CLI::Option* duration = add("--for", words.duration, "TIME", "Simulated time; 1s if nothing is said");
-  add("--cycles", words.cycles, "N", "Instead: until N slow cycles have been completed")->excludes(duration);
+  add("--cycles", words.cycles, "N", "Instead: until N slow cycles have been completed")
+      ->check(CLI::Range(1l, 1'000'000l))
+      ->excludes(duration);
   AddRepeated(*command, "--watch", words.watch, "LOC,...", "What to show, up to 16 locations");
   command->get_option("--watch")->delimiter(',');
   command->add_flag("--changes", settings->changes, "Only rows in which a watched location changed")

@@ -44,5 +44,34 @@ TEST(NameTable, KnowsTheWordsOfCppAndOfTheGeneratedCode) {
   EXPECT_EQ(names.Allocate("t1a", "U4A13"), "t1a");
 }
 
+TEST(NameTable, KnowsTheMacrosOfUsualHeaders) {
+  NameTable names;
+  EXPECT_EQ(names.Allocate("BUFSIZ", "U4A8"), "BUFSIZ_U4A8");
+  EXPECT_EQ(names.Allocate("major", "U4A9"), "major_U4A9");
+  EXPECT_EQ(names.Allocate("st_atime", "U4A10"), "st_atime_U4A10");
+}
+
+TEST(NameTable, NumbersGoOnWhereTheLastOneWas) {
+  NameTable names;
+  EXPECT_EQ(names.Allocate("A", "1"), "A");
+  EXPECT_EQ(names.Allocate("A", "1"), "A_1");
+  EXPECT_EQ(names.Allocate("A_1_3", "x"), "A_1_3");
+  EXPECT_EQ(names.Allocate("A", "1"), "A_1_2");
+  EXPECT_EQ(names.Allocate("A", "1"), "A_1_4");
+}
+
+TEST(NameTable, ALocalHasTheFirstNumberThatIsFreeInAllItsFunctions) {
+  const NameTable names;
+  FunctionNames one, other;
+  EXPECT_EQ(names.AllocateIn({&one}, "i"), "i");
+  EXPECT_EQ(names.AllocateIn({&one}, "i"), "i_local");
+  EXPECT_EQ(names.AllocateIn({&one}, "i"), "i_local_2");
+  EXPECT_EQ(names.AllocateIn({&one, &other}, "i"), "i_local_3");
+  EXPECT_EQ(names.AllocateIn({&other}, "i"), "i");
+  EXPECT_EQ(names.AllocateIn({&other}, "i"), "i_local");
+  EXPECT_EQ(names.AllocateIn({&other}, "i"), "i_local_2");
+  EXPECT_EQ(names.AllocateIn({&other}, "i"), "i_local_4");
+}
+
 }  // namespace
 }  // namespace plcxx::emit::legalize

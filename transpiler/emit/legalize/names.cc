@@ -1,5 +1,8 @@
 #include "transpiler/emit/legalize/names.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "transpiler/ir/op.h"
 
 namespace plcxx::emit::legalize {
@@ -26,6 +29,12 @@ constexpr std::string_view kTaken[] = {
     "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
     "round", "copy", "layout", "At", "F32OfBits", "F64OfBits", "kValues", "messages", "menu_texts",
     "send_operator_text", "get_byte", "set_byte", "retentive", "Clear", "ReapplyForces"};
+
+constexpr uint32_t kFirstNumber = 2;  // of the second one that has a name
+
+constexpr std::string_view kMacros[] = {
+#include "transpiler/emit/legalize/platform_macros.def"
+};
 
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -78,7 +87,9 @@ std::string SafeIdentifier(std::string_view name) {
 }
 
 NameTable::NameTable() {
+  taken_.reserve(std::size(kTaken) + std::size(kMacros) + 2 * ir::OpCount());
   for (const std::string_view word : kTaken) taken_.emplace(word);
+  for (const std::string_view word : kMacros) taken_.emplace(word);
   for (uint32_t i = 0; i < ir::OpCount(); ++i) {
     const std::string_view spelling = ir::Info(static_cast<ir::OpKind>(i)).spelling;
     const size_t bracket = spelling.find('(');
@@ -95,30 +106,51 @@ NameTable::NameTable() {
   }
 }
 
+uint32_t FunctionNames::FirstNumber(const std::string& base) const {
+  const auto found = first_free_.find(base);
+  return found == first_free_.end() ? kFirstNumber : found->second;
+}
+
+void FunctionNames::TakeNumber(const std::string& base, uint32_t number) {
+  uint32_t& first = first_free_.try_emplace(base, kFirstNumber).first->second;
+  // Numbers that other functions only have passed may be free in this one.
+  if (first == number) ++first;
+}
+
 std::string NameTable::Allocate(std::string_view name, std::string_view address) {
   std::string candidate = SafeIdentifier(name);
   if (!IsLocalName(candidate) && !IsStdintName(candidate) && taken_.insert(candidate).second) return candidate;
   // Through the rule once more: no name may get two underscores in a row.
   candidate = SafeIdentifier(candidate + "_" + (address.empty() ? "n" : std::string(address)));
-  std::string unique = candidate;
-  for (uint32_t i = 2; !taken_.insert(unique).second; ++i) unique = SafeIdentifier(candidate + "_" + std::to_string(i));
-  return unique;
+  if (taken_.insert(candidate).second) return candidate;
+  uint32_t& number = first_free_.try_emplace(candidate, kFirstNumber).first->second;
+  for (;; ++number) {
+    std::string unique = SafeIdentifier(candidate + "_" + std::to_string(number));
+    if (taken_.insert(unique).second) return unique;
+  }
 }
 
 std::string NameTable::AllocateIn(const std::vector<FunctionNames*>& functions, std::string_view name) const {
   const auto take = [&](const std::string& candidate) {
     if (IsLocalName(candidate) || IsStdintName(candidate) || taken_.contains(candidate)) return false;
     for (const FunctionNames* names : functions) {
-      if (names->contains(candidate)) return false;
+      if (names->Has(candidate)) return false;
     }
-    for (FunctionNames* names : functions) names->insert(candidate);
+    for (FunctionNames* names : functions) names->Take(candidate);
     return true;
   };
   const std::string candidate = SafeIdentifier(name);
   if (take(candidate)) return candidate;
-  std::string unique = SafeIdentifier(candidate + "_local");
-  for (uint32_t i = 2; !take(unique); ++i) unique = SafeIdentifier(candidate + "_local_" + std::to_string(i));
-  return unique;
+  const std::string base = SafeIdentifier(candidate + "_local");
+  if (take(base)) return base;
+  uint32_t number = kFirstNumber;
+  for (const FunctionNames* names : functions) number = std::max(number, names->FirstNumber(base));
+  for (;; ++number) {
+    std::string unique = SafeIdentifier(base + "_" + std::to_string(number));
+    if (!take(unique)) continue;
+    for (FunctionNames* names : functions) names->TakeNumber(base, number);
+    return unique;
+  }
 }
 
 }  // namespace plcxx::emit::legalize

@@ -6,8 +6,10 @@
 // address goes behind it ("PUMP_U4A8").
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -16,7 +18,22 @@ namespace plcxx::emit::legalize {
 /// The rule without the look at other names.
 std::string SafeIdentifier(std::string_view name);
 
-using FunctionNames = std::unordered_set<std::string>;
+/// Of a base with numbers behind it, the first one that may be free: all before it are taken, for good.
+using FirstFree = std::unordered_map<std::string, uint32_t>;
+
+/// The names that a function has given to its own.
+class FunctionNames {
+ public:
+  bool Has(const std::string& name) const { return names_.contains(name); }
+  void Take(const std::string& name) { names_.insert(name); }
+  uint32_t FirstNumber(const std::string& base) const;
+  /// Behind the name of the base with this number has been taken.
+  void TakeNumber(const std::string& base, uint32_t number);
+
+ private:
+  std::unordered_set<std::string> names_;
+  FirstFree first_free_;
+};
 
 class NameTable {
  public:
@@ -30,6 +47,7 @@ class NameTable {
 
  private:
   std::unordered_set<std::string> taken_;
+  FirstFree first_free_;
 };
 
 }  // namespace plcxx::emit::legalize

@@ -1,0 +1,78 @@
+"""Kinds of statements that no single golden program shows: many names, declarations and calls, faults, what is never closed."""
+
+
+def nc110(text):
+    return lambda n: "".join(text.format(a=i % 20, b=i % 32, c=i % 4, k=i % 200) + "\n" for i in range(n)) + "$\n"
+
+
+HNC = '#include "plc.h"\nint i;\nvoid init(void) { plc1_time = 8; plc2_time = 16; }\n'
+
+
+def hnc(text):
+    return lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\n" +
+                      "".join(text.replace("@", str(i % 200)) + "\n" for i in range(n)) + "}\n")
+
+
+def prostep(text):
+    return lambda n: (":MOD PM 1\n" + "".join(text.format(a=i % 64, b=i % 8, c=i % 200) for i in range(n)) + ":END PM 1\n")
+
+
+def host50(text):
+    return lambda n: ("SLOW\nNETWORK\n" + "".join(text.format(b=i % 2000, w=i % 300, t=i % 100) for i in range(n)) +
+                      "END_SLOW\n")
+
+
+def technol(text):
+    return lambda n: (" DATA\nF: DFM A,B,C,D\n DATA_END\n MODULE_MAIN\n" + "".join(text.format(i=i) for i in range(n)) +
+                      " MODULE_MAIN_END\n STOP\n")
+
+
+KINDS = {
+    "nc110": (".plc", {
+        "assignment": nc110("U{a}A{b}=I{a}A{b}*I1A1"),
+        "word": nc110("W{a}A{c}=[W{a}A{c}+1]"),
+        "comparator": nc110("U{a}A{b}=[W{a}A{c}<W1K0]"),
+        "block": nc110("DOF:I{a}A{b}\nU{a}K{b}=I0A0\nENDF"),
+        "chain": nc110("DOF:I{a}A{b}\nU{a}K{b}=I0A0\nENDF\nDOE:I0A1\nU{a}K{b}=0\nENDE"),
+        "timer": nc110("T{k}I(5)=I{a}A{b}"),
+        "mux": nc110("W{a}K{c}=MUX(W1K0,W1K1),(I0A0,I0A1)"),
+        "comment": nc110("; text {k}\nU{a}A{b}=I{a}A{b}"),
+        "error": nc110("U{a}A{b}=NOSUCH{k}"),
+        "unclosed": nc110("U{a}A{b}=(I0A0"),
+    }),
+    "host50": (".il", {
+        "rung": host50("LD %I1\nAND %B{b}\nOUT %B{b}\n"),
+        "word": host50("LD %I1\nMOV %W{w}, %W1\n"),
+        "operation": host50("LD %I1\nOPRT %W{w} = %W1 + 1\n"),
+        "error": host50("LD %I1\nNOSUCH %W{w}\n"),
+        "subroutine": lambda n: ("SLOW\nNETWORK\nLD 1\n" + "".join(f"CALL SUB{i % 100}\n" for i in range(n)) + "END_SLOW\n" +
+                                 "".join(f"SUB SUB{i}\nNETWORK\nLD %I1\nOUT %B{i}\nEND_SUB\n" for i in range(100))),
+    }),
+    "prostep": (".plc", {
+        "bit": prostep(":A I {a}.{b}\n:= O {a}.{b}\n"),
+        "error": prostep(":NOSUCH I {a}.{b}\n"),
+        "branch": lambda n: (":MOD PM 1\n" + "".join(f":A I 0.0\n:JC L{i:03X}\n:A I {i % 64}.1\n:= O {i % 64}.1\nL{i:03X} :A I 0.1\n"
+                                                    f":S O 1.1\n" for i in range(min(n, 4096))) + ":END PM 1\n"),
+    }),
+    "technol": (".plc", {
+        "mechanism": technol(" MECH_BEGIN M{i}\n EX\n LDR A\n FL 1,B\n MECH_END M{i}\n"),
+        "unclosed": technol(" MECH_BEGIN M{i}\n EX\n"),
+        "label": technol("L{i}: LDR A\n JL1 L{i}\n"),
+        "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
+        "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 2\n" for i in range(n)) + " DATA_END\n MODULE_MAIN\n" +
+                           "".join(f" LOD D{i}\n STO D{i}\n" for i in range(n)) + " MODULE_MAIN_END\n STOP\n"),
+        "error": technol(" NOSUCH A{i}\n"),
+    }),
+    "hnc": (".cld", {
+        "assignment": hnc("Y[@] = X[@];"),
+        "if": hnc("if (X[@] & 1) Y[@] = 1; else Y[@] = 2;"),
+        "loop": hnc("for (i = 0; i < 3; i++) Y[i] = X[@];"),
+        "error": hnc("nosuch@ = 1;"),
+        "function": lambda n: (HNC + "".join(f"void f{i}(void) {{ Y[{i % 100}] = {i % 200}; }}\n" for i in range(n)) +
+                               "void plc2(void) {}\nvoid plc1(void) {\n" + "".join(f"f{i}();\n" for i in range(n)) + "}\n"),
+        "variable": lambda n: (HNC + "".join(f"int v{i};\n" for i in range(n // 4)) + "void plc2(void) {}\nvoid plc1(void) {\n" +
+                               "".join(f"v{i}++;\n" for i in range(n // 4)) + "}\n"),
+        "macro": lambda n: (HNC + "".join(f"#define M{i} {i % 100}\n" for i in range(n)) + "void plc2(void) {}\nvoid plc1(void) {\n" +
+                            "".join(f"Y[1] = M{i};\n" for i in range(n)) + "}\n"),
+    }),
+}
