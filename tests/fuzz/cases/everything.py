@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every subcommand, in every form, over every golden program and sample: no crash, no exit 3, no hang.
 
-    everything.py PLCXX ROOT [--share N] [--jobs N]
+    everything.py PLCXX ROOT [--share N] [--jobs N] [--sanitized]
 
 With --share N one run in N, chosen by the bytes of the case and the command: the same ones everywhere.
 """
@@ -9,6 +9,7 @@ import argparse
 import concurrent.futures
 import hashlib
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -22,6 +23,19 @@ def chosen(case, words, share):
     return int.from_bytes(digest[:4], "big") % share == 0
 
 
+def properties(folder, case):
+    """A property of the first location that the scenario sets, and the old version that `diff` compares with: the case
+    without its last line that is a statement."""
+    text = case.files[case.scenario.name].decode("utf-8", "replace")
+    location = re.search(r"set: *\{ *('[^']*'|[^:,}]*):", text)
+    (folder / "properties").write_text(f"never {location[1] if location else 'X'} and {location[1] if location else 'X'}\n")
+    for name, data in case.files.items():
+        lines = data.splitlines(keepends=True)
+        path = folder / "old" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b"".join(lines[:-2] + lines[-1:]) if name == case.sources[-1] else data)
+
+
 def attempt(plcxx, case, chosen_commands):
     found = []
     with tempfile.TemporaryDirectory(prefix="plcxx_every_") as scratch:
@@ -30,6 +44,7 @@ def attempt(plcxx, case, chosen_commands):
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(data)
+        properties(folder, case)
         for words, messages, seconds in chosen_commands:
             problem, _ = invoke.run([plcxx, *words], folder, 4 * seconds, messages)
             if problem:
@@ -44,12 +59,15 @@ def main():
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--dialects", default=",".join(corpus.DIALECTS))
+    parser.add_argument("--sanitized", action="store_true", help="PLCXX is built with sanitizers")
     args = parser.parse_args()
+    invoke.sanitized = args.sanitized
     ran = faults = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         futures = []
         for case in corpus.cases(args.root):
-            picked = [command for command in commands.of(case) if chosen(case, command[0], args.share)]
+            picked = [command for command in (*commands.of(case), *commands.dear(case))
+                      if chosen(case, command[0], args.share)]
             if picked and case.dialect in args.dialects.split(","):
                 futures.append(pool.submit(attempt, args.plcxx, case, picked))
         for future in futures:

@@ -1,112 +1,140 @@
 #!/usr/bin/env python3
-"""Nothing grows with the square of a program: every kind of statement, 4,000 and 40,000 of them.
+"""Nothing grows with the square of a program: so many lines of every kind of statement, and ten times as many.
 
-    growth.py PLCXX [--kinds DIALECT[.KIND]] [--most EXPONENT]
+    growth.py PLCXX ROOT [--dialects NAMES] [--commands NAMES] [--only KIND] [--share N] [--few N] [--most EXPONENT]
 
-The time is that of the processor, without the start of the tool; the best of three, as other work only adds to it.
+The kinds are those of the languages' tables and grammars (kinds.py), the golden programs with errors (with `check`), and
+picked ones (picked_kinds.py). The time is that of the processor, without the start of the tool. Other work only adds to it:
+what seems to grow too much is measured again, and the least counts.
 """
 import argparse
+import concurrent.futures
+import hashlib
 import math
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
-FEW, MANY = 4000, 40000
+import commands
+import kinds
+import picked_kinds
+
+TIMES = 10
 NOISE_SECONDS = 0.02  # what a run of the small program may be off by
-
-
-
-def nc110(text):
-    return lambda n: "".join(text.format(a=i % 20, b=i % 32, c=i % 4, k=i % 200) + "\n" for i in range(n)) + "$\n"
-
-
-def hnc(text):
-    head = '#include "plc.h"\nint i;\nvoid init(void) { plc1_time = 8; plc2_time = 16; }\n'
-    return lambda n: (head + "void plc2(void) {}\nvoid plc1(void) {\n" +
-                      "".join(text.replace("@", str(i % 200)) + "\n" for i in range(n)) + "}\n")
-
-
-def prostep(text):
-    return lambda n: (":MOD PM 1\n" + "".join(text.format(a=i % 64, b=i % 8, c=i % 200) for i in range(n)) + ":END PM 1\n")
-
-
-def host50(text):
-    return lambda n: ("SLOW\nNETWORK\n" + "".join(text.format(b=i % 2000, w=i % 300, t=i % 100) for i in range(n)) +
-                      "END_SLOW\n")
-
-
-KINDS = {
-    "nc110": (".plc", {
-        "assignment": nc110("U{a}A{b}=I{a}A{b}*I1A1"),
-        "word": nc110("W{a}A{c}=[W{a}A{c}+1]"),
-        "comparator": nc110("U{a}A{b}=[W{a}A{c}<W1K0]"),
-        "block": nc110("DOF:I{a}A{b}\nU{a}K{b}=I0A0\nENDF"),
-        "chain": nc110("DOF:I{a}A{b}\nU{a}K{b}=I0A0\nENDF\nDOE:I0A1\nU{a}K{b}=0\nENDE"),
-        "timer": nc110("T{k}I(5)=I{a}A{b}"),
-        "mux": nc110("W{a}K{c}=MUX(W1K0,W1K1),(I0A0,I0A1)"),
-        "comment": nc110("; text {k}\nU{a}A{b}=I{a}A{b}"),
-        "error": nc110("U{a}A{b}=NOSUCH{k}"),
-        "unclosed": nc110("U{a}A{b}=(I0A0"),
-    }),
-    "host50": (".il", {
-        "rung": host50("LD %I1\nAND %B{b}\nOUT %B{b}\n"),
-        "word": host50("LD %I1\nMOV %W{w}, %W1\n"),
-        "operation": host50("LD %I1\nOPRT %W{w} = %W1 + 1\n"),
-        "error": host50("LD %I1\nNOSUCH %W{w}\n"),
-    }),
-    "prostep": (".plc", {
-        "bit": prostep(":A I {a}.{b}\n:= O {a}.{b}\n"),
-        "error": prostep(":NOSUCH I {a}.{b}\n"),
-    }),
-    "hnc": (".cld", {
-        "assignment": hnc("Y[@] = X[@];"),
-        "if": hnc("if (X[@] & 1) Y[@] = 1; else Y[@] = 2;"),
-        "loop": hnc("for (i = 0; i < 3; i++) Y[i] = X[@];"),
-        "error": hnc("nosuch@ = 1;"),
-    }),
+MOST_SECONDS = 120
+MOST_BYTES = 1 << 30
+COMMANDS = {
+    "check": lambda words: ["check", *words],
+    "emit": lambda words: ["emit", *words, "-o", "out", "--quiet"],
+    "sim": lambda words: ["sim", *words, "--for", "100ms", "--time-limit", "60"],
+    "report": lambda words: ["report", *words, "-o", "out", "--quiet"],
+    "cross-reference": lambda words: ["report", *words, "--cross-reference"],
+    "tokens": lambda words: ["print", "tokens", *words],
+    "syntax": lambda words: ["print", "syntax", *words],
+    "ir": lambda words: ["print", "ir", *words],
+    "cpp": lambda words: ["print", "cpp", *words],
+    "json": lambda words: ["check", *words, "--diagnostics", "json", "--max-messages", "0"],
 }
+ANSWERS = (0, 1, 2)
 
 
-def seconds(plcxx, words):
+def seconds(plcxx, words, folder, tries):
+    """The least of the tries; infinite when it ends otherwise than it may."""
     best = math.inf
-    for _ in range(3):
-        process = subprocess.Popen([plcxx, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
+    for _ in range(tries):
+        begin = time.monotonic()
+        process = subprocess.Popen([plcxx, *words], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while True:
+            done, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if done:
+                break
+            if time.monotonic() - begin > 10 * MOST_SECONDS:
+                process.kill()
+            time.sleep(0.001)
         process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode not in (0, 1, 2):
+        if process.returncode not in ANSWERS or usage.ru_maxrss * 1024 > 3 * MOST_BYTES:
             return math.inf
         best = min(best, usage.ru_utime + usage.ru_stime)
     return best
 
 
+def exponent(few, many):
+    return math.log(many / (few + NOISE_SECONDS), TIMES) if many < math.inf else math.inf
+
+
+def measure(args, start, folder, path, program, words):
+    """Seconds of the small and the large program."""
+    times = [math.inf, math.inf]
+    for tries in (1, 2, 3):
+        for place, count in enumerate((args.few, TIMES * args.few)):
+            path.write_text(program(count))
+            times[place] = min(times[place], max(seconds(args.plcxx, words, folder, tries) - start, 0.001))
+        if exponent(*times) <= args.most:
+            break
+    return times
+
+
+def jobs(args):
+    """(name, command, files beside the program, name of the program, program of n lines, words of the command)"""
+    for dialect in args.dialects.split(","):
+        suffix, picked = picked_kinds.KINDS[dialect]
+        shown, _ = kinds.kinds(args.root, dialect)
+        for command in args.commands.split(","):
+            for name, program in picked.items():
+                yield f"{dialect}.{name}", command, {}, f"p{suffix}", program, [f"p{suffix}", "--dialect", dialect]
+            of_errors = kinds.errors(args.root, dialect) if command in ("check", "json") else []
+            for kind in shown + of_errors:
+                name = f"{dialect}.{kind.case.scenario.parent.name}/{kind.case.scenario.stem}"
+                yield (name, command, kind.case.files, kind.source, lambda n, kind=kind: kinds.copies(kind, n),
+                       commands.program(kind.case))
+
+
+def chosen(name, command, share):
+    return int.from_bytes(hashlib.sha256(f"{name} {command}".encode()).digest()[:4], "big") % share == 0
+
+
+def attempt(args, start, job):
+    name, command, files, source, program, words = job
+    with tempfile.TemporaryDirectory(prefix="plcxx_growth_") as scratch:
+        folder = pathlib.Path(scratch)
+        for other, data in files.items():
+            (folder / other).parent.mkdir(parents=True, exist_ok=True)
+            (folder / other).write_bytes(data)
+        return name, command, measure(args, start, folder, folder / source, program, COMMANDS[command](words))
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("plcxx")
-    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--dialects", default=",".join(picked_kinds.KINDS))
+    parser.add_argument("--commands", default=",".join(COMMANDS))
+    parser.add_argument("--only", default="", help="kinds whose names have this")
+    parser.add_argument("--share", type=int, default=1, help="one kind in N of each command")
+    parser.add_argument("--few", type=int, default=4000)
     parser.add_argument("--most", type=float, default=1.1)
+    parser.add_argument("--jobs", type=int, default=1)
     args = parser.parse_args()
-    wanted = args.kinds.split(",")
-    faults = 0
-    start = seconds(args.plcxx, ["--version"])
-    with tempfile.TemporaryDirectory(prefix="plcxx_growth_") as scratch:
-        for dialect, (suffix, kinds) in KINDS.items():
-            for kind, program in kinds.items():
-                if dialect not in wanted and f"{dialect}.{kind}" not in wanted:
-                    continue
-                times = []
-                for count in (FEW, MANY):
-                    path = pathlib.Path(scratch) / f"p{count}{suffix}"
-                    path.write_text(program(count))
-                    times.append(seconds(args.plcxx, ["check", str(path), "--dialect", dialect]))
-                few, many = (max(time - start, 0.001) for time in times)
-                exponent = math.log(many / (few + NOISE_SECONDS), MANY / FEW) if many < math.inf else math.inf
-                wrong = exponent > args.most
-                faults += wrong
-                print(f"{dialect}.{kind}: {few:.3f} s, {many:.3f} s, exponent {exponent:.2f}{'  TOO MUCH' if wrong else ''}",
+    args.plcxx = str(pathlib.Path(args.plcxx).resolve())
+    start = seconds(args.plcxx, ["--version"], ".", 5)
+    measured, faults, worst = 0, 0, {}
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        todo = [job for job in jobs(args) if args.only in job[0] and chosen(job[0], job[1], args.share)]
+        for name, command, (few, many) in pool.map(lambda job: attempt(args, start, job), todo):
+            value = exponent(few, many)
+            measured += 1
+            faults += value > args.most
+            worst[command] = max(worst.get(command, (-math.inf, "")), (value, name))
+            if value > args.most or args.share == 1:
+                print(f"{name} {command}: {few:.3f} s, {many:.3f} s, exponent {value:.2f}{'  TOO MUCH' if value > args.most else ''}",
                       flush=True)
-    return 1 if faults else 0
+    for command, (value, name) in worst.items():
+        print(f"{command}: at most {value:.2f} ({name})")
+    print(f"{measured} kinds measured, {faults} grow too much")
+    return 1 if faults or not measured else 0
 
 
 if __name__ == "__main__":
