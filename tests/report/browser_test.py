@@ -39,7 +39,7 @@ def write_page(plcxx, root, sample, directory):
 
 
 def layout(browser, page, name):
-    for width in (1280, 800):
+    for width in (1280, 800, 390):
         browser.open(page, width=width)
         # Laid out as a whole: what is not near the window would not count.
         browser.evaluate("""document.head.appendChild(Object.assign(document.createElement('style'),
