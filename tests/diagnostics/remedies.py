@@ -34,7 +34,7 @@ SLOTS = {
                 "{}\n:MOD PM 9\n:A I 0.0\n:= O 0.0\n:END PM 9\n", ":MOD PM 9\n:A I 0.0\n:= O 0.0\n:END PM 9\n{}\n:END PM 20\n"],
     "technol": [TECHNOL.replace("@", " {}"), TECHNOL.replace("@", " LDR {}\n WR Q"), TECHNOL.replace("@", " LOD {}\n STO N"),
                 TECHNOL.replace("@", " LDR A\n {} 1,Q"), TECHNOL.replace("@", " MOV AX,{}\n MOV N,AX"), TECHNOL.replace("@", " LDR A\n {}\n"),
-                TECHNOL.replace("@", " MECH_BEGIN M\n EX\n {}\n"), TECHNOL.replace("@", " MOV {} [BX],1"), TECHNOL.replace("@", " {} N\n STO N"), TECHNOL.replace("DS 2", "DS 4").replace("@", " LOD {}N\n STO N"),
+                TECHNOL.replace("@", " MECH_BEGIN M\n EX\n {}\n"), TECHNOL.replace("@", " MOV {} LABEL_MEM,5"), TECHNOL.replace("@", " {} N\n STO N"), TECHNOL.replace("DS 2", "DS 4").replace("@", " LOD {}N\n STO N"),
                 "OFS EQU 5\n" + TECHNOL.replace("@", " LOD {}\n STO N"), TECHNOL.replace("@", " MECH_BEGIN M1\n EX\n {}\n"),
                 TECHNOL.replace("@", " MECH_BEGIN M\n EX\n {}\n MECH_END M\n"), TECHNOL.replace("@", " LOD {}N\n STO N"),
                 "NASTROJ STRUC\nCISLO DW ?\n{}\n" + TECHNOL.replace("@", ""), TECHNOL.replace("@", " CALL P").replace(" STOP", "P: LDR A\n WR Q\n {}\n STOP"),
