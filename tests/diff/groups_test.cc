@@ -54,6 +54,21 @@ TEST(Groups, WhatFollowsIsFoldedUnderItsCause) {
   EXPECT_TRUE(groups[2].causes.empty());
 }
 
+/// A row of registers that a computed index reaches: each reads all others.
+TEST(Groups, ManyThatReadEachOtherAreOneGroup) {
+  Diff diff;
+  std::vector<std::string> names;
+  for (int i = 0; i < 9; ++i) names.push_back("G[" + std::to_string(i) + "]");
+  for (const std::string& name : names) {
+    std::vector<std::string> others = names;
+    std::erase(others, name);
+    diff.items.push_back(Item(name, ItemKind::kOutput, ItemVerdict::kUndecided, std::move(others)));
+  }
+  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(NamesOf(groups[0]), "G[0..8]");
+}
+
 TEST(Groups, EachFormSaysThem) {
   const Diff diff = Pump();
   const DiffNames names{"a", "b"};

@@ -26,7 +26,9 @@ std::vector<std::string> CausesOf(const DiffItem& item, const std::map<std::stri
       if (!at->second->changed_itself) open.push_back(at->second);
     }
   }
-  if (causes.empty()) causes.insert(item.through.begin(), item.through.end());
+  // Of many that read each other none is the cause of the others.
+  constexpr size_t kMostNamed = 3;
+  if (causes.empty() && item.through.size() <= kMostNamed) causes.insert(item.through.begin(), item.through.end());
   return {causes.begin(), causes.end()};
 }
 
@@ -41,7 +43,7 @@ StatementIds IdsOf(const std::vector<ItemStatement>& statements) {
 using GroupKey = std::tuple<ItemKind, bool, int, std::vector<std::string>, std::string, StatementIds, StatementIds>;
 
 GroupKey KeyOf(const DiffItem& item, const std::vector<std::string>& causes, size_t number) {
-  const bool follows = !item.changed_itself && !causes.empty();
+  const bool follows = !item.changed_itself && !item.through.empty();
   const int verdict = item.verdict == ItemVerdict::kDifferent ? 0 : 1;
   if (follows) return {item.kind, true, verdict, causes, {}, {}, {}};
   // What is declared is told one by one, and so is the schedule.
