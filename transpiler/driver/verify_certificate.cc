@@ -93,6 +93,22 @@ Json FactsJson(const FactsReport& facts) {
   return json;
 }
 
+Json FrontEndJson(const prove::front_end::Comparison& comparison) {
+  Json json = {{"compiler", comparison.compiler}};
+  if (!comparison.reason.empty()) json["not_compared"] = comparison.reason;
+  json["assumed"] = {"executions that come to a run-time fault are not compared: C leaves them open",
+                     "what the control itself has (the schedule, its functions, the dispatcher) is not compared"};
+  json["functions"] = Json::array();
+  for (const prove::front_end::FunctionProof& function : comparison.functions) {
+    if (function.not_compared.empty()) {
+      json["functions"].push_back(RoutineJson(function.proof));
+      continue;
+    }
+    json["functions"].push_back({{"routine", function.proof.routine}, {"not_compared", function.not_compared}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string CertificateText(const Certificate& certificate) {
@@ -127,6 +143,7 @@ std::string CertificateText(const Certificate& certificate) {
   json["facts"] = FactsJson(*certificate.facts);
   all = all && certificate.facts->all_proved();
   if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
+  if (certificate.front_end != nullptr) json["front_end"] = FrontEndJson(*certificate.front_end);
   json["proved"] = all && certificate.left_out.empty();
   return json.dump(2) + "\n";
 }

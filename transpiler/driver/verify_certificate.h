@@ -10,6 +10,7 @@
 #include "transpiler/emit/output_file.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/front_end/front_end.h"
 
 namespace plcxx::driver {
 
@@ -21,7 +22,8 @@ struct Certificate {
   const prove::compiled::Bitcode* bitcode = nullptr;
   const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
   const FactsReport* facts = nullptr;
-  std::vector<std::string> left_out;  // routines that nobody asked for
+  std::vector<std::string> left_out;                        // routines that nobody asked for
+  const prove::front_end::Comparison* front_end = nullptr;  // none: it was not looked at
 };
 
 /// JSON; the same for the same sources, compiler and plcxx, wherever and whenever it is made.

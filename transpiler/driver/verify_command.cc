@@ -9,6 +9,7 @@
 
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
+#include "transpiler/dialects/references.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/program_output.h"
@@ -22,6 +23,7 @@
 #include "transpiler/emit/print/print.h"
 #include "transpiler/prove/compiled/bitcode.h"
 #include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/front_end/front_end.h"
 #include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
@@ -37,6 +39,8 @@ The program is emitted and compiled by Clang to LLVM's instructions. Each functi
 program means it and once as it was compiled, and both are proved equal for every state and every input: all of State,
 the result, and what host functions are told. Callees come first; one that is proved is not looked into again. Functions
 are compiled as such: what the compiler puts into one another in plcxx build is not looked at.
+Of C (dialect hnc) Clang's own compilation of the sources is proved equal, too, function by function, for executions
+without a run-time fault: --front-end=only does nothing else, --front-end=off leaves it out, and so does --routine.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
 Then the facts that plcxx has decided from, ranges and bounds that test --checked executes: each is proved for every
 state, or listed with its statement; one that does not hold with a state from which the simulator shows it.
@@ -52,6 +56,7 @@ struct VerifySettings {
   std::string certificate;
   std::vector<std::string> routines;
   std::string time = "60s";
+  std::string front_end = "on";
   bool quiet = false;
 };
 
@@ -94,6 +99,23 @@ std::string ProofText(const prove::compiled::RoutineProof& proof) {
   return text;
 }
 
+std::string FrontEndText(const prove::front_end::FunctionProof& function) {
+  std::string text = "  " + function.proof.routine + ", front end: ";
+  if (!function.not_compared.empty()) return text + "not compared: " + function.not_compared + "\n";
+  switch (function.proof.result) {
+    case prove::compiled::ProofResult::kProved:
+      return text + "proved equal to Clang's own compilation\n";
+    case prove::compiled::ProofResult::kNotDecided:
+      return text + "not decided: " + function.proof.reason + "\n";
+    case prove::compiled::ProofResult::kDifferent:
+      break;
+  }
+  text += "different\n";
+  for (const prove::compiled::CodeDifference& difference : function.proof.differences)
+    text += DifferenceText(difference);
+  return text;
+}
+
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
@@ -116,6 +138,9 @@ class Verification {
   /// Those that were asked for, all when none was; false when the program has no such routine.
   bool ChooseRoutines();
   bool WriteCertificate(const prove::compiled::Bitcode& bitcode);
+  bool RunFrontEndAlone();
+  /// Where the language has another compiler; whether nothing differs.
+  bool CompareFrontEnd(const emit::Emittable& emittable, const prove::compiled::VerifyLimits& limits);
 
   const VerifySettings& settings_;
   const CompilationRequest& request_;
@@ -129,6 +154,7 @@ class Verification {
   std::vector<std::string> left_out_;
   std::vector<prove::compiled::RoutineProof> proofs_;
   FactsReport facts_;
+  std::optional<prove::front_end::Comparison> front_end_;
   std::string text_;
 };
 
@@ -175,15 +201,46 @@ bool Verification::WriteCertificate(const prove::compiled::Bitcode& bitcode) {
                                                                   .bitcode = &bitcode,
                                                                   .proofs = &proofs_,
                                                                   .facts = &facts_,
-                                                                  .left_out = left_out_})});
+                                                                  .left_out = left_out_,
+                                                                  .front_end = front_end_ ? &*front_end_ : nullptr})});
   output.protected_paths = PathsRead(compilation_);
   const auto failure = WriteAll(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
   return !failure;
 }
 
+bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove::compiled::VerifyLimits& limits) {
+  const dialects::MakeReference reference = dialects::ReferenceOf(*compilation_.dialect);
+  if (reference == nullptr || settings_.front_end == "off") return true;
+  if (!settings_.routines.empty()) {
+    text_ += "  front end: left out\n";
+    return true;
+  }
+  progress_.Show("compiling the sources");
+  dialects::Request request = compilation_.MakeRequest();
+  front_end_ = prove::front_end::Compare(emittable, reference(request), limits);
+  if (!front_end_->reason.empty()) text_ += "  front end: not compared: " + front_end_->reason + "\n";
+  bool same = true;
+  for (const prove::front_end::FunctionProof& function : front_end_->functions) {
+    text_ += FrontEndText(function);
+    same = same && function.proof.result != prove::compiled::ProofResult::kDifferent;
+  }
+  return same;
+}
+
+bool Verification::RunFrontEndAlone() {
+  prove::compiled::VerifyLimits limits;
+  limits.routine_ms = routine_ms_;
+  limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
+  const bool same = CompareFrontEnd(emittable, limits);
+  text_ = compilation_.name + ": " + (same ? "nothing is different\n" : "different\n") + text_;
+  return same;
+}
+
 bool Verification::Run() {
   if (!compilation_.has_program) return Refuse("the sources are data only");
+  if (settings_.front_end == "only") return RunFrontEndAlone();
   if (!FindCompiler() || !ChooseRoutines()) return false;
   progress_.Show("printing C++");
   const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
@@ -218,6 +275,7 @@ bool Verification::Run() {
     all = all && proof.result == prove::compiled::ProofResult::kProved;
   }
   if (!all) text_ += causes;
+  if (!CompareFrontEnd(emittable, limits)) all = false;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
   facts_ = VerifyFacts(request_, settings_.routines,
                        {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
@@ -285,6 +343,10 @@ void AddVerify(CLI::App& app, Run& run) {
   command->add_option("--time", settings->time, "For one function, as in 500ms, 60s or 5min")
       ->type_name("TIME")
       ->default_str("60s")
+      ->group("Limits");
+  command->add_option("--front-end", settings->front_end, "on, off: compare with what Clang makes of C (dialect hnc)")
+      ->type_name("ON")
+      ->check(CLI::IsMember({"on", "off", "only"}))
       ->group("Limits");
   command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
   command->footer(kVerifyFooter);

@@ -8,10 +8,14 @@
 #include "transpiler/dialects/hnc/options.h"
 #include "transpiler/dialects/hnc/syntax.h"
 #include "transpiler/ir/program.h"
+#include "transpiler/ir/reference.h"
 
 namespace plcxx::hnc {
 
 ir::Program Lower(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
                   diag::Engine& diagnostics);
+/// Which functions and variables are which routines and bytes of the program that Lower gives; without bitcode.
+ir::Reference DescribeLowered(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
+                              diag::Engine& diagnostics);
 
 }  // namespace plcxx::hnc

@@ -26,6 +26,7 @@
 #include "transpiler/dialects/hnc/walk.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
+#include "transpiler/ir/reference.h"
 
 namespace plcxx::hnc {
 
@@ -75,6 +76,9 @@ inline constexpr uint32_t kMostTargets = 16;
 /// Names of run-time faults in the order of 6.9, from 1.
 enum class Fault : uint8_t { kDivision = 1, kIndex = 2, kLoop = 3 };
 
+/// Of the host function that a system function is with --set sysfunc=host (8.2); empty: it is none.
+std::string_view HostNameOf(SystemFunction function);
+
 /// What is known of a loop that ends (6.6).
 struct LoopProof {
   LoopCount count;
@@ -96,8 +100,20 @@ class Lowering {
   Lowering(Scope scope, const Unit& unit, const Settings& settings, const source::SourceManager& sources,
            diag::Engine& diagnostics);
   ir::Program Run();
+  /// Of the program that Run has given.
+  ir::Reference Describe(const ir::Program& program) const;
 
  private:
+  // --- for plcxx verify (lowering_reference.cc) ---
+  void DescribeAreas(const ir::Program& program, ir::Reference& reference) const;
+  void DescribeVariables(ir::Reference& reference) const;
+  void DescribeFunction(FunctionId id, ir::Reference& reference) const;
+  void DescribeCallees(const ir::Program& program, ir::Reference& reference) const;
+  void DescribeEffects(const ir::Program& program, ir::Reference& reference) const;
+  ir::ReferenceBytes BytesOf(ObjectId object) const;
+  /// What its head has that has no equal in the reference; empty: nothing.
+  std::string WhyNotCompared(const Function& function) const;
+
   // --- functions (lowering.cc) ---
   void AddRoutines();
   void LowerFunction(FunctionId id);

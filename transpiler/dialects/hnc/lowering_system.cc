@@ -82,6 +82,11 @@ ir::Type ResultType(SystemFunction function) {
 
 }  // namespace
 
+std::string_view HostNameOf(SystemFunction function) {
+  const auto* const row = std::ranges::find(kHostRows, function, &HostRow::function);
+  return row == std::end(kHostRows) ? std::string_view() : row->name;
+}
+
 FunctionId Lowering::Replacement(SystemFunction function) const {
   const std::string_view name = SystemFunctions()[static_cast<size_t>(function)].name;
   for (const FunctionId id : unit_.definitions) {

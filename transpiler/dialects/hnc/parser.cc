@@ -166,6 +166,11 @@ Unit Parse(dialects::Request& request) {
   return std::move(parsed.output.unit);
 }
 
+CompiledUnit ParseAndCompile(dialects::Request& request) {
+  Parsed parsed = Run(request).Parse(ParseUntil::kCode);
+  return {std::move(parsed.output.unit), std::move(parsed.output.bitcode), std::move(parsed.output.compiler)};
+}
+
 std::string PrintTokens(dialects::Request& request) {
   if (!IsOneSource(request)) return {};
   const Parsed parsed = Run(request).Parse(ParseUntil::kTokens);

@@ -14,6 +14,13 @@ namespace plcxx::hnc {
 /// Always gives a unit; `faulty` tells that errors were reported.
 Unit Parse(dialects::Request& request);
 
+/// The same for a program without errors, and what Clang makes of it: LLVM's bitcode, empty where there is none.
+struct CompiledUnit {
+  Unit unit;
+  std::string bitcode, compiler;
+};
+CompiledUnit ParseAndCompile(dialects::Request& request);
+
 /// One token a line, behind the preprocessor: line, column, kind, text.
 std::string PrintTokens(dialects::Request& request);
 

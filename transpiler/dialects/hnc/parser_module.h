@@ -54,9 +54,12 @@ struct ParserOutput {
   std::vector<MissingInclude> missing;
   std::vector<std::string> read;  // paths of all files that were read
   std::vector<TokenText> tokens;  // only where asked for
+  std::string bitcode;            // likewise; empty: the program has errors
+  std::string compiler;           // that made it
 };
 
-enum class ParseUntil : uint8_t { kTokens, kTree };
+/// kCode: the tree, and what Clang itself makes of the program.
+enum class ParseUntil : uint8_t { kTokens, kTree, kCode };
 
 using ParseFunction = void (*)(const ParserInput& input, ParseUntil until, ParserOutput& output);
 inline constexpr const char* kParseSymbol = "plcxx_hnc_parse";

@@ -114,6 +114,17 @@ inline std::optional<uint32_t> PromotedOffset(std::string_view parameter, std::s
   return offset;
 }
 
+/// A variable of the code that no function owns and that is not constant, and the slots that it is.
+struct CodeGlobal {
+  enum class Kind : uint8_t {
+    kBytes,
+    kTable  // its elements, 2 bytes each, are the addresses of the 2 bytes at the same place of the slots
+  };
+  std::string name;
+  uint32_t slot = 0, bytes = 0;
+  Kind kind = Kind::kBytes;
+};
+
 /// A call of a function of the code. Compilers may leave out parameters of functions that only the file itself calls,
 /// and pass a variable's value instead of a reference: such parameters are found by their names.
 struct CodeRun {
@@ -130,6 +141,9 @@ struct CodeRun {
   Loops loops = Loops::kUnrolled;
   uint32_t rounds = 4;
   uint32_t most_terms = 20'000'000;  // that the execution may make
+  std::span<const CodeGlobal> globals = {};
+  /// kSource: the least long divided by -1 is itself, and a null pointer is an address outside of all objects.
+  enum class Language : uint8_t { kCpp, kSource } language = Language::kCpp;
 };
 
 /// A condition of width 1 that no state and input may make 1.
@@ -158,6 +172,8 @@ class CompiledCode {
   /// The names of the parameters that a function has after compilation (of one without name, empty); none: the code
   /// has no such function.
   virtual std::optional<std::vector<std::string>> Parameters(const std::string& function) const = 0;
+  /// What a global variable is initialised with, byte by byte, -1 where that is no number; empty: it is declared only.
+  virtual std::vector<int16_t> InitialBytes(const std::string& global) const = 0;
 };
 
 struct LoadedCode {
@@ -168,9 +184,34 @@ struct LoadedCode {
 /// The program of these bitcode files (contents, one for each .cpp file).
 LoadedCode LoadCode(std::span<const std::string> bitcode);
 
-/// The function of the module; the reason is empty where it gives code.
+/// The sources' own language, as its compiler made code of it without optimizing.
+struct SourceCode {
+  std::string bitcode;
+  std::string prefix;  // that its functions get in front of their names: "mill::"
+  /// A variable of a function that becomes a global one.
+  struct Local {
+    std::string function, name;
+    uint64_t bytes = 0;
+    std::string global;
+  };
+  std::vector<Local> locals;  // of each function in the order of their declarations
+  /// A call with these constant arguments (numbers, names of functions) is a store to bits of a byte, a call of another
+  /// function without arguments, or nothing.
+  struct Effect {
+    std::string function;
+    std::vector<std::string> arguments;
+    std::string global, calls;  // empty: none
+    uint8_t mask = 0xFF, value = 0;
+  };
+  std::vector<Effect> effects;
+};
+LoadedCode LoadSourceCode(const SourceCode& source);
+
+/// The functions of the module; the reason is empty where they give code.
 using ReadCodeFunction = CompiledCode*(std::span<const std::string> bitcode, std::string& reason);
+using ReadSourceFunction = CompiledCode*(const SourceCode& source, std::string& reason);
 inline constexpr const char* kVerifyModule = "plcxx_verify.so";
 inline constexpr const char* kReadCode = "plcxx_read_code";
+inline constexpr const char* kReadSource = "plcxx_read_source";
 
 }  // namespace plcxx::prove::compiled

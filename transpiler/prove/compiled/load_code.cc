@@ -12,4 +12,13 @@ LoadedCode LoadCode(std::span<const std::string> bitcode) {
   return loaded;
 }
 
+LoadedCode LoadSourceCode(const SourceCode& source) {
+  const support::ModuleFunction function = support::LoadFunction(kVerifyModule, kReadSource);
+  if (function.address == nullptr) return {.code = nullptr, .reason = function.reason};
+  auto* const read = reinterpret_cast<ReadSourceFunction*>(function.address);
+  LoadedCode loaded;
+  loaded.code.reset(read(source, loaded.reason));
+  return loaded;
+}
+
 }  // namespace plcxx::prove::compiled

@@ -129,6 +129,12 @@ void Facts::AddDistance(terms::TermId distance) {
 void Facts::AddLeaf(terms::TermId leaf) {
   Add(leaf);
   Add(terms_.Not(leaf));
+  // So it was when the first round began.
+  const terms::TermId at_first = at_entry_(leaf);
+  if (at_first != leaf) {
+    Add(at_first);
+    Add(terms_.Not(at_first));
+  }
   const terms::Term term = terms_[leaf];
   if (term.kind != terms::TermKind::kUlt && term.kind != terms::TermKind::kSlt && term.kind != terms::TermKind::kEq)
     return;

@@ -342,6 +342,14 @@ void LoopRelation::Holds(terms::TermId condition) {
   given_ = terms_.And(given_, holds);
 }
 
+void LoopRelation::Assume(terms::TermId condition) {
+  if (open_.empty()) {
+    given_ = terms_.And(given_, condition);
+  } else if (open_.back() < loops_.size() && loops_[open_.back()]->holds.valid()) {
+    Holds(condition);
+  }
+}
+
 void LoopRelation::Close(terms::TermId again, std::span<const terms::TermId> values) {
   const size_t number = open_.back();
   OfProgram& loop = *loops_[number];

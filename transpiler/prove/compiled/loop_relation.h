@@ -64,6 +64,8 @@ class LoopRelation : public execute::LoopHeads {
   execute::ProgramLoop::Head AtHead(const execute::ProgramLoop& loop) override;
   void Holds(terms::TermId condition) override;
   void Close(terms::TermId again, std::span<const terms::TermId> values) override;
+  /// Where it does not hold, nothing is claimed.
+  void Assume(terms::TermId condition);
 
   // Of the code.
   void OpenInCode();

@@ -34,12 +34,13 @@ bool Gets(const std::vector<std::string>& parameters, const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit) {
-  std::vector<std::string> names = {"m"};
+std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit, Passes passes) {
+  std::vector<std::string> names;
+  if (passes == Passes::kStateAndHost) names.emplace_back("m");
   for (const std::vector<ir::PlaceId>* places : {&unit.values, &unit.references}) {
     for (const ir::PlaceId place : *places) names.push_back(emittable.place_names[place.index]);
   }
-  names.emplace_back("host");
+  if (passes == Passes::kStateAndHost) names.emplace_back("host");
   return names;
 }
 
@@ -104,13 +105,13 @@ terms::TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<terms:
 }
 
 ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image,
-                           const Unit& unit, const std::vector<std::string>& parameters)
+                           const Unit& unit, Passes passes, const std::vector<std::string>& parameters)
     : emittable_(emittable),
       program_(*emittable.program),
       cells_(cells),
       image_(image),
       unit_(unit),
-      parameters_(ParametersOf(emittable, unit)) {
+      parameters_(ParametersOf(emittable, unit, passes)) {
   AddItems();
   for (const ir::PlaceId place : unit.values) {
     if (Gets(parameters, emittable.place_names[place.index]))

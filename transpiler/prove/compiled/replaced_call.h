@@ -19,8 +19,9 @@
 
 namespace plcxx::prove::compiled {
 
-/// "m", the locals, "host": the names of a unit's parameters in C++, in this order.
-std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit);
+/// "m", the locals, "host": the names of a unit's parameters in C++, in this order; the locals alone where State and
+/// host are not passed.
+std::vector<std::string> ParametersOf(const emit::Emittable& emittable, const Unit& unit, Passes passes);
 
 class ReplacedCall;
 
@@ -73,7 +74,7 @@ class ReplacedCall {
  public:
   /// `parameters`: what the compiled function has left of its parameters; a local that it does not get does not matter.
   ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image, const Unit& unit,
-               const std::vector<std::string>& parameters);
+               Passes passes, const std::vector<std::string>& parameters);
 
   const Unit& unit() const { return unit_; }
   /// Whether there is anything in it that has no place in State: then calls of it have to be followed.

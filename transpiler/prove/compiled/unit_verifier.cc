@@ -33,11 +33,11 @@ execute::Environment UnitVerifier::MakeEnvironment() {
   environment.most_rounds = MostRounds();
   environment.replaced = replaced_.get();
   environment.most_terms = kMostTerms;
-  if (treatment_.loops != Loops::kUnrolled) environment.loops = &policy_;
+  if (treatment_.loops != Loops::kUnrolled || program_.shape.IsUpToFaults()) environment.loops = &policy_;
   environment.initial = [this](execute::CellId cell) {
     const bool power_on =
         is_init() && execute::CellAt(program_.ir, program_.cells, cell).kind != execute::CellKind::kCalls;
-    return power_on ? image_.CellAtPowerOn(terms_, cell) : image_.CellBefore(terms_, cell);
+    return power_on ? image_.CellAtPowerOn(terms_, cell) : CellBefore(cell);
   };
   environment.stored = [this](execute::CellId id) {
     const execute::Cell cell = execute::CellAt(program_.ir, program_.cells, id);
@@ -69,14 +69,42 @@ terms::TermId UnitVerifier::InitialSlot(uint32_t slot) {
   if (slot >= image_.size())
     return image_.CellBefore(terms_, execute::CellId(program_.cells.calls + slot - image_.size()));
   // Before init the memory may hold anything.
-  return is_init() ? terms_.Variable("State byte " + std::to_string(slot), 8) : image_.ByteBefore(terms_, slot);
+  if (is_init()) return terms_.Variable("State byte " + std::to_string(slot), 8);
+  if (image_[slot].kind == ByteKind::kNothing) return image_.ByteBefore(terms_, slot);
+  return image_.ByteFor(
+      terms_, slot, [this](execute::CellId cell) { return CellBefore(cell); }, image_.HashBefore(terms_));
+}
+
+terms::TermId UnitVerifier::CellBefore(execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(program_.ir, program_.cells, id);
+  const auto& constant_bytes = program_.shape.is_constant;
+  const bool constant = cell.kind == execute::CellKind::kBit && cell.space.index < constant_bytes.size() &&
+                        cell.offset < constant_bytes[cell.space.index].size() &&
+                        constant_bytes[cell.space.index][cell.offset];
+  return constant ? image_.CellAtPowerOn(terms_, id) : image_.CellBefore(terms_, id);
+}
+
+bool UnitVerifier::IsDead(uint32_t slot) const {
+  const auto& dead = program_.shape.dead_behind;
+  if (unit_.part.routine.index >= dead.size()) return false;
+  return std::ranges::any_of(dead[unit_.part.routine.index],
+                             [slot](const auto& range) { return range.first <= slot && slot < range.second; });
+}
+
+void UnitVerifier::NoteFault(terms::TermId when, terms::TermId code) {
+  faulted_ = terms_.Or(faulted_, when);
+  const bool open = terms_.IsConst(code) && std::ranges::find(program_.shape.open_faults, terms_.Value(code)) !=
+                                                program_.shape.open_faults.end();
+  if (open) open_faults_ = terms_.Or(open_faults_, when);
+  if (relation_ != nullptr) relation_->Assume(terms_.Not(when));
 }
 
 void UnitVerifier::MakeArguments() {
   const auto variable = [this](ir::PlaceId id) {
     return terms_.Variable(program_.emittable.place_names[id.index], meaning::WidthOf(program_.ir.places[id].type));
   };
-  arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
+  const bool passes_state = program_.shape.passes == Passes::kStateAndHost;
+  if (passes_state) arguments_.push_back({.kind = CodeArgument::Kind::kState, .name = "m", .value = {}});
   for (size_t i = 0; i < unit_.values.size(); ++i) {
     const ir::PlaceId id = unit_.values[i];
     values_.push_back(given_[i] ? terms_.Const(*given_[i], meaning::WidthOf(program_.ir.places[id].type))
@@ -95,7 +123,7 @@ void UnitVerifier::MakeArguments() {
                           .slot = slots_.back(),
                           .bytes = bytes});
   }
-  arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
+  if (passes_state) arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
 }
 
 std::string UnitVerifier::ExecuteProgram(execute::Memory& memory) {
@@ -119,8 +147,28 @@ CodeOutcome UnitVerifier::ExecuteCode() {
   if (treatment_.loops != Loops::kUnrolled) {
     run.loops = relation_ != nullptr ? CodeRun::Loops::kAtHeads : CodeRun::Loops::kFirstRounds;
     run.rounds = policy_.rounds;
+  } else if (program_.shape.IsUpToFaults()) {
+    // What goes round more often has to be shown to be no execution without a fault.
+    run.loops = CodeRun::Loops::kFirstRounds;
+    run.rounds = policy_.rounds;
   }
+  run.globals = program_.shape.globals;
+  if (program_.shape.passes == Passes::kNothing) run.language = CodeRun::Language::kSource;
   return program_.code.Execute(terms_, environment, run);
+}
+
+/// A fault of which C knows nothing must not be recorded: what comes after it is not compared.
+void UnitVerifier::AskAboutFaults(const CodeOutcome& outcome, terms::TermId given) {
+  const bool calls_control =
+      std::ranges::any_of(unit_.callees, [this](UnitId callee) { return bool{program_.is_unknown[callee.index]}; });
+  const bool by_heads = relation_ != nullptr && has_loops_;
+  if (terms_.IsFalse(open_faults_) || calls_control || by_heads) return;
+  terms::TermId undefined = terms_.Bit(false);
+  for (const Obligation& obligation : outcome.obligations) undefined = terms_.Or(undefined, obligation.never);
+  questions_.push_back({.what = "a fault where C has none",
+                        .pair = {terms_.And(open_faults_, terms_.Not(undefined)), terms_.Bit(false)},
+                        .given = given,
+                        .guess = {}});
 }
 
 void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
@@ -129,8 +177,16 @@ void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
   const auto ask = [&](std::string what, terms::TermId program, terms::TermId code) {
     questions_.push_back({.what = std::move(what), .pair = {program, code}, .given = given, .guess = {}});
   };
+  if (program_.shape.IsUpToFaults() && relation_ == nullptr && has_loops_) {
+    questions_.push_back({.what = "rounds of a loop",
+                          .pair = {terms_.Bit(false), terms_.And(LeftOut(outcome), terms_.Not(faulted_))},
+                          .given = {},
+                          .guess = {},
+                          .of = Question::Of::kLeftOut});
+  }
+  AskAboutFaults(outcome, has_loops_ && relation_ == nullptr ? terms_.Not(LeftOut(outcome)) : terms::TermId());
   for (uint32_t at = 0; at < image_.size(); ++at) {
-    if (image_[at].kind == ByteKind::kNothing) continue;
+    if (image_[at].kind == ByteKind::kNothing || IsDead(at)) continue;
     ask(image_.NameOf(at), image_.ByteFor(terms_, at, cell, hash_), outcome.slots[at]);
     ++proof_.bytes;
   }
@@ -161,10 +217,12 @@ void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
   }
   for (const Obligation& obligation : outcome.obligations) {
     const bool all = treatment_.loops == Loops::kFirstRounds || !obligation.given.valid();
+    const terms::TermId there = all ? given : terms_.And(obligation.given, terms_.Not(faulted_));
     questions_.push_back({.what = obligation.text,
                           .pair = {terms_.Bit(false), obligation.never},
-                          .given = all ? given : obligation.given,
-                          .guess = {}});
+                          .given = there,
+                          .guess = {},
+                          .of = Question::Of::kObligation});
     ++proof_.obligations;
   }
 }
@@ -186,13 +244,19 @@ std::vector<terms::TermId> UnitVerifier::VariablesOf(const solver::TermPair& pai
 
 uint32_t UnitVerifier::MostRounds() const {
   if (is_init()) return kMostRoundsOfInit;
-  return treatment_.loops == Loops::kUnrolled ? kMostUnrolled : kMostRounds;
+  return treatment_.loops == Loops::kUnrolled && !program_.shape.IsUpToFaults() ? kMostUnrolled : kMostRounds;
+}
+
+terms::TermId UnitVerifier::LeftOut(const CodeOutcome& outcome) {
+  return terms_.Or(policy_.left_out, outcome.left_out);
 }
 
 terms::TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
-  if (relation_ != nullptr) return has_loops_ ? relation_->Given() : terms::TermId();
-  if (!has_loops_) return {};
-  return terms_.Not(terms_.Or(policy_.left_out, outcome.left_out));
+  terms::TermId given;
+  if (has_loops_) given = relation_ != nullptr ? relation_->Given() : terms_.Not(LeftOut(outcome));
+  if (terms_.IsFalse(faulted_)) return given;
+  const terms::TermId goes_on = terms_.Not(faulted_);
+  return given.valid() ? terms_.And(given, goes_on) : goes_on;
 }
 
 solver::TermPair UnitVerifier::Asked(const Question& question) {
@@ -294,7 +358,18 @@ void UnitVerifier::Decide(solver::Solver& solver) {
   const std::vector<solver::Verdict> verdicts = Compare(solver, questions_);
   proof_.result = ProofResult::kProved;
   size_t asked = 0;
+  bool all_rounds = false;
+  std::string undefined;  // what the code's language leaves open
   for (size_t i = 0; i < verdicts.size(); ++i) {
+    if (questions_[i].of == Question::Of::kLeftOut) {
+      all_rounds = verdicts[i] == solver::Verdict::kEqual;
+      continue;
+    }
+    const bool open = program_.shape.IsUpToFaults() && questions_[i].of == Question::Of::kObligation;
+    if (open && verdicts[i] == solver::Verdict::kDifferent) {
+      if (undefined.empty()) undefined = questions_[i].what;
+      continue;
+    }
     if (verdicts[i] == solver::Verdict::kDifferent) {
       if (proof_.differences.size() == kMostDifferences) continue;
       const bool may_ask = ++asked <= kMostShown;
@@ -312,7 +387,14 @@ void UnitVerifier::Decide(solver::Solver& solver) {
     }
   }
   if (proof_.result == ProofResult::kDifferent) proof_.reason.clear();
-  if (!has_loops_) return;
+  if (!undefined.empty() && proof_.result != ProofResult::kNotDecided) {
+    // What differs behind it may come from there.
+    proof_.result = ProofResult::kNotDecided;
+    proof_.differences.clear();
+    proof_.reason = "C leaves open what the language says: " + undefined;
+    return;
+  }
+  if (!has_loops_ || all_rounds) return;
   // A state at the head of a loop need not be one that is reached; and rounds that were left out are not proved.
   if (proof_.result == ProofResult::kDifferent && relation_ != nullptr) {
     proof_.result = ProofResult::kNotDecided;
@@ -337,13 +419,16 @@ RoutineProof UnitVerifier::Run() {
   now_ = terms_.Variable("now", 32);
   hash_ = is_init() ? terms_.Const(image_.layout_hash(), 32) : image_.HashBefore(terms_);
   const bool in_order = treatment_.callees == Callees::kReplacedInOrder;
-  if (treatment_.callees != Callees::kFollowed) {
+  faulted_ = open_faults_ = terms_.Bit(false);
+  const bool replaces = treatment_.callees != Callees::kFollowed;
+  if (replaces || program_.shape.passes == Passes::kNothing) {
     const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
     const auto never = [this, &loaded](terms::TermId condition) {
       return terms_.IsFalse(condition) ||
              (!terms_.IsTrue(condition) && loaded.solver->Check({&condition, 1}, kBranchMs) == solver::Answer::kNever);
     };
-    replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never));
+    replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never), replaces,
+                                           [this](terms::TermId when, terms::TermId code) { NoteFault(when, code); });
   }
   MakeArguments();
   const execute::Environment environment = MakeEnvironment();
@@ -352,6 +437,7 @@ RoutineProof UnitVerifier::Run() {
                                                treatment_.dropped);
   }
   if (in_order) policy_.rounds = kFewRounds;
+  if (treatment_.loops == Loops::kUnrolled) policy_.rounds = kMostUnrolled;
   policy_.heads = relation_.get();
   policy_.left_out = terms_.Bit(false);
   execute::Memory memory(terms_, program_.ir, program_.cells, environment);

@@ -58,6 +58,8 @@ class UnitVerifier {
     solver::TermPair pair;  // the IR's, the code's
     terms::TermId given;    // where it is asked; none: everywhere
     std::string guess;      // of which it is; may be none
+    /// What must not happen, and that rounds which were left out are none: no value of the program.
+    enum class Of : uint8_t { kValue, kObligation, kLeftOut } of = Of::kValue;
   };
 
   /// A chunk or subroutine: it works on its caller's locals.
@@ -68,6 +70,12 @@ class UnitVerifier {
   execute::Environment MakeEnvironment();
   void Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when);
   terms::TermId InitialSlot(uint32_t slot);
+  terms::TermId CellBefore(execute::CellId cell);
+  /// What is not read again behind the unit.
+  bool IsDead(uint32_t slot) const;
+  terms::TermId LeftOut(const CodeOutcome& outcome);
+  void NoteFault(terms::TermId when, terms::TermId code);
+  void AskAboutFaults(const CodeOutcome& outcome, terms::TermId given);
   void MakeArguments();
   std::string ExecuteProgram(execute::Memory& memory);
   CodeOutcome ExecuteCode();
@@ -91,6 +99,7 @@ class UnitVerifier {
   StateImage image_;
   terms::Terms terms_;
   terms::TermId now_, hash_;
+  terms::TermId faulted_, open_faults_;  // all, and those at which the code's language leaves something open, too
   std::vector<CodeArgument> arguments_;
   std::vector<terms::TermId> values_, references_;  // of the arguments, in the unit's order
   std::vector<uint32_t> slots_;                     // of the references

@@ -16,6 +16,12 @@ namespace plcxx::prove::compiled {
 
 using UnitId = support::Id<struct UnitTag>;
 
+/// What functions of the code get from their callers beside their own parameters.
+enum class Passes : uint8_t {
+  kStateAndHost,  // State in front, the host behind
+  kNothing        // State is in global variables
+};
+
 /// Cells, by CellId.
 struct Footprint {
   std::vector<bool> touched, written;

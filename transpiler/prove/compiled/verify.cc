@@ -35,8 +35,10 @@ void Add(RoutineProof& all, RoutineProof one) {
 /// All functions of a program, callees first.
 class Verification {
  public:
-  Verification(const emit::Emittable& emittable, CompiledCode& code, const VerifyLimits& limits)
-      : program_(emittable, code, limits), visited_(program_.units.all.size()), open_(program_.units.all.size()) {}
+  Verification(const emit::Emittable& emittable, CompiledCode& code, const CodeShape& shape, const VerifyLimits& limits)
+      : program_(emittable, code, shape, limits),
+        visited_(program_.units.all.size()),
+        open_(program_.units.all.size()) {}
 
   void ProveRoutine(ir::RoutineId routine) { Prove(program_.units.of_routines[routine.index]); }
   std::vector<RoutineProof> TakeProofs() { return std::move(proofs_); }
@@ -163,7 +165,7 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
 
 void Verification::Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open) {
   auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, program_.units[id],
-                                             parameters);
+                                             program_.shape.passes, parameters);
   if (call->is_opaque()) return;
   program_.calls[id.index] = std::move(call);
   open_[id.index] = std::move(open);
@@ -175,7 +177,10 @@ void Verification::Prove(UnitId id) {
   const Unit& unit = program_.units[id];
   for (const UnitId callee : unit.callees) Prove(callee);
   const bool inner = unit.part.region.valid() || emit::SharesLocals(program_.ir.routines[unit.part.routine].kind);
-  const auto parameters = program_.code.Parameters(program_.CppName(unit));
+  auto parameters = program_.code.Parameters(program_.CppName(unit));
+  // Nothing has been left out of code that is not optimized.
+  if (parameters && program_.shape.passes == Passes::kNothing)
+    parameters = ParametersOf(program_.emittable, unit, program_.shape.passes);
   // What the compiler has put into its callers is proved there.
   if (inner && !parameters) return;
   Granted granted;
@@ -222,8 +227,9 @@ std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program) {
 }
 
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
-                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits) {
-  Verification verification(emittable, code, limits);
+                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits,
+                                 const CodeShape& shape) {
+  Verification verification(emittable, code, shape, limits);
   for (const ir::RoutineId routine : routines) verification.ProveRoutine(routine);
   return verification.TakeProofs();
 }

@@ -15,10 +15,13 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "transpiler/emit/emittable.h"
 #include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/compiled/units.h"
 
 namespace plcxx::prove::compiled {
 
@@ -51,6 +54,29 @@ struct RoutineProof {
   std::vector<CodeDifference> differences;  // not more than a few
 };
 
+/// What the code is that the program is compared with. As it is made: what plcxx prints, compiled.
+struct CodeShape {
+  Passes passes = Passes::kStateAndHost;
+  std::vector<CodeGlobal> globals;  // slots are bytes of State
+  /// What the program calls where the code's language says nothing: only executions that do not come to a call of it
+  /// are compared. None: all are.
+  ir::RoutineId fault;
+  std::vector<uint64_t> open_faults;  // numbers of those that are recorded only where the code's language is open, too
+  std::vector<ir::RoutineId>
+      unknown;  // that the code only declares: on both sides anything, the same when called alike
+  /// Calls of the code that are calls of a host function, by the name in the code.
+  std::vector<std::pair<std::string, ir::HostFunctionId>> hosts;
+  /// By RoutineId: bytes of State that nothing reads behind the routine, [begin, end).
+  std::vector<std::vector<std::pair<uint32_t, uint32_t>>> dead_behind;
+  std::vector<std::vector<bool>> is_constant;  // by SpaceId and byte: nothing writes it after power-on
+  /// What a function of the language's library gives, by its name and arguments; may be empty.
+  std::function<terms::TermId(terms::Terms& terms, std::string_view name, std::span<const terms::TermId> arguments)>
+      library;
+
+  /// Only executions without a fault are compared.
+  bool IsUpToFaults() const { return fault.valid(); }
+};
+
 struct VerifyLimits {
   uint32_t question_ms = 10'000;
   uint64_t routine_ms = 60'000;
@@ -63,6 +89,7 @@ std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program);
 /// Of these routines, and of the functions that they call, callees first. `emittable` is what the code was printed
 /// from.
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
-                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits);
+                                 std::span<const ir::RoutineId> routines, const VerifyLimits& limits,
+                                 const CodeShape& shape = {});
 
 }  // namespace plcxx::prove::compiled

@@ -6,7 +6,7 @@
 
 #include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/parser/converter.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {

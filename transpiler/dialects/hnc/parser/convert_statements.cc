@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "transpiler/dialects/hnc/parser/converter.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {

@@ -18,7 +18,7 @@
 #include "transpiler/dialects/hnc/characters.h"
 #include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/parser/foreign_forms.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {

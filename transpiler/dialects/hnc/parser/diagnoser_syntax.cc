@@ -15,7 +15,7 @@
 #include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/parser/diagnoser.h"
 #include "transpiler/dialects/hnc/parser/foreign_forms.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
+#include "transpiler/dialects/hnc/product_names.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::hnc {

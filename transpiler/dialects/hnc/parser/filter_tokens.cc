@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/dialects/hnc/parser/product_names.h"
 #include "transpiler/dialects/hnc/parser/session.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {

@@ -12,9 +12,9 @@
 #include <memory>
 
 #include "transpiler/dialects/hnc/parser/converter.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
 #include "transpiler/dialects/hnc/parser/record_layout.h"
 #include "transpiler/dialects/hnc/parser/session.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -82,7 +82,7 @@ void PutTokens(Session& session) {
 }
 
 void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
-  Session session(input, output);
+  Session session(input, until, output);
   SetUp(session);
   Preprocess(session);
   FilterTokens(session);
@@ -96,7 +96,9 @@ void ParseTokens(Session& session) {
   clang::CompilerInstance& clang = session.clang;
   clang.createASTContext();
   clang.getASTContext().setExternalSource(llvm::makeIntrusiveRefCnt<RecordLayouts>());
-  clang.setASTConsumer(std::make_unique<clang::ASTConsumer>());
+  auto declarations = std::make_unique<Declarations>();
+  const Declarations& all = *declarations;
+  clang.setASTConsumer(std::move(declarations));
   clang.createSema(clang::TU_Complete, nullptr);
   clang::Sema& sema = clang.getSema();
   clang::Preprocessor& preprocessor = clang.getPreprocessor();
@@ -107,14 +109,17 @@ void ParseTokens(Session& session) {
     parser.Initialize();
     clang::Parser::DeclGroupPtrTy group;
     clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
+    clang::ASTConsumer& consumer = clang.getASTConsumer();
     for (bool at_end = parser.ParseFirstTopLevelDecl(group, imports); !at_end;
          at_end = parser.ParseTopLevelDecl(group, imports)) {
+      if (group) consumer.HandleTopLevelDecl(group.get());
     }
     session.parser = nullptr;
     sema.ActOnEndOfTranslationUnit();
   }
   session.findings().SetPhase(Phase::kMeaning);
   Converter(session).Run();
+  if (session.until == ParseUntil::kCode) session.output.bitcode = GenerateCode(session, all);
 }
 
 void Converter::Run() {

@@ -1,6 +1,8 @@
 // One run of the C parser: Clang's objects, and the way from its places to ours.
 #pragma once
 
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclGroup.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Lex/Token.h>
 
@@ -40,9 +42,11 @@ class Places {
 };
 
 struct Session {
-  Session(const ParserInput& in, ParserOutput& out) : input(in), output(out), places(in, clang) {}
+  Session(const ParserInput& in, ParseUntil to, ParserOutput& out)
+      : input(in), until(to), output(out), places(in, clang) {}
 
   const ParserInput& input;
+  ParseUntil until;
   ParserOutput& output;
   clang::CompilerInstance clang;
   Places places;
@@ -64,5 +68,21 @@ void Preprocess(Session& session);
 void FilterTokens(Session& session);
 /// Parses the tokens and makes the tree.
 void ParseTokens(Session& session);
+
+/// What the parser has found, in its order.
+class Declarations : public clang::ASTConsumer {
+ public:
+  bool HandleTopLevelDecl(clang::DeclGroupRef group) override {
+    groups.push_back(group);
+    return true;
+  }
+  void CompleteTentativeDefinition(clang::VarDecl* variable) override { tentative.push_back(variable); }
+
+  std::vector<clang::DeclGroupRef> groups;
+  std::vector<clang::VarDecl*> tentative;  // variables that nothing initialises
+};
+
+/// LLVM's bitcode of what Clang makes of the program, after the tree is made (generate_code.cc); empty: it has errors.
+std::string GenerateCode(Session& session, const Declarations& declarations);
 
 }  // namespace plcxx::hnc

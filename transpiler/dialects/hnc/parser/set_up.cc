@@ -15,8 +15,8 @@
 
 #include "transpiler/dialects/hnc/headers.h"
 #include "transpiler/dialects/hnc/parser/diagnoser.h"
-#include "transpiler/dialects/hnc/parser/product_names.h"
 #include "transpiler/dialects/hnc/parser/session.h"
+#include "transpiler/dialects/hnc/product_names.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -78,6 +78,16 @@ class TextFileSystem : public llvm::vfs::FileSystem {
 
   const ParserInput& input_;
 };
+
+/// For what Clang computes itself: floating arithmetic is done in double (6.2), and variables keep their names.
+void SetCode(clang::CompilerInvocation& invocation) {
+  invocation.getLangOpts().setFPEvalMethod(clang::LangOptions::FEM_Double);
+  invocation.getLangOpts().setDefaultFPContractMode(clang::LangOptions::FPM_Off);
+  clang::CodeGenOptions& code = invocation.getCodeGenOpts();
+  code.OptimizationLevel = 0;
+  code.DisableO0ImplyOptNone = true;
+  code.DiscardValueNames = false;
+}
 
 void SetLanguage(const ParserInput& input, clang::CompilerInvocation& invocation) {
   clang::LangOptions& language = invocation.getLangOpts();
@@ -143,6 +153,7 @@ void SetUp(Session& session) {
   clang::CompilerInstance& clang = session.clang;
   auto invocation = std::make_shared<clang::CompilerInvocation>();
   SetLanguage(session.input, *invocation);
+  if (session.until == ParseUntil::kCode) SetCode(*invocation);
   SetFolders(session.input, invocation->getHeaderSearchOpts());
   clang.setInvocation(std::move(invocation));
 

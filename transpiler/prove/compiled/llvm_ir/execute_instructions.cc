@@ -63,8 +63,23 @@ void Executor::ExecuteStore(const llvm::StoreInst& store) {
   Store(pointer.targets, 0, terms_.Zext(stored.term, static_cast<uint8_t>(8 * bytes)));
 }
 
+/// An element of a table of addresses.
+CodeValue Executor::LoadAddress(const CodeValue& pointer) {
+  CodeValue value;
+  for (const Target& target : pointer.targets) {
+    if (objects_[target.object].kind != ObjectKind::kTable) {
+      Refuse("instruction 'load' of a pointer in memory");
+      return PointerTo(0);
+    }
+    value.targets.push_back({target.when, objects_[target.object].elements, target.offset});
+  }
+  return value;
+}
+
 CodeValue Executor::ExecuteLoad(const llvm::LoadInst& load) {
   const llvm::Type& type = *load.getType();
+  if (type.isPointerTy() && run_.language == CodeRun::Language::kSource)
+    return LoadAddress(ValueOf(load.getPointerOperand()));
   if (type.isPointerTy() || type.isStructTy()) {
     Refuse("instruction 'load' of a pointer or a structure");
     return AnyOf(type);
@@ -155,7 +170,9 @@ terms::TermId Executor::Divide(const llvm::BinaryOperator& inst, terms::TermId a
   Require(terms_.Eq(b, terms_.Const(0, width)), "a division by zero");
   RequireValue(ValueOf(inst.getOperand(1)), "a division by a number that C++ leaves undefined");
   const bool has_sign = inst.getOpcode() == llvm::Instruction::SDiv || inst.getOpcode() == llvm::Instruction::SRem;
-  if (has_sign) {
+  // 8086 and control stop at it for an int only.
+  const bool wraps = run_.language == CodeRun::Language::kSource && width > 16;
+  if (has_sign && !wraps) {
     const terms::TermId least = terms_.Eq(a, terms_.Const(uint64_t{1} << (width - 1), width));
     const terms::TermId minus_one = terms_.Eq(b, terms_.Const(terms::Masked(~uint64_t{0}, width), width));
     Require(terms_.And(least, minus_one), "a division that overflows");

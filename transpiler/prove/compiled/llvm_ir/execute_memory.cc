@@ -73,6 +73,14 @@ terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t b
 terms::TermId Executor::LoadFrom(terms::TermId when, uint32_t number, terms::TermId offset, uint32_t bytes) {
   const auto width = static_cast<uint8_t>(8 * bytes);
   const Object& object = objects_[number];
+  if (object.kind == ObjectKind::kNull && run_.language == CodeRun::Language::kSource) {
+    Require(when, "a read through a null pointer");
+    return Undefined(width);
+  }
+  if (object.kind == ObjectKind::kTable) {
+    Refuse("a read of an address as a number");
+    return Undefined(width);
+  }
   if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) {
     Refuse(object.kind == ObjectKind::kHost ? "a read of the host's own memory" : "a read through a null pointer");
     return Undefined(width);
@@ -112,7 +120,13 @@ void Executor::StoreAt(terms::TermId when, const Object& object, uint64_t offset
 
 void Executor::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset, terms::TermId value) {
   const Object& object = objects_[number];
-  if (object.kind != ObjectKind::kState && object.kind != ObjectKind::kLocal) {
+  if (object.kind == ObjectKind::kNull && run_.language == CodeRun::Language::kSource) {
+    Require(when, "a write through a null pointer");
+    return;
+  }
+  const bool writable =
+      object.kind == ObjectKind::kState || object.kind == ObjectKind::kLocal || object.kind == ObjectKind::kGlobal;
+  if (!writable) {
     Refuse("a write to memory that is neither State nor a local");
     return;
   }

@@ -46,11 +46,20 @@ struct CodeValue {
   std::vector<CodeValue> parts;  // of structs
 };
 
-enum class ObjectKind : uint8_t { kNull, kState, kHost, kConstant, kLocal };
+enum class ObjectKind : uint8_t {
+  kNull,
+  kState,
+  kHost,
+  kConstant,
+  kLocal,
+  kGlobal,  // a variable that CodeRun::globals places
+  kTable    // one of addresses there
+};
 
 struct Object {
   ObjectKind kind{};
-  uint32_t first_slot = 0;      // kState, kLocal
+  uint32_t first_slot = 0;      // kState, kLocal, kGlobal
+  uint32_t elements = 0;        // kTable: the object that its addresses lead into
   uint64_t bytes = 0;           // but of kHost
   uint64_t align = 1;           // of its first byte; but of kHost
   std::vector<int16_t> values;  // kConstant: its bytes; -1: none that is a number
@@ -141,6 +150,7 @@ class Executor {
   terms::TermId Undefined(uint8_t width);
   CodeValue PointerTo(uint32_t object, uint64_t offset = 0);
   uint32_t ObjectOf(const llvm::GlobalVariable& global);
+  uint32_t PlacedObject(const CodeGlobal& global);
   uint8_t WidthOf(const llvm::Type& type) const;
   bool IsSupported(const llvm::Type& type) const;
 
@@ -152,6 +162,7 @@ class Executor {
   CodeValue Freeze(const llvm::FreezeInst& inst);
   void ExecuteStore(const llvm::StoreInst& store);
   CodeValue ExecuteLoad(const llvm::LoadInst& load);
+  CodeValue LoadAddress(const CodeValue& pointer);
   void ExecuteAssume(const llvm::AssumeInst& assumption);
   terms::TermId EvaluateBinaryOperator(const llvm::BinaryOperator& inst);
   terms::TermId Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b);

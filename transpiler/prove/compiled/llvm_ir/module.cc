@@ -1,4 +1,4 @@
-// The module's one function: bitcode files to one program that can be executed.
+// The module's functions: bitcode files to one program that can be executed.
 #include <llvm/Analysis/LoopInfo.h>
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/IR/Dominators.h>
@@ -12,6 +12,7 @@
 
 #include "transpiler/prove/compiled/compiled_code.h"
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
+#include "transpiler/prove/compiled/llvm_ir/source_code.h"
 
 namespace plcxx::prove::compiled::llvm_ir {
 namespace {
@@ -25,7 +26,9 @@ void CloseLoops(llvm::Function& function) {
 
 class Code : public CompiledCode {
  public:
-  static std::unique_ptr<Code> Read(std::span<const std::string> bitcode, std::string& reason) {
+  /// `source`: what is done with code of the sources' language; none: with generated code.
+  static std::unique_ptr<Code> Read(std::span<const std::string> bitcode, const SourceCode* source,
+                                    std::string& reason) {
     auto code = std::make_unique<Code>();
     for (const std::string& bytes : bitcode) {
       auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), code->context_);
@@ -44,6 +47,7 @@ class Code : public CompiledCode {
       reason = "there is no code for a processor that stores the least significant byte first";
       return nullptr;
     }
+    if (source != nullptr) AdaptSource(*code->module_, *source);
     for (llvm::Function& function : *code->module_) {
       if (function.isDeclaration()) continue;
       CloseLoops(function);
@@ -66,6 +70,12 @@ class Code : public CompiledCode {
     return names;
   }
 
+  std::vector<int16_t> InitialBytes(const std::string& global) const override {
+    const llvm::GlobalVariable* found = module_->getGlobalVariable(global, /*AllowInternal=*/true);
+    if (found == nullptr || !found->hasInitializer()) return {};
+    return BytesOf(*found->getInitializer(), module_->getDataLayout());
+  }
+
  private:
   llvm::LLVMContext context_;
   std::unique_ptr<llvm::Module> module_;
@@ -78,5 +88,10 @@ class Code : public CompiledCode {
 
 extern "C" [[gnu::visibility("default")]] plcxx::prove::compiled::CompiledCode* plcxx_read_code(
     std::span<const std::string> bitcode, std::string& reason) {
-  return plcxx::prove::compiled::llvm_ir::Code::Read(bitcode, reason).release();
+  return plcxx::prove::compiled::llvm_ir::Code::Read(bitcode, nullptr, reason).release();
+}
+
+extern "C" [[gnu::visibility("default")]] plcxx::prove::compiled::CompiledCode* plcxx_read_source(
+    const plcxx::prove::compiled::SourceCode& source, std::string& reason) {
+  return plcxx::prove::compiled::llvm_ir::Code::Read({&source.bitcode, 1}, &source, reason).release();
 }

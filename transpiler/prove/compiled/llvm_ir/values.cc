@@ -3,6 +3,7 @@
 #include <llvm/IR/GlobalVariable.h>
 #include <llvm/IR/Operator.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
@@ -103,9 +104,35 @@ CodeValue Executor::PointerTo(uint32_t object, uint64_t offset) {
   return {.targets = {{.when = terms_.Bit(true), .object = object, .offset = terms_.Const(offset, 64)}}};
 }
 
+/// Several names of the same slots are one object.
+uint32_t Executor::PlacedObject(const CodeGlobal& global) {
+  constexpr uint64_t kAnyAlignment = 8;  // it is asked of nobody
+  const auto same = std::ranges::find_if(objects_, [&global](const Object& object) {
+    return object.kind == ObjectKind::kGlobal && object.first_slot == global.slot && object.bytes == global.bytes;
+  });
+  const auto number = static_cast<uint32_t>(same - objects_.begin());
+  if (same == objects_.end()) {
+    objects_.push_back({.kind = ObjectKind::kGlobal,
+                        .first_slot = global.slot,
+                        .bytes = global.bytes,
+                        .align = kAnyAlignment,
+                        .values = {}});
+  }
+  if (global.kind == CodeGlobal::Kind::kBytes) return number;
+  objects_.push_back(
+      {.kind = ObjectKind::kTable, .elements = number, .bytes = global.bytes, .align = kAnyAlignment, .values = {}});
+  return static_cast<uint32_t>(objects_.size() - 1);
+}
+
 uint32_t Executor::ObjectOf(const llvm::GlobalVariable& global) {
   const auto found = globals_.find(&global);
   if (found != globals_.end()) return found->second;
+  const auto placed = std::ranges::find(run_.globals, global.getName(), &CodeGlobal::name);
+  if (placed != run_.globals.end()) {
+    const uint32_t object = PlacedObject(*placed);
+    globals_.emplace(&global, object);
+    return object;
+  }
   if (!global.isConstant() || !global.hasDefinitiveInitializer()) {
     Refuse("a global variable that is not constant: " + global.getName().str());
     return kNullObject;

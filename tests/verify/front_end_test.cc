@@ -1,0 +1,202 @@
+// The front end of hnc against Clang: programs that it has understood are proved equal to Clang's own compilation, and
+// what a wrong lowering would make of them is different. The typed IR is changed in one place each time, as a fault of
+// the lowering would change it; unchanged it is proved, so that what differs differs by the change.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tests/temporary_directory.h"
+#include "transpiler/dialects/references.h"
+#include "transpiler/driver/compilation.h"
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/ir/builder.h"
+#include "transpiler/prove/front_end/front_end.h"
+
+namespace plcxx::prove::front_end {
+namespace {
+
+using compiled::ProofResult;
+
+constexpr std::string_view kVariables = R"(#include "plc.h"
+int n, m; char c; unsigned u; long l; unsigned long ul; unsigned char uc; int t[4]; double d; float f;
+struct { unsigned a : 3, b : 5; int s : 4; } s;
+int two(int a, int b) { return 10 * a - b; }
+void init() { plc1_time = 16; plc2_time = 32; }
+void plc2() { }
+)";
+
+class Subject {
+ public:
+  explicit Subject(std::string_view body) {
+    directory_.Write("mill.cld", std::string(kVariables) + "void plc1() {\n" + std::string(body) + "\n}\n");
+    driver::CompilationRequest request;
+    request.sources = {directory_.File("mill.cld")};
+    compilation_ = driver::Compile(request);
+  }
+
+  bool ok() const { return compilation_.ok(); }
+  ir::Program& program() { return compilation_.program; }
+
+  compiled::RoutineProof Compare() {
+    dialects::Request request = compilation_.MakeRequest();
+    const ir::Reference reference = dialects::ReferenceOf(*compilation_.dialect)(request);
+    const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = "mill"});
+    const front_end::Comparison comparison = front_end::Compare(emittable, reference, compiled::VerifyLimits());
+    EXPECT_EQ(comparison.reason, "");
+    for (const front_end::FunctionProof& function : comparison.functions) {
+      if (function.proof.routine != "plc1") continue;
+      compiled::RoutineProof proof = function.proof;
+      if (!function.not_compared.empty()) proof.reason = "not compared: " + function.not_compared;
+      return proof;
+    }
+    return {};
+  }
+
+  /// The instructions of plc1, in the order of the program.
+  template <class Change>
+  bool ChangeFirst(Change&& change) {
+    bool changed = false;
+    for (const ir::Routine& routine : program().routines) {
+      if (routine.name != "plc1") continue;
+      ir::ForEachInst(program(), routine.body, [&](ir::InstId id) { changed = changed || change(program()[id]); });
+    }
+    return changed;
+  }
+
+ private:
+  testing_support::TemporaryDirectory directory_;
+  driver::Compilation compilation_;
+};
+
+struct Mutation {
+  std::string_view name, body;
+  enum class Kind : uint8_t { kOperation, kConstant, kSwap } kind;
+  ir::OpKind from, to;                 // kOperation; kSwap: `from`
+  uint64_t constant = 0, instead = 0;  // kConstant
+};
+using Kind = Mutation::Kind;
+using Op = ir::OpKind;
+
+constexpr Mutation Operation(std::string_view name, std::string_view body, Op from, Op to) {
+  return {name, body, Kind::kOperation, from, to};
+}
+constexpr Mutation Number(std::string_view name, std::string_view body, uint64_t constant, uint64_t instead) {
+  return {name, body, Kind::kConstant, Op::kConst, Op::kConst, constant, instead};
+}
+constexpr Mutation Swap(std::string_view name, std::string_view body, Op op) {
+  return {name, body, Kind::kSwap, op, op};
+}
+
+constexpr Mutation kMutations[] = {
+    Operation("sign_of_a_char", "n = c;", Op::kSignExtend8To16, Op::kWiden8To16),
+    Operation("sign_of_an_unsigned_char", "n = X[1];", Op::kWiden8To16, Op::kSignExtend8To16),
+    Operation("sign_of_an_int", "l = n;", Op::kSignExtend16To32, Op::kWiden16To32),
+    Operation("sign_of_an_unsigned", "l = u;", Op::kWiden16To32, Op::kSignExtend16To32),
+    Operation("compared_without_sign", "m = n < 5;", Op::kSignedLess16, Op::kLess16),
+    Operation("compared_with_sign", "m = u < 5u;", Op::kLess16, Op::kSignedLess16),
+    Operation("less_or_equal", "m = n < u;", Op::kLess16, Op::kLessEqual16),
+    Operation("shift_without_sign", "n = m >> 2;", Op::kArithmeticShiftRight16, Op::kShiftRight16),
+    Operation("shift_with_sign", "n = u >> 3;", Op::kShiftRight16, Op::kArithmeticShiftRight16),
+    Operation("shift_of_a_long", "l = l >> 5;", Op::kArithmeticShiftRight32, Op::kShiftRight32),
+    Operation("other_half", "n = l;", Op::kLowHalf32, Op::kHighHalf32),
+    Operation("other_byte", "uc = n;", Op::kLowByte16, Op::kHighByte16),
+    Operation("quotient_without_sign", "n = m / 3;", Op::kSignedDiv16, Op::kUnsignedDiv16),
+    Operation("rest_without_sign", "n = m % 7;", Op::kSignedRem16, Op::kUnsignedRem16),
+    Operation("rest_for_quotient", "u = u / 7u;", Op::kUnsignedDiv16, Op::kUnsignedRem16),
+    Operation("or_for_and", "n = m & 0x1234;", Op::kAnd16, Op::kOr16),
+    Operation("or_for_sum", "n = m + 5;", Op::kAdd16, Op::kOr16),
+    Operation("sum_for_difference", "n = m - u;", Op::kSub16, Op::kAdd16),
+    Operation("equal_for_not_equal", "n = m != u;", Op::kNotEqual16, Op::kEqual16),
+    Operation("product_of_sign", "l = (long)n * m;", Op::kSignExtend16To32, Op::kWiden16To32),
+    Operation("rotated_right", "if (X[1] & 4) n = m * 2; else n = m * 4;", Op::kMul16, Op::kAdd16),
+    Operation("sum_of_doubles", "d = d + f;", Op::kAddF64, Op::kMulF64),
+    Operation("less_or_equal_of_doubles", "n = d < 1.5;", Op::kLessF64, Op::kLessEqualF64),
+    Swap("operands_swapped", "n = m - u;", Op::kSub16),
+    Swap("divisor_swapped", "if (m) n = u / 3u - 1;", Op::kSub16),
+    Number("constant", "n = m + 300;", 300, 301),
+    Number("mask_of_a_bit_field", "s.b = X[1];", 0xF8, 0xF0),
+    Number("shift_of_a_bit_field", "n = s.b;", 3, 2),
+    Number("loop_step", "for (n = 0; n < 6; n += 2) m += n;", 2, 3),
+    Number("loop_bound", "for (n = 0; n < 6; n++) m += n;", 6, 5),
+    Number("case", "switch (n) { case 1: m = 2; break; case 3: m = 40; break; default: m = 6; }", 40, 41),
+    Number("argument", "n = two(m, 77);", 77, 76),
+    Number("bit_of_a_word", "*axis_ctrl(1) |= 0x40;", 0x40, 0x80),
+    Number("guard_of_an_index", "n = t[m];", 3, 2),
+    Number("index", "t[n & 3] = 9;", 3, 1),
+};
+
+bool Apply(const Mutation& mutation, ir::Inst& inst) {
+  switch (mutation.kind) {
+    case Kind::kOperation:
+      if (inst.op != mutation.from) return false;
+      inst.op = mutation.to;
+      return true;
+    case Kind::kSwap:
+      if (inst.op != mutation.from) return false;
+      std::swap(inst.a, inst.b);
+      return true;
+    case Kind::kConstant:
+      if (inst.op != ir::OpKind::kConst || ir::ConstantValue(inst) != mutation.constant) return false;
+      inst.a = static_cast<uint32_t>(mutation.instead);
+      return true;
+  }
+  return false;
+}
+
+class FrontEndMutation : public ::testing::TestWithParam<Mutation> {};
+
+TEST_P(FrontEndMutation, IsDifferent) {
+  Subject subject(GetParam().body);
+  ASSERT_TRUE(subject.ok());
+  const compiled::RoutineProof right = subject.Compare();
+  ASSERT_EQ(right.result, ProofResult::kProved) << right.reason;
+  ASSERT_TRUE(subject.ChangeFirst([](ir::Inst& inst) { return Apply(GetParam(), inst); }));
+  const compiled::RoutineProof wrong = subject.Compare();
+  EXPECT_EQ(wrong.result, ProofResult::kDifferent) << wrong.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrontEndMutation, ::testing::ValuesIn(kMutations),
+                         [](const auto& mutation) { return std::string(mutation.param.name); });
+
+struct Program {
+  std::string_view name, body;
+};
+constexpr Program kProved[] = {
+    {"what_faults", "n = m / u; t[n] = l % m; n = t[u];"},
+    {"shifts_by_any_count", "n = m << u; u = u >> n; l = l >> c; ul = ul << n; n = m >> u;"},
+    {"local_in_memory", "int a[3]; a[n & 1] = m; n = a[0] + a[2];"},
+    {"least_long_by_minus_1", "if (l) m = ul / l; if (n) l = l / (long)n;"},
+    {"odd_addresses", "*(unsigned *)&R[301] = u; n = *(int *)&R[303];"},
+    {"library", "n = abs(m); u = abs(c);"},
+    {"critical_section", "asm cli\nn++;\nasm sti\n"},
+    {"annotated_loop", "/*@loop_bound 9@*/\nwhile (n != X[0]) n++;"},
+    {"control", "set_axis_home(1, n); l = get_axis_pos(2);"},
+    {"order_of_arguments", "n = two(n++, n++);"},
+};
+
+class FrontEndProgram : public ::testing::TestWithParam<Program> {};
+
+TEST_P(FrontEndProgram, IsProved) {
+  Subject subject(GetParam().body);
+  ASSERT_TRUE(subject.ok());
+  const compiled::RoutineProof proof = subject.Compare();
+  EXPECT_EQ(proof.result, ProofResult::kProved) << proof.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrontEndProgram, ::testing::ValuesIn(kProved),
+                         [](const auto& program) { return std::string(program.param.name); });
+
+/// What cannot be compared is named, never passed over.
+TEST(FrontEnd, SaysWhatIsNotCompared) {
+  Subject pointer("int *p; p = t; n = *p;");
+  EXPECT_EQ(pointer.Compare().result, ProofResult::kProved);
+  Subject move("memcmp(t, R, 4);");
+  EXPECT_FALSE(move.ok());
+}
+
+}  // namespace
+}  // namespace plcxx::prove::front_end

@@ -1,0 +1,214 @@
+#include "transpiler/prove/front_end/front_end.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "transpiler/ir/accesses.h"
+#include "transpiler/prove/compiled/compiled_code.h"
+
+namespace plcxx::prove::front_end {
+namespace {
+
+/// The spaces one after the other, all bytes as they are: the State on which the sources' own code works.
+emit::layout::Layout PlainLayout(const ir::Program& program) {
+  emit::layout::Layout layout;
+  layout.places.resize(program.places.size());
+  layout.bytes.resize(program.spaces.size());
+  layout.retentive_base.resize(program.spaces.size());
+  for (uint32_t s = 0; s < program.spaces.size(); ++s) {
+    const ir::Space& space = program.spaces[ir::SpaceId(s)];
+    if (space.lifetime == ir::Lifetime::kRoutine) continue;
+    for (uint32_t i = 0; i < space.bytes; ++i, ++layout.size) {
+      emit::layout::ByteStorage stored{};
+      stored.whole = {.storage = emit::layout::Storage::kByte, .index = layout.size, .bit = 0, .offset = layout.size};
+      layout.bytes[s].push_back(stored);
+    }
+  }
+  return layout;
+}
+
+class Comparer {
+ public:
+  Comparer(const emit::Emittable& emittable, const ir::Reference& reference)
+      : program_(*emittable.program), reference_(reference), plain_(emittable) {
+    plain_.layout = PlainLayout(program_);
+    plain_.chunks.clear();
+    for (std::vector<uint32_t>& chunks : plain_.region_chunks) chunks.clear();
+    NameRoutines();
+    MakeShape();
+  }
+
+  Comparison Run(const compiled::VerifyLimits& limits);
+
+ private:
+  void NameRoutines();
+  void MakeShape();
+  void AddEffects();
+  void FindConstants();
+  compiled::RoutineProof CompareInitialValues(const compiled::CompiledCode& code) const;
+  void AddLocals(const ir::ReferenceFunction& function);
+  uint32_t SlotOf(const ir::ReferenceBytes& at) const {
+    return plain_.layout.bytes[at.space.index][at.offset].whole.offset;
+  }
+
+  const ir::Program& program_;
+  const ir::Reference& reference_;
+  emit::Emittable plain_;  // the program without chunks, in plain memory
+  compiled::CodeShape shape_;
+  compiled::SourceCode source_;
+};
+
+/// Functions of the sources as the sources name them; no other has a name that a function may have.
+void Comparer::NameRoutines() {
+  for (std::string& name : plain_.routine_names) name = "routine " + name;
+  for (const ir::ReferenceFunction& function : reference_.functions)
+    plain_.routine_names[function.routine.index] = function.name;
+  for (const ir::ReferenceCallee& callee : reference_.callees) {
+    if (callee.routine.valid()) plain_.routine_names[callee.routine.index] = callee.name;
+  }
+}
+
+/// Bytes that hold what they were given at power-on: string literals, and variables that are declared so.
+void Comparer::FindConstants() {
+  std::vector<std::vector<bool>> written(program_.spaces.size());
+  for (uint32_t s = 0; s < program_.spaces.size(); ++s) {
+    const ir::Space& space = program_.spaces[ir::SpaceId(s)];
+    shape_.is_constant.emplace_back(space.bytes, !space.host_visible && space.lifetime == ir::Lifetime::kVolatile);
+    written[s].resize(space.bytes);
+  }
+  for (const ir::ReferenceVariable& variable : reference_.variables) {
+    std::vector<bool>& bytes = shape_.is_constant[variable.at.space.index];
+    for (uint32_t i = 0; variable.is_constant && i < variable.at.bytes; ++i) bytes[variable.at.offset + i] = true;
+  }
+  const auto note = [&](ir::PlaceId id, ir::Access access) {
+    const ir::Place& place = program_.places[id];
+    if (access == ir::Access::kRead || !place.space.valid()) return;
+    std::vector<bool>& bytes = written[place.space.index];
+    const uint32_t begin = place.indexed ? place.low : place.offset;
+    const uint32_t end = place.indexed ? place.high : place.offset + ir::Bytes(place.type);
+    for (uint32_t i = begin; i < end && i < bytes.size(); ++i) bytes[i] = true;
+  };
+  for (const ir::Inst& inst : program_.insts) ir::ForEachAccess(program_, inst, note, [](ir::StateId) {});
+  for (uint32_t s = 0; s < written.size(); ++s) {
+    for (uint32_t i = 0; i < written[s].size(); ++i) {
+      if (written[s][i]) shape_.is_constant[s][i] = false;
+    }
+  }
+}
+
+void Comparer::AddLocals(const ir::ReferenceFunction& function) {
+  for (const ir::ReferenceLocal& local : function.locals) {
+    if (local.at.bytes == 0) continue;
+    const uint32_t slot = SlotOf(local.at);
+    const std::string global = function.name + "." + local.name + " at " + std::to_string(slot);
+    source_.locals.push_back({.function = function.name,
+                              .name = local.name + (local.is_parameter ? ".addr" : ""),
+                              .bytes = local.at.bytes,
+                              .global = global});
+    shape_.globals.push_back({.name = global, .slot = slot, .bytes = local.at.bytes});
+    shape_.dead_behind[function.routine.index].emplace_back(slot, slot + local.at.bytes);
+  }
+}
+
+void Comparer::AddEffects() {
+  for (const ir::ReferenceEffect& effect : reference_.effects) {
+    compiled::SourceCode::Effect& added = source_.effects.emplace_back();
+    added.function = effect.function;
+    added.arguments = effect.arguments;
+    added.mask = effect.mask;
+    added.value = effect.value;
+    if (effect.stores_at) {
+      const uint32_t slot = SlotOf(*effect.stores_at);
+      added.global = "byte " + std::to_string(slot);
+      shape_.globals.push_back({.name = added.global, .slot = slot, .bytes = 1});
+    }
+    if (effect.host.valid()) {
+      added.calls = "host " + program_.host_functions[effect.host].name;
+      shape_.hosts.emplace_back(added.calls, effect.host);
+    }
+  }
+}
+
+void Comparer::MakeShape() {
+  source_.bitcode = reference_.bitcode;
+  source_.prefix = plain_.namespace_name + "::";
+  shape_.passes = compiled::Passes::kNothing;
+  shape_.fault = reference_.fault;
+  shape_.open_faults = reference_.undefined_faults;
+  shape_.library = LibraryResult;
+  shape_.dead_behind.resize(program_.routines.size());
+  for (const ir::ReferenceVariable& variable : reference_.variables) {
+    if (variable.at.bytes == 0) continue;
+    shape_.globals.push_back(
+        {.name = variable.name,
+         .slot = SlotOf(variable.at),
+         .bytes = variable.at.bytes,
+         .kind = variable.is_table ? compiled::CodeGlobal::Kind::kTable : compiled::CodeGlobal::Kind::kBytes});
+  }
+  for (const ir::ReferenceFunction& function : reference_.functions) AddLocals(function);
+  for (const ir::ReferenceCallee& callee : reference_.callees) {
+    if (callee.routine.valid()) shape_.unknown.push_back(callee.routine);
+    if (callee.host.valid()) shape_.hosts.emplace_back(callee.name, callee.host);
+  }
+  AddEffects();
+  FindConstants();
+}
+
+/// Of all variables, as one more proof.
+compiled::RoutineProof Comparer::CompareInitialValues(const compiled::CompiledCode& code) const {
+  compiled::RoutineProof proof;
+  proof.routine = "initial values";
+  proof.result = compiled::ProofResult::kProved;
+  for (const ir::ReferenceVariable& variable : reference_.variables) {
+    const std::vector<int16_t> bytes = code.InitialBytes(variable.name);
+    const std::vector<ir::InitialByte>& initial = program_.spaces[variable.at.space].initial;
+    for (uint32_t i = 0; i < bytes.size() && i < variable.at.bytes; ++i) {
+      const auto at = std::ranges::lower_bound(initial, variable.at.offset + i, {}, &ir::InitialByte::offset);
+      const bool there = at != initial.end() && at->offset == variable.at.offset + i;
+      const uint64_t expected = there ? at->value : 0;
+      ++proof.bytes;
+      if (bytes[i] < 0 || expected == static_cast<uint64_t>(bytes[i])) continue;
+      proof.result = compiled::ProofResult::kDifferent;
+      proof.differences.push_back({.what = variable.name + ", byte " + std::to_string(i),
+                                   .has_values = true,
+                                   .expected = expected,
+                                   .compiled = static_cast<uint64_t>(bytes[i])});
+    }
+  }
+  return proof;
+}
+
+Comparison Comparer::Run(const compiled::VerifyLimits& limits) {
+  Comparison comparison{.compiler = reference_.compiler, .reason = {}, .functions = {}};
+  const compiled::LoadedCode loaded = compiled::LoadSourceCode(source_);
+  comparison.reason = loaded.reason;
+  if (loaded.code == nullptr) return comparison;
+  comparison.functions.push_back({.proof = CompareInitialValues(*loaded.code), .not_compared = {}});
+  std::vector<ir::RoutineId> routines;
+  for (const ir::ReferenceFunction& function : reference_.functions) {
+    if (function.not_compared.empty()) {
+      routines.push_back(function.routine);
+      continue;
+    }
+    compiled::RoutineProof proof;
+    proof.routine = function.name;
+    comparison.functions.push_back({.proof = std::move(proof), .not_compared = function.not_compared.front()});
+  }
+  for (compiled::RoutineProof& proof : compiled::Verify(plain_, *loaded.code, routines, limits, shape_)) {
+    const bool known = std::ranges::any_of(
+        comparison.functions, [&](const FunctionProof& one) { return one.proof.routine == proof.routine; });
+    if (!known) comparison.functions.push_back({.proof = std::move(proof), .not_compared = {}});
+  }
+  return comparison;
+}
+
+}  // namespace
+
+Comparison Compare(const emit::Emittable& emittable, const ir::Reference& reference,
+                   const compiled::VerifyLimits& limits) {
+  if (!reference.reason.empty()) return {.compiler = {}, .reason = reference.reason, .functions = {}};
+  return Comparer(emittable, reference).Run(limits);
+}
+
+}  // namespace plcxx::prove::front_end
