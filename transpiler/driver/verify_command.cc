@@ -22,12 +22,16 @@
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/prove/compiled/bitcode.h"
+#include "transpiler/prove/compiled/object_code.h"
 #include "transpiler/prove/compiled/verify.h"
 #include "transpiler/prove/front_end/front_end.h"
+#include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
+
+constexpr size_t kMostObjectBytes = size_t{1} << 28;
 
 constexpr const char* kVerifyFooter = R"(Examples:
   plcxx verify turret.sym turret.plc
@@ -53,6 +57,7 @@ struct VerifySettings {
   std::string compiler = prove::compiled::kVerifyCompiler;
   std::string level = "2";
   std::string target = "host";
+  std::vector<std::string> objects;
   std::string certificate;
   std::vector<std::string> routines;
   std::string time = "60s";
@@ -137,10 +142,14 @@ class Verification {
   bool Refuse(const std::string& reason);
   /// Those that were asked for, all when none was; false when the program has no such routine.
   bool ChooseRoutines();
-  bool WriteCertificate(const prove::compiled::Bitcode& bitcode);
   bool RunFrontEndAlone();
   /// Where the language has another compiler; whether nothing differs.
   bool CompareFrontEnd(const emit::Emittable& emittable, const prove::compiled::VerifyLimits& limits);
+  /// What Clang makes of the generated code, or the objects that were given; none: it was refused.
+  std::unique_ptr<prove::compiled::CompiledCode> FindCode(const emit::Emittable& emittable);
+  std::unique_ptr<prove::compiled::CompiledCode> CompileCode();
+  std::unique_ptr<prove::compiled::CompiledCode> ReadObjects(const emit::Emittable& emittable);
+  bool WriteCertificate();
 
   const VerifySettings& settings_;
   const CompilationRequest& request_;
@@ -150,6 +159,8 @@ class Verification {
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
   std::vector<emit::OutputFile> files_;
+  prove::compiled::Bitcode bitcode_;
+  std::vector<std::string> objects_;  // contents
   std::vector<ir::RoutineId> routines_;
   std::vector<std::string> left_out_;
   std::vector<prove::compiled::RoutineProof> proofs_;
@@ -192,13 +203,13 @@ bool Verification::ChooseRoutines() {
   return true;
 }
 
-bool Verification::WriteCertificate(const prove::compiled::Bitcode& bitcode) {
+bool Verification::WriteCertificate() {
   OutputRequest output;
   output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
                                                                   .files = &files_,
                                                                   .toolchain = &toolchain_,
                                                                   .target = &target_,
-                                                                  .bitcode = &bitcode,
+                                                                  .bitcode = &bitcode_,
                                                                   .proofs = &proofs_,
                                                                   .facts = &facts_,
                                                                   .left_out = left_out_,
@@ -238,13 +249,7 @@ bool Verification::RunFrontEndAlone() {
   return same;
 }
 
-bool Verification::Run() {
-  if (!compilation_.has_program) return Refuse("the sources are data only");
-  if (settings_.front_end == "only") return RunFrontEndAlone();
-  if (!FindCompiler() || !ChooseRoutines()) return false;
-  progress_.Show("printing C++");
-  const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
-  files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
+std::unique_ptr<prove::compiled::CompiledCode> Verification::CompileCode() {
   progress_.Show("compiling");
   auto compiled = prove::compiled::CompileToBitcode({.toolchain = &toolchain_,
                                                      .target = &target_,
@@ -254,15 +259,50 @@ bool Verification::Run() {
                                                      .runtime = {}});
   if (const auto* failure = std::get_if<prove::compiled::BitcodeFailure>(&compiled)) {
     std::cerr << failure->output;
-    return Refuse(failure->message);
+    Refuse(failure->message);
+    return nullptr;
   }
-  const auto& bitcode = std::get<prove::compiled::Bitcode>(compiled);
-  const prove::compiled::LoadedCode loaded = prove::compiled::LoadCode(bitcode.files);
-  if (loaded.code == nullptr) return Refuse(loaded.reason);
+  bitcode_ = std::move(std::get<prove::compiled::Bitcode>(compiled));
+  prove::compiled::LoadedCode loaded = prove::compiled::LoadCode(bitcode_.files);
+  if (loaded.code == nullptr) Refuse(loaded.reason);
+  return std::move(loaded.code);
+}
+
+std::unique_ptr<prove::compiled::CompiledCode> Verification::ReadObjects(const emit::Emittable& emittable) {
+  progress_.Show("reading objects");
+  for (const std::string& path : settings_.objects) {
+    auto bytes = source::ReadBytes(path, kMostObjectBytes);
+    if (std::get_if<source::LoadError>(&bytes) != nullptr) {
+      Refuse("'" + path + "' cannot be read");
+      return nullptr;
+    }
+    objects_.push_back(std::move(std::get<std::string>(bytes)));
+  }
+  const std::vector<prove::compiled::Signature> signatures = prove::compiled::SignaturesOf(emittable);
+  prove::compiled::LoadedCode loaded = prove::compiled::LoadObjectCode(
+      {.objects = objects_, .signatures = signatures, .processor = std::string(target_.processor)});
+  if (loaded.code == nullptr) Refuse(loaded.reason);
+  return std::move(loaded.code);
+}
+
+std::unique_ptr<prove::compiled::CompiledCode> Verification::FindCode(const emit::Emittable& emittable) {
+  if (!settings_.objects.empty()) return ReadObjects(emittable);
+  return FindCompiler() ? CompileCode() : nullptr;
+}
+
+bool Verification::Run() {
+  if (!compilation_.has_program) return Refuse("the sources are data only");
+  if (settings_.front_end == "only") return RunFrontEndAlone();
+  if (!ChooseRoutines()) return false;
+  progress_.Show("printing C++");
+  const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
+  files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
+  const std::unique_ptr<prove::compiled::CompiledCode> code = FindCode(emittable);
+  if (code == nullptr) return false;
   prove::compiled::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
-  proofs_ = prove::compiled::Verify(emittable, *loaded.code, routines_, limits);
+  proofs_ = prove::compiled::Verify(emittable, *code, routines_, limits);
   bool all = true;
   std::string causes;
   for (const prove::compiled::RoutineProof& proof : proofs_) {
@@ -280,10 +320,14 @@ bool Verification::Run() {
   facts_ = VerifyFacts(request_, settings_.routines,
                        {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
   text_ += facts_.Text();
-  const std::string what = std::string(left_out_.empty() ? "the compiled code" : "what was asked for") +
+  const std::string what = std::string(!left_out_.empty()          ? "what was asked for"
+                                       : settings_.objects.empty() ? "the compiled code"
+                                                                   : "the machine code") +
                            (settings_.target == "host" ? "" : " for " + settings_.target) + " is";
-  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
-  if (!settings_.certificate.empty() && !WriteCertificate(bitcode)) return false;
+  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program
+" : "not proved
+") + text_;
+  if (!settings_.certificate.empty() && !WriteCertificate()) return false;
   return all && facts_.all_proved();
 }
 
@@ -335,6 +379,10 @@ void AddVerify(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_option("--target", settings->target, "What to compile for, as in plcxx build; else this machine")
       ->type_name("T")
+      ->group("Output");
+  command->add_option("--object", settings->objects, "Verify this object or library, as plcxx build wrote it")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
       ->group("Output");
   command->add_option("--routine", settings->routines, "Only this one: init, fast, slow, period ...; may be repeated")
       ->type_name("NAME")

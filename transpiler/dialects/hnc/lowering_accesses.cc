@@ -1,6 +1,8 @@
 // Loads and stores: named locals, cells at constant places, indexed places with the fault of 6.9 beside them where the
 // bounds of the index do not show that it stays inside.
 
+#include <utility>
+
 #include "transpiler/dialects/hnc/lowering_internal.h"
 #include "transpiler/dialects/hnc/machine.h"
 
@@ -130,24 +132,31 @@ std::optional<Cell> Lowering::CellOf(const Lvalue& lvalue) const {
 Value Lowering::LoadBitField(const Lvalue& lvalue) {
   const Member& field = *lvalue.bit_field;
   const Type& type = TypeAt(field.type);
-  Value unit = Make(LoadAt(lvalue.address, IrType(field.type), lvalue.expr), IntegerType(type.bits, false));
   const TypeId wide = type.bits == 32 ? unsigned_long_ : unsigned_;
-  unit = ConvertInteger(unit, wide);
+  Value unit = ConvertInteger(
+      Make(LoadAt(lvalue.address, IrType(field.type), lvalue.expr), IntegerType(type.bits, false)), wide);
+  if (field.bit_offset != 0) {
+    unit = BinaryInteger(BinaryOp::kShiftRight, unit, Number(field.bit_offset, wide), Expr{});
+  }
+  return InBitField(unit, lvalue);
+}
+
+Value Lowering::InBitField(const Value& digits, const Lvalue& lvalue) {
+  const Member& field = *lvalue.bit_field;
+  const Type& type = TypeAt(field.type);
+  const TypeId wide = type.bits == 32 ? unsigned_long_ : unsigned_;
   const Expr nowhere;
   const int64_t mask = (int64_t{1} << field.bit_width) - 1;
-  if (field.bit_offset != 0) unit = BinaryInteger(BinaryOp::kShiftRight, unit, Number(field.bit_offset, wide), nowhere);
-  unit = BinaryInteger(BinaryOp::kBitAnd, unit, Number(mask, wide, 16), nowhere);
+  Value result = BinaryInteger(BinaryOp::kBitAnd, Convert(digits, wide), Number(mask, wide, 16), nowhere);
+  result.bounds = {0, mask};
   if (type.is_signed) {
     // Its highest bit is the sign: (u ^ s) - s.
     const Value sign = Number(int64_t{1} << (field.bit_width - 1), wide, 16);
-    unit = BinaryInteger(BinaryOp::kSubtract, BinaryInteger(BinaryOp::kBitXor, unit, sign, nowhere), sign, nowhere);
-    Value result = unit;
+    result = BinaryInteger(BinaryOp::kSubtract, BinaryInteger(BinaryOp::kBitXor, result, sign, nowhere), sign, nowhere);
     result.type = type.bits == 32 ? long_ : int_;
     result.bounds = {-(int64_t{1} << (field.bit_width - 1)), (int64_t{1} << (field.bit_width - 1)) - 1};
-    return Convert(result, lvalue.type);
   }
-  unit.bounds = {0, mask};
-  return Convert(unit, lvalue.type);
+  return Convert(result, lvalue.type);
 }
 
 void Lowering::StoreBitField(const Lvalue& lvalue, const Value& value) {
@@ -162,7 +171,10 @@ void Lowering::StoreBitField(const Lvalue& lvalue, const Value& value) {
   bits = BinaryInteger(BinaryOp::kBitAnd, bits, Number(mask, wide, 16), nowhere);
   const Value others = BinaryInteger(BinaryOp::kBitAnd, unit, Number(~mask, wide, 16), nowhere);
   const Value all = BinaryInteger(BinaryOp::kBitOr, others, bits, nowhere);
+  // The load has said whether the unit is inside of its object; an assignment has one fault, not two.
+  const bool was_checked = std::exchange(index_is_checked_, true);
   StoreAt(lvalue.address, IrType(field.type), ConvertInteger(all, narrow).id, lvalue.expr);
+  index_is_checked_ = was_checked;
 }
 
 Value Lowering::Load(const Lvalue& lvalue) {

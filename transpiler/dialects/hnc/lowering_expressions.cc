@@ -302,7 +302,7 @@ Value Lowering::Assign(ExprId id) {
   const Lvalue target = EvaluateLvalue(expr.a);
   value = Convert(value, target.type);
   Store(target, value);
-  return target.bit_field != nullptr ? LoadBitField(target) : value;
+  return target.bit_field != nullptr ? InBitField(value, target) : value;
 }
 
 /// Into the place that has just been loaded.
@@ -324,7 +324,7 @@ Value Lowering::CompoundAssign(ExprId id) {
   if (expr.computation.valid()) left = Convert(left, expr.computation);
   const Value result = Convert(Binary(expr.binary, left, right, expr), target.type);
   StoreBack(target, result);
-  return target.bit_field != nullptr ? LoadBitField(target) : result;
+  return target.bit_field != nullptr ? InBitField(result, target) : result;
 }
 
 Value Lowering::Increment(ExprId id) {
@@ -345,7 +345,8 @@ Value Lowering::Increment(ExprId id) {
                     target.type);
   }
   StoreBack(target, after);
-  return returns_new ? (target.bit_field != nullptr ? LoadBitField(target) : after) : before;
+  if (!returns_new) return before;
+  return target.bit_field != nullptr ? InBitField(after, target) : after;
 }
 
 /// Bytes of a record, as far as possible in double words; large ones in a loop.

@@ -219,6 +219,8 @@ class Lowering {
   };
   std::optional<Access> AccessTo(ObjectId object, const Address& address, ir::Type type, ExprId at);
   Value LoadBitField(const Lvalue& lvalue);
+  /// What a bit-field gives back of a value that was stored into it: its width's digits, with its sign.
+  Value InBitField(const Value& digits, const Lvalue& lvalue);
   void StoreBitField(const Lvalue& lvalue, const Value& value);
   std::optional<Cell> CellOf(const Lvalue& lvalue) const;
   void NoteStore(const Lvalue& lvalue, const Value& value);

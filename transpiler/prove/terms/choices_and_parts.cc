@@ -90,6 +90,17 @@ TermId Terms::Eq(TermId a, TermId b) {
       Width(TermId(one.b)) == Width(TermId(other.b))) {
     return And(Eq(TermId(one.a), TermId(other.a)), Eq(TermId(one.b), TermId(other.b)));
   }
+  // Two distances from one term.
+  const auto without_constant = [this](TermId sum) -> std::pair<TermId, uint64_t> {
+    const Term term = terms_[sum.index];
+    if (term.kind != TermKind::kAdd) return {sum, 0};
+    if (IsConst(TermId(term.a))) return {TermId(term.b), Value(TermId(term.a))};
+    if (IsConst(TermId(term.b))) return {TermId(term.a), Value(TermId(term.b))};
+    return {sum, 0};
+  };
+  const auto [of_a, more_a] = without_constant(a);
+  const auto [of_b, more_b] = without_constant(b);
+  if (of_a == of_b) return Bit(more_a == more_b);
   if (b < a) std::swap(a, b);
   return Binary(TermKind::kEq, a, b, 1);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
+#include "transpiler/prove/compiled/llvm_ir/refusal.h"
 #include "transpiler/prove/terms/floats.h"
 
 namespace plcxx::prove::compiled::llvm_ir {
@@ -112,6 +113,8 @@ CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
   if (refused()) return value;
   if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&inst)) {
     value.poison = Either(PoisonOfOperands(inst), PoisonOfBinary(*binary, value.term));
+  } else if (llvm::isa<llvm::PtrToIntInst>(inst) || llvm::isa<llvm::IntToPtrInst>(inst)) {
+    value.poison = PoisonOfOperands(inst);
   } else if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&inst)) {
     value.poison = Either(PoisonOfOperands(inst), PoisonOfConversion(*cast, value.term));
   } else if (llvm::isa<llvm::CmpInst>(inst) || llvm::isa<llvm::UnaryOperator>(inst)) {
@@ -121,6 +124,9 @@ CodeValue Executor::Evaluate(const llvm::Instruction& inst) {
 }
 
 CodeValue Executor::Compute(const llvm::Instruction& inst) {
+  if (const auto* number = llvm::dyn_cast<llvm::PtrToIntInst>(&inst))
+    return {.term = NumberOf(ValueOf(number->getPointerOperand()), WidthOf(*inst.getType()))};
+  if (const auto* pointer = llvm::dyn_cast<llvm::IntToPtrInst>(&inst)) return PointerAt(TermOf(pointer->getOperand(0)));
   if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&inst))
     return {.term = EvaluateBinaryOperator(*binary)};
   if (const auto* compare = llvm::dyn_cast<llvm::ICmpInst>(&inst)) return {.term = Compare(*compare)};
@@ -320,10 +326,6 @@ terms::TermId Executor::CompareFloats(const llvm::FCmpInst& inst) {
 
 terms::TermId Executor::Convert(const llvm::CastInst& inst) {
   const uint8_t width = WidthOf(*inst.getType());
-  if (inst.getSrcTy()->isPointerTy() || inst.getDestTy()->isPointerTy()) {
-    Refuse(std::string("instruction '") + inst.getOpcodeName() + "' of a pointer");
-    return Undefined(width);
-  }
   const terms::TermId a = TermOf(inst.getOperand(0));
   switch (inst.getOpcode()) {
     case llvm::Instruction::Trunc:
@@ -388,6 +390,10 @@ CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
     return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
   }
   const std::string& name = flows_.NameOf(*callee);
+  if (callee->getName().starts_with(kRefusal)) {
+    Refuse(callee->getName().substr(std::char_traits<char>::length(kRefusal)).str());
+    return {};
+  }
   if (callee->isDeclaration() || environment_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
   std::vector<CodeValue> arguments;
   for (const llvm::Use& argument : call.args()) {

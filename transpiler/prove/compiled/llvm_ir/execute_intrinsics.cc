@@ -129,13 +129,13 @@ terms::TermId Executor::PoisonOfIntrinsic(const llvm::IntrinsicInst& call) {
 }
 
 void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
-  const auto* length = llvm::dyn_cast<llvm::ConstantInt>(call.getLength());
+  const terms::TermId length = TermOf(call.getLength());
   const std::string name = call.getCalledFunction()->getName().str();
-  if (length == nullptr || length->getZExtValue() > kLongestTransfer || call.isVolatile()) {
+  if (!terms_.IsConst(length) || terms_.Value(length) > kLongestTransfer || call.isVolatile()) {
     Refuse("function '" + name + "' of a length that is not known, too great, or volatile");
     return;
   }
-  const uint64_t bytes = length->getZExtValue();
+  const uint64_t bytes = terms_.Value(length);
   const CodeValue destination = ValueOf(call.getRawDest());
   RequireValue(destination, kAddressUndefined);
   const std::vector<Target>& to = destination.targets;

@@ -221,6 +221,12 @@ class Executor {
   terms::TermId IsBeyond(const Reach& reach, terms::TermId offset);
   uint32_t NewLocal(uint64_t bytes, uint64_t align);
 
+  // Pointers as numbers (addresses.cc).
+  terms::TermId AddressOf(uint32_t object, uint8_t width);
+  terms::TermId NumberOf(const CodeValue& pointer, uint8_t width);
+  std::vector<Target> TargetsOf(terms::TermId number);
+  CodeValue PointerAt(terms::TermId number);
+
   void Refuse(std::string reason);
   bool refused() const { return !outcome_.refusal.empty(); }
 
@@ -236,6 +242,9 @@ class Executor {
 
   std::vector<Object> objects_;
   std::unordered_map<const llvm::GlobalVariable*, uint32_t> globals_;  // looked up only
+  std::unordered_map<uint32_t, terms::TermId> addresses_;              // by object; looked up only
+  std::unordered_map<uint32_t, uint32_t> object_at_;                   // by term of an address; looked up only
+  std::unordered_map<uint32_t, std::vector<Target>> targets_;          // by term; looked up only
   std::vector<terms::TermId> initial_;                                 // by slot
   uint32_t next_slot_;
   uint32_t depth_ = 0;

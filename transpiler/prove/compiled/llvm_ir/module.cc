@@ -12,6 +12,7 @@
 
 #include "transpiler/prove/compiled/compiled_code.h"
 #include "transpiler/prove/compiled/llvm_ir/executor.h"
+#include "transpiler/prove/compiled/llvm_ir/module.h"
 #include "transpiler/prove/compiled/llvm_ir/source_code.h"
 
 namespace plcxx::prove::compiled::llvm_ir {
@@ -26,34 +27,13 @@ void CloseLoops(llvm::Function& function) {
 
 class Code : public CompiledCode {
  public:
-  /// `source`: what is done with code of the sources' language; none: with generated code.
-  static std::unique_ptr<Code> Read(std::span<const std::string> bitcode, const SourceCode* source,
-                                    std::string& reason) {
-    auto code = std::make_unique<Code>();
-    for (const std::string& bytes : bitcode) {
-      auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), code->context_);
-      if (!module) {
-        reason = "the compiler's bitcode cannot be read: " + llvm::toString(module.takeError());
-        return nullptr;
-      }
-      if (code->module_ == nullptr) {
-        code->module_ = std::move(*module);
-      } else if (llvm::Linker::linkModules(*code->module_, std::move(*module))) {
-        reason = "the files of the generated code do not fit together";
-        return nullptr;
-      }
-    }
-    if (code->module_ == nullptr || !code->module_->getDataLayout().isLittleEndian()) {
-      reason = "there is no code for a processor that stores the least significant byte first";
-      return nullptr;
-    }
-    if (source != nullptr) AdaptSource(*code->module_, *source);
-    for (llvm::Function& function : *code->module_) {
+  Code(std::unique_ptr<llvm::LLVMContext> context, std::unique_ptr<llvm::Module> module)
+      : context_(std::move(context)), module_(std::move(module)) {
+    for (llvm::Function& function : *module_) {
       if (function.isDeclaration()) continue;
       CloseLoops(function);
-      code->functions_.emplace(code->flows_.NameOf(function), &function);
+      functions_.emplace(flows_.NameOf(function), &function);
     }
-    return code;
   }
 
   CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) override {
@@ -77,21 +57,53 @@ class Code : public CompiledCode {
   }
 
  private:
-  llvm::LLVMContext context_;
+  std::unique_ptr<llvm::LLVMContext> context_;
   std::unique_ptr<llvm::Module> module_;
   std::unordered_map<std::string, const llvm::Function*> functions_;  // looked up only
   FlowCache flows_;
 };
 
+/// `source`: what is done with code of the sources' language; none: with generated code.
+std::unique_ptr<CompiledCode> ReadBitcode(std::span<const std::string> bitcode, const SourceCode* source,
+                                          std::string& reason) {
+  auto context = std::make_unique<llvm::LLVMContext>();
+  std::unique_ptr<llvm::Module> all;
+  for (const std::string& bytes : bitcode) {
+    auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), *context);
+    if (!module) {
+      reason = "the compiler's bitcode cannot be read: " + llvm::toString(module.takeError());
+      return nullptr;
+    }
+    if (all == nullptr) {
+      all = std::move(*module);
+    } else if (llvm::Linker::linkModules(*all, std::move(*module))) {
+      reason = "the files of the generated code do not fit together";
+      return nullptr;
+    }
+  }
+  if (all == nullptr || !all->getDataLayout().isLittleEndian()) {
+    reason = "there is no code for a processor that stores the least significant byte first";
+    return nullptr;
+  }
+  if (source != nullptr) AdaptSource(*all, *source);
+  return MakeCode(std::move(context), std::move(all));
+}
+
 }  // namespace
+
+std::unique_ptr<CompiledCode> MakeCode(std::unique_ptr<llvm::LLVMContext> context,
+                                       std::unique_ptr<llvm::Module> module) {
+  return std::make_unique<Code>(std::move(context), std::move(module));
+}
+
 }  // namespace plcxx::prove::compiled::llvm_ir
 
 extern "C" [[gnu::visibility("default")]] plcxx::prove::compiled::CompiledCode* plcxx_read_code(
     std::span<const std::string> bitcode, std::string& reason) {
-  return plcxx::prove::compiled::llvm_ir::Code::Read(bitcode, nullptr, reason).release();
+  return plcxx::prove::compiled::llvm_ir::ReadBitcode(bitcode, nullptr, reason).release();
 }
 
 extern "C" [[gnu::visibility("default")]] plcxx::prove::compiled::CompiledCode* plcxx_read_source(
     const plcxx::prove::compiled::SourceCode& source, std::string& reason) {
-  return plcxx::prove::compiled::llvm_ir::Code::Read({&source.bitcode, 1}, &source, reason).release();
+  return plcxx::prove::compiled::llvm_ir::ReadBitcode({&source.bitcode, 1}, &source, reason).release();
 }
