@@ -126,14 +126,19 @@ std::string CertificateText(const Certificate& certificate) {
   for (const emit::OutputFile& file : *certificate.files) json["generated"].push_back(Hashed(file.name, file.text));
   for (const compile::RuntimeFile& file : compile::RuntimeFiles())
     json["runtime"].push_back(Hashed(file.name, file.text));
-  json["compiler"] = {{"version", certificate.toolchain->version},
-                      {"target", certificate.target->name},
-                      {"flags", certificate.bitcode->flags}};
+  if (certificate.objects.empty()) {
+    json["compiler"] = {{"version", certificate.toolchain->version},
+                        {"target", certificate.target->name},
+                        {"flags", certificate.bitcode->flags}};
+  }
+  for (const auto& [path, bytes] : certificate.objects) json["objects"].push_back(Hashed(FileName(path), bytes));
   json["assumed"] = {"a bit that has a byte of its own is 0 or 1 there before a routine",
                      "host functions write what their declarations say and nothing else",
                      "a retentive copy that the host gives has the program's layout",
                      "of the state from which a fact is shown, nothing",
-                     "the compiler translates LLVM IR to the processor's instructions as LLVM defines it"};
+                     certificate.objects.empty()
+                         ? "the compiler translates LLVM IR to the processor's instructions as LLVM defines it"
+                         : "the linker writes what the objects' notes say, and library functions do what they promise"};
   bool all = true;
   json["routines"] = Json::array();
   for (const prove::compiled::RoutineProof& proof : *certificate.proofs) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/compile/toolchain.h"
@@ -20,6 +21,7 @@ struct Certificate {
   const compile::Toolchain* toolchain = nullptr;
   const compile::Target* target = nullptr;
   const prove::compiled::Bitcode* bitcode = nullptr;
+  std::vector<std::pair<std::string, std::string>> objects;  // names and contents; empty: it was compiled for the proof
   const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
   const FactsReport* facts = nullptr;
   std::vector<std::string> left_out;                        // routines that nobody asked for

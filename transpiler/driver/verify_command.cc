@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,11 +39,13 @@ constexpr const char* kVerifyFooter = R"(Examples:
   plcxx verify mill.cld --certificate mill.verified.json
   plcxx verify turret.plc -O s --time 5min
   plcxx verify turret.plc --target cortex-m4 -O s
+  plcxx verify turret.plc --target cortex-m4 --object out/libturret.a
 
 The program is emitted and compiled by Clang to LLVM's instructions. Each function is executed on symbols, once as the
 program means it and once as it was compiled, and both are proved equal for every state and every input: all of State,
 the result, and what host functions are told. Callees come first; one that is proved is not looked into again. Functions
-are compiled as such: what the compiler puts into one another in plcxx build is not looked at.
+are compiled as such: what the compiler puts into one another in plcxx build is not looked at. With --object nothing is
+compiled: the instructions of that object or library are what is proved, for cortex-m4 and rv32imac.
 Of C (dialect hnc) Clang's own compilation of the sources is proved equal, too, function by function, for executions
 without a run-time fault: --front-end=only does nothing else, --front-end=off leaves it out, and so does --routine.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
@@ -204,12 +207,15 @@ bool Verification::ChooseRoutines() {
 }
 
 bool Verification::WriteCertificate() {
+  std::vector<std::pair<std::string, std::string>> objects;
+  for (size_t i = 0; i < objects_.size(); ++i) objects.emplace_back(settings_.objects[i], objects_[i]);
   OutputRequest output;
   output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
                                                                   .files = &files_,
                                                                   .toolchain = &toolchain_,
                                                                   .target = &target_,
                                                                   .bitcode = &bitcode_,
+                                                                  .objects = std::move(objects),
                                                                   .proofs = &proofs_,
                                                                   .facts = &facts_,
                                                                   .left_out = left_out_,
