@@ -171,7 +171,7 @@ TEST_F(Logic, ARegisterIsLoadedOnceAndStoredWhereItMustLast) {
 TEST_F(Logic, AConstantSurvivesItsStatementButNoBorder) {
   Register status(builder_, s_, facts_);
   status.Set(builder_.Bit(1));
-  EXPECT_EQ(status.known(), 1u);
+  EXPECT_EQ(status.Known(), 1u);
   status.EndStatement();
   Store('a', status.Get());
   status.Forget();

@@ -29,7 +29,7 @@ namespace plcxx::prove {
 namespace {
 
 /// Both parts, timers and counters of the runtime, branches, a product, bytes and bits.
-constexpr const char* kProgram = R"(U4A0=I0A0*/I0A1+U4A0*I0A2
+constexpr const char* kMachineProgram = R"(U4A0=I0A0*/I0A1+U4A0*I0A2
 P0=I0A3
 $
 U4A2=[W3K0=33H]*/U4A0
@@ -45,7 +45,7 @@ U4A5=[W100K2>W100K0]
 )";
 
 /// Numbers of two registers, a rest, shifts by numbers and comparisons with and without sign.
-constexpr const char* kNumbers = R"(#include <plc.h>
+constexpr const char* kMachineNumbers = R"(#include <plc.h>
 long total;
 int rest, part;
 unsigned char index;
@@ -62,13 +62,13 @@ void plc1(void)
 void plc2(void) { Y[10] = total >> 8; }
 )";
 
-struct Change {
+struct InstructionChange {
   const char* name;
   const char* pattern;      // of a whole line of assembler
   const char* replacement;  // with $1 and so on
 };
 
-constexpr Change kRiscvChanges[] = {
+constexpr InstructionChange kRiscvChanges[] = {
     {"branch inverted", "(\\tb)eq(\\t.*)", "$1ne$2"},
     {"branch inverted", "(\\tb)ne(\\t.*)", "$1eq$2"},
     {"sum to difference", "\\tadd(\\t.*)", "\tsub$1"},
@@ -77,16 +77,16 @@ constexpr Change kRiscvChanges[] = {
     {"register not restored", "\\tlw\\ts0,.*", "\tnop"},
 };
 
-constexpr Change kArmChanges[] = {
+constexpr InstructionChange kArmChanges[] = {
     {"branch inverted", "(\\tb)eq(\\t.*)", "$1ne$2"},      {"branch inverted", "(\\tb)ne(\\t.*)", "$1eq$2"},
     {"condition inverted", "(\\tmov)ne(\\t.*)", "$1eq$2"}, {"and to or", "\\tands(\\t.*)", "\torrs$1"},
     {"sum to difference", "\\tadds(\\t.*)", "\tsubs$1"},
 };
 
 /// A program and the compiler of a target.
-class Subject {
+class MachineSubject {
  public:
-  Subject(const char* target, const char* file, const char* text, const char* dialect)
+  MachineSubject(const char* target, const char* file, const char* text, const char* dialect)
       : target_(*compile::FindTarget(target)) {
     auto found = compile::FindToolchain(target_, "");
     if (auto* toolchain = std::get_if<compile::Toolchain>(&found)) toolchain_ = std::move(*toolchain);
@@ -147,21 +147,21 @@ class Subject {
   emit::Emittable emittable_;
 };
 
-struct Case {
+struct MachineCase {
   const char* target;
   const char* file;
   const char* text;
   const char* dialect;
 };
 
-constexpr Case kCases[] = {{"rv32imac", "turret.plc", kProgram, "nc110"},
-                           {"cortex-m4", "turret.plc", kProgram, "nc110"},
-                           {"rv32imac", "mill.cld", kNumbers, "hnc"},
-                           {"cortex-m4", "mill.cld", kNumbers, "hnc"}};
+constexpr MachineCase kMachineCases[] = {{"rv32imac", "turret.plc", kMachineProgram, "nc110"},
+                                         {"cortex-m4", "turret.plc", kMachineProgram, "nc110"},
+                                         {"rv32imac", "mill.cld", kMachineNumbers, "hnc"},
+                                         {"cortex-m4", "mill.cld", kMachineNumbers, "hnc"}};
 
 TEST(MachineCode, IsProved) {
-  for (const Case& one : kCases) {
-    Subject subject(one.target, one.file, one.text, one.dialect);
+  for (const MachineCase& one : kMachineCases) {
+    MachineSubject subject(one.target, one.file, one.text, one.dialect);
     if (!subject.has_compiler()) GTEST_SKIP() << "no compiler for " << one.target;
     for (const char* level : {"2", "s"})
       EXPECT_EQ(subject.Caught(subject.Assembler(level)), "") << one.target << " " << one.file << " -O" << level;
@@ -169,11 +169,11 @@ TEST(MachineCode, IsProved) {
 }
 
 /// Each line that the pattern fits is changed alone.
-void ExpectCaught(Subject& subject, std::span<const Change> changes) {
+void ExpectChangesCaught(MachineSubject& subject, std::span<const InstructionChange> changes) {
   constexpr int kMostPlaces = 4;  // of one change, for the time that they take
   const std::string assembler = subject.Assembler("2");
   ASSERT_EQ(subject.Caught(assembler), "");
-  for (const Change& change : changes) {
+  for (const InstructionChange& change : changes) {
     const std::regex pattern(change.pattern);
     int places = 0;
     for (size_t at = 0; at < assembler.size() && places < kMostPlaces;) {
@@ -192,15 +192,15 @@ void ExpectCaught(Subject& subject, std::span<const Change> changes) {
 }
 
 TEST(MachineCode, ChangedInstructionsOfRiscvAreCaught) {
-  Subject subject("rv32imac", "turret.plc", kProgram, "nc110");
+  MachineSubject subject("rv32imac", "turret.plc", kMachineProgram, "nc110");
   if (!subject.has_compiler()) GTEST_SKIP() << "no compiler";
-  ExpectCaught(subject, kRiscvChanges);
+  ExpectChangesCaught(subject, kRiscvChanges);
 }
 
 TEST(MachineCode, ChangedInstructionsOfArmAreCaught) {
-  Subject subject("cortex-m4", "turret.plc", kProgram, "nc110");
+  MachineSubject subject("cortex-m4", "turret.plc", kMachineProgram, "nc110");
   if (!subject.has_compiler()) GTEST_SKIP() << "no compiler";
-  ExpectCaught(subject, kArmChanges);
+  ExpectChangesCaught(subject, kArmChanges);
 }
 
 }  // namespace

@@ -330,9 +330,7 @@ bool Verification::Run() {
                                        : settings_.objects.empty() ? "the compiled code"
                                                                    : "the machine code") +
                            (settings_.target == "host" ? "" : " for " + settings_.target) + " is";
-  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program
-" : "not proved
-") + text_;
+  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
   if (!settings_.certificate.empty() && !WriteCertificate()) return false;
   return all && facts_.all_proved();
 }
