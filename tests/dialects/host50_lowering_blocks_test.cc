@@ -130,9 +130,10 @@ TEST(Host50Blocks, TimersInFastHaveItsPeriod) {
 
 // covers: HOST50-195..201
 TEST(Host50Blocks, Counters) {
-  EXPECT_THAT(SlowBody("LD %I0;CNUD %C1, 8, P=0, M=1, N=1;OUT %Q0"),
-              ElementsAre("stmt C1", "%0 = load I0", "%1 = const i32 8", "%2 = const bit 0", "%3 = const bit 1",
-                          "%4 = const bit 1", "%5 = const i8 6", "%6 = step.count_ring C1 %0 %1 %5", "store Q0 %6"));
+  EXPECT_THAT(
+      SlowBody("LD %I0;CNUD %C1, 8, P=0, M=1, N=1;OUT %Q0"),
+      ElementsAre("stmt C1", "%0 = load I0", "%1 = const i32 8", "%2 = const bit 0", "%3 = const bit 1",
+                  "%4 = const bit 1", "%5 = counter_pins %2 %3 %4", "%6 = step.count_ring C1 %0 %1 %5", "store Q0 %6"));
   EXPECT_THAT(SlowBody("LD %I0;LD %I1;OR %I2;CNUD %C1, %W8, M=!%B3, N=1;OUT %Q0", {{"CNUD", "HOLD"}}),
               ElementsAre("stmt C1", "%0 = load I0", "%1 = load W8", "%2 = load I1", "%3 = load I2",
                           "%4 = or.bit %2 %3", "%5 = load B3", "%6 = not.bit %5", "%7 = const bit 1",
@@ -159,6 +160,7 @@ TEST(Host50Blocks, Rotation) {
 }
 
 // covers: HOST50-211 HOST50-214 HOST50-217
+// The speed is a constant: while the block is active it is what was sent.
 TEST(Host50Blocks, AKnownAxis) {
   const Text body = SlowBody("LD %I0;POSA 3, %W5, 100");
   const Text expected = {"stmt POSA",
@@ -186,33 +188,27 @@ TEST(Host50Blocks, AKnownAxis) {
                          "%14 = bits.f32 %12",
                          "%15 = ne.i32 %13 %14",
                          "%16 = or.bit %11 %15",
-                         "%17 = load POSA_3.speed",
-                         "%18 = bits.f32 %4",
-                         "%19 = bits.f32 %17",
-                         "%20 = ne.i32 %18 %19",
-                         "%21 = or.bit %16 %20",
-                         "if %21 {",
-                         "%22 = const i8 1",
-                         "%23 = const bit 1",
-                         "host axis_command (%9, %22, %23, %1, %3, %4)",
+                         "if %16 {",
+                         "%17 = const i8 1",
+                         "%18 = const bit 1",
+                         "host axis_command (%9, %17, %18, %1, %3, %4)",
                          "store POSA_3.position %3",
-                         "store POSA_3.speed %4",
-                         "%24 = const bit 1",
-                         "store POSA_3.active %24",
+                         "%19 = const bit 1",
+                         "store POSA_3.active %19",
                          "}",
                          "} else {",
-                         "%25 = load POSA_3.active",
-                         "if %25 {",
-                         "%26 = const bit 0",
-                         "store Q1002 %26",
-                         "%27 = const i32 2",
-                         "%28 = const bit 0",
-                         "store POSA_3.active %28",
-                         "%29 = const i8 1",
-                         "%30 = const bit 0",
-                         "%31 = const i32 0",
-                         "%32 = const f32 0",
-                         "host axis_command (%27, %29, %30, %31, %32, %32)",
+                         "%20 = load POSA_3.active",
+                         "if %20 {",
+                         "%21 = const bit 0",
+                         "store Q1002 %21",
+                         "%22 = const i32 2",
+                         "%23 = const bit 0",
+                         "store POSA_3.active %23",
+                         "%24 = const i8 1",
+                         "%25 = const bit 0",
+                         "%26 = const i32 0",
+                         "%27 = const f32 0",
+                         "host axis_command (%22, %24, %25, %26, %27, %27)",
                          "}",
                          "}"};
   EXPECT_THAT(body, ElementsAreArray(expected));

@@ -160,8 +160,13 @@ class NameReader {
           text == "nodiscard") {
         continue;
       }
+      // `struct Outer::Inner` is a type inside of another one.
+      if (text == "::" && !name.empty()) {
+        name += text;
+        continue;
+      }
       if (!IsWord(text.front())) break;
-      if (text != "final") name = text;
+      if (text != "final") name = name.ends_with("::") ? name + text : text;
     }
     if (in_template || name.empty()) return;
     if (at_ < tokens_.size() && tokens_[at_].text == "<") return;  // a specialization is another type
