@@ -51,11 +51,11 @@ TEST(Host50Lowering, AResultIsTakenBeforeItsContactChanges) {
               ElementsAre("stmt Q0", "%0 = load Q0", "%1 = load I0", "%2 = and.bit %0 %1", "%3 = load Q0",
                           "store Q0 %2", "store Q1 %3"));
   // A compare that waits for its join, and a counter that the block between steps.
-  EXPECT_THAT(
-      SlowBody("LD 1;EQ %C1.V, 3;LD %I0;CNUD %C1, 5, P=0, M=0, N=0;ANB;OUT %Q0"),
-      ElementsAre("stmt C1", "%0 = load I0", "%1 = const bit 1", "%2 = load C1.V", "%3 = const i32 3",
-                  "%4 = eq.i32 %2 %3", "%5 = const i32 5", "%6 = const bit 0", "%7 = const bit 0", "%8 = const bit 0",
-                  "%9 = counter_pins %6 %7 %8", "%10 = step.count_ring C1 %0 %5 %9", "%11 = and.bit %4 %10", "store Q0 %11"));
+  EXPECT_THAT(SlowBody("LD 1;EQ %C1.V, 3;LD %I0;CNUD %C1, 5, P=0, M=0, N=0;ANB;OUT %Q0"),
+              ElementsAre("stmt C1", "%0 = load I0", "%1 = const bit 1", "%2 = load C1.V", "%3 = const i32 3",
+                          "%4 = eq.i32 %2 %3", "%5 = const i32 5", "%6 = const bit 0", "%7 = const bit 0",
+                          "%8 = const bit 0", "%9 = counter_pins %6 %7 %8", "%10 = step.count_ring C1 %0 %5 %9",
+                          "%11 = and.bit %4 %10", "store Q0 %11"));
   // A subroutine may write anything.
   LoweredProgram lowered;
   LowerInto(lowered, {"SLOW\nNETWORK\nLD %I0\nAND %I1\nMPS\nAND %I2\nCALL SR1\nMPP\nOUT %Q1\nEND_SLOW\n"
