@@ -66,7 +66,7 @@ void NamePlaces(Emittable& emittable) {
       if (routine.kind == kind) emittable.routine_names[i] = names.Allocate(routine.name, "routine");
     }
   }
-  emittable.namespace_name = SafeIdentifier(emittable.options.name);
+  emittable.namespace_name = NamespaceOf(emittable.options.name);
   names.Reserve(emittable.namespace_name);
   // In the order of the addresses, not of first use: a statement inserted above must not rename what follows.
   std::vector<uint32_t> order(program.places.size());

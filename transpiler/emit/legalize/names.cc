@@ -8,7 +8,8 @@
 namespace plcxx::emit::legalize {
 namespace {
 
-constexpr std::string_view kTaken[] = {
+/// Nothing can be called that, wherever it is.
+constexpr std::string_view kReserved[] = {
     // C++20 keywords and alternative tokens
     "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
     "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "const", "consteval", "constexpr", "constinit",
@@ -23,12 +24,19 @@ constexpr std::string_view kTaken[] = {
     "NULL", "offsetof", "size_t", "ptrdiff_t", "max_align_t", "nullptr_t", "errno", "assert", "EOF", "stdin", "stdout",
     "stderr", "WCHAR_MAX", "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX",
     "SIG_ATOMIC_MIN", "SIZE_MAX", "CHAR_BIT", "linux", "unix", "i386", "TRUE", "FALSE", "ERROR", "IN", "OUT", "min",
-    "max", "main", "std", "plcxx",
-    // names of the generated code
-    "State", "Host", "Retentive", "Bit", "Byte", "Word16", "Word32", "Word64", "Float32", "Float64", "PackedBit",
-    "RetentiveByte", "RetentiveBit", "Space", "m", "host", "init", "fast", "slow", "period", "fast_only", "slice",
-    "round", "copy", "layout", "At", "F32OfBits", "F64OfBits", "kValues", "messages", "menu_texts",
-    "send_operator_text", "get_byte", "set_byte", "retentive", "Clear", "ReapplyForces"};
+    "max", "main", "std", "plcxx"};
+
+/// Names of the generated code.
+constexpr std::string_view kTaken[] = {"State",        "Host",     "Retentive",  "Bit",
+                                       "Byte",         "Word16",   "Word32",     "Word64",
+                                       "Float32",      "Float64",  "PackedBit",  "RetentiveByte",
+                                       "RetentiveBit", "Space",    "m",          "host",
+                                       "init",         "fast",     "slow",       "period",
+                                       "fast_only",    "slice",    "round",      "copy",
+                                       "layout",       "At",       "F32OfBits",  "F64OfBits",
+                                       "kValues",      "messages", "menu_texts", "send_operator_text",
+                                       "get_byte",     "set_byte", "retentive",  "Clear",
+                                       "ReapplyForces"};
 
 constexpr uint32_t kFirstNumber = 2;  // of the second one that has a name
 
@@ -86,8 +94,16 @@ std::string SafeIdentifier(std::string_view name) {
   return out;
 }
 
+std::string NamespaceOf(std::string_view program) {
+  std::string name = SafeIdentifier(program);
+  const bool reserved = std::ranges::find(kReserved, name) != std::end(kReserved) ||
+                        std::ranges::find(kMacros, name) != std::end(kMacros) || IsStdintName(name);
+  return reserved ? name + "_program" : name;
+}
+
 NameTable::NameTable() {
-  taken_.reserve(std::size(kTaken) + std::size(kMacros) + 2 * ir::OpCount());
+  taken_.reserve(std::size(kReserved) + std::size(kTaken) + std::size(kMacros) + 2 * ir::OpCount());
+  for (const std::string_view word : kReserved) taken_.emplace(word);
   for (const std::string_view word : kTaken) taken_.emplace(word);
   for (const std::string_view word : kMacros) taken_.emplace(word);
   for (uint32_t i = 0; i < ir::OpCount(); ++i) {

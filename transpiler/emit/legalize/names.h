@@ -18,6 +18,9 @@ namespace plcxx::emit::legalize {
 /// The rule without the look at other names.
 std::string SafeIdentifier(std::string_view name);
 
+/// The namespace of a program: its name made safe, with "_program" where C++ or a usual header has the word.
+std::string NamespaceOf(std::string_view program);
+
 /// Of a base with numbers behind it, the first one that may be free: all before it are taken, for good.
 using FirstFree = std::unordered_map<std::string, uint32_t>;
 
