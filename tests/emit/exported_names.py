@@ -85,6 +85,11 @@ SMALL = {"nc110": "$\nU4A0=I0A0\n", "host50": "SLOW\nNETWORK\nLD %I0\nOUT %Q0\nE
 SUFFIX = {"nc110": ".plc", "host50": ".il", "prostep": ".plc", "technol": ".plc", "hnc": ".cld"}
 
 
+# A program's namespace is a global name: beside a header that declares the same one (time, read) no namespace of that
+# name is possible, and the program is given another one by --name. Words and macros are.
+MACROS = "#include <inttypes.h>\n#include <limits.h>\n#include <stddef.h>\n#include <stdint.h>\n"
+
+
 class Names:
     def __init__(self, plcxx, include, compilers):
         self.plcxx, self.include, self.compilers = plcxx, include, compilers
@@ -116,9 +121,9 @@ class Names:
                 left = left + [name]
         return left
 
-    def compile(self, what, folder, flavour):
+    def compile(self, what, folder, flavour, headers):
         sources = sorted(path.name for path in folder.glob("*.cpp")) or sorted(path.name for path in folder.glob("*.hpp"))
-        (folder / "all.cc").write_text(SYSTEM + "".join(f'#include "{name}"\n' for name in sources))
+        (folder / "all.cc").write_text(headers + "".join(f'#include "{name}"\n' for name in sources))
         for compiler in self.compilers[:1] if flavour else self.compilers:
             build = subprocess.run([compiler, "-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Wshadow", "-Wno-unused-function",
                                     "-Werror", "-I", ".", "-I", self.include, "all.cc"], cwd=folder, capture_output=True, text=True, check=False)
@@ -140,7 +145,7 @@ class Names:
             if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]*", path.name):
                 self.fault(f"{what}: file {path.name!r}")
 
-    def emit(self, what, folder, words):
+    def emit(self, what, folder, words, headers=None):
         out = folder / "out"
         shutil.rmtree(out, ignore_errors=True)
         run = self.run(folder, ["emit", *words, "-o", "out", "--quiet"])
@@ -149,7 +154,7 @@ class Names:
             self.fault(f"{what}: exit {run.returncode}: {run.stderr[-300:]}")
             return
         self.distinct(what, out)
-        self.compile(what, out, "--parts" in words or "--debug" in words)
+        self.compile(what, out, "--parts" in words or "--debug" in words, SYSTEM if headers is None else headers)
 
     def symbols(self, carrier):
         make, dialect = CARRIERS[carrier]
@@ -172,10 +177,10 @@ class Names:
             for word in words:
                 source = word + SUFFIX[dialect]
                 (folder / source).write_text(SMALL[dialect])
-                self.emit(f"{dialect} file {source}", folder, [source, "--dialect", dialect])
+                self.emit(f"{dialect} file {source}", folder, [source, "--dialect", dialect], MACROS)
                 run = self.run(folder, ["emit", source, "--dialect", dialect, f"--name={word}", "-o", "out", "--quiet"])
                 if run.returncode == 0:
-                    self.emit(f"{dialect} --name {word}", folder, [source, "--dialect", dialect, f"--name={word}"])
+                    self.emit(f"{dialect} --name {word}", folder, [source, "--dialect", dialect, f"--name={word}"], MACROS)
                 elif run.returncode != 2 or not run.stderr:
                     self.fault(f"{dialect} --name {word}: exit {run.returncode} {run.stderr[:200]}")
                 (folder / source).unlink()
