@@ -66,8 +66,8 @@ std::string Capitals(std::string_view text) {
   return capitals;
 }
 
-template <size_t count>
-std::string_view RemedyFor(const MeantWord (&words)[count], std::string_view word) {
+template <size_t kCount>
+std::string_view RemedyFor(const MeantWord (&words)[kCount], std::string_view word) {
   const std::string capitals = Capitals(word);
   const auto* const row = std::ranges::find(words, capitals, &MeantWord::word);
   return row == std::end(words) ? std::string_view() : row->remedy;

@@ -198,7 +198,7 @@ class LibraryCall {
   }
 
   Results Compute(llvm::Value* a, llvm::Value* b) {
-    const auto intrinsic = [&](llvm::Intrinsic::ID id, std::vector<llvm::Value*> arguments) -> llvm::Value* {
+    const auto intrinsic = [&](llvm::Intrinsic::ID id, const std::vector<llvm::Value*>& arguments) -> llvm::Value* {
       llvm::Function* function = llvm::Intrinsic::getDeclaration(&lifter_.program().module(), id, {a->getType()});
       return build_.CreateCall(function, arguments);
     };
