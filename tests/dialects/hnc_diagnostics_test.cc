@@ -77,5 +77,25 @@ TEST(HncDiagnostics, NothingIsTooDeep) {
   EXPECT_THAT(ErrorsOf(sum + ";\n"), IsEmpty());
 }
 
+std::string Repeated(const std::string& line, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += line;
+  return text;
+}
+
+TEST(HncDiagnostics, AfterAThousandErrorsNothingIsRead) {
+  EXPECT_THAT(ErrorsOf(Repeated("int v = 1;\n", 2000)), testing::SizeIs(1000));
+  EXPECT_THAT(ErrorsOf("void f() {\n" + Repeated("nosuch = 1;\n", 2000) + "}\nvoid g() { }\n"), testing::SizeIs(1000));
+}
+
+TEST(HncDiagnostics, ANameIsDeclaredAThousandTimes) {
+  for (const char* line : {"int v;\n", "extern int v;\n", "void v(void);\n", "struct v;\n"}) {
+    EXPECT_THAT(ErrorsOf(Repeated(line, 1000)), IsEmpty()) << line;
+    EXPECT_THAT(ErrorsOf(Repeated(line, 1001) + "int w = nosuch;\n"), testing::SizeIs(1)) << line;
+  }
+  EXPECT_THAT(ErrorsOf(Repeated("int v;\n", 2000)), ElementsAre("1003:5 E011"));
+  EXPECT_THAT(ErrorsOf(Repeated("void v() { }\n", 2000)), ElementsAre("4:6 E011", "1003:6 E011"));
+}
+
 }  // namespace
 }  // namespace plcxx::hnc

@@ -13,6 +13,11 @@ def hnc(text):
                       "".join(text.replace("@", str(i % 200)) + "\n" for i in range(n)) + "}\n")
 
 
+def declared(text):
+    """A line at file level, n times."""
+    return lambda n: (HNC + "void plc1(void) {}\n" + (text + "\n") * n + "void plc2(void) {}\n")
+
+
 def prostep(text):
     return lambda n: (":MOD PM 1\n" + "".join(text.format(a=i % 64, b=i % 8, c=i % 200) for i in range(n)) + ":END PM 1\n")
 
@@ -68,6 +73,17 @@ KINDS = {
         "if": hnc("if (X[@] & 1) Y[@] = 1; else Y[@] = 2;"),
         "loop": hnc("for (i = 0; i < 3; i++) Y[i] = X[@];"),
         "error": hnc("nosuch@ = 1;"),
+        "function-again": declared("void f(void) {}"),
+        "entry-again": declared("void plc2() { }"),
+        "prototype-again": declared("void f(void);"),
+        "variable-again": declared("int v;"),
+        "external-again": declared("extern int v;"),
+        "value-again": declared("int v = 1;"),
+        "structure-again": declared("struct t;"),
+        "type-again": declared("typedef int t;"),
+        "no-type": declared("byte v;"),
+        "local-again": hnc("int v;"),
+        "label-again": hnc("again: i = 1;"),
         "function": lambda n: (HNC + "".join(f"void f{i}(void) {{ Y[{i % 100}] = {i % 200}; }}\n" for i in range(n)) +
                                "void plc2(void) {}\nvoid plc1(void) {\n" + "".join(f"f{i}();\n" for i in range(n)) + "}\n"),
         "variable": lambda n: (HNC + "".join(f"int v{i};\n" for i in range(n // 4)) + "void plc2(void) {}\nvoid plc1(void) {\n" +

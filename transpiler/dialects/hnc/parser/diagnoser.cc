@@ -252,6 +252,10 @@ bool IsFoundElsewhere(unsigned id) {
   }
 }
 
+/// Clang walks through all that was declared of a name before, wrong or not: reading on would grow with the square of
+/// the errors. Far more than the 50 that are shown.
+constexpr uint32_t kMostErrors = 1000;
+
 /// Clang's own words for what is accepted are warnings that no rule names.
 bool IsError(clang::DiagnosticsEngine::Level level) { return level >= clang::DiagnosticsEngine::Error; }
 
@@ -548,6 +552,9 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
     }
   }
   reported_last_ = session_.findings().all().size() > before;
+  if (session_.parser == nullptr || !reported_last_) return;
+  if (session_.findings().all().back().row.severity == diag::Severity::kError && ++errors_ == kMostErrors)
+    session_.Stop();
 }
 
 }  // namespace plcxx::hnc

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <unordered_map>
 
 #include "transpiler/dialects/hnc/parser/converter.h"
 #include "transpiler/dialects/hnc/parser/record_layout.h"
@@ -81,6 +82,32 @@ void PutTokens(Session& session) {
   }
 }
 
+/// Counts how often a name is declared at file level: Clang walks through all its declarations at the next one, and has
+/// no message for most of them.
+class Repetitions {
+ public:
+  explicit Repetitions(Session& session) : session_(session) {}
+
+  void Count(clang::DeclGroupRef group) {
+    for (const clang::Decl* declaration : group) {
+      const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
+      if (named == nullptr || named->getIdentifier() == nullptr) continue;
+      if (session_.stopped || session_.places.InProduct(named->getLocation())) continue;
+      if (++counts_[named->getIdentifier()] <= kMost) continue;
+      session_.findings().SetPhase(Phase::kMeaning);
+      session_.findings().Report(session_.places.OfToken(named->getLocation()), diag::HncRedefinition,
+                                 named->getNameAsString());
+      session_.Stop();
+    }
+  }
+
+ private:
+  static constexpr uint32_t kMost = 1000;
+
+  Session& session_;
+  std::unordered_map<const clang::IdentifierInfo*, uint32_t> counts_;  // only asked
+};
+
 void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
   Session session(input, until, output);
   SetUp(session);
@@ -91,6 +118,16 @@ void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
 }
 
 }  // namespace
+
+void Session::Stop() {
+  stopped = true;
+  for (clang::Token& token : tokens) {
+    const clang::SourceLocation place = token.getLocation();
+    token.startToken();
+    token.setKind(clang::tok::eof);
+    token.setLocation(place);
+  }
+}
 
 void ParseTokens(Session& session) {
   clang::CompilerInstance& clang = session.clang;
@@ -110,9 +147,12 @@ void ParseTokens(Session& session) {
     clang::Parser::DeclGroupPtrTy group;
     clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
     clang::ASTConsumer& consumer = clang.getASTConsumer();
+    Repetitions repetitions(session);
     for (bool at_end = parser.ParseFirstTopLevelDecl(group, imports); !at_end;
          at_end = parser.ParseTopLevelDecl(group, imports)) {
-      if (group) consumer.HandleTopLevelDecl(group.get());
+      if (!group) continue;
+      repetitions.Count(group.get());
+      consumer.HandleTopLevelDecl(group.get());
     }
     session.parser = nullptr;
     sema.ActOnEndOfTranslationUnit();

@@ -54,10 +54,12 @@ struct Session {
   std::vector<clang::Token> tokens;                           // behind the preprocessor and the language's own words
   std::unordered_map<source::Offset, MacroUseId> macro_uses;  // outermost uses by their places
   std::vector<LoopBound> loop_bounds;                         // #pragma plcxx loop_bound, by place
-  bool stopped = false;  // nested too deep: what follows the place is not looked at
+  bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
 
   Findings& findings() { return output.findings; }
   clang::SourceManager& sources() { return clang.getSourceManager(); }
+  /// The parser, which reads `tokens`, finds their end behind the token where it is.
+  void Stop();
 };
 
 /// Sets up Clang for the language (specification 3.7) and reports what it says through our catalogue.
