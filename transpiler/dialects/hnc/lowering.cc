@@ -158,7 +158,6 @@ void Lowering::LowerFunction(FunctionId id) {
   placed_labels_.clear();
   annotated_labels_.clear();
   rounds_around_ = 1;
-  unreachable_reported_ = false;
   statement_id_ = 0;
   statement_range_ = function.range;
   const Statement& body = unit_.statements[function.body];

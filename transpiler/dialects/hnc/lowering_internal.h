@@ -244,6 +244,7 @@ class Lowering {
 
   // --- statements (lowering_statements.cc) ---
   void Lower(StatementId id, bool last);
+  void LowerReached(StatementId id, const Statement& statement, bool last);
   void LowerBody(const std::vector<StatementId>& body, bool last);
   void Compound(const Statement& statement, bool last);
   void Declaration(const Statement& statement);
@@ -318,7 +319,7 @@ class Lowering {
   bool PathBack(StatementId label, StatementId jump, std::vector<StatementId>& body,
                 std::vector<RoundTest>& tests) const;
   void LoopStatement(const Statement& statement);
-  void Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue);
+  void Rounds(const Statement& statement, uint32_t on_continue);
   void ConditionRegion(ExprId id, ir::RegionId region);
   Flow RefineWaysOut(ExprId condition, bool counts);
   bool IsSingleStore(ir::RegionId region) const;

@@ -102,7 +102,7 @@ void Lowering::LoopStatement(const Statement& statement) {
   if (once) {
     Lower(statement.then, false);
     PlaceLabel(on_continue);
-    if (is_do && flow_.reachable) Execute(statement.expression);
+    if (flow_.reachable) Execute(statement.expression);  // only `do` gets there
   } else if (always == false && !is_do) {
     // Never entered.
     const Flow before = flow_;
@@ -110,12 +110,11 @@ void Lowering::LoopStatement(const Statement& statement) {
     Lower(statement.then, false);
     flow_ = before;
   } else {
-    Rounds(statement, on_break, on_continue);
+    Rounds(statement, on_continue);
   }
   around_.pop_back();
   PlaceLabel(on_break);
   elided_break_ = outer_elided;
-  unreachable_reported_ = false;
 }
 
 /// The condition's value as the last instruction of its region.
@@ -156,7 +155,7 @@ Flow Lowering::RefineWaysOut(ExprId condition, bool counts) {
   return behind;
 }
 
-void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on_continue) {
+void Lowering::Rounds(const Statement& statement, uint32_t on_continue) {
   const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
   std::optional<LoopProof> proof;
   if (!statement.loop_bound) {
@@ -213,9 +212,8 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
       loop.step = step;
     } else {
       std::vector<ir::InstId>& body = program_.regions[loop.body].insts;
-      std::vector<ir::InstId>& insts = program_.regions[step].insts;
+      const std::vector<ir::InstId> insts = std::exchange(program_.regions[step].insts, {});
       body.insert(body.end(), insts.begin(), insts.end());
-      insts.clear();
     }
     builder_.SetRegion(loop.body);
   } else if (is_do && flow_.reachable) {
@@ -242,7 +240,6 @@ void Lowering::Rounds(const Statement& statement, uint32_t on_break, uint32_t on
   }
   if (!statement.expression.valid() && !statement.loop_bound) at_end.reachable = false;
   flow_ = at_end;
-  static_cast<void>(on_break);
 }
 
 bool Lowering::IsLocalObject(ObjectId object) const {

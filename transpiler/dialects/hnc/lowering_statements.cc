@@ -111,7 +111,6 @@ void Lowering::JumpTo(uint32_t label) {
     target.at.JoinWith(flow_);
   }
   flow_.reachable = false;
-  unreachable_reported_ = false;
 }
 
 void Lowering::PlaceLabel(uint32_t label) {
@@ -137,6 +136,13 @@ void Lowering::Lower(StatementId id, bool last) {
     }
     return;
   }
+  // One warning for what is unreachable in a row: a statement that is reached ends the row.
+  unreachable_reported_ = false;
+  LowerReached(id, statement, last);
+  unreachable_reported_ = false;
+}
+
+void Lowering::LowerReached(StatementId id, const Statement& statement, bool last) {
   switch (statement.kind) {
     case StatementKind::kCompound:
       Compound(statement, last);
@@ -179,7 +185,6 @@ void Lowering::Lower(StatementId id, bool last) {
         // The end of a case needs no jump to where the switch ends.
         if (flow_.reachable) end_of_switch_.push_back(flow_);
         flow_.reachable = false;
-        unreachable_reported_ = false;
         return;
       }
       if (!around_.empty()) JumpTo(around_.back().on_break);
@@ -348,7 +353,6 @@ void Lowering::If(StatementId id, const Statement& statement, bool last) {
     Refine(statement.expression, false);
   }
   flow_.JoinWith(then);
-  if (!flow_.reachable) unreachable_reported_ = false;
 }
 
 /// A goto or a case leads into one of its arms: both lie in the list of the if itself.

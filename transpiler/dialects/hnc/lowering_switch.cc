@@ -111,7 +111,7 @@ void Lowering::CheckJumps(const Function& function) {
     }
     if (!IsCase(statement.kind)) return;
     bool direct = true;  // stands in the body of its switch
-    for (StatementId at = ParentOf(id), below = id; at.valid(); below = at, at = ParentOf(at)) {
+    for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
       const StatementKind kind = unit_.statements[at].kind;
       if (kind == StatementKind::kSwitch) {
         if (!direct) flat_.insert(at.index);
@@ -125,7 +125,6 @@ void Lowering::CheckJumps(const Function& function) {
       const bool body = kind == StatementKind::kCompound && ParentOf(at).valid() &&
                         unit_.statements[ParentOf(at)].kind == StatementKind::kSwitch;
       if (!IsCase(kind) && !body) direct = false;
-      static_cast<void>(below);
     }
   });
 }
@@ -182,7 +181,6 @@ void Lowering::SwitchStatement(const Statement& statement) {
     } else {
       flow_ = entered;
     }
-    unreachable_reported_ = false;
     MarkText(heads, SubjectOf(statement), false);
     size_t next = at + 1;
     while (next < list.size() && !IsCase(unit_.statements[list[next]].kind)) ++next;
@@ -209,7 +207,6 @@ void Lowering::SwitchStatement(const Statement& statement) {
   PlaceLabel(end);
   elided_break_ = outer_elided;
   end_of_switch_ = outer_ends;
-  unreachable_reported_ = false;
 }
 
 Value Lowering::ConvertSelector(ExprId id) {

@@ -122,7 +122,7 @@ void Lowering::Document() {
   std::map<std::pair<uint32_t, uint32_t>, ir::Documentation> cells;  // by space and byte
   for (const ir::Place& place : program_.places) {
     const bool memory = !place.is_field() && (place.space.index < area_spaces_.size() || place.space == data_);
-    if (!memory || place.indexed || place.address.empty()) continue;
+    if (!memory || place.address.empty()) continue;  // an indexed place has no address
     ir::Documentation& known = cells[{place.space.index, place.offset}];
     if (!known.address.empty()) continue;
     known.address = place.address;
