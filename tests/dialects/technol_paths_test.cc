@@ -8,7 +8,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr size_t kFirstLine = 8;  // of the code
+constexpr size_t kFirstCodeLine = 8;  // of the code
 
 std::vector<std::string> Reported(std::string_view code, const std::vector<std::string>& codes,
                                   std::string_view behind = "") {
@@ -17,7 +17,7 @@ std::vector<std::string> Reported(std::string_view code, const std::vector<std::
   std::vector<std::string> result;
   for (const std::string& line : lowered.Reported(codes)) {
     const size_t blank = line.find(' ');
-    result.push_back(std::to_string(std::stoul(line.substr(0, blank)) - kFirstLine + 1) + line.substr(blank));
+    result.push_back(std::to_string(std::stoul(line.substr(0, blank)) - kFirstCodeLine + 1) + line.substr(blank));
   }
   return result;
 }

@@ -67,10 +67,6 @@ void ShiftFlags(const Instruction& instruction, const Operand& count, Effects& e
     return;
   }
   const auto bits = static_cast<uint32_t>(count.value) & 31U;
-  if (bits == 0) {
-    effects.reads &= ~kFlags;  // RCL by 0
-    return;
-  }
   effects.writes |= set;
   if (!rotates) effects.undefines |= kAf;
   (bits == 1 ? effects.writes : effects.undefines) |= kOf;
@@ -93,7 +89,6 @@ void AssemblerEffects(const Program& program, const Instruction& instruction, Ef
     case Form::kTwo:
       if (IsClearing(program, instruction)) {
         effects.writes |= PartsOf(operand(0).reg);
-        effects.reads &= ~kCf;
       } else {
         take_first();
         effects.reads |= ReadsOf(operand(1));

@@ -161,7 +161,6 @@ void Lowering::EnterStretch(InstructionId id) {
   if (found->second.is_jumped_to) builder_.Label(EndOfStretch(id));
   builder_.SetRegion(found->second.region);
   ForgetAll();
-  compared_ = {};
 }
 
 void Lowering::LowerBody(Body& body) {
@@ -209,14 +208,13 @@ void Lowering::Execute(InstructionId id) {
     SpillAll();
     builder_.Label(id.index + 1);
     ForgetAll();
-    compared_ = {};
   }
   const bool ends_module = instruction.op == Op::kModuleEnd && !Info(tree_.units[body_->unit].module).waits;
   if (ends_module) {
     AddComments(instruction.comments, CommentPlace::kLeading, waiting_comments_);
     return;
   }
-  if (begins_statement_[index]) {
+  if (begins_statement_[index]) {  // as each label does
     EndStatementOfAll();
     compared_ = {};
     size_t end = index + 1;

@@ -120,8 +120,7 @@ Lowering::Bounds32 Lowering::BoundsOf(ValueId value) const {
   switch (inst.op) {
     case OpKind::kConst: {
       const auto bits = static_cast<int64_t>(ir::ConstantValue(inst));
-      return inst.type == Type::kI32 && bits > 0x7FFFFFFF ? Bounds32{bits - 0x100000000, bits - 0x100000000}
-                                                          : Bounds32{bits, bits};
+      return bits > 0x7FFFFFFF ? Bounds32{bits - 0x100000000, bits - 0x100000000} : Bounds32{bits, bits};
     }
     case OpKind::kWiden8To16:
     case OpKind::kWiden8To32:

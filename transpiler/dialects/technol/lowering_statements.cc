@@ -23,9 +23,9 @@ struct Sequence {
 };
 
 /// Does the statement end here, whatever follows?
-bool EndsStatement(const Program& program, const Instruction& instruction) {
-  if (IsJump(instruction.op) || IsWait(instruction.op)) return true;
-  switch (instruction.op) {
+bool EndsStatement(Op op) {
+  if (IsJump(op) || IsWait(op)) return true;
+  switch (op) {
     case Op::kCall:
     case Op::kRet:
     case Op::kMechInit:
@@ -34,8 +34,6 @@ bool EndsStatement(const Program& program, const Instruction& instruction) {
     case Op::kMechanismEnd:
     case Op::kModuleEnd:
       return true;
-    case Op::kFl:
-      return program.OperandOf(instruction, 1).is_activation_bit();
     default:
       return false;
   }
@@ -132,7 +130,7 @@ void Lowering::CutStatements(const Body& body) {
     sequence.acted |= !IsPure(tree_, instruction);
     sequence.faults |= faults;
     ++sequence.length;
-    behind_end = EndsStatement(tree_, instruction);
+    behind_end = EndsStatement(instruction.op);
   }
 }
 
