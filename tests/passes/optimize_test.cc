@@ -72,6 +72,28 @@ TEST(FoldConstants, WhatHoldsStatementsStays) {
   EXPECT_EQ(After(Optimize, body), body);
 }
 
+TEST(FoldConstants, InsideOfWhatHoldsStatements) {
+  const std::string fold = "%0 = const bit 0\n%1 = load a\n%2 = or.bit %0 %1\nstore b %2\n",
+                    folded = "%0 = load a\nstore b %0\n";
+  struct Row {
+    std::string open, close;
+  };
+  const Row rows[] = {{"%3 = load c\nif %3 {\n", "}\n"},
+                      {"%3 = load c\nif %3 {\n} else {\n", "}\n"},
+                      {"block @1 {\n", "}\n"},
+                      {"loop @1 guard 5 {\nbody {\n", "}\n}\n"},
+                      {"%3 = load w\nswitch %3 {\ncase 1 {\n", "}\n}\n"}};
+  const auto plain = [](std::string text) {
+    std::erase(text, ' ');
+    return text;
+  };
+  for (const Row& row : rows) {
+    const std::string after = plain(After(Optimize, row.open + fold + row.close));
+    EXPECT_NE(after.find(plain(folded.substr(folded.find('='))).substr(0, 6)), std::string::npos) << after;
+    EXPECT_EQ(after.find("or.bit"), std::string::npos) << after;
+  }
+}
+
 TEST(FoldConstants, PoisonIsNoConstant) {
   const std::string body = "%0 = poison bit\n%1 = not.bit %0\nstore a %1\n";
   EXPECT_EQ(After(Optimize, body), body);

@@ -167,6 +167,15 @@ TEST(Structure, JumpsOverNothingAndLabelsWithoutJumpsDisappear) {
             "%0 = load a\nstore b %0\n");
 }
 
+TEST(Structure, WhatFollowsTwoArmsThatLeaveStaysBehindThem) {
+  // No path leads to it; in an arm it would be executed.
+  EXPECT_EQ(Structured("%0 = load a\nif %0 {\n  store b %0\n  jump L1\n} else {\n  store c %0\n  jump L1\n}\nstore a "
+                       "%0\nlabel L1\nstore b %0\n"),
+            "%0 = load a\nblock @1 {\n  if %0 {\n    store b %0\n    exit @1\n  } else {\n    store c %0\n    exit "
+            "@1\n  }\n  store a "
+            "%0\n}\nstore b %0\n");
+}
+
 TEST(Structure, NestedRegionsAreStructuredToo) {
   EXPECT_EQ(
       Structured(

@@ -44,10 +44,7 @@ void Folder::Fold(InstId id) {
     if (const std::optional<bool> operand = Constant(inst.a)) MakeConstant(inst, *operand ? 0 : 1);
     return;
   }
-  if (const std::optional<uint64_t> value = FoldedInteger(program, inst)) {
-    MakeConstant(inst, *value);
-    return;
-  }
+  if (const std::optional<uint64_t> value = FoldedInteger(program, inst)) return MakeConstant(inst, *value);
   if (const ir::ValueId whole = WholeOfHalves(program, inst); whole.valid()) same[id.index] = whole.index;
   if (inst.op != OpKind::kBitAnd && inst.op != OpKind::kBitOr) return;
   const bool neutral = inst.op == OpKind::kBitAnd;  // x & 1 is x, x & 0 is 0; x | 0 is x, x | 1 is 1
@@ -68,7 +65,6 @@ void Folder::Visit(ir::RegionId region) {
     Inst& inst = program[id];
     ir::ForEachUse(program, inst, [this](uint32_t& word) { word = same[word]; });
     Fold(id);
-    if (!ir::OwnsRegions(inst)) continue;
     for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) Visit(owned);
   }
 }

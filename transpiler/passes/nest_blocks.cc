@@ -28,8 +28,8 @@ struct Nester {
   void Sink(RegionId region, InstId block);
   void SinkConditional(RegionId region, size_t at);
   void SinkUnconditional(RegionId region, size_t at);
-  bool SinkIf(RegionId region, size_t at, InstId block);
-  bool Retarget(RegionId region, size_t at, InstId block);
+  void SinkIf(RegionId region, size_t at, InstId block);
+  void Retarget(RegionId region, size_t at, InstId block);
   bool HasExit(InstId id, InstId block) const;
   bool RegionHasExit(RegionId region, InstId block) const;
   bool EndsWithExit(RegionId region, InstId block) const;
@@ -98,7 +98,6 @@ void Nester::SinkConditional(RegionId region, size_t at) {
 /// `exit; rest`: the rest is never reached, and stays visible as `if false { rest }`.
 void Nester::SinkUnconditional(RegionId region, size_t at) {
   const InstId id = program.regions[region].insts[at];
-  if (at + 1 == program.regions[region].insts.size()) return DropLast(region);
   const RegionId rest = TakeRest(region, at + 1);
   const source::Range range = program[id].range;
   const InstId never =
@@ -111,14 +110,14 @@ void Nester::SinkUnconditional(RegionId region, size_t at) {
                  .b = rest.index};
 }
 
-/// The rest goes into the arm that does not leave; false when both arms may go on.
-bool Nester::SinkIf(RegionId region, size_t at, InstId block) {
+/// The rest goes into the arm that does not leave; nothing changes when both arms may go on.
+void Nester::SinkIf(RegionId region, size_t at, InstId block) {
   const InstId id = program.regions[region].insts[at];
   const bool tail = at + 1 == program.regions[region].insts.size();
   const bool then_leaves = EndsWithExit(RegionId(program[id].b), block);
   const bool else_leaves = EndsWithExit(RegionId(program[id].c), block);
-  if (!tail && !then_leaves && !else_leaves) return false;
-  if (!tail && then_leaves && else_leaves) return false;  // the rest is never reached, and no arm is its place
+  // When both leave, the rest is never reached, and no arm is its place.
+  if (!tail && then_leaves == else_leaves) return;
   if (then_leaves) DropLast(RegionId(program[id].b));
   if (else_leaves) DropLast(RegionId(program[id].c));
   if (!tail) {
@@ -140,14 +139,13 @@ bool Nester::SinkIf(RegionId region, size_t at, InstId block) {
   for (const RegionId arm : {RegionId(program[id].b), RegionId(program[id].c)}) {
     if (arm.valid()) Sink(arm, block);
   }
-  return true;
 }
 
 /// What ends the block ends with it: an exit of the block from inside leaves the inner one.
-bool Nester::Retarget(RegionId region, size_t at, InstId block) {
+void Nester::Retarget(RegionId region, size_t at, InstId block) {
   const InstId id = program.regions[region].insts[at];
   const bool encloses = program[id].op == OpKind::kBlock || program[id].op == OpKind::kLoop;
-  if (!encloses || at + 1 != program.regions[region].insts.size()) return false;
+  if (!encloses || at + 1 != program.regions[region].insts.size()) return;
   for (const RegionId owned : ir::OwnedRegions(program, program[id])) {
     // A guard's region is executed behind the loop: an exit there cannot leave it.
     if (program[id].op == OpKind::kLoop && owned == program.loops[ir::LoopId(program[id].payload)].exhausted) continue;
@@ -159,7 +157,6 @@ bool Nester::Retarget(RegionId region, size_t at, InstId block) {
       retargeted = true;
     });
   }
-  return true;
 }
 
 /// Takes exits of `block` out of a region at whose end the block ends, too.
@@ -167,27 +164,17 @@ void Nester::Sink(RegionId region, InstId block) {
   for (size_t at = 0; at < program.regions[region].insts.size(); ++at) {
     const InstId id = program.regions[region].insts[at];
     if (!HasExit(id, block)) continue;
-    switch (program[id].op) {
-      case OpKind::kExit:
-        if (ir::ValueId(program[id].a).valid()) {
-          SinkConditional(region, at);
-        } else {
-          SinkUnconditional(region, at);
-        }
-        break;
-      case OpKind::kIf:
-        SinkIf(region, at, block);
-        return;
-      default:
-        Retarget(region, at, block);
-        return;
+    if (program[id].op == OpKind::kIf) return SinkIf(region, at, block);
+    if (program[id].op != OpKind::kExit) return Retarget(region, at, block);
+    if (ir::ValueId(program[id].a).valid()) {
+      SinkConditional(region, at);
+    } else if (at + 1 == program.regions[region].insts.size()) {
+      return DropLast(region);
+    } else {
+      SinkUnconditional(region, at);
     }
-    if (at < program.regions[region].insts.size()) {
-      // The If that took the exit's place is the last one, or nothing is left.
-      const InstId last = program.regions[region].insts.back();
-      if (program[last].op == OpKind::kIf) Sink(RegionId(program[last].b), block);
-    }
-    return;
+    // The If that took the exit's place.
+    return Sink(RegionId(program[program.regions[region].insts.back()].b), block);
   }
 }
 

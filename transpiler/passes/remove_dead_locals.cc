@@ -69,7 +69,7 @@ struct Analysis {
   Live Routine(ir::RoutineId id, Live after);
   void Region(RegionId region, Live& live);
   void Instruction(InstId id, Live& live);
-  void Read(uint32_t place, Live& live) const;
+  void Read(ir::PlaceId place, Live& live) const;
   void Store(InstId id, Live& live);
   void Call(const Inst& inst, Live& live);
   void Switch(const Inst& inst, Live& live);
@@ -140,8 +140,8 @@ std::vector<ir::RoutineId> Analysis::CalleesFirst() const {
   return order;
 }
 
-void Analysis::Read(uint32_t place, Live& live) const {
-  if (place < local_of.size() && local_of[place] != kUntracked) live.Add(local_of[place]);
+void Analysis::Read(ir::PlaceId place, Live& live) const {
+  if (place.valid() && local_of[place.index] != kUntracked) live.Add(local_of[place.index]);
 }
 
 void Analysis::Store(InstId id, Live& live) {
@@ -219,14 +219,14 @@ void Analysis::Repeat(const Inst& inst, Live& live) {
   if (!ir::ValueId(inst.a).valid()) live = Live(locals);
   live.Join(refused);
   live.Join(head.at(inst.payload));
-  Read(program.loops[ir::LoopId(program[InstId(inst.payload)].payload)].budget.index, live);
+  Read(program.loops[ir::LoopId(program[InstId(inst.payload)].payload)].budget, live);
 }
 
 void Analysis::Instruction(InstId id, Live& live) {
   const Inst inst = program[id];
   switch (ir::Info(inst.op).shape) {
     case ir::Shape::kLoad:
-      Read(inst.payload, live);
+      Read(ir::PlaceId(inst.payload), live);
       break;
     case ir::Shape::kStore:
       Store(id, live);

@@ -64,7 +64,8 @@ bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   return !(inner == outer && left && inner >= Precedence::kAnd);
 }
 
-/// A constant read as two's complement; the lowest numbers of C++'s own types stay calls, for no literal is negative.
+/// A constant read as two's complement, where 16 bits hold it: the lowest number of an int, which has no literal, stays
+/// a call.
 std::optional<int64_t> SignedConstant(const ir::Program& program, ir::ValueId value) {
   const ir::Inst& inst = program[value];
   const bool minus = inst.op == ir::OpKind::kMinus16 || inst.op == ir::OpKind::kMinus32;
@@ -75,7 +76,7 @@ std::optional<int64_t> SignedConstant(const ir::Program& program, ir::ValueId va
   const auto raw = static_cast<int64_t>(ir::ConstantValue(constant));
   const int64_t number = raw >= int64_t{1} << (bits - 1) ? raw - (int64_t{1} << bits) : raw;
   const int64_t read = minus ? -number : number;
-  if (read == -(int64_t{1} << 31) || read > 0x7FFF || read < -0x8000) return std::nullopt;
+  if (read > 0x7FFF || read < -0x8000) return std::nullopt;
   return read;
 }
 
