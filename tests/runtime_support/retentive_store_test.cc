@@ -40,6 +40,23 @@ TEST(RetentiveStore, KeepsTheNewestAcrossTheWrapOfItsSequence) {
   }
 }
 
+TEST(RetentiveStore, TheNewestStaysWholeUntilTheNextOneIs) {
+  RetentiveStorage storage;
+  for (uint32_t value = 1; value < 6; ++value) {
+    ASSERT_TRUE(StoreRetentive(storage, 24, &value, 4));
+    const uint32_t next = value + 1;
+    for (uint32_t cut = 0; cut < 24; ++cut) {
+      RetentiveStorage torn = storage;
+      torn.written = 0;
+      torn.cut_at = cut;
+      ASSERT_TRUE(StoreRetentive(torn, 24, &next, 4));
+      uint32_t content = 0;
+      ASSERT_TRUE(LoadRetentive(torn, 24, &content, 4)) << value << ", cut at " << cut;
+      EXPECT_TRUE(content == value || content == next) << content << " of " << value << ", cut at " << cut;
+    }
+  }
+}
+
 TEST(RetentiveStore, WritesNothingWhenNothingChanged) {
   RetentiveStorage storage;
   const uint32_t content = 77;
