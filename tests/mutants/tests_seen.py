@@ -158,27 +158,35 @@ class Seen:
                     table.setdefault(mutant, array.array("i")).append(index)
 
 
+def identity(test):
+    """A scenario that says something else, or whose program does, is another test. Of a unit test its name stands: what it
+    reaches beyond the record makes a survivor, never a killed one."""
+    if not isinstance(test, Scenario):
+        return test.name
+    path = prepare.SOURCE / test.name
+    return " ".join([test.name, *(str(zlib.crc32(part.read_bytes())) for part in sorted(path.parent.glob(path.stem + ".*")))])
+
+
 def recorded(name, tests, record_one, jobs):
-    """Of an earlier run where mutants and tests are the same ones."""
+    """What an earlier run has recorded stands as long as the mutants are the same ones: only new tests are run."""
     kept = prepare.PLACE / f"seen_{name}.pickle"
-    now = hashlib.sha256(prepare.TABLE.read_bytes() + repr([test.name for test in tests]).encode()).hexdigest()
+    now = hashlib.sha256(prepare.TABLE.read_bytes()).hexdigest()
+    results = {}
     if kept.exists():
         with open(kept, "rb") as file:
-            known, good = pickle.load(file)
-        if known == now:
-            return good
-    good = []
+            known, of_before = pickle.load(file)
+        results = of_before if known == now else {}
+    todo = [test for test in tests if identity(test) not in results]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for number, (test, result) in enumerate(zip(tests, pool.map(record_one, tests)), 1):
+        for number, (test, result) in enumerate(zip(todo, pool.map(record_one, todo)), 1):
+            results[identity(test)] = result
             if result is None:
                 print(f"  does not pass without a mutant, left out: {test.name}")
-            else:
-                good.append(result)
             if number % 500 == 0:
-                print(f"what {name} reach: {number} of {len(tests)}", flush=True)
+                print(f"what {name} reach: {number} of {len(todo)}", flush=True)
     with open(kept, "wb") as file:
-        pickle.dump((now, good), file)
-    return good
+        pickle.dump((now, results), file)
+    return [results[identity(test)] for test in tests if results[identity(test)] is not None]
 
 
 def record_all(jobs):
