@@ -99,6 +99,23 @@ def body_of(dialect, found):
     return found["body"] if dialect != "hnc" else "{" + found["body"].rstrip("\n") + "}\n"
 
 
+def wrong_lines(root, dialect):
+    """(case, file, program of n lines) for each golden program that is refused: the line of its error, n times."""
+    for case in corpus.cases(root):
+        text = case.files[case.scenario.name].decode("utf-8", "replace")
+        found = re.search(r"^expect_error: *\{(.*)\}", text, re.MULTILINE)
+        line = re.search(r"\bline: *(\d+)", found[1]) if found else None
+        file = re.search(r"\bfile: *([^,}]+)", found[1]) if found else None
+        name = file[1].strip(" '\"") if file else case.sources[0]
+        if case.dialect != dialect or line is None or name not in case.files:
+            continue
+        lines = case.files[name].splitlines(keepends=True)
+        at = int(line[1]) - 1
+        if at < len(lines):
+            yield case, name, lambda n, lines=lines, at=at: b"".join(
+                lines[:at] + [lines[at].rstrip(b"\r\n") + b"\n"] * n + lines[at + 1:])
+
+
 def errors(root, dialect):
     """A kind for each golden program that is refused."""
     return [Kind(case.scenario.stem, dialect, case, name, found["head"], body_of(dialect, found), found["tail"])

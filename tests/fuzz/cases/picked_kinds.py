@@ -1,4 +1,7 @@
-"""Kinds of statements that no single golden program shows: many names, declarations and calls, faults, what is never closed."""
+"""Kinds of statements that no single golden program shows: many names, declarations and calls, faults, what is never closed.
+
+A program of a kind whose name begins with `wrong-` is refused, of any other one accepted.
+"""
 
 
 def nc110(text):
@@ -10,7 +13,13 @@ HNC = '#include "plc.h"\nint i;\nvoid init(void) { plc1_time = 8; plc2_time = 16
 
 def hnc(text):
     return lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\n" +
-                      "".join(text.replace("@", str(i % 200)) + "\n" for i in range(n)) + "}\n")
+                      "".join(text.replace("@", str(i % 100)) + "\n" for i in range(n)) + "}\n")
+
+
+def numbered(text):
+    """With names of its own in each line."""
+    return lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\n" +
+                      "".join(text.replace("@", str(i)) + "\n" for i in range(n)) + "}\n")
 
 
 def declared(text):
@@ -42,48 +51,51 @@ KINDS = {
         "timer": nc110("T{k}I(5)=I{a}A{b}"),
         "mux": nc110("W{a}K{c}=MUX(W1K0,W1K1),(I0A0,I0A1)"),
         "comment": nc110("; text {k}\nU{a}A{b}=I{a}A{b}"),
-        "error": nc110("U{a}A{b}=NOSUCH{k}"),
-        "unclosed": nc110("U{a}A{b}=(I0A0"),
+        "wrong-word": nc110("U{a}A{b}=NOSUCH{k}"),
+        "wrong-unclosed": nc110("U{a}A{b}=(I0A0"),
     }),
     "host50": (".il", {
         "rung": host50("LD %I1\nAND %B{b}\nOUT %B{b}\n"),
         "word": host50("LD %I1\nMOV %W{w}, %W1\n"),
         "operation": host50("LD %I1\nOPRT %W{w} = %W1 + 1\n"),
-        "error": host50("LD %I1\nNOSUCH %W{w}\n"),
-        "subroutine": lambda n: ("SLOW\nNETWORK\nLD 1\n" + "".join(f"CALL SUB{i % 100}\n" for i in range(n)) + "END_SLOW\n" +
-                                 "".join(f"SUB SUB{i}\nNETWORK\nLD %I1\nOUT %B{i}\nEND_SUB\n" for i in range(100))),
+        "wrong-word": host50("LD %I1\nNOSUCH %W{w}\n"),
+        "subroutine": lambda n: ("SLOW\nNETWORK\nLD 1\n" + "".join(f"CALL SR{i % 90}\n" for i in range(n)) + "END_SLOW\n" +
+                                 "".join(f"SUB SR{i}\nNETWORK\nLD %I1\nOUT %B{i}\nEND_SUB\n" for i in range(90))),
     }),
     "prostep": (".plc", {
         "bit": prostep(":A I {a}.{b}\n:= O {a}.{b}\n"),
-        "error": prostep(":NOSUCH I {a}.{b}\n"),
+        "wrong-word": prostep(":NOSUCH I {a}.{b}\n"),
         "branch": lambda n: (":MOD PM 1\n" + "".join(f":A I 0.0\n:JC L{i:03X}\n:A I {i % 64}.1\n:= O {i % 64}.1\nL{i:03X} :A I 0.1\n"
                                                     f":S O 1.1\n" for i in range(min(n, 4096))) + ":END PM 1\n"),
     }),
     "technol": (".plc", {
         "mechanism": technol(" MECH_BEGIN M{i}\n EX\n LDR A\n FL 1,B\n MECH_END M{i}\n"),
-        "unclosed": technol(" MECH_BEGIN M{i}\n EX\n"),
+        "wrong-unclosed": technol(" MECH_BEGIN M{i}\n EX\n"),
         "label": technol("L{i}: LDR A\n JL1 L{i}\n"),
         "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
-        "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 2\n" for i in range(n)) + " DATA_END\n MODULE_MAIN\n" +
-                           "".join(f" LOD D{i}\n STO D{i}\n" for i in range(n)) + " MODULE_MAIN_END\n STOP\n"),
-        "error": technol(" NOSUCH A{i}\n"),
+        "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 1\n" for i in range(n // 2)) + " DATA_END\n MODULE_MAIN\n" +
+                           "".join(f" LOD D{i}\n STO D{i}\n" for i in range(n // 2)) + " MODULE_MAIN_END\n STOP\n"),
+        "wrong-word": technol(" NOSUCH A{i}\n"),
     }),
     "hnc": (".cld", {
         "assignment": hnc("Y[@] = X[@];"),
         "if": hnc("if (X[@] & 1) Y[@] = 1; else Y[@] = 2;"),
+        "jump": numbered("if (X[0]) goto l@; i = 1; l@: ;"),
+        "jump-back": numbered("l@: i++; if (i < 3) goto l@;"),
+        "byte-loop": hnc("for (i = 0; i < (X[@] & 15); i++) Y[1] = i;"),
         "loop": hnc("for (i = 0; i < 3; i++) Y[i] = X[@];"),
-        "error": hnc("nosuch@ = 1;"),
-        "function-again": declared("void f(void) {}"),
-        "entry-again": declared("void plc2() { }"),
-        "prototype-again": declared("void f(void);"),
-        "variable-again": declared("int v;"),
-        "external-again": declared("extern int v;"),
-        "value-again": declared("int v = 1;"),
-        "structure-again": declared("struct t;"),
-        "type-again": declared("typedef int t;"),
-        "no-type": declared("byte v;"),
-        "local-again": hnc("int v;"),
-        "label-again": hnc("again: i = 1;"),
+        "wrong-word": hnc("nosuch@ = 1;"),
+        "wrong-function-again": declared("void f(void) {}"),
+        "wrong-entry-again": declared("void plc2() { }"),
+        "wrong-prototype-again": declared("void f(void);"),
+        "wrong-variable-again": declared("int v;"),
+        "wrong-external-again": declared("extern int v;"),
+        "wrong-value-again": declared("int v = 1;"),
+        "wrong-structure-again": declared("struct t;"),
+        "wrong-type-again": declared("typedef int t;"),
+        "wrong-no-type": declared("byte v;"),
+        "wrong-local-again": hnc("int v;"),
+        "wrong-label-again": hnc("again: i = 1;"),
         "function": lambda n: (HNC + "".join(f"void f{i}(void) {{ Y[{i % 100}] = {i % 200}; }}\n" for i in range(n)) +
                                "void plc2(void) {}\nvoid plc1(void) {\n" + "".join(f"f{i}();\n" for i in range(n)) + "}\n"),
         "variable": lambda n: (HNC + "".join(f"int v{i};\n" for i in range(n // 4)) + "void plc2(void) {}\nvoid plc1(void) {\n" +

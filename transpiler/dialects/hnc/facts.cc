@@ -72,10 +72,12 @@ void Facts::FindRegistrations() {
 void Facts::FindCallees() {
   for (const FunctionId id : unit_.definitions) {
     std::vector<FunctionId>& callees = callees_[id.index];
+    std::unordered_set<uint32_t> known;
+    for (const FunctionId callee : callees) known.insert(callee.index);
     ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
       const Expr& expr = unit_.expressions[part];
       if (expr.kind != ExprKind::kCall || !expr.function.valid()) return;
-      if (std::ranges::find(callees, expr.function) == callees.end()) callees.push_back(expr.function);
+      if (known.insert(expr.function.index).second) callees.push_back(expr.function);
     });
   }
   // Of a system function: those that the program has in the place of others (D13).

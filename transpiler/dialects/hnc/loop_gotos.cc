@@ -36,8 +36,9 @@ bool Lowering::PathBack(StatementId label, StatementId jump, std::vector<Stateme
     }
     if (!ParentOf(first).valid()) return false;
     const std::vector<StatementId>& list = unit_.statements[ParentOf(first)].body;
-    const auto found = std::ranges::find(list, first);
-    at = found == list.end() ? StatementId() : pass(list, static_cast<size_t>(found - list.begin()) + 1);
+    const auto found = std::ranges::lower_bound(list, OrderOf(first), {}, [&](StatementId id) { return OrderOf(id); });
+    at = found == list.end() || *found != first ? StatementId()
+                                                : pass(list, static_cast<size_t>(found - list.begin()) + 1);
   }
   while (at.valid() && at != jump) {
     const Statement& statement = unit_.statements[at];
@@ -103,20 +104,18 @@ bool Lowering::IsPartOf(StatementId id, const std::vector<StatementId>& statemen
 /// Whether a round may come to the jump back without passing the place exactly once: a goto within the region leads
 /// over it or back in front of it, or comes from beside the straight path, and so does one from further down.
 bool Lowering::IsPassedBy(StatementId place, const LoopShape& loop) const {
-  bool passed = false;
-  ForEachStatement(unit_, function_->body, [&](StatementId id) {
-    const Statement& jump = unit_.statements[id];
-    if (jump.kind != StatementKind::kGoto || !jump.label.valid()) return;
-    const StatementId target = unit_.labels[jump.label].statement;
-    if (!target.valid()) return;
-    const uint32_t from = OrderOf(id), to = OrderOf(target);
-    // To the label itself only the jump back leads, and what enters the loop.
-    if (to <= loop.region.first || to > loop.region.last || from < loop.region.first) return;
-    const bool on_path = from <= loop.region.last && IsPartOf(id, loop.body);
-    const uint32_t middle = OrderOf(place);
-    passed = passed || !on_path || (from < middle) != (to <= middle);
-  });
-  return passed;
+  const uint32_t middle = OrderOf(place);
+  // To the label itself only the jump back leads, and what enters the loop.
+  for (size_t i = loop.region.first + size_t{1}; i <= loop.region.last && i < statements_.size(); ++i) {
+    if (unit_.statements[statements_[i]].kind != StatementKind::kLabel) continue;
+    for (const StatementId jump : JumpsTo(statements_[i])) {
+      const uint32_t from = OrderOf(jump);
+      if (from < loop.region.first) continue;
+      const bool on_path = from <= loop.region.last && IsPartOf(jump, loop.body);
+      if (!on_path || (from < middle) != (i <= middle)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace plcxx::hnc

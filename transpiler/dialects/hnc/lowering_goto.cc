@@ -15,12 +15,9 @@ void Lowering::LabelStatement(const Statement& statement, bool last) {
     const uint32_t number = GotoLabel(statement.label);
     // A way back leads here: what it changes is not known, and its rounds are counted from here on.
     std::vector<StatementId> back;
-    ForEachStatement(unit_, function_->body, [&](StatementId id) {
-      const Statement& jump = unit_.statements[id];
-      if (live_gotos_.contains(id.index) && jump.label == statement.label && IsBefore(label.statement, id)) {
-        back.push_back(id);
-      }
-    });
+    for (const StatementId jump : JumpsTo(label.statement)) {
+      if (live_gotos_.contains(jump.index) && IsBefore(label.statement, jump)) back.push_back(jump);
+    }
     PlaceLabel(number);
     if (!back.empty()) {
       // Nothing is known where only jumps back lead to.
@@ -65,11 +62,10 @@ void Lowering::PrepareBackJump(const Statement& label, const std::vector<Stateme
     rounds = proved.value_or(0);
   }
   if (rounds != 0) CheckRounds(jump.keyword, rounds);
-  ForEachStatement(unit_, function_->body, [&](StatementId id) {
-    if (!again.Holds(OrderOf(id))) return;
-    ForEachOwnExpr(unit_, unit_.statements[id],
+  for (size_t i = again.first; i <= again.last && i < statements_.size(); ++i) {
+    ForEachOwnExpr(unit_, unit_.statements[statements_[i]],
                    [&](ExprId expr) { ForEachExpr(unit_, expr, [&](ExprId part) { ForgetWritesOf(part); }); });
-  });
+  }
   const ir::PlaceId budget = AddLocal("rounds_left", ir::Type::kI32);
   goto_budgets_[label.label.index] = budget;
   annotated_labels_[label.label.index] = annotated;
@@ -102,45 +98,46 @@ void Lowering::SetBudgetBefore(ir::RegionId region, size_t at, ir::PlaceId budge
   insts.insert(insts.begin() + static_cast<std::ptrdiff_t>(at), added.begin(), added.end());
 }
 
+/// In the order of the source.
+const std::vector<StatementId>& Lowering::JumpsTo(StatementId label) const {
+  static const auto* const none = new std::vector<StatementId>();
+  const auto found = jumps_to_.find(label.index);
+  return found == jumps_to_.end() ? *none : found->second;
+}
+
 /// The statements that can be executed between a label and a jump back to it: those between them in the source, the
 /// loops that begin there, and what leads back into them from further down.
 Lowering::Span Lowering::Repeated(LabelId label, const std::vector<StatementId>& jumps) const {
   Span span{OrderOf(unit_.labels[label].statement), 0};
-  for (const StatementId jump : jumps) span.last = std::max(span.last, OrderOf(jump));
-  for (bool grown = true; grown;) {
-    grown = false;
-    const auto grow = [&](StatementId to) {
-      if (OrderOf(to) <= span.last) return;
-      span.last = OrderOf(to);
-      grown = true;
-    };
-    ForEachStatement(unit_, function_->body, [&](StatementId id) {
-      const Statement& statement = unit_.statements[id];
-      const bool inside = span.Holds(OrderOf(id));
-      if (inside && IsLoop(statement.kind)) ForEachStatement(unit_, id, grow);
-      if (inside || statement.kind != StatementKind::kGoto || !statement.label.valid()) return;
-      const StatementId target = unit_.labels[statement.label].statement;
-      if (IsBefore(target, id) && span.Holds(OrderOf(target))) grow(id);
-    });
+  const auto grow = [&](StatementId to) { span.last = std::max(span.last, OrderOf(to)); };
+  for (const StatementId jump : jumps) grow(jump);
+  for (size_t i = span.first; i <= span.last && i < statements_.size(); ++i) {
+    const StatementId id = statements_[i];
+    const Statement& statement = unit_.statements[id];
+    if (IsLoop(statement.kind)) ForEachStatement(unit_, id, grow);
+    if (statement.kind != StatementKind::kLabel) continue;
+    for (const StatementId jump : JumpsTo(id)) {
+      if (IsBefore(id, jump)) grow(jump);
+    }
   }
   return span;
 }
 
 /// Whether a goto or a switch leads into the statements from outside, past the first of them.
 bool Lowering::IsEnteredElsewhere(const Span& span) const {
-  bool elsewhere = false;
-  ForEachStatement(unit_, function_->body, [&](StatementId id) {
-    const Statement& statement = unit_.statements[id];
-    if (IsCase(statement.kind) && OrderOf(id) > span.first && span.Holds(OrderOf(id))) {
+  for (size_t i = span.first + size_t{1}; i <= span.last && i < statements_.size(); ++i) {
+    const StatementId id = statements_[i];
+    const StatementKind kind = unit_.statements[id].kind;
+    if (IsCase(kind)) {
       StatementId head = id;
       while (head.valid() && unit_.statements[head].kind != StatementKind::kSwitch) head = ParentOf(head);
-      elsewhere = elsewhere || (head.valid() && !span.Holds(OrderOf(head)));
+      if (head.valid() && !span.Holds(OrderOf(head))) return true;
     }
-    if (statement.kind != StatementKind::kGoto || !statement.label.valid()) return;
-    const uint32_t to = OrderOf(unit_.labels[statement.label].statement);
-    elsewhere = elsewhere || (to > span.first && to <= span.last && !span.Holds(OrderOf(id)));
-  });
-  return elsewhere;
+    if (kind != StatementKind::kLabel) continue;
+    const auto outside = [&](StatementId jump) { return !span.Holds(OrderOf(jump)); };
+    if (std::ranges::any_of(JumpsTo(id), outside)) return true;
+  }
+  return false;
 }
 
 /// Whether an if or a switch around the label, but not around the jump back, decides if it is passed.

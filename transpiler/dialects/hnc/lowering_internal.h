@@ -291,6 +291,7 @@ class Lowering {
     uint32_t first = 0, last = 0;
     bool Holds(uint32_t order) const { return first <= order && order <= last; }
   };
+  const std::vector<StatementId>& JumpsTo(StatementId label) const;
   Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
   bool IsEnteredElsewhere(const Span& span) const;
   bool HasChoiceAround(StatementId label, StatementId jump) const;
@@ -488,7 +489,9 @@ class Lowering {
   std::unordered_set<uint32_t> entered_;                    // by StatementId: a jump from outside leads into it
   std::unordered_map<uint32_t, StatementId> parents_;       // by StatementId
   std::unordered_map<uint32_t, uint32_t> order_;            // by StatementId
-  std::unordered_set<uint32_t> placed_labels_;              // by LabelId: jumps to them go back
+  std::vector<StatementId> statements_;                     // of the function, by their order
+  std::unordered_map<uint32_t, std::vector<StatementId>> jumps_to_;  // gotos by StatementId of their label
+  std::unordered_set<uint32_t> placed_labels_;                       // by LabelId: jumps to them go back
   std::unordered_map<uint32_t, bool> annotated_labels_;
   bool index_is_checked_ = false;  // by the load in front of the store of `+=` and `++`: one access, one fault
   std::string why_unbounded_;

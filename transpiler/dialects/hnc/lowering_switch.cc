@@ -33,16 +33,23 @@ uint64_t RawValue(int64_t value, const Type& type) {
 
 /// Which statement holds which, and what jumps lead into.
 void Lowering::FindLabels(const Function& function) {
-  parents_.clear();
-  order_.clear();
-  flat_.clear();
-  goto_labels_.clear();
-  case_labels_.clear();
-  goto_budgets_.clear();
-  back_labels_.clear();
+  // Anew, not cleared: to clear a map takes as long as the largest function did.
+  parents_ = {};
+  order_ = {};
+  statements_ = {};
+  jumps_to_ = {};
+  flat_ = {};
+  goto_labels_ = {};
+  case_labels_ = {};
+  goto_budgets_ = {};
+  back_labels_ = {};
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
+    statements_.push_back(id);
+    if (statement.kind == StatementKind::kGoto && statement.label.valid()) {
+      jumps_to_[unit_.labels[statement.label].statement.index].push_back(id);
+    }
     for (const StatementId child : statement.body) parents_[child.index] = id;
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;

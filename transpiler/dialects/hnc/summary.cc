@@ -329,13 +329,14 @@ class Summary {
 
   SummaryTable Limits() {
     SummaryTable table{"limits", "Loops and calls", {"function", "parts", "most rounds of a loop", "calls below"}, {}};
+    std::map<std::string_view, ir::RegionId> bodies;  // by the name of the routine
+    for (const ir::Routine& routine : program_.routines) {
+      if (routine.kind == ir::RoutineKind::kSubroutine) bodies[routine.name] = routine.body;
+    }
     for (const FunctionId id : unit_.definitions) {
       if (facts_.PartsOf(id) == 0) continue;
-      uint64_t rounds = 0;
-      const std::string name = id == unit_.init ? "plc_init" : unit_.functions[id].name;
-      for (const ir::Routine& routine : program_.routines) {
-        if (routine.name == name && routine.kind == ir::RoutineKind::kSubroutine) rounds = Rounds(routine.body, 1);
-      }
+      const auto body = bodies.find(id == unit_.init ? "plc_init" : unit_.functions[id].name);
+      const uint64_t rounds = body == bodies.end() ? 0 : Rounds(body->second, 1);
       table.rows.push_back(
           {unit_.functions[id].name, PartNames(facts_.PartsOf(id)), std::to_string(rounds), std::to_string(Depth(id))});
     }

@@ -330,6 +330,7 @@ class Lowering {
   std::map<std::tuple<Area, uint32_t, ir::Type, uint8_t>, ir::PlaceId> places_;
   std::map<std::tuple<Area, uint32_t, ir::Type>, ir::PlaceId> indexed_;
   std::map<uint32_t, ir::PlaceId> steps_, activations_;             // by UnitId
+  std::vector<uint32_t> mechanisms_before_;                         // in the source, by UnitId
   std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;     // by UnitId and number
   std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
   std::map<uint32_t, ir::SpaceId> own_spaces_;                      // locals of one routine alone, by its number

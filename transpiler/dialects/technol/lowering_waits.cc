@@ -40,14 +40,17 @@ ir::PlaceId Lowering::ActivationPlace(UnitId unit) {
   }
   const auto [found, is_new] = activations_.try_emplace(unit.index);
   if (is_new) {
-    uint32_t number = 0;
-    for (uint32_t i = 0; i < unit.index; ++i) {
-      if (tree_.units[UnitId(i)].kind == UnitKind::kMechanism) ++number;
+    if (mechanisms_before_.empty()) {
+      uint32_t number = 0;
+      for (uint32_t i = 0; i < tree_.units.size(); ++i) {
+        mechanisms_before_.push_back(number);
+        if (tree_.units[UnitId(i)].kind == UnitKind::kMechanism) ++number;
+      }
     }
     found->second = program_.places.Add({.name = mechanism.name,
                                          .type = Type::kBit,
                                          .space = memory_[SpaceKey::kMechanisms],
-                                         .offset = number,
+                                         .offset = mechanisms_before_[unit.index],
                                          .bit = 0});
   }
   return found->second;

@@ -167,6 +167,7 @@ class Parser {
   bool warned_behind_stop_ = false;
   UnitId module_, mechanism_;
   std::set<std::string> abandoned_modules_, abandoned_mechanisms_;  // closed by an inner one, their END may come
+  std::map<std::string, source::Range> modules_;                    // where each is opened first
   bool stretch_open_ = false;                                       // subprogram lines since the last mark
   std::vector<LabelId> waiting_labels_;
 

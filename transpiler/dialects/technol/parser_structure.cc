@@ -108,10 +108,10 @@ void Parser::OpenModule(const Statement& statement, ModuleKind kind) {
   }
   TakeLabel(statement);
   EndStretch(statement.range);
-  const std::string upper = Upper(name);
-  for (const Unit& unit : context_.program.units) {
-    if (unit.kind != UnitKind::kModule || Upper(unit.name) != upper) continue;
-    context_.Report(statement.range, diag::TechnolModuleTwice, name).notes.push_back({unit.open, "it is opened here"});
+  const auto [first, is_new] = modules_.emplace(Upper(name), statement.range);
+  if (!is_new) {
+    context_.Report(statement.range, diag::TechnolModuleTwice, name)
+        .notes.push_back({first->second, "it is opened here"});
   }
   if (kind == ModuleKind::kOther) context_.Report(statement.first().range, diag::TechnolOtherModule, name);
   if (Info(kind).completion) WarnOfCompletion(statement.first());
