@@ -2,6 +2,7 @@
 //
 // An object's address is a variable that nothing is known of: what is proved is so wherever it is. A number is a
 // pointer again when it is such a variable plus some offset; one that is put together otherwise is refused.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -65,6 +66,20 @@ CodeValue Executor::PointerAt(terms::TermId number) {
   // What wraps in the target's width is outside of the object in 64 bits.
   for (Target& target : pointer.targets) target.offset = terms_.Zext(target.offset, 64);
   return pointer;
+}
+
+void Executor::ForgetBelow(terms::TermId number) {
+  const std::vector<Target> targets = TargetsOf(number);
+  if (targets.empty()) Refuse("a stack pointer that is no object's address with an offset");
+  for (const Target& target : targets) {
+    const Object& object = objects_[target.object];
+    if (object.kind != ObjectKind::kLocal || object.first_slot < initial_.size()) continue;
+    const uint64_t end = std::min(ranges_.Of(target.offset).high, object.bytes);
+    for (uint64_t at = 0; at < end; ++at) {
+      const auto slot = static_cast<uint32_t>(object.first_slot + at);
+      if (slots_.At(slot).valid()) slots_.Set(slot, terms::TermId());
+    }
+  }
 }
 
 }  // namespace plcxx::prove::compiled::llvm_ir

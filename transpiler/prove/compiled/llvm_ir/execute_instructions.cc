@@ -394,6 +394,10 @@ CodeValue Executor::ExecuteCall(const llvm::CallInst& call) {
     Refuse(callee->getName().substr(std::char_traits<char>::length(kRefusal)).str());
     return {};
   }
+  if (callee->getName() == kForgetBelow) {
+    ForgetBelow(TermOf(call.getArgOperand(0)));
+    return {};
+  }
   if (callee->isDeclaration() || environment_.Replaces(name)) return ExecuteHostCall(call, *callee, name);
   std::vector<CodeValue> arguments;
   for (const llvm::Use& argument : call.args()) {

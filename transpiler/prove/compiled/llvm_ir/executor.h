@@ -226,6 +226,8 @@ class Executor {
   terms::TermId NumberOf(const CodeValue& pointer, uint8_t width);
   std::vector<Target> TargetsOf(terms::TermId number);
   CodeValue PointerAt(terms::TermId number);
+  /// Of locals that the number leads into, all bytes below it.
+  void ForgetBelow(terms::TermId number);
 
   void Refuse(std::string reason);
   bool refused() const { return !outcome_.refusal.empty(); }

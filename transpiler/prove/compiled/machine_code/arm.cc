@@ -1,82 +1,14 @@
 // What instructions of ARM's Thumb do (ARMv7-M Architecture Reference Manual, A7.7): those that compute in integers.
-#include "transpiler/prove/compiled/machine_code/arm_operands.h"
-#include "transpiler/support/check.h"
+#include "transpiler/prove/compiled/machine_code/arm_lifter.h"
 
 #include <llvm/IR/Intrinsics.h>
 
+#include <optional>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 namespace plcxx::prove::compiled::machine_code {
 namespace {
-
-enum class ArmForm : uint8_t {
-  kCompute,
-  kMoveTo,
-  kCompare,
-  kShift,
-  kLoad,
-  kStore,
-  kLoadPre,
-  kLoadPost,
-  kStorePre,
-  kStorePost,
-  kLoadPair,
-  kLoadPairPre,
-  kLoadPairPost,
-  kStorePair,
-  kStorePairPre,
-  kStorePairPost,
-  kPush,
-  kPop,
-  kStoreDown,
-  kLoadUp,
-  kStoreUp,
-  kStoreFrom,
-  kLoadFrom,
-  kLoadUpNarrow,
-  kLoadConstant,
-  kMoveTop,
-  kBits,
-  kBitsSigned,
-  kInsert,
-  kClear,
-  kUnsignedByte,
-  kUnsignedHalf,
-  kSignedByte,
-  kSignedHalf,
-  kAddUnsignedByte,
-  kAddUnsignedHalf,
-  kAddSignedByte,
-  kAddSignedHalf,
-  kLeadingZeros,
-  kReverse,
-  kMul,
-  kMulAdd,
-  kMulSub,
-  kMulLong,
-  kMulLongSigned,
-  kMulHalves,
-  kDiv,
-  kDivSigned,
-  kJump,
-  kBranch,
-  kBranchZero,
-  kBranchNotZero,
-  kCall,
-  kReturn,
-  kNothing
-};
-
-struct ArmRow {
-  std::string_view name;
-  ArmForm form{};
-  ArmOperation operation{};
-  ArmShift shift{};
-  unsigned bits = 32;
-  bool has_sign = false;
-  unsigned scale = 1;
-};
 
 constexpr ArmRow kArmRows[] = {
 #define PLCXX_ARM_COMPUTE(NAME, OPERATION, SCALE) \
@@ -99,30 +31,7 @@ const ArmRow* ArmRowOf(std::string_view name) {
   return nullptr;
 }
 
-class ArmLifter : public ArmOperands {
- public:
-  ArmLifter(FunctionLifter& lifter, const ArmRow& row) : ArmOperands(lifter), row_(row) {}
-
-  void Run();
-
- private:
-  void Compute();
-  void Move();
-  void Shift();
-  void Access();
-  void AccessPair();
-  void AccessMany();
-  void LoadConstant();
-  void Insert(llvm::Value* bits);
-  void Extend(bool has_sign, unsigned bits, bool adds);
-  void MultiplyLong(bool has_sign);
-  void Divide(bool has_sign);
-  void Jump();
-  void Branch(llvm::Value* condition);
-  void SetRegister(unsigned number, llvm::Value* value);
-
-  const ArmRow& row_;
-};
+}  // namespace
 
 /// A write of the program counter is the way back.
 void ArmLifter::SetRegister(unsigned number, llvm::Value* value) {
@@ -143,14 +52,10 @@ void ArmLifter::Compute() {
 }
 
 void ArmLifter::Move() {
-  const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVW_ABS_NC});
-  if (link != nullptr) {
-    Link symbol = *link;
-    symbol.addend = NumberAt(1);
-    llvm::Value* address = lifter_.AddressOf(symbol);
-    if (address == nullptr) lifter_.Refuse("the address of " + link->symbol);
-    lifter_.Set(RegisterAt(0), address != nullptr ? address : lifter_.Number(0));
-    return;
+  if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVW_ABS_NC})) {
+    const std::optional<Place> place = PlaceOf(*link, static_cast<int16_t>(NumberAt(1)));
+    if (!place) return lifter_.Refuse("the address of " + link->symbol);
+    return lifter_.Set(RegisterAt(0), lifter_.PartOf(AddressPart::kLow, *place));
   }
   const Shifted b = SecondOperand(1, 1);
   llvm::Value* zero = lifter_.Number(0);
@@ -158,6 +63,22 @@ void ArmLifter::Move() {
                             ? Combine(ArmOperation::kReverseSub, b.value, {zero, nullptr}, sets_flags())
                             : Combine(row_.operation, zero, b, sets_flags());
   SetRegister(RegisterAt(0), result);
+}
+
+std::optional<Place> ArmLifter::PlaceOf(const Link& link, int64_t addend) {
+  if (!link.defined) return std::nullopt;
+  return Place{link.defined->section, link.defined->offset + static_cast<uint64_t>(addend)};
+}
+
+/// The register must hold the lower half of the same address.
+void ArmLifter::MoveTopOf(const Link& link) {
+  Link symbol = link;
+  symbol.addend = static_cast<int16_t>(NumberAt(2));
+  const std::optional<Place> place = PlaceOf(link, symbol.addend);
+  llvm::Value* address = place ? lifter_.AddressOf(symbol) : nullptr;
+  if (address == nullptr) return lifter_.Refuse("the address of " + link.symbol);
+  lifter_.Demand(build_.CreateICmpEQ(Get(1), lifter_.PartOf(AddressPart::kLow, *place)));
+  lifter_.Set(RegisterAt(0), address);
 }
 
 void ArmLifter::Shift() {
@@ -168,107 +89,6 @@ void ArmLifter::Shift() {
     if (shifted.carry != nullptr) lifter_.SetFlag(kCarry, shifted.carry);
   }
   lifter_.Set(RegisterAt(0), shifted.value);
-}
-
-void ArmLifter::Access() {
-  const bool loads = row_.form == ArmForm::kLoad || row_.form == ArmForm::kLoadPre || row_.form == ArmForm::kLoadPost;
-  const bool pre = row_.form == ArmForm::kLoadPre || row_.form == ArmForm::kStorePre;
-  const bool post = row_.form == ArmForm::kLoadPost || row_.form == ArmForm::kStorePost;
-  const unsigned reg = (pre || post) && !loads ? 1 : 0;
-  const unsigned base = pre || post ? 2 : 1;
-  const unsigned back = loads ? 1 : 0;
-  llvm::Value* before = Get(base);
-  llvm::Value* moved = build_.CreateAdd(before, Offset(base + 1, row_.scale));
-  llvm::Value* address = post ? before : moved;
-  if (loads) {
-    llvm::Value* value = lifter_.Load(address, row_.bits, 1);
-    if (row_.bits < 32)
-      value = row_.has_sign ? build_.CreateSExt(value, lifter_.Word()) : build_.CreateZExt(value, lifter_.Word());
-    if (pre || post) lifter_.Set(RegisterAt(back), moved);
-    SetRegister(RegisterAt(reg), value);
-    return;
-  }
-  llvm::Value* value = Get(reg);
-  if (row_.bits < 32) value = build_.CreateTrunc(value, build_.getIntNTy(row_.bits));
-  lifter_.Store(address, value, 1);
-  if (pre || post) lifter_.Set(RegisterAt(back), moved);
-}
-
-void ArmLifter::AccessPair() {
-  const bool pre = row_.form == ArmForm::kLoadPairPre || row_.form == ArmForm::kStorePairPre;
-  const bool post = row_.form == ArmForm::kLoadPairPost || row_.form == ArmForm::kStorePairPost;
-  const bool loads =
-      row_.form == ArmForm::kLoadPair || row_.form == ArmForm::kLoadPairPre || row_.form == ArmForm::kLoadPairPost;
-  const unsigned first = (pre || post) && !loads ? 1 : 0;
-  const unsigned base = pre || post ? 3 : 2;
-  const unsigned back = loads ? 2 : 0;
-  llvm::Value* before = Get(base);
-  llvm::Value* moved = build_.CreateAdd(before, Offset(base + 1, 1));
-  llvm::Value* address = post ? before : moved;
-  llvm::Value* next = build_.CreateAdd(address, lifter_.Number(4));
-  if (loads) {
-    llvm::Value* low = lifter_.Load(address, 32, 4);
-    llvm::Value* high = lifter_.Load(next, 32, 4);
-    lifter_.Set(RegisterAt(first), low);
-    lifter_.Set(RegisterAt(first + 1), high);
-  } else {
-    lifter_.Store(address, Get(first), 4);
-    lifter_.Store(next, Get(first + 1), 4);
-  }
-  if (pre || post) lifter_.Set(RegisterAt(back), moved);
-}
-
-/// A list of registers, the lowest at the lowest address.
-void ArmLifter::AccessMany() {
-  const bool stack = row_.form == ArmForm::kPush || row_.form == ArmForm::kPop;
-  const bool stores = row_.form == ArmForm::kPush || row_.form == ArmForm::kStoreDown ||
-                      row_.form == ArmForm::kStoreUp || row_.form == ArmForm::kStoreFrom;
-  const bool moves = row_.form != ArmForm::kStoreFrom && row_.form != ArmForm::kLoadFrom;
-  const bool twice =
-      row_.form == ArmForm::kStoreDown || row_.form == ArmForm::kLoadUp || row_.form == ArmForm::kStoreUp;
-  const unsigned base = stack ? kStackPointer : RegisterAt(0);
-  const unsigned first = stack ? 0 : twice ? 2 : 1;
-  std::vector<unsigned> list;
-  for (unsigned i = first; i < operand_count(); ++i) list.push_back(RegisterAt(i));
-  const auto bytes = static_cast<uint64_t>(4 * list.size());
-  llvm::Value* before = lifter_.Get(base);
-  const bool down = row_.form == ArmForm::kPush || row_.form == ArmForm::kStoreDown;
-  llvm::Value* from = down ? build_.CreateSub(before, lifter_.Number(bytes)) : before;
-  llvm::Value* after = down ? from : build_.CreateAdd(before, lifter_.Number(bytes));
-  bool base_is_loaded = false;
-  std::vector<std::pair<unsigned, llvm::Value*>> loaded;
-  for (size_t i = 0; i < list.size(); ++i) {
-    llvm::Value* address = build_.CreateAdd(from, lifter_.Number(4 * i));
-    if (stores) {
-      lifter_.Store(address, lifter_.Get(list[i]), 4);
-    } else {
-      loaded.emplace_back(list[i], lifter_.Load(address, 32, 4));
-      base_is_loaded = base_is_loaded || list[i] == base;
-    }
-  }
-  if (moves && !(row_.form == ArmForm::kLoadUpNarrow && base_is_loaded)) lifter_.Set(base, after);
-  for (const auto& [number, value] : loaded) SetRegister(number, value);
-}
-
-void ArmLifter::LoadConstant() {
-  const uint64_t at = ((lifter_.current().address + 4) & ~uint64_t{3}) + static_cast<uint64_t>(NumberAt(1));
-  const Section& section = lifter_.section();
-  uint32_t word = 0;
-  if (at + 4 > section.bytes.size()) {
-    lifter_.Refuse("a constant outside of the section");
-    return;
-  }
-  for (unsigned i = 0; i < 4; ++i) word |= uint32_t{static_cast<uint8_t>(section.bytes[at + i])} << (8 * i);
-  const auto link = section.links.find(at);
-  if (link == section.links.end()) {
-    lifter_.Set(RegisterAt(0), lifter_.Number(word));
-    return;
-  }
-  Link symbol = link->second;
-  symbol.addend = static_cast<int32_t>(word);
-  llvm::Value* address = symbol.type == llvm::ELF::R_ARM_ABS32 ? lifter_.AddressOf(symbol) : nullptr;
-  if (address == nullptr) lifter_.Refuse("the address of " + symbol.symbol);
-  lifter_.Set(RegisterAt(0), address != nullptr ? address : lifter_.Number(0));
 }
 
 /// Into the bits that the instruction's mask leaves out.
@@ -300,25 +120,17 @@ void ArmLifter::MultiplyLong(bool has_sign) {
   lifter_.Set(RegisterAt(1), build_.CreateTrunc(build_.CreateLShr(product, 32), lifter_.Word()));
 }
 
-/// By 0 it is 0, where the processor does not trap; the least number by -1 is itself.
-void ArmLifter::Divide(bool has_sign) {
-  llvm::Value* a = Get(1);
-  llvm::Value* b = Get(2);
-  llvm::Value* by_zero = build_.CreateICmpEQ(b, lifter_.Number(0));
-  llvm::Value* by = build_.CreateSelect(by_zero, lifter_.Number(1), b);
-  if (has_sign) {
-    llvm::Value* overflows = build_.CreateAnd(build_.CreateICmpEQ(a, lifter_.Number(0x80000000)),
-                                              build_.CreateICmpEQ(b, lifter_.Number(0xFFFFFFFF)));
-    by = build_.CreateSelect(overflows, lifter_.Number(1), by);
-  }
-  llvm::Value* result = has_sign ? build_.CreateSDiv(a, by) : build_.CreateUDiv(a, by);
-  lifter_.Set(RegisterAt(0), build_.CreateSelect(by_zero, lifter_.Number(0), result));
+const Link* ArmLifter::Callee(const Link* link) {
+  // Without a note's own addend it is in the instruction: one that leads to the instruction itself adds nothing.
+  const bool whole = lifter_.current().target == lifter_.current().address && link->addend == 0;
+  if (!whole) lifter_.Refuse("a jump into the middle of a function");
+  return whole ? link : nullptr;
 }
 
 void ArmLifter::Jump() {
   const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_JUMP24, llvm::ELF::R_ARM_THM_JUMP11});
   if (link != nullptr) {
-    lifter_.TailCall(*link);
+    if (const Link* callee = Callee(link)) lifter_.TailCall(*callee);
   } else if (lifter_.current().target) {
     lifter_.JumpTo(*lifter_.current().target);
   } else {
@@ -329,7 +141,7 @@ void ArmLifter::Jump() {
 void ArmLifter::Branch(llvm::Value* condition) {
   if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_JUMP19})) {
     lifter_.BeginGuard(condition);
-    lifter_.TailCall(*link);
+    if (const Link* callee = Callee(link)) lifter_.TailCall(*callee);
     lifter_.EndGuard();
   } else if (lifter_.current().target) {
     lifter_.BranchIf(condition, *lifter_.current().target);
@@ -383,8 +195,7 @@ void ArmLifter::Run() {
     case ArmForm::kLoadConstant:
       return LoadConstant();
     case ArmForm::kMoveTop:
-      // With the linker's note the whole address is there already.
-      if (lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVT_ABS}) != nullptr) return;
+      if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVT_ABS})) return MoveTopOf(*link);
       lifter_.Set(RegisterAt(0), build_.CreateOr(build_.CreateAnd(Get(1), lifter_.Number(0xFFFF)),
                                                  lifter_.Number(static_cast<uint64_t>(NumberAt(2)) << 16)));
       return;
@@ -444,10 +255,11 @@ void ArmLifter::Run() {
       lifter_.Set(RegisterAt(0), build_.CreateMul(half(1), half(2)));
       return;
     }
+    // By 0 it is 0, where the processor does not trap.
     case ArmForm::kDiv:
-      return Divide(false);
+      return lifter_.Set(RegisterAt(0), lifter_.Divide(Get(1), Get(2), llvm::Instruction::UDiv, lifter_.Number(0)));
     case ArmForm::kDivSigned:
-      return Divide(true);
+      return lifter_.Set(RegisterAt(0), lifter_.Divide(Get(1), Get(2), llvm::Instruction::SDiv, lifter_.Number(0)));
     case ArmForm::kJump:
       return Jump();
     case ArmForm::kBranch:
@@ -457,16 +269,20 @@ void ArmLifter::Run() {
     case ArmForm::kBranchNotZero:
       return Branch(zero(0, false));
     case ArmForm::kCall:
-      if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_CALL})) return lifter_.Call(*link);
+      if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_CALL})) {
+        if (const Link* callee = Callee(link)) lifter_.Call(*callee);
+        return;
+      }
       return lifter_.Refuse("a call that no note of the linker tells of");
     case ArmForm::kReturn:
       return lifter_.ReturnTo(Get(0));
+    case ArmForm::kHint:
+      if (NumberAt(0) != 0) lifter_.Refuse("an instruction that waits or signals");
+      return;
     case ArmForm::kNothing:
       return;
   }
 }
-
-}  // namespace
 
 void LiftArm(FunctionLifter& lifter) {
   const llvm::StringRef name = lifter.program().machine().OpcodeName(lifter.current().inst);
@@ -477,6 +293,8 @@ void LiftArm(FunctionLifter& lifter) {
   }
   ArmLifter arm(lifter, *row);
   const bool guarded = row->form != ArmForm::kBranch && arm.is_conditional();
+  // Who jumps into the instructions under an IT executes them without a condition.
+  if (guarded && lifter.IsBranchTarget()) lifter.Refuse("a jump into instructions under a condition");
   if (guarded) lifter.BeginGuard(arm.Condition());
   arm.Run();
   if (guarded) lifter.EndGuard();

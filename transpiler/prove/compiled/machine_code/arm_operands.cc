@@ -2,6 +2,8 @@
 
 #include <llvm/MC/MCInstrDesc.h>
 
+#include <limits>
+
 #include "transpiler/support/check.h"
 
 namespace plcxx::prove::compiled::machine_code {
@@ -37,6 +39,7 @@ EncodedShift Decode(int64_t encoded) {
 ArmOperands::ArmOperands(FunctionLifter& lifter) : lifter_(lifter), build_(lifter.build()) {
   const llvm::MCInst& inst = lifter.current().inst;
   const llvm::MCInstrDesc& description = lifter.program().machine().Describe(inst);
+  bool may_choose = false;
   for (unsigned i = 0; i < inst.getNumOperands(); ++i) {
     const llvm::MCOperand& operand = inst.getOperand(i);
     if (i < description.getNumOperands()) {
@@ -47,11 +50,15 @@ ArmOperands::ArmOperands(FunctionLifter& lifter) : lifter_(lifter), build_(lifte
       }
       if (info.isOptionalDef()) {
         sets_flags_ = operand.isReg() && operand.getReg() != 0;
+        may_choose = true;
         continue;
       }
     }
     operands_.push_back(operand);
   }
+  // Those that always do (movs of a register) have no operand that says so.
+  for (const llvm::MCPhysReg reg : description.implicit_defs())
+    sets_flags_ = sets_flags_ || (!may_choose && lifter.program().machine().RegisterName(reg) == "CPSR");
 }
 
 llvm::Value* ArmOperands::Condition() {
@@ -166,7 +173,11 @@ Shifted ArmOperands::SecondOperand(unsigned operand, unsigned scale) {
 }
 
 llvm::Value* ArmOperands::Offset(unsigned operand, unsigned scale) {
-  if (!IsRegister(operand)) return lifter_.Number(static_cast<uint64_t>(NumberAt(operand) * scale));
+  if (!IsRegister(operand)) {
+    constexpr int64_t kMinusZero = std::numeric_limits<int32_t>::min();  // as LLVM says it
+    const int64_t number = NumberAt(operand) == kMinusZero ? 0 : NumberAt(operand);
+    return lifter_.Number(static_cast<uint64_t>(number * scale));
+  }
   llvm::Value* value = Get(operand);
   if (operand + 1 >= operand_count() || NumberAt(operand + 1) == 0) return value;
   return build_.CreateShl(value, lifter_.Number(static_cast<uint64_t>(NumberAt(operand + 1))));

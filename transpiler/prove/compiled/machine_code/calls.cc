@@ -2,6 +2,7 @@
 #include <llvm/Demangle/Demangle.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "transpiler/prove/compiled/machine_code/lifter.h"
@@ -97,15 +98,7 @@ void Program::AddWrapper(uint32_t number, const Signature& signature) {
     llvm::Value* value = wrapper.getArg(i);
     if (value->getType()->isPointerTy()) value = build.CreatePtrToInt(value, word);
     const Location& location = locations[i];
-    const unsigned width = value->getType()->getIntegerBitWidth();
-    const bool wide = width > convention_.bits;
-    std::vector<llvm::Value*> words;
-    if (wide) {
-      words.push_back(build.CreateTrunc(value, word));
-      words.push_back(build.CreateTrunc(build.CreateLShr(value, convention_.bits), word));
-    } else {
-      words.push_back(width < convention_.bits ? build.CreateZExt(value, word) : value);
-    }
+    const std::vector<llvm::Value*> words = Split(build, value);
     size_t next = 0;
     for (const unsigned reg : location.registers) registers[reg] = words[next++];
     for (uint64_t at = location.stack.value_or(0); next < words.size(); at += convention_.bits / 8) {
@@ -124,18 +117,11 @@ void Program::AddWrapper(uint32_t number, const Signature& signature) {
   }
   llvm::Value* low = build.CreateExtractValue(after, convention_.results[0]);
   const unsigned width = signature.result_width;
-  if (width == convention_.bits) {
-    build.CreateRet(low);
-  } else if (width < convention_.bits) {
-    // Callers take what is above for zero.
-    llvm::Value* result = build.CreateTrunc(low, build.getIntNTy(width));
-    build.CreateAssumption(build.CreateICmpEQ(build.CreateZExt(result, word), low));
-    build.CreateRet(result);
-  } else {
-    llvm::Type* wide = build.getIntNTy(width);
-    llvm::Value* high = build.CreateZExt(build.CreateExtractValue(after, convention_.results[1]), wide);
-    build.CreateRet(build.CreateOr(build.CreateShl(high, convention_.bits), build.CreateZExt(low, wide)));
-  }
+  const std::array words = {low, build.CreateExtractValue(after, convention_.results[1])};
+  llvm::Value* result = Join(build, words, width);
+  // Callers take what is above for zero.
+  if (width < convention_.bits) build.CreateAssumption(build.CreateICmpEQ(build.CreateZExt(result, word), low));
+  build.CreateRet(result);
 }
 
 void FunctionLifter::CallSignature(const Signature& signature, const std::string& symbol,
@@ -152,29 +138,16 @@ void FunctionLifter::CallSignature(const Signature& signature, const std::string
     const size_t count = width > convention.bits ? 2 : 1;
     for (uint64_t at = location.stack.value_or(0); words.size() < count; at += convention.bits / 8)
       words.push_back(Load(builder_.CreateAdd(Get(convention.stack), Number(at)), convention.bits, 1));
-    llvm::Value* value = words.front();
-    if (parameter.width == 0) {
-      value = builder_.CreateIntToPtr(value, builder_.getPtrTy());
-    } else if (width < convention.bits) {
-      value = builder_.CreateTrunc(value, builder_.getIntNTy(width));
-      builder_.CreateAssumption(builder_.CreateICmpEQ(builder_.CreateZExt(value, Word()), words.front()));
-    } else if (count == 2) {
-      llvm::Type* wide = builder_.getIntNTy(width);
-      value = builder_.CreateOr(builder_.CreateShl(builder_.CreateZExt(words[1], wide), convention.bits),
-                                builder_.CreateZExt(words[0], wide));
-    }
+    llvm::Value* value = program_.Join(builder_, words, width);
+    if (width < convention.bits) Demand(builder_.CreateICmpEQ(builder_.CreateZExt(value, Word()), words.front()));
+    if (parameter.width == 0) value = builder_.CreateIntToPtr(value, builder_.getPtrTy());
     arguments.push_back(value);
   }
   llvm::Value* result = builder_.CreateCall(&callee, arguments);
   ForgetAfterCall(defined);
   if (signature.result_width == 0) return;
-  if (signature.result_width <= convention.bits) {
-    const bool narrow = signature.result_width < convention.bits;
-    Set(convention.results[0], narrow ? builder_.CreateZExt(result, Word()) : result);
-    return;
-  }
-  Set(convention.results[0], builder_.CreateTrunc(result, Word()));
-  Set(convention.results[1], builder_.CreateTrunc(builder_.CreateLShr(result, convention.bits), Word()));
+  const std::vector<llvm::Value*> words = program_.Split(builder_, result);
+  for (size_t i = 0; i < words.size(); ++i) Set(convention.results[i], words[i]);
 }
 
 void FunctionLifter::ForgetAfterCall(std::optional<uint32_t> callee) {
@@ -185,6 +158,7 @@ void FunctionLifter::ForgetAfterCall(std::optional<uint32_t> callee) {
     if (!kept && (!callee || program_.MayWrite(*callee, reg))) Set(reg, Unknown());
   }
   ForgetFlags();
+  ForgetBelowStack();
 }
 
 void FunctionLifter::ForgetFlags() {

@@ -1,6 +1,7 @@
 // What functions of compilers' own libraries do.
 #include <llvm/IR/Intrinsics.h>
 
+#include <array>
 #include <string_view>
 #include <utility>
 
@@ -28,9 +29,10 @@ enum class LibraryOperation : uint8_t {
   kOnes,
   kBytesSwapped,
   kCopy,             // to, from, length: gives `to`
-  kFill,             // to, byte, length
-  kFillLengthFirst,  // to, length, byte
-  kClear,            // to, length
+  kCopyOnly,         // gives nothing
+  kFill,             // to, byte, length: gives `to`
+  kFillLengthFirst,  // to, length, byte: gives nothing
+  kClear,            // to, length: gives nothing
   kAdd,
   kSub,
   kMul,
@@ -48,6 +50,7 @@ struct LibraryRow {
   Comparison result{};
   llvm::Instruction::CastOps cast = llvm::Instruction::BitCast;
   unsigned bits = 0, to = 0;
+  unsigned align = 1;
 };
 
 constexpr LibraryRow kLibrary[] = {
@@ -59,8 +62,8 @@ constexpr LibraryRow kLibrary[] = {
   {.symbol = SYMBOL, .shape = LibraryShape::kNarrow, .operation = LibraryOperation::OPERATION},
 #define PLCXX_BITS(SYMBOL, OPERATION) \
   {.symbol = SYMBOL, .shape = LibraryShape::kBits, .operation = LibraryOperation::OPERATION},
-#define PLCXX_MEMORY(SYMBOL, OPERATION) \
-  {.symbol = SYMBOL, .shape = LibraryShape::kMemory, .operation = LibraryOperation::OPERATION},
+#define PLCXX_MEMORY(SYMBOL, OPERATION, ALIGN) \
+  {.symbol = SYMBOL, .shape = LibraryShape::kMemory, .operation = LibraryOperation::OPERATION, .align = ALIGN},
 #define PLCXX_FLOAT(SYMBOL, OPERATION, BITS) \
   {.symbol = SYMBOL, .shape = LibraryShape::kFloat, .operation = LibraryOperation::OPERATION, .bits = BITS},
 #define PLCXX_COMPARE(SYMBOL, PREDICATE, RESULT, BITS) \
@@ -126,10 +129,8 @@ class LibraryCall {
   using Results = std::vector<llvm::Value*>;
 
   llvm::Value* Wide(unsigned low, unsigned high) {
-    const unsigned bits = lifter_.Word()->getBitWidth();
-    llvm::Type* wide = build_.getIntNTy(2 * bits);
-    llvm::Value* upper = build_.CreateShl(build_.CreateZExt(lifter_.Get(high), wide), bits);
-    return build_.CreateOr(upper, build_.CreateZExt(lifter_.Get(low), wide));
+    const std::array words = {lifter_.Get(low), lifter_.Get(high)};
+    return lifter_.program().Join(build_, words, 2 * lifter_.program().convention().bits);
   }
 
   /// A result of two registers is two of one, the low one first; what else such a function writes is not known after
@@ -138,9 +139,8 @@ class LibraryCall {
     const Convention& convention = lifter_.program().convention();
     Results words;
     for (llvm::Value* result : results) {
-      words.push_back(build_.CreateZExtOrTrunc(result, lifter_.Word()));
-      if (result->getType()->getIntegerBitWidth() > convention.bits)
-        words.push_back(build_.CreateTrunc(build_.CreateLShr(result, convention.bits), lifter_.Word()));
+      const Results split = lifter_.program().Split(build_, result);
+      words.insert(words.end(), split.begin(), split.end());
     }
     lifter_.ForgetAfterCall();
     // Of ARM both halves of both numbers are in r0 to r3.
@@ -240,6 +240,7 @@ class LibraryCall {
       case LibraryOperation::kDiv:
         return {build_.CreateFDiv(a, b)};
       case LibraryOperation::kCopy:
+      case LibraryOperation::kCopyOnly:
       case LibraryOperation::kFill:
       case LibraryOperation::kFillLengthFirst:
       case LibraryOperation::kClear:
@@ -253,17 +254,19 @@ class LibraryCall {
     const auto get = [&](unsigned number) { return lifter_.Get(arguments[number]); };
     const auto pointer = [&](unsigned number) { return build_.CreateIntToPtr(get(number), build_.getPtrTy()); };
     const auto byte = [&](llvm::Value* value) { return build_.CreateTrunc(value, build_.getInt8Ty()); };
+    const llvm::Align align(row_.align);
     llvm::Value* to = get(0);
-    if (row_.operation == LibraryOperation::kCopy) {
-      build_.CreateMemMove(pointer(0), llvm::Align(1), pointer(1), llvm::Align(1), get(2));
+    const bool gives = row_.operation == LibraryOperation::kCopy || row_.operation == LibraryOperation::kFill;
+    if (row_.operation == LibraryOperation::kCopy || row_.operation == LibraryOperation::kCopyOnly) {
+      build_.CreateMemMove(pointer(0), align, pointer(1), align, get(2));
     } else if (row_.operation == LibraryOperation::kFill) {
-      build_.CreateMemSet(pointer(0), byte(get(1)), get(2), llvm::Align(1));
+      build_.CreateMemSet(pointer(0), byte(get(1)), get(2), align);
     } else if (row_.operation == LibraryOperation::kFillLengthFirst) {
-      build_.CreateMemSet(pointer(0), byte(get(2)), get(1), llvm::Align(1));
+      build_.CreateMemSet(pointer(0), byte(get(2)), get(1), align);
     } else {
-      build_.CreateMemSet(pointer(0), build_.getInt8(0), get(1), llvm::Align(1));
+      build_.CreateMemSet(pointer(0), build_.getInt8(0), get(1), align);
     }
-    SetResults({to});
+    SetResults(gives ? Results{to} : Results{});
   }
 
   FunctionLifter& lifter_;

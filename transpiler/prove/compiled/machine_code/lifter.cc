@@ -1,10 +1,10 @@
 #include "transpiler/prove/compiled/machine_code/lifter.h"
 
+#include <llvm/BinaryFormat/ELF.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/Transforms/Utils/PromoteMemToReg.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "transpiler/prove/compiled/llvm_ir/refusal.h"
@@ -15,7 +15,11 @@ using compile::audit::Flow;
 using compile::audit::Instruction;
 
 FunctionLifter::FunctionLifter(Program& program, uint32_t function, llvm::Function& target)
-    : program_(program), number_(function), target_(target), builder_(target.getContext()) {}
+    : program_(program),
+      number_(function),
+      target_(target),
+      builder_(target.getContext()),
+      code_(program.InstructionsOf(function)) {}
 
 const Function& FunctionLifter::function() const { return program_.objects().functions()[number_]; }
 const Section& FunctionLifter::section() const { return program_.objects().sections()[function().place.section]; }
@@ -27,32 +31,27 @@ llvm::Value* FunctionLifter::Number(uint64_t value) const {
   return llvm::ConstantInt::get(Word(), bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1));
 }
 
-bool FunctionLifter::Decode() {
-  const uint64_t begin = function().place.offset, end = begin + function().bytes;
-  if (function().bytes == 0 || end > section().bytes.size()) return false;
-  const llvm::ArrayRef<uint8_t> bytes(reinterpret_cast<const uint8_t*>(section().bytes.data()), section().bytes.size());
-  bool data = false;
-  for (uint64_t at = begin; at < end;) {
-    const auto mark = section().data_begins.find(at);
-    if (mark != section().data_begins.end()) data = mark->second;
-    if (data) {
-      ++at;
-      continue;
-    }
-    Instruction instruction;
-    if (!program_.machine().Decode(bytes.slice(at, end - at), at, instruction)) return false;
-    at += instruction.bytes;
-    code_.push_back(std::move(instruction));
-  }
-  return !code_.empty();
-}
-
-const Link* FunctionLifter::LinkAt(std::initializer_list<uint64_t> types) const {
+const Link* FunctionLifter::LinkAt(std::initializer_list<uint64_t> types) {
   const auto [first, last] = section().links.equal_range(current_->address);
   for (auto link = first; link != last; ++link) {
-    if (std::find(types.begin(), types.end(), link->second.type) != types.end()) return &link->second;
+    if (std::find(types.begin(), types.end(), link->second.type) == types.end()) continue;
+    understood_.insert(&link->second);
+    return &link->second;
   }
   return nullptr;
+}
+
+bool FunctionLifter::HasOpenNote() const {
+  const bool is_arm = program_.machine().is_arm();
+  const auto last = section().links.lower_bound(current_->address + current_->bytes);
+  for (auto link = section().links.lower_bound(current_->address); link != last; ++link) {
+    const uint64_t type = link->second.type;
+    const bool changes_nothing = is_arm ? type == llvm::ELF::R_ARM_NONE
+                                        : type == llvm::ELF::R_RISCV_NONE || type == llvm::ELF::R_RISCV_RELAX ||
+                                              type == llvm::ELF::R_RISCV_ALIGN;
+    if (!changes_nothing && !understood_.contains(&link->second)) return true;
+  }
+  return false;
 }
 
 std::optional<uint64_t> FunctionLifter::TargetOf(const Link& link) const {
@@ -70,12 +69,14 @@ void FunctionLifter::FindBlocks() {
     if (instruction.flow == Flow::kNext || instruction.flow == Flow::kCall || instruction.flow == Flow::kIndirectCall)
       continue;
     begins.insert(instruction.address + instruction.bytes);
-    if (instruction.target) begins.insert(*instruction.target);
+    // With a note of the linker it leads elsewhere: what the instruction itself says is its own address.
+    if (instruction.target && instruction.target != instruction.address) targets_.insert(*instruction.target);
     const auto [first, last] = section().links.equal_range(instruction.address);
     for (auto link = first; link != last; ++link) {
-      if (const auto target = TargetOf(link->second)) begins.insert(*target);
+      if (const auto target = TargetOf(link->second)) targets_.insert(*target);
     }
   }
+  begins.insert(targets_.begin(), targets_.end());
   for (const Instruction& instruction : code_) {
     if (begins.contains(instruction.address))
       blocks_.emplace(instruction.address, llvm::BasicBlock::Create(target_.getContext(), "at", &target_));
@@ -96,7 +97,10 @@ llvm::BasicBlock* FunctionLifter::BlockAt(uint64_t address) {
 }
 
 llvm::Value* FunctionLifter::Get(unsigned number) { return builder_.CreateLoad(Word(), registers_[number]); }
-void FunctionLifter::Set(unsigned number, llvm::Value* value) { builder_.CreateStore(value, registers_[number]); }
+void FunctionLifter::Set(unsigned number, llvm::Value* value) {
+  builder_.CreateStore(value, registers_[number]);
+  if (number == program_.convention().stack) ForgetBelowStack();
+}
 llvm::Value* FunctionLifter::GetFlag(unsigned number) {
   return builder_.CreateLoad(builder_.getInt1Ty(), flags_[number]);
 }
@@ -112,6 +116,25 @@ llvm::Value* FunctionLifter::Load(llvm::Value* address, unsigned bits, unsigned 
 void FunctionLifter::Store(llvm::Value* address, llvm::Value* value, unsigned align) {
   llvm::Value* pointer = builder_.CreateIntToPtr(address, builder_.getPtrTy());
   builder_.CreateAlignedStore(value, pointer, llvm::Align(align));
+}
+
+llvm::Value* FunctionLifter::Divide(llvm::Value* a, llvm::Value* b, llvm::Instruction::BinaryOps operation,
+                                    llvm::Value* by_zero) {
+  llvm::Value* is_zero = builder_.CreateICmpEQ(b, Number(0));
+  llvm::Value* by = builder_.CreateSelect(is_zero, Number(1), b);
+  if (operation == llvm::Instruction::SDiv || operation == llvm::Instruction::SRem) {
+    llvm::Value* least = Number(uint64_t{1} << (program_.convention().bits - 1));
+    llvm::Value* overflows =
+        builder_.CreateAnd(builder_.CreateICmpEQ(a, least), builder_.CreateICmpEQ(b, Number(~uint64_t{0})));
+    by = builder_.CreateSelect(overflows, Number(1), by);
+  }
+  return builder_.CreateSelect(is_zero, by_zero, builder_.CreateBinOp(operation, a, by));
+}
+
+void FunctionLifter::ForgetBelowStack() {
+  llvm::FunctionType* type = llvm::FunctionType::get(builder_.getVoidTy(), {Word()}, false);
+  builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kForgetBelow, type),
+                      {Get(program_.convention().stack)});
 }
 
 void FunctionLifter::Refuse(const std::string& what) {
@@ -154,11 +177,15 @@ llvm::Value* FunctionLifter::AddressOf(const Link& link) {
   return offset == 0 ? address : builder_.CreateAdd(address, Number(offset));
 }
 
+llvm::Value* FunctionLifter::PartOf(AddressPart part, const Place& place) {
+  return builder_.CreatePtrToInt(&program_.PartOf(part, place), Word());
+}
+
 void FunctionLifter::Run() {
   const Convention& convention = program_.convention();
   llvm::BasicBlock* entry = llvm::BasicBlock::Create(target_.getContext(), "entry", &target_);
   builder_.SetInsertPoint(entry);
-  if (!Decode()) {
+  if (code_.empty()) {
     Refuse("a function with bytes that are no instruction: " + function().symbol);
     builder_.CreateUnreachable();
     return;
@@ -174,6 +201,7 @@ void FunctionLifter::Run() {
   }
   exit_ = llvm::BasicBlock::Create(target_.getContext(), "exit", &target_);
   FindBlocks();
+  llvm::StringRef open_note;
   for (const Instruction& instruction : code_) {
     current_ = &instruction;
     const auto block = blocks_.find(instruction.address);
@@ -188,6 +216,8 @@ void FunctionLifter::Run() {
     } else {
       LiftRiscv(*this);
     }
+    // What the linker writes into an instruction in another way than its row says is not executed.
+    if (open_note.empty() && HasOpenNote()) open_note = program_.machine().OpcodeName(instruction.inst);
   }
   if (builder_.GetInsertBlock()->getTerminator() == nullptr) {
     Refuse("a function that has no end: " + function().symbol);
@@ -197,6 +227,9 @@ void FunctionLifter::Run() {
   llvm::Value* all = llvm::UndefValue::get(target_.getReturnType());
   for (unsigned i = 0; i < convention.registers; ++i) all = builder_.CreateInsertValue(all, Get(i), i);
   builder_.CreateRet(all);
+  if (open_note.empty()) return;
+  builder_.SetInsertPoint(entry, entry->begin());
+  Refuse("a note of the linker for '" + open_note.str() + "'");
 }
 
 void PromoteRegisters(llvm::Function& function) {

@@ -20,9 +20,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "transpiler/compile/audit/machine_code.h"
@@ -36,6 +38,13 @@ namespace plcxx::prove::compiled::machine_code {
 using Builder = llvm::IRBuilder<llvm::NoFolder>;
 
 class Program;
+
+/// Of addresses that two instructions make.
+enum class AddressPart : uint8_t {
+  kCounterUpper,  // auipc, which the note at this place is for
+  kUpper,         // lui
+  kLow            // movw
+};
 
 /// One function while it is lifted. The architecture's part calls these for each instruction, in order.
 class FunctionLifter {
@@ -58,6 +67,9 @@ class FunctionLifter {
   /// What no instruction has written: another number each time.
   llvm::Value* Unknown();
   llvm::Value* Load(llvm::Value* address, unsigned bits, unsigned align);
+  /// A quotient or rest that no operand makes undefined: by 0 it is `by_zero`, and the least number by -1 is itself,
+  /// with rest 0.
+  llvm::Value* Divide(llvm::Value* a, llvm::Value* b, llvm::Instruction::BinaryOps operation, llvm::Value* by_zero);
   void Store(llvm::Value* address, llvm::Value* value, unsigned align);
 
   // What ends a block, or may.
@@ -73,15 +85,25 @@ class FunctionLifter {
   void ReturnTo(llvm::Value* address);
   /// What comes here is refused.
   void Refuse(const std::string& what);
+  /// Shown to be so wherever execution comes here.
+  void Demand(llvm::Value* condition) { builder_.CreateAssumption(condition); }
   /// The following instruction is executed only then.
   void BeginGuard(llvm::Value* condition);
   void EndGuard();
 
   const compile::audit::Instruction& current() const { return *current_; }
-  /// The linker's note of one of these types at the current instruction.
-  const Link* LinkAt(std::initializer_list<uint64_t> types) const;
-  /// The address of a place in a section, or of what a link leads to; none: not of a constant.
+  /// The instruction in front of it; none: it is the function's first.
+  const compile::audit::Instruction* previous() const { return current_ == code_.data() ? nullptr : current_ - 1; }
+  /// Whether a branch leads to the current instruction.
+  bool IsBranchTarget() const { return targets_.contains(current_->address); }
+  /// The linker's note of one of these types at the current instruction, which is executed with what the note says. A
+  /// function with a note that no instruction asks for is refused.
+  const Link* LinkAt(std::initializer_list<uint64_t> types);
+  /// The address of what a link leads to; none: not of a constant.
   llvm::Value* AddressOf(const Link& link);
+  /// What a register holds after the first of two instructions that make an address: a number that nothing is known of,
+  /// always the same for one part and place. No access by it is executed.
+  llvm::Value* PartOf(AddressPart part, const Place& place);
   const Section& section() const;
   const Function& function() const;
   /// In this function's section, where a link leads into it.
@@ -89,8 +111,10 @@ class FunctionLifter {
   Program& program() { return program_; }
 
  private:
-  bool Decode();
   void FindBlocks();
+  bool HasOpenNote() const;
+  /// Interrupts and callees write below the stack pointer.
+  void ForgetBelowStack();
   llvm::BasicBlock* BlockAt(uint64_t address);
   void CallSignature(const Signature& signature, const std::string& symbol, std::optional<uint32_t> defined);
   void CallLifted(llvm::Function& callee);
@@ -101,8 +125,10 @@ class FunctionLifter {
   uint32_t number_;
   llvm::Function& target_;
   Builder builder_;
-  std::vector<compile::audit::Instruction> code_;
+  const std::vector<compile::audit::Instruction>& code_;
   const compile::audit::Instruction* current_ = nullptr;
+  std::set<uint64_t> targets_;        // of branches
+  std::set<const Link*> understood_;  // notes of the linker
   std::map<uint64_t, llvm::BasicBlock*> blocks_;
   std::vector<llvm::AllocaInst*> registers_, flags_;
   llvm::AllocaInst* unknown_ = nullptr;
@@ -127,10 +153,18 @@ class Program {
   const Signature* SignatureOf(const std::string& symbol) const;
   llvm::Function& Declared(const std::string& symbol, const Signature& signature);
   llvm::GlobalVariable& ConstantsOf(uint32_t section);
+  llvm::GlobalVariable& PartOf(AddressPart part, const Place& place);
+  /// In order, without the constants among them; empty: there are bytes that are no instruction.
+  const std::vector<compile::audit::Instruction>& InstructionsOf(uint32_t function) const { return code_[function]; }
+  /// A number as words of registers, the low one first, and back.
+  std::vector<llvm::Value*> Split(Builder& build, llvm::Value* value) const;
+  llvm::Value* Join(Builder& build, std::span<llvm::Value* const> words, unsigned width) const;
   /// Whether it, or what it calls, may write the register.
   bool MayWrite(uint32_t function, unsigned number) const { return writes_[function][number]; }
 
  private:
+  void Decode();
+  void NoteWrites(const llvm::MCInst& inst, std::vector<bool>& writes) const;
   void FindWrites();
   void AddWrapper(uint32_t function, const Signature& signature);
 
@@ -140,9 +174,11 @@ class Program {
   const Convention& convention_;
   std::unordered_map<std::string, const Signature*> signatures_;  // by name in C++; looked up only
   std::unique_ptr<llvm::Module> module_;
-  std::vector<llvm::Function*> lifted_;    // by function
-  std::vector<std::vector<bool>> writes_;  // by function and register
+  std::vector<llvm::Function*> lifted_;                         // by function
+  std::vector<std::vector<bool>> writes_;                       // by function and register
+  std::vector<std::vector<compile::audit::Instruction>> code_;  // by function
   std::map<uint32_t, llvm::GlobalVariable*> constants_;
+  std::map<std::pair<AddressPart, Place>, llvm::GlobalVariable*> parts_;
 };
 
 /// One instruction, by the architecture.

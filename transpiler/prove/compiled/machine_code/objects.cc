@@ -4,6 +4,7 @@
 #include <llvm/Object/Archive.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace plcxx::prove::compiled::machine_code {
@@ -54,8 +55,7 @@ void Objects::ReadSymbols(const llvm::object::ELFObjectFileBase& file,
     const auto number = static_cast<uint32_t>(functions_.size());
     functions_.push_back({.symbol = name->str(), .place = place, .bytes = symbol.getSize()});
     function_at_.emplace(place, number);
-    // Where several files have the same inline function the linker takes one; they are alike.
-    if (symbol.getBinding() != llvm::ELF::STB_LOCAL) global_functions_.emplace(name->str(), number);
+    if (symbol.getBinding() != llvm::ELF::STB_LOCAL) global_functions_[name->str()].push_back(number);
   }
 }
 
@@ -128,15 +128,45 @@ bool Objects::Read(std::span<const std::string> files, std::string& reason) {
   return !files_.empty();
 }
 
+/// Bytes, and what the linker will write into them.
+bool Objects::AreAlike(const Function& a, const Function& b) const {
+  const Section &in_a = sections_[a.place.section], &in_b = sections_[b.place.section];
+  if (a.bytes != b.bytes || in_a.bytes.substr(a.place.offset, a.bytes) != in_b.bytes.substr(b.place.offset, b.bytes))
+    return false;
+  auto link = in_a.links.lower_bound(a.place.offset), other = in_b.links.lower_bound(b.place.offset);
+  const auto end = in_a.links.lower_bound(a.place.offset + a.bytes);
+  const auto other_end = in_b.links.lower_bound(b.place.offset + b.bytes);
+  const auto within = [](const Link& one, const Function& function) -> std::optional<uint64_t> {
+    const bool inside = one.defined && one.defined->section == function.place.section;
+    return inside ? std::optional(one.defined->offset - function.place.offset) : std::nullopt;
+  };
+  for (; link != end && other != other_end; ++link, ++other) {
+    const Link &one = link->second, &two = other->second;
+    const std::optional<uint64_t> inside = within(one, a);
+    const bool same_place = inside ? inside == within(two, b) : !one.symbol.empty() && one.symbol == two.symbol;
+    const bool for_the_linker = one.symbol.empty() && !one.defined && two.symbol.empty() && !two.defined;
+    if (link->first - a.place.offset != other->first - b.place.offset || one.type != two.type ||
+        one.addend != two.addend || (!same_place && !for_the_linker))
+      return false;
+  }
+  return link == end && other == other_end;
+}
+
 std::optional<uint32_t> Objects::FunctionAt(const Place& place) const {
   const auto found = function_at_.find(place);
   return found == function_at_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<uint32_t> Objects::FunctionOf(const Link& link) const {
-  if (link.defined) return FunctionAt({link.defined->section, link.defined->offset});
-  const auto found = global_functions_.find(link.symbol);
-  return found == global_functions_.end() ? std::nullopt : std::optional(found->second);
+  const auto own = link.defined ? FunctionAt(*link.defined) : std::nullopt;
+  const auto found = global_functions_.find(own ? functions_[*own].symbol : link.symbol);
+  if (found == global_functions_.end()) return own;
+  // Of an inline function that several files have the linker takes any.
+  const std::vector<uint32_t>& all = found->second;
+  if (own && std::find(all.begin(), all.end(), *own) == all.end()) return own;  // of the same name, but its file's own
+  const auto differs = [&](uint32_t one) { return !AreAlike(functions_[all.front()], functions_[one]); };
+  if (std::any_of(all.begin() + 1, all.end(), differs)) return std::nullopt;
+  return own ? own : std::optional(all.front());
 }
 
 }  // namespace plcxx::prove::compiled::machine_code

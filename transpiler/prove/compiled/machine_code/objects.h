@@ -60,10 +60,12 @@ class Objects {
   const std::vector<Function>& functions() const { return functions_; }
   /// The function that begins there; none.
   std::optional<uint32_t> FunctionAt(const Place& place) const;
-  /// The function that a link leads to, in whichever file; none: it is the host's or a library's.
+  /// The function that a link leads to, in whichever file; none: it is the host's or a library's, or files have
+  /// different ones of this name.
   std::optional<uint32_t> FunctionOf(const Link& link) const;
 
  private:
+  bool AreAlike(const Function& a, const Function& b) const;
   bool ReadFile(llvm::MemoryBufferRef file, std::string& reason);
   bool ReadObject(llvm::MemoryBufferRef file, std::string& reason);
   void ReadSections(const llvm::object::ELFObjectFileBase& file, std::unordered_map<uint64_t, uint32_t>& section_of);
@@ -76,7 +78,7 @@ class Objects {
   std::vector<Section> sections_;
   std::vector<Function> functions_;
   std::map<Place, uint32_t> function_at_;
-  std::unordered_map<std::string, uint32_t> global_functions_;  // looked up only
+  std::unordered_map<std::string, std::vector<uint32_t>> global_functions_;  // looked up only
 };
 
 }  // namespace plcxx::prove::compiled::machine_code

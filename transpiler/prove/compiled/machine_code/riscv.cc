@@ -1,6 +1,7 @@
 // What instructions of RISC-V do (RV32IMAC without atomics; the unprivileged specification, volume I).
 #include <llvm/BinaryFormat/ELF.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -97,12 +98,16 @@ class RiscvLifter {
     if (number != 0) lifter_.Set(number, value);
   }
   int64_t NumberAt(unsigned operand) const { return inst_.getOperand(operand).getImm(); }
-  llvm::Value* Offset(unsigned operand, uint64_t pc_note, uint64_t absolute_note);
+  /// A base register and an offset, or the two parts of a symbol's address.
+  llvm::Value* Address(uint64_t pc_note, uint64_t absolute_note);
   llvm::Value* Compute(llvm::Value* a, llvm::Value* b);
-  llvm::Value* Divide(llvm::Value* a, llvm::Value* b);
   llvm::Value* High(llvm::Value* a, llvm::Value* b, bool a_signed, bool b_signed);
   llvm::Value* Compare(llvm::Value* a, llvm::Value* b) { return build_.CreateICmp(row_.predicate, a, b); }
   void SetConstant();
+  void SetUpper(const Link& link);
+  std::optional<Place> UpperOf(const Link& link) const;
+  /// Else it is refused.
+  bool IsOfWholeFunction(const Link& link);
   void LoadIt();
   void StoreIt();
   void Branch(llvm::Value* condition, unsigned operand);
@@ -115,25 +120,6 @@ class RiscvLifter {
   const Row& row_;
   const llvm::MCInst& inst_;
 };
-
-/// By 0 all ones, and as rest the dividend; the least number by -1 is itself, with rest 0.
-llvm::Value* RiscvLifter::Divide(llvm::Value* a, llvm::Value* b) {
-  const bool has_sign = row_.operation == Operation::kDivSigned || row_.operation == Operation::kRemSigned;
-  const bool rest = row_.operation == Operation::kRem || row_.operation == Operation::kRemSigned;
-  llvm::Value* zero = lifter_.Number(0);
-  llvm::Value* by_zero = build_.CreateICmpEQ(b, zero);
-  llvm::Value* by = build_.CreateSelect(by_zero, lifter_.Number(1), b);
-  if (has_sign) {
-    const unsigned bits = lifter_.Word()->getBitWidth();
-    llvm::Value* least = lifter_.Number(uint64_t{1} << (bits - 1));
-    llvm::Value* overflows =
-        build_.CreateAnd(build_.CreateICmpEQ(a, least), build_.CreateICmpEQ(b, lifter_.Number(~uint64_t{0})));
-    by = build_.CreateSelect(overflows, lifter_.Number(1), by);  // gives the least number itself, with rest 0
-  }
-  llvm::Value* result = rest ? (has_sign ? build_.CreateSRem(a, by) : build_.CreateURem(a, by))
-                             : (has_sign ? build_.CreateSDiv(a, by) : build_.CreateUDiv(a, by));
-  return build_.CreateSelect(by_zero, rest ? a : lifter_.Number(~uint64_t{0}), result);
-}
 
 llvm::Value* RiscvLifter::High(llvm::Value* a, llvm::Value* b, bool a_signed, bool b_signed) {
   const unsigned bits = lifter_.Word()->getBitWidth();
@@ -172,21 +158,69 @@ llvm::Value* RiscvLifter::Compute(llvm::Value* a, llvm::Value* b) {
       return High(a, b, false, false);
     case Operation::kMulHighMixed:
       return High(a, b, true, false);
+    // By 0 all ones, and as rest the dividend.
     case Operation::kDiv:
+      return lifter_.Divide(a, b, llvm::Instruction::UDiv, lifter_.Number(~uint64_t{0}));
     case Operation::kDivSigned:
+      return lifter_.Divide(a, b, llvm::Instruction::SDiv, lifter_.Number(~uint64_t{0}));
     case Operation::kRem:
+      return lifter_.Divide(a, b, llvm::Instruction::URem, a);
     case Operation::kRemSigned:
-      return Divide(a, b);
+      return lifter_.Divide(a, b, llvm::Instruction::SRem, a);
   }
   PLCXX_UNREACHABLE();
 }
 
-/// The number of an instruction, or the part of an address that the linker will put there: what `auipc` or `lui` has
-/// set is the whole address here, so that the lower part is nothing more, or what is added to the symbol.
-llvm::Value* RiscvLifter::Offset(unsigned operand, uint64_t pc_note, uint64_t absolute_note) {
-  if (lifter_.LinkAt({pc_note}) != nullptr) return lifter_.Number(0);
-  if (const Link* link = lifter_.LinkAt({absolute_note})) return lifter_.Number(static_cast<uint64_t>(link->addend));
-  return lifter_.Number(static_cast<uint64_t>(NumberAt(operand)));
+/// What `lui` makes of a symbol's address is the same for all places of its section in one aligned block.
+std::optional<Place> RiscvLifter::UpperOf(const Link& link) const {
+  if (!link.defined) return std::nullopt;
+  constexpr uint64_t kLargest = 0x800;  // of blocks that have one upper part wherever they are
+  const uint64_t align = std::min(lifter_.program().objects().sections()[link.defined->section].align, kLargest);
+  const uint64_t at = link.defined->offset + static_cast<uint64_t>(link.addend);
+  return Place{link.defined->section, at / align * align};
+}
+
+/// The register must hold the upper part of that address, and of no other one.
+llvm::Value* RiscvLifter::Address(uint64_t pc_note, uint64_t absolute_note) {
+  const Link* symbol = lifter_.LinkAt({absolute_note});
+  AddressPart part = AddressPart::kUpper;
+  std::optional<Place> upper = symbol != nullptr ? UpperOf(*symbol) : std::nullopt;
+  if (const Link* counter = lifter_.LinkAt({pc_note})) {
+    // It names the place of the `auipc`, whose own note has the symbol.
+    part = AddressPart::kCounterUpper;
+    upper = counter->defined;
+    const bool here = upper && upper->section == lifter_.function().place.section && counter->addend == 0;
+    const auto [first, last] = lifter_.section().links.equal_range(here ? upper->offset : ~uint64_t{0});
+    for (auto link = first; link != last; ++link) {
+      if (link->second.type == llvm::ELF::R_RISCV_PCREL_HI20) symbol = &link->second;
+    }
+    if (symbol == nullptr) upper.reset();
+    if (!upper) lifter_.Refuse("half of an address");
+  }
+  const auto offset = static_cast<uint64_t>(NumberAt(2));
+  if (symbol == nullptr) {
+    const bool below_stack = RegisterAt(1) == lifter_.program().convention().stack && row_.form != Form::kNumber;
+    if (below_stack && NumberAt(2) < 0) lifter_.Refuse("an access below the stack pointer");
+    return build_.CreateAdd(Get(1), lifter_.Number(offset));
+  }
+  llvm::Value* address = upper ? lifter_.AddressOf(*symbol) : nullptr;
+  if (address == nullptr) {
+    lifter_.Refuse("the address of " + symbol->symbol);
+    return lifter_.Number(0);
+  }
+  lifter_.Demand(build_.CreateICmpEQ(Get(1), lifter_.PartOf(part, *upper)));
+  return address;
+}
+
+void RiscvLifter::SetUpper(const Link& link) {
+  const bool counter = row_.form == Form::kUpperOfCounter;
+  const Place here{lifter_.function().place.section, lifter_.current().address};
+  const std::optional<Place> place = counter ? std::optional(here) : UpperOf(link);
+  if (!place) {
+    lifter_.Refuse("the address of " + link.symbol);
+    return;
+  }
+  Set(0, lifter_.PartOf(counter ? AddressPart::kCounterUpper : AddressPart::kUpper, *place));
 }
 
 void RiscvLifter::SetConstant() {
@@ -195,29 +229,25 @@ void RiscvLifter::SetConstant() {
     Set(0, lifter_.Number(number));
     return;
   }
-  if (lifter_.LinkAt({llvm::ELF::R_RISCV_CALL, llvm::ELF::R_RISCV_CALL_PLT}) != nullptr) return;  // see JumpIndirect
-  if (const Link* link = lifter_.LinkAt({llvm::ELF::R_RISCV_PCREL_HI20, llvm::ELF::R_RISCV_HI20})) {
-    Link symbol = *link;
-    if (link->type == llvm::ELF::R_RISCV_HI20) symbol.addend = 0;
-    llvm::Value* address = lifter_.AddressOf(symbol);
-    if (address == nullptr) {
-      lifter_.Refuse("the address of " + link->symbol);
-      address = lifter_.Number(0);
-    }
-    Set(0, address);
+  const bool counter = row_.form == Form::kUpperOfCounter;
+  if (counter && lifter_.LinkAt({llvm::ELF::R_RISCV_CALL, llvm::ELF::R_RISCV_CALL_PLT}) != nullptr) {
+    Set(0, lifter_.Unknown());  // a part of the function's address; the call is at the jump
     return;
   }
-  if (row_.form == Form::kUpperOfCounter) {
+  const Link* link =
+      counter ? lifter_.LinkAt({llvm::ELF::R_RISCV_PCREL_HI20}) : lifter_.LinkAt({llvm::ELF::R_RISCV_HI20});
+  if (link != nullptr) {
+    SetUpper(*link);
+  } else if (counter) {
     lifter_.Refuse("an address that is relative to the instruction");
-    return;
+  } else {
+    Set(0, lifter_.Number(number << 12 & 0xFFFFFFFF));
   }
-  Set(0, lifter_.Number(number << 12 & 0xFFFFFFFF));
 }
 
 void RiscvLifter::LoadIt() {
-  llvm::Value* address =
-      build_.CreateAdd(Get(1), Offset(2, llvm::ELF::R_RISCV_PCREL_LO12_I, llvm::ELF::R_RISCV_LO12_I));
-  llvm::Value* value = lifter_.Load(address, row_.bits, row_.bits / 8);
+  llvm::Value* value =
+      lifter_.Load(Address(llvm::ELF::R_RISCV_PCREL_LO12_I, llvm::ELF::R_RISCV_LO12_I), row_.bits, row_.bits / 8);
   if (row_.bits < lifter_.Word()->getBitWidth()) {
     value = row_.has_sign ? build_.CreateSExt(value, lifter_.Word()) : build_.CreateZExt(value, lifter_.Word());
   }
@@ -225,11 +255,15 @@ void RiscvLifter::LoadIt() {
 }
 
 void RiscvLifter::StoreIt() {
-  llvm::Value* address =
-      build_.CreateAdd(Get(1), Offset(2, llvm::ELF::R_RISCV_PCREL_LO12_S, llvm::ELF::R_RISCV_LO12_S));
+  llvm::Value* address = Address(llvm::ELF::R_RISCV_PCREL_LO12_S, llvm::ELF::R_RISCV_LO12_S);
   llvm::Value* value = Get(0);
   if (row_.bits < lifter_.Word()->getBitWidth()) value = build_.CreateTrunc(value, build_.getIntNTy(row_.bits));
   lifter_.Store(address, value, row_.bits / 8);
+}
+
+bool RiscvLifter::IsOfWholeFunction(const Link& link) {
+  if (link.addend != 0) lifter_.Refuse("a jump into the middle of a function");
+  return link.addend == 0;
 }
 
 void RiscvLifter::Branch(llvm::Value* condition, unsigned operand) {
@@ -249,14 +283,15 @@ void RiscvLifter::JumpBy(unsigned operand) {
     lifter_.JumpTo(lifter_.current().address + static_cast<uint64_t>(NumberAt(operand)));
   } else if (const auto target = lifter_.TargetOf(*link)) {
     lifter_.JumpTo(*target);
-  } else {
+  } else if (IsOfWholeFunction(*link)) {
     lifter_.TailCall(*link);
   }
 }
 
 const Link* RiscvLifter::FarCall() const {
   const auto& links = lifter_.section().links;
-  if (lifter_.current().address < 4) return nullptr;
+  const compile::audit::Instruction* before = lifter_.previous();
+  if (before == nullptr || before->address + 4 != lifter_.current().address) return nullptr;
   const auto [first, last] = links.equal_range(lifter_.current().address - 4);
   for (auto link = first; link != last; ++link) {
     if (link->second.type == llvm::ELF::R_RISCV_CALL || link->second.type == llvm::ELF::R_RISCV_CALL_PLT)
@@ -274,12 +309,15 @@ void RiscvLifter::JumpIndirect() {
   const unsigned back = linking ? RegisterAt(0) : 0;
   const unsigned to = RegisterAt(linking ? 1 : 0);
   if (const Link* call = FarCall()) {
-    if (back == lifter_.program().convention().link) {
-      lifter_.Call(*call);
-    } else if (back == 0) {
-      lifter_.TailCall(*call);
-    } else {
+    // The linker puts the address into both instructions: they must be what it takes them for.
+    const unsigned upper =
+        lifter_.program().machine().registers().getEncodingValue(lifter_.previous()->inst.getOperand(0).getReg());
+    if (lifter_.IsBranchTarget() || !linking || upper != to || NumberAt(2) != 0) {
+      lifter_.Refuse("a call whose two halves do not fit together");
+    } else if (back != 0 && back != lifter_.program().convention().link) {
       lifter_.Refuse("a call that returns by another register");
+    } else if (IsOfWholeFunction(*call)) {
+      back == 0 ? lifter_.TailCall(*call) : lifter_.Call(*call);
     }
   } else if (back == 0 && to == lifter_.program().convention().link && (!linking || NumberAt(2) == 0)) {
     lifter_.ReturnTo(lifter_.Get(to));
@@ -294,7 +332,8 @@ void RiscvLifter::Run() {
       Set(0, Compute(Get(1), Get(2)));
       return;
     case Form::kNumber:
-      Set(0, Compute(Get(1), Offset(2, llvm::ELF::R_RISCV_PCREL_LO12_I, llvm::ELF::R_RISCV_LO12_I)));
+      Set(0, row_.operation == Operation::kAdd ? Address(llvm::ELF::R_RISCV_PCREL_LO12_I, llvm::ELF::R_RISCV_LO12_I)
+                                               : Compute(Get(1), lifter_.Number(static_cast<uint64_t>(NumberAt(2)))));
       return;
     case Form::kSetRegisters:
       Set(0, build_.CreateZExt(Compare(Get(1), Get(2)), lifter_.Word()));
@@ -332,7 +371,7 @@ void RiscvLifter::Run() {
       if (back == 0) {
         JumpBy(compressed ? 0 : 1);
       } else if (link != nullptr && back == lifter_.program().convention().link) {
-        lifter_.Call(*link);
+        if (IsOfWholeFunction(*link)) lifter_.Call(*link);
       } else {
         lifter_.Refuse("a call that no note of the linker tells of");
       }
