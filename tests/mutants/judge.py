@@ -11,6 +11,7 @@ import tests_seen
 BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
+MOST = 300                  # scenarios: of what nearly all of them execute, some say nothing new
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
@@ -82,7 +83,7 @@ class Judge:
         random.Random(self.seed + mutant.id).shuffle(rest)
         reaching = set(found)
         near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in reaching]
-        return list(dict.fromkeys(near + by_size[:3] + rest))
+        return list(dict.fromkeys(near + by_size[:3] + rest))[:MOST]
 
     def some_in_simulator(self, mutant):
         return self.in_simulator(mutant, self.order(mutant)[:FIRST])

@@ -132,7 +132,7 @@ std::optional<Cell> Lowering::CellOf(const Lvalue& lvalue) const {
 Value Lowering::LoadBitField(const Lvalue& lvalue) {
   const Member& field = *lvalue.bit_field;
   const Type& type = TypeAt(field.type);
-  const TypeId wide = type.bits == 32 ? unsigned_long_ : unsigned_;
+  const TypeId wide = unsigned_;  // its unit has 8 or 16 bits (5.6)
   Value unit = ConvertInteger(
       Make(LoadAt(lvalue.address, IrType(field.type), lvalue.expr), IntegerType(type.bits, false)), wide);
   if (field.bit_offset != 0) {
@@ -144,7 +144,7 @@ Value Lowering::LoadBitField(const Lvalue& lvalue) {
 Value Lowering::InBitField(const Value& digits, const Lvalue& lvalue) {
   const Member& field = *lvalue.bit_field;
   const Type& type = TypeAt(field.type);
-  const TypeId wide = type.bits == 32 ? unsigned_long_ : unsigned_;
+  const TypeId wide = unsigned_;  // its unit has 8 or 16 bits (5.6)
   const Expr nowhere;
   const int64_t mask = (int64_t{1} << field.bit_width) - 1;
   Value result = BinaryInteger(BinaryOp::kBitAnd, Convert(digits, wide), Number(mask, wide, 16), nowhere);
@@ -153,7 +153,7 @@ Value Lowering::InBitField(const Value& digits, const Lvalue& lvalue) {
     // Its highest bit is the sign: (u ^ s) - s.
     const Value sign = Number(int64_t{1} << (field.bit_width - 1), wide, 16);
     result = BinaryInteger(BinaryOp::kSubtract, BinaryInteger(BinaryOp::kBitXor, result, sign, nowhere), sign, nowhere);
-    result.type = type.bits == 32 ? long_ : int_;
+    result.type = int_;
     result.bounds = {-(int64_t{1} << (field.bit_width - 1)), (int64_t{1} << (field.bit_width - 1)) - 1};
   }
   return Convert(result, lvalue.type);
@@ -162,7 +162,7 @@ Value Lowering::InBitField(const Value& digits, const Lvalue& lvalue) {
 void Lowering::StoreBitField(const Lvalue& lvalue, const Value& value) {
   const Member& field = *lvalue.bit_field;
   const Type& type = TypeAt(field.type);
-  const TypeId narrow = IntegerType(type.bits, false), wide = type.bits == 32 ? unsigned_long_ : unsigned_;
+  const TypeId narrow = IntegerType(type.bits, false), wide = unsigned_;
   const Expr nowhere;
   const int64_t mask = ((int64_t{1} << field.bit_width) - 1) << field.bit_offset;
   const Value unit = ConvertInteger(Make(LoadAt(lvalue.address, IrType(field.type), lvalue.expr), narrow), wide);

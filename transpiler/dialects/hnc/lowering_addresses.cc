@@ -246,7 +246,7 @@ void Lowering::StorePointer(VariableId id, const Address& value) {
       diagnostics_.Report(statement_range_, diag::HncLocalAddress, pointee.name);
     }
   }
-  if (found->second.object.valid() && !value.is_null) builder_.Store(found->second.object, ObjectOf(value));
+  if (found->second.object.valid()) builder_.Store(found->second.object, ObjectOf(value));  // of null: 0, as all have
   builder_.Store(found->second.offset, OffsetOf(value));
   flow_.unassigned.erase(id);
   const Cell cell{objects_.OfVariable(id), 0, 4};

@@ -144,7 +144,7 @@ bool Lowering::IsEnteredElsewhere(const Span& span) const {
 bool Lowering::HasChoiceAround(StatementId label, StatementId jump) const {
   std::unordered_set<uint32_t> around;
   for (StatementId at = jump; at.valid(); at = ParentOf(at)) around.insert(at.index);
-  for (StatementId at = ParentOf(label); at.valid() && !around.contains(at.index); at = ParentOf(at)) {
+  for (StatementId at = ParentOf(label); !around.contains(at.index); at = ParentOf(at)) {
     const StatementKind kind = unit_.statements[at].kind;
     if (kind == StatementKind::kIf || kind == StatementKind::kSwitch) return true;
   }

@@ -23,7 +23,7 @@ void AddLines(std::string_view text, source::Offset begin, std::vector<source::R
   const size_t stop = block && text.size() >= 4 ? text.size() - 2 : text.size();
   while (at < stop) {
     size_t end = text.find_first_of("\r\n", at);
-    if (end == std::string_view::npos || end > stop) end = stop;
+    if (end == std::string_view::npos) end = stop;
     size_t first = at, last = end;
     while (first < last && (IsBlank(text[first]) || (block && text[first] == '*'))) ++first;
     while (last > first && (IsBlank(text[last - 1]) || (block && text[last - 1] == '*'))) --last;
