@@ -126,6 +126,24 @@ TEST(TechnolLowering, ARefusedJumpInASubprogramLeavesItsCallers) {
 }
 
 // covers: TECHNOL-196
+TEST(TechnolLowering, WhatUsesAValueOfAnEarlierStatementIsAStatementOfItsOwn) {
+  const auto statements = [](std::string_view code) {
+    const std::vector<std::string> lines = Main(code);
+    return std::count_if(lines.begin(), lines.end(), [](const std::string& line) { return line.starts_with("stmt"); });
+  };
+  EXPECT_EQ(statements("LOD W\nSTO D\nLDR A\nWR B\nSTO W\n"), 3);
+  EXPECT_EQ(statements("LDR A\nWR B\nLOD W\nSTO D\nWR C\n"), 3);
+  EXPECT_EQ(statements("LOD W\nLDR A\nWR B\nAD W\nSTO W\n"), 3);
+}
+
+TEST(TechnolLowering, AModuleThatTheSchedulerDoesNotKnowIsARoutineOfItsName) {
+  LoweredProgram lowered;
+  LowerInto(
+      lowered,
+      "DATA\nBITS: DFM A,B\nDATA_END\nMODULE_MAIN\nMODULE_MAIN_END\nMODULE_AZ_9\nLDR A\nWR B\nMODULE_AZ_9_END\nSTOP\n");
+  EXPECT_FALSE(lowered.Routine("module_az_9").empty());
+}
+
 TEST(TechnolLowering, OnlyRequestsOfTheProgramAreAskedFor) {
   LoweredProgram lowered;
   LowerInto(lowered, TechnolProgram("FL 1,REQ_CLOSE_ALL\n"));

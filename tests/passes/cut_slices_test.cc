@@ -95,6 +95,8 @@ std::vector<int> SlicesOf(int slices, const std::vector<uint64_t>& weights) {
 
 TEST(CutSlices, TheRuleOfTheSpecification) {
   EXPECT_EQ(SlicesOf(2, {10, 10, 10, 10}), (std::vector{0, 0, 1, 1}));
+  EXPECT_EQ(SlicesOf(2, {1, 1}), (std::vector{0, 1}));
+  EXPECT_EQ(SlicesOf(3, {1, 1, 1}), (std::vector{0, 1, 2}));
   EXPECT_EQ(SlicesOf(2, {30, 1, 1}), (std::vector{0, 1, 1}));
   EXPECT_EQ(SlicesOf(2, {1, 1, 30}), (std::vector{0, 0, 0}));
   EXPECT_EQ(SlicesOf(4, {5, 100}), (std::vector{0, 0}));

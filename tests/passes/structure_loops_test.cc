@@ -253,6 +253,19 @@ stmt s4
 )");
 }
 
+TEST(NestBlocks, AnArmThatLeavesMakesTheRestTheOther) {
+  const auto nested = [](std::string_view arms) {
+    return Nested("%0 = load a\nif %0" + std::string(arms) + "\nstmt s2\n%0 = load b\nstore c %0\nlabel L1\nstmt s3\n");
+  };
+  EXPECT_EQ(nested(" {\n  store b %0\n  jump L1\n}"),
+            "%0 = load a\nif %0 jumps {\n  store b %0\n} else {\n  stmt s2\n  %0 = load b\n  store c %0\n}\nstmt s3\n");
+  EXPECT_EQ(nested(" {\n  store b %0\n} else {\n  jump L1\n}"),
+            "%0 = load a\nif %0 stays {\n  store b %0\n  stmt s2\n  %0 = load b\n  store c %0\n} else {\n}\nstmt s3\n");
+  // How it became an if before is not forgotten.
+  EXPECT_EQ(nested(" stays {\n  store b %0\n  jump L1\n}"),
+            "%0 = load a\nif %0 stays {\n  store b %0\n} else {\n  stmt s2\n  %0 = load b\n  store c %0\n}\nstmt s3\n");
+}
+
 TEST(NestBlocks, WhatIsNeverReachedStaysVisible) {
   EXPECT_EQ(Nested("stmt s1\njump L1\nstmt s2\n%0 = load a\nstore b %0\nlabel L1\n"),
             "stmt s1\n%0 = const bit 0\nif %0 stays {\n  stmt s2\n  %0 = load a\n  store b %0\n}\n");

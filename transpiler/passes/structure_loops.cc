@@ -89,9 +89,8 @@ void LoopMaker::FindJumps() {
 
 /// Joins loops that cross or begin together; whether there was one.
 bool LoopMaker::MergeCrossing() {
-  std::sort(loops.begin(), loops.end(), [](const Interval& a, const Interval& b) {
-    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
-  });
+  std::ranges::sort(loops, {},
+                    [](const Interval& loop) { return std::pair(loop.begin, ~loop.end); });  // the longer first
   std::vector<Interval> kept;
   std::vector<size_t> open;  // of `kept`, from the outermost to the innermost
   bool merged = false;

@@ -42,6 +42,12 @@ TEST(NameTable, KnowsTheWordsOfCppAndOfTheGeneratedCode) {
   EXPECT_EQ(names.Allocate("NULL", "U4A11"), "NULL_U4A11");
   EXPECT_EQ(names.Allocate("t1", "U4A12"), "t1_U4A12");
   EXPECT_EQ(names.Allocate("t1a", "U4A13"), "t1a");
+  EXPECT_EQ(names.Allocate("t", "U4A14"), "t");
+  EXPECT_EQ(names.Allocate("round2", "U4A16"), "round2_U4A16");
+  EXPECT_EQ(names.Allocate("OnDelayTimer", "U4A17"), "OnDelayTimer_U4A17");
+  EXPECT_EQ(names.Allocate("OnDelayTimerTag", "U4A18"), "OnDelayTimerTag_U4A18");
+  EXPECT_EQ(names.Allocate("on_delay_timer", "U4A19"), "on_delay_timer_U4A19");
+  EXPECT_EQ(names.Allocate("OnDelayTimer_done", "U4A20"), "OnDelayTimer_done_U4A20");
 }
 
 TEST(NameTable, KnowsTheMacrosOfUsualHeaders) {

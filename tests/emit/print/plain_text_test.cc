@@ -153,6 +153,11 @@ TEST(PlainText, AResultIsReturnedWhereItIsKnown) {
 TEST(PlainText, AResultThatIsNotAlwaysGivenIsAVariable) {
   EXPECT_EQ(Giving("%0 = load a\nif %0 {\n%1 = load b\nstore s %1\n}\n"),
             "  bool s = false;\n\n  if (m[a]) {\n    return m[b];\n  }\n  return s;\n");
+  // What reads it on the way, too: the last one is returned.
+  EXPECT_EQ(Giving("%0 = load a\nstore s %0\nstmt s1\n%1 = load s\n%2 = load b\n%3 = and.bit %1 %2\nstore c %3\nstmt "
+                   "s2\n%4 = load c\n"
+                   "store s %4\n"),
+            "  bool s = false;\n\n  s = m[a];\n\n  // ONE\n  m[c] = s & m[b];\n\n  // TWO\n  return m[c];\n");
   // What follows the assignment comes before the return.
   EXPECT_EQ(Giving("%0 = load a\nstore s %0\n%1 = load b\nstore c %1\n"),
             "  bool s = false;\n\n  s = m[a];\n  m[c] = m[b];\n  return s;\n");

@@ -78,7 +78,7 @@ void Lowering::DivideRegister(const Instruction& instruction) {
     const ValueId high = width == 8 ? ReadRegister(Register::kAh) : ReadRegister(Register::kDx);
     ValueId dividend =
         width == 8 ? (is_signed ? SignedTo32(low) : ToWidth(low, 32)) : Pure(OpKind::kPair32, {low, high});
-    if (width == 16 && KnownValue(high) == 0) dividend = ToWidth(low, 32);
+    if (KnownValue(high) == 0) dividend = ToWidth(low, 32);
     const ValueId by = is_signed ? SignedTo32(divisor) : ToWidth(divisor, 32);
     const ValueId whole = Pure(is_signed ? OpKind::kSignedDiv32 : OpKind::kUnsignedDiv32, {dividend, by});
     quotient = ToWidth(whole, width);

@@ -31,9 +31,7 @@ void Lowering::AddScheduleRoutines() {
 /// Does the program, or its host by the program's requests, touch the area?
 bool Lowering::IsUsed(Area area) const {
   for (const Operand& operand : tree_.operands) {
-    if ((operand.kind == OperandKind::kMemory || operand.kind == OperandKind::kBit) && operand.address.area == area) {
-      return true;
-    }
+    if (operand.address.area == area) return true;  // what is no cell has no area
   }
   return false;
 }
