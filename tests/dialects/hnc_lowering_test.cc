@@ -181,6 +181,32 @@ TEST(HncLowering, LocationsByName) {
   }
 }
 
+// covers: HNC-127, HNC-349
+TEST(HncLowering, VariablesHaveTheirSignTheirValueAndTheirComment) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nint a = -3; /* of the\naxis */ unsigned u; signed char s; unsigned char c; long l; "
+            "float f;\n"
+            "struct { int field : 3; unsigned other : 4; } r;\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+            "void plc1() { u = a; s = c; l = u; f = s; r.field = 1; r.other = 2; }\nvoid plc2() { }\n");
+  std::map<std::string, bool> signs;
+  for (const ir::Symbol& symbol : lowered.program().symbols) signs[symbol.name] = symbol.has_sign;
+  for (const char* name : {"a", "s", "l", "r.field"}) EXPECT_TRUE(signs.at(name)) << name;
+  for (const char* name : {"u", "c", "f", "r.other"}) EXPECT_FALSE(signs.at(name)) << name;
+  std::map<std::string, std::string> meanings;
+  for (const ir::Documentation& known : lowered.program().documentation) meanings[known.symbols] = known.meaning;
+  EXPECT_THAT(meanings.at("a"), HasSubstr(" = -3; "));
+  EXPECT_THAT(meanings.at("a"), HasSubstr("of the axis"));
+}
+
+// covers: HNC-344
+TEST(HncLowering, AVariableIsReportedOnceAsReadBeforeWritten) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements("int x, y; a = x; b = x + y; a = y;"));
+  const std::vector<std::string> reported = lowered.Reported();
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), "3 W4"), 2);
+}
+
 /// A program in which structures, unions and bit-fields are declared, initialised, passed and used.
 constexpr std::string_view kRecords = R"(#include "plc.h"
 struct axis { int a, b[2]; unsigned run : 1, : 0, dir : 2; } f = { 1, { 2, 3 }, 1, 2 };

@@ -20,9 +20,11 @@ bool IsChecked(const std::string& before, const std::string& index, uint32_t ele
       "signed four : 4; "
       "unsigned char wide; } s;\nenum { LEAST, MOST = 6 }; union { unsigned char bytes[2]; int word; } both;\n"
       "int below_ten(int n) { if (n < 0) return 0; if (n > 9) return 9; return n; }\nint any(int n) { return n; }\n"
+      "int five_to_nine(int n) { if (n < 5) return 5; if (n > 9) return 9; return n; }\nint falls_off(int n) { if (n > "
+      "5) return 5; }\n"
       "void spoil() { g = P_i[1]; }\nint table[" +
       std::to_string(elements) +
-      "];\nvoid plc1() { int n = P_i[0], k = 0, m = P_i[2]; int *p = &g; unsigned char d; long w; " + before +
+      "];\nvoid plc1() { int n = P_i[0], k = 0, m = P_i[2]; int *p = &g; unsigned char d; long w; int *q; " + before +
       " table[" + index + "] = 1; }\nvoid init() { plc1_time = 16; plc2_time = 32; }\nvoid plc2() { }\n";
   LoweredProgram lowered;
   LowerInto(lowered, text);
@@ -71,6 +73,14 @@ TEST(HncRanges, ArraysThatAreJustLongEnoughNeedNoCheck) {
       {"", "MOST", 6},
       {"", "below_ten(a)", 9},
       {"n = below_ten(a);", "n", 9},
+      {"", "five_to_nine(a) - 5", 4},
+      {"", "falls_off(a)", 5},
+      // Pointers.
+      {"q = table; n = below_ten(a); q += n; *q = 2; n = 0;", "n", 9},
+      {"n = below_ten(a); q = &table[n]; *q = 2; n = 0;", "n", 9},
+      {"n = below_ten(a); q = table + n; q[2] = 2; n = 0;", "n", 11},
+      {"n = below_ten(a); q = table + 4 + n; q--; *q = 2; n = 0;", "n", 12},
+      {"n = below_ten(a) - 3; q = table + 4; q += n; *(q - 1) = 2; n = 0;", "n", 9},
       // Assignments and steps.
       {"n = 3;", "n", 3},
       {"n = 3; n += 4;", "n", 7},
@@ -134,9 +144,10 @@ TEST(HncRanges, ArraysThatAreJustLongEnoughNeedNoCheck) {
   };
   for (const Known& row : rows) {
     EXPECT_FALSE(IsChecked(row.before, row.index, row.most + 1)) << row.before << " table[" << row.index << "]";
+    if (row.before.ends_with("n = 0;")) EXPECT_TRUE(IsChecked(row.before, row.index, row.most)) << row.before;
     // Of a known number it is an error of the program.
-    const bool constant =
-        row.index == "MOST" || row.before.starts_with("n = 3;") || row.before.starts_with("k = (n = 5)");
+    const bool constant = row.index == "MOST" || row.before.ends_with("n = 0;") || row.before.starts_with("n = 3;") ||
+                          row.before.starts_with("k = (n = 5)");
     if (row.most != 0 && !constant) {
       EXPECT_TRUE(IsChecked(row.before, row.index, row.most)) << row.before << " table[" << row.index << "]";
     }
@@ -178,6 +189,10 @@ TEST(HncRanges, WhatMayHaveChangedIsChecked) {
       {"if (R[5] > 7) return; R_ul[1] = l;", "R[5]"},
       {"both.word = 3; both.bytes[1] = m;", "both.word"},
       {"s.three = 3; s.four = m;", "s.four"},
+      {"n = below_ten(a) - 3; q = table + 4; q += n; *(q - 2) = 2; n = 0;", "n"},
+      {"n = below_ten(a); q = table + 4; q -= n; *q = 2; n = 0;", "n"},
+      {"n = below_ten(a); q = table; q += n; q -= 1; *q = 2; n = 0;", "n"},
+      {"q = table; q += m; *q = 2; n = 0;", "n"},
       // What is stored in memory may be forced to be another number.
       {"if (R[5] > 40) R[5] = 40;", "R[5]"},
       {"g = 3; a = g;", "g"},

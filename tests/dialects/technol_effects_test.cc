@@ -179,33 +179,36 @@ struct PartlyLoaded {
 };
 
 // covers: TECHNOL-139, TECHNOL-142, TECHNOL-140
-TEST(TechnolEffects, RegistersThatAreLoadedInPart) {
+class TechnolEffectsOf : public testing::TestWithParam<char> {};
+
+TEST_P(TechnolEffectsOf, ARegisterThatIsLoadedInPart) {
+  const char reg = GetParam();
   for (const EffectRow& row : kEffects) {
-    for (const char reg : kWholeRegisterLetters) {
-      for (const unsigned loaded : {0U, kL, kH, kLH}) {
-        if ((reg == 's' || reg == 'i') && loaded != 0 && loaded != kLH) continue;
-        // A part of DR that is set counts as DR.
-        const unsigned missing = reg == 'c' && loaded != 0 ? 0 : kAll & ~loaded;
-        PartlyLoaded program;
-        program.Load(reg, loaded);
-        program.Add("LDR A");
-        program.Add("CMP W,0");  // every flag
-        const uint32_t at = program.Add(row.code);
-        const uint32_t behind = program.Add("L: MOV D," + PartName(reg, kAll));
-        const std::map<uint32_t, std::string> found = program.Reported();
-        const unsigned unread = PartsIn(row.reads, reg) & missing;
-        EXPECT_EQ(found.contains(at), unread != 0) << row.code << ", " << reg << " loaded: " << loaded;
-        if (unread != 0 && found.contains(at)) {
-          const std::string name = reg == 'c' ? "DR" : PartName(reg, (unread & kU) != 0 ? kAll : unread);
-          EXPECT_THAT(found.at(at), testing::HasSubstr("reads " + name + " before")) << row.code;
-        }
-        const unsigned written = PartsIn(row.writes, reg);
-        const bool is_missing = (missing & ~(reg == 'c' && written != 0 ? kAll : written)) != 0;
-        EXPECT_EQ(found.contains(behind), is_missing) << row.code << ", " << reg << " loaded: " << loaded;
+    for (const unsigned loaded : {0U, kL, kH, kLH}) {
+      if ((reg == 's' || reg == 'i') && loaded != 0 && loaded != kLH) continue;
+      // A part of DR that is set counts as DR.
+      const unsigned missing = reg == 'c' && loaded != 0 ? 0 : kAll & ~loaded;
+      PartlyLoaded program;
+      program.Load(reg, loaded);
+      program.Add("LDR A");
+      program.Add("CMP W,0");  // every flag
+      const uint32_t at = program.Add(row.code);
+      const uint32_t behind = program.Add("L: MOV D," + PartName(reg, kAll));
+      const std::map<uint32_t, std::string> found = program.Reported();
+      const unsigned unread = PartsIn(row.reads, reg) & missing;
+      EXPECT_EQ(found.contains(at), unread != 0) << row.code << ", " << reg << " loaded: " << loaded;
+      if (unread != 0 && found.contains(at)) {
+        const std::string name = reg == 'c' ? "DR" : PartName(reg, (unread & kU) != 0 ? kAll : unread);
+        EXPECT_THAT(found.at(at), testing::HasSubstr("reads " + name + " before")) << row.code;
       }
+      const unsigned written = PartsIn(row.writes, reg);
+      const bool is_missing = (missing & ~(reg == 'c' && written != 0 ? kAll : written)) != 0;
+      EXPECT_EQ(found.contains(behind), is_missing) << row.code << ", " << reg << " loaded: " << loaded;
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Registers, TechnolEffectsOf, testing::ValuesIn(kWholeRegisterLetters));
 
 // covers: TECHNOL-143, TECHNOL-144, TECHNOL-147, TECHNOL-148
 TEST(TechnolEffects, Flags) {

@@ -63,6 +63,29 @@ TEST(TechnolLowering, AnIndexThatCannotLeaveTheAreaIsNotChecked) {
 }
 
 // covers: TECHNOL-103
+TEST(TechnolLowering, AnIndexIsCheckedWhereTheAreaIsAByteTooShort) {
+  const auto is_checked = [](std::string_view index, uint32_t bytes) {
+    LoweredProgram lowered;
+    LowerInto(lowered, "DATA\nX: DB ?\nW: DW ?\nV: DS " + std::to_string(bytes) + "\nDATA_END\nMODULE_MAIN\n" +
+                           std::string(index) + "MODULE_MAIN_END\nSTOP\n");
+    EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty()) << index;
+    const std::vector<std::string> lines = lowered.Routine("MODULE_MAIN");
+    return std::any_of(lines.begin(), lines.end(),
+                       [](const std::string& line) { return line.find("fault") != std::string::npos; });
+  };
+  // The cells in front of V are three bytes of the area.
+  const std::vector<std::pair<std::string, uint32_t>> rows = {
+      {"MOVZX BX,X\nMOV AL,BYTE.V[BX]\n", 256},         {"MOVZX EBX,X\nMOV AL,BYTE.V[EBX]\n", 256},
+      {"MOVZX BX,X\nMOV AX,WORD.V[BX]\n", 257},         {"MOVZX BX,X\nMOV AL,BYTE.(V+10)[BX]\n", 266},
+      {"MOV BX,W\nAND BX,31\nMOV AL,BYTE.V[BX]\n", 32}, {"MOV BX,W\nAND BX,7FFFh\nMOV AL,BYTE.V[BX]\n", 32768}};
+  for (const auto& [index, bytes] : rows) {
+    EXPECT_FALSE(is_checked(index, bytes)) << index;
+    EXPECT_TRUE(is_checked(index, bytes - 1)) << index;
+  }
+  EXPECT_TRUE(is_checked("MOV BX,W\nAND BX,8FFFh\nMOV AL,BYTE.V[BX]\n", 40000));
+  EXPECT_TRUE(is_checked("MOV BX,W\nMOV AL,BYTE.V[BX]\n", 32768));
+}
+
 TEST(TechnolLowering, ADivisionBranchesWhereTheDivisorIsNotKnown) {
   EXPECT_THAT(Main("LOD W\nDIVB X\nSTO W\n"), Contains("} else {"));
   EXPECT_THAT(Main("LOD W\nDIVB CNST.10\nSTO W\n"), Not(Contains("} else {")));

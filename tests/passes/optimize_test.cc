@@ -57,6 +57,35 @@ TEST(FoldConstants, ComparisonsAndBitsOfIntegers) {
             "%0 = const bit 1\nstore a %0\n");
 }
 
+TEST(FoldConstants, EachOperationOfIntegersOnEachSideOfItsBorders) {
+  const std::pair<uint64_t, uint64_t> pairs[] = {{3, 5},           {5, 5},       {5, 3},      {0, 0x7FFF},
+                                                 {0xFFFF, 0x7FFF}, {0x80, 0x7F}, {0xFF, 0xFF}};
+  for (const auto& [a, b] : pairs) {
+    for (const uint32_t width : {8U, 16U, 32U}) {
+      if (width == 8 && (a > 0xFF || b > 0xFF)) continue;
+      const auto folded = [&, a = a, b = b](const std::string& operation, std::string_view place) {
+        const std::string type = "i" + std::to_string(width);
+        const std::string body = After(Optimize, "%0 = const " + type + " " + std::to_string(a) + "\n%1 = const " +
+                                                     type + " " + std::to_string(b) + "\n%2 = " + operation + "." +
+                                                     type + " %0 %1\nstore " + std::string(place) + " %2\n");
+        return body.substr(0, body.find('\n'));
+      };
+      const auto bit = [](bool value) { return std::string("%0 = const bit ") + (value ? "1" : "0"); };
+      EXPECT_EQ(folded("eq", "a"), bit(a == b));
+      EXPECT_EQ(folded("ne", "a"), bit(a != b));
+      EXPECT_EQ(folded("ult", "a"), bit(a < b));
+      EXPECT_EQ(folded("ugt", "a"), bit(a > b));
+      if (width > 8) EXPECT_EQ(folded("ule", "a"), bit(a <= b));
+      if (width > 8) EXPECT_EQ(folded("uge", "a"), bit(a >= b));
+      if (width > 8) continue;
+      const std::string constant = "%0 = const i8 ";
+      EXPECT_EQ(folded("and", "w"), constant + std::to_string(a & b));
+      EXPECT_EQ(folded("or", "w"), constant + std::to_string(a | b));
+      EXPECT_EQ(folded("xor", "w"), constant + std::to_string(a ^ b));
+    }
+  }
+}
+
 TEST(FoldConstants, BothHalvesOfAValueAreTheValue) {
   EXPECT_EQ(
       After(FoldConstants,

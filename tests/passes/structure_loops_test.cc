@@ -253,6 +253,13 @@ stmt s4
 )");
 }
 
+TEST(NestBlocks, ExitsThatAnInnerBlockTakesOverNestAsWell) {
+  const std::string text =
+      Nested("%0 = load a\njump L1 if %0\nstore a %0\njump L2 if %0\nstore b %0\nlabel L1\nlabel L2\nstore c %0\n");
+  EXPECT_EQ(text.find("exit"), std::string::npos) << text;
+  EXPECT_EQ(text.find("block"), std::string::npos) << text;
+}
+
 TEST(NestBlocks, AnArmThatLeavesMakesTheRestTheOther) {
   const auto nested = [](std::string_view arms) {
     return Nested("%0 = load a\nif %0" + std::string(arms) + "\nstmt s2\n%0 = load b\nstore c %0\nlabel L1\nstmt s3\n");

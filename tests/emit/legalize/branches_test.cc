@@ -47,6 +47,13 @@ TEST(Branches, AnElseArmIsABlockOrGoesOnWithAChain) {
               HasSubstr("line: if, else\n"));
 }
 
+TEST(Branches, TheRecordIsIndentedAsTheFunction) {
+  EXPECT_THAT(
+      Record(
+          "%0 = const i16 1\nstore i %0\n%1 = load a\nif %1 {\n%2 = load b\nstore c %2\n}\n%3 = load i\nstore i %3\n"),
+      HasSubstr("\n  variable i"));
+}
+
 TEST(Branches, AnArmOfASwitchEndsWithBreakUnlessItLeaves) {
   const std::string record = Record(
       "block @1 {\n%0 = load w\nswitch %0 {\ncase 1 {\nexit @1\n}\ncase 2 falls_through {\n%1 = load a\nstore b %1\n}\n"

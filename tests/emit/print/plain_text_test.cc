@@ -109,6 +109,24 @@ TEST(PlainText, NegativeNumbersOf32BitsReadAsSuch) {
   EXPECT_THAT(Plain("%0 = const i32 4294901760\nstore d %0\n"), HasSubstr("m[d] = 4294901760u;\n"));
 }
 
+TEST(PlainText, WhatIsComparedWithItsSignReadsAsSuch) {
+  const auto source = [](std::string_view type, std::string_view place, std::string_view number) {
+    return Plain("%0 = load " + std::string(place) + "\n%1 = const " + std::string(type) + " " + std::string(number) +
+                 "\n%2 = slt." + std::string(type) + " %0 %1\nstore a %2\n");
+  };
+  EXPECT_THAT(source("i8", "w", "255"), HasSubstr("m[a] = S8(m[w]) < -1;\n"));
+  EXPECT_THAT(source("i8", "w", "127"), HasSubstr("m[a] = S8(m[w]) < 127;\n"));
+  EXPECT_THAT(source("i8", "w", "129"), HasSubstr("m[a] = S8(m[w]) < -127;\n"));
+  EXPECT_THAT(source("i16", "u", "65535"), HasSubstr("m[a] = S16(m[u]) < -1;\n"));
+  EXPECT_THAT(source("i16", "u", "32767"), HasSubstr("m[a] = S16(m[u]) < 32767;\n"));
+  EXPECT_THAT(source("i32", "d", "4294967295"), HasSubstr("m[a] = S32(m[d]) < -1;\n"));
+  EXPECT_THAT(source("i32", "d", "32767"), HasSubstr("m[a] = S32(m[d]) < 32767;\n"));
+}
+
+TEST(PlainText, ANumberInFrontOfAnOperatorNeedsNoBrackets) {
+  EXPECT_THAT(Plain("%0 = const i8 5\n%1 = load w\n%2 = and.i8 %0 %1\nstore w %2\n"), HasSubstr("m[w] = 5 & m[w];\n"));
+}
+
 TEST(PlainText, MasksHaveAsManyDigitsAsTheirNumberNeeds) {
   const auto source = [](std::string_view number) {
     return Plain("%0 = load d\n%1 = const i32 " + std::string(number) + "\n%2 = and.i32 %0 %1\nstore d %2\n");
@@ -116,6 +134,9 @@ TEST(PlainText, MasksHaveAsManyDigitsAsTheirNumberNeeds) {
   EXPECT_THAT(source("0x20"), HasSubstr("m[d] & 0x20;\n"));
   EXPECT_THAT(source("0x100"), HasSubstr("m[d] & 0x0100;\n"));
   EXPECT_THAT(source("0x10000"), HasSubstr("m[d] & 0x00010000;\n"));
+  EXPECT_THAT(source("0xFF"), HasSubstr("m[d] & 0xFF;\n"));
+  EXPECT_THAT(source("0xFFFF"), HasSubstr("m[d] & 0xFFFF;\n"));
+  EXPECT_THAT(source("0xFFFFFFFF"), HasSubstr("m[d] & 0xFFFFFFFF;\n"));
 }
 
 TEST(PlainText, WhatTheControlAssignsFirstIsInTheDeclaration) {

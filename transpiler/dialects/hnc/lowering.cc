@@ -15,8 +15,6 @@ Lowering::Lowering(Scope scope, const Unit& unit, const Settings& settings, cons
   unsigned_ = IntegerType(16, false);
   long_ = IntegerType(32, true);
   unsigned_long_ = IntegerType(32, false);
-  char_ = IntegerType(8, true);
-  unsigned_char_ = IntegerType(8, false);
   for (uint32_t i = 0; i < types_.size(); ++i) {
     if (types_[TypeId(i)].kind == TypeKind::kReal && types_[TypeId(i)].bits == 64) double_ = TypeId(i);
   }

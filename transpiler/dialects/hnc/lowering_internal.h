@@ -431,7 +431,7 @@ class Lowering {
   Facts facts_{unit_, objects_};
   FixedHandlers fixed_handlers_ = FindFixedHandlers(unit_, facts_);
   support::Store<TypeId, Type> types_ = unit_.types;  // and those that only lowering needs
-  TypeId int_, unsigned_, long_, char_, unsigned_char_, unsigned_long_, double_;
+  TypeId int_, unsigned_, long_, unsigned_long_, double_;
 
   // Memory.
   std::array<ir::SpaceId, 7> area_spaces_;

@@ -127,11 +127,11 @@ Lowering::Bounds32 Lowering::BoundsOf(ValueId value) const {
       return {0, 0xFF};
     case OpKind::kWiden16To32: {
       const Bounds32 narrow = of(inst.a);
-      return narrow.low >= 0 && narrow.high <= 0xFFFF ? narrow : Bounds32{0, 0xFFFF};
+      return narrow.high <= 0xFFFF ? narrow : Bounds32{0, 0xFFFF};
     }
     case OpKind::kSignExtend16To32: {
       const Bounds32 narrow = of(inst.a);
-      return narrow.low >= 0 && narrow.high <= 0x7FFF ? narrow : Bounds32{-0x8000, 0x7FFF};
+      return narrow.high <= 0x7FFF ? narrow : Bounds32{-0x8000, 0x7FFF};
     }
     case OpKind::kAnd16: {
       const Bounds32 right = of(inst.b);
