@@ -1,5 +1,5 @@
-// What GCC makes for RV32IMAC and ARMv7E-M is proved equal to the program, instruction by instruction; and an
-// instruction that is changed in its assembler is caught, wherever it is.
+// What GCC makes for RV32IMAC and ARMv7E-M is proved equal to the program, instruction by instruction. That a changed
+// instruction is not is a test of tests/judges/machine_code.
 #include <gtest/gtest.h>
 
 #include <fstream>

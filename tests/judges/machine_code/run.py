@@ -71,15 +71,14 @@ def build(target, instances, states, directory):
     open(path("start.s"), "w").write("\n".join(frame) + "\n")
     open(path("script.ld"), "w").write(f"""
 ENTRY(entry)
-MEMORY {{ {target.memory} WORK }}
+MEMORY {{ {target.memory} DATA (rw) : ORIGIN = {target.data}, LENGTH = 1M }}
 SECTIONS {{
   .text : {{ KEEP(*(.vectors)) *(.text*) *(.rodata*) *(.srodata*) . = ALIGN(16); }} > RAM
   .data : {{ *(.data*) *(.sdata*) . = ALIGN(16); }} > RAM
   .bss (NOLOAD) : {{ *(.sbss*) *(.bss*) *(COMMON) . = ALIGN(16); . += 65536; judge_stack = .; }} > DATA
   /DISCARD/ : {{ *(.ARM.exidx*) *(.ARM.extab*) *(.eh_frame*) *(.comment) }}
 }}
-""".replace("WORK", "DATA (rw) : ORIGIN = 0x20000000, LENGTH = 1M" if target.has_flags else
-            "DATA (rw) : ORIGIN = 0x83c00000, LENGTH = 1M"))
+""")
     compiler = [target.compiler] + target.flags
     run(compiler + ["-c", path("instances.s"), "-o", path("instances.o")])
     run(compiler + ["-O2", "-ffreestanding", "-fno-tree-loop-distribute-patterns", f'-DJUDGE_RESULTS="{path("qemu")}"',

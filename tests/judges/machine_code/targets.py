@@ -6,6 +6,44 @@ FLAGS_OUT = 80
 WORDS = "judge_words: .word 0x11223344, 0x8899aabb, 0xfedcba98, 0x7f80ff01, 0x00010203, 0xffffffff\n"
 
 
+def pattern(i):
+    return 0xC0DE00 + 257 * i
+
+
+def riscv_keeps():
+    """Calls a function as C++ does, with known numbers in what is kept and in the words above the stack pointer."""
+    kept = [f"s{i}" for i in range(12)]
+    lines = [".text", ".globl judge_keeps", "judge_keeps:", "addi sp, sp, -128", "sw ra, 60(sp)"]
+    lines += [f"sw {reg}, {64 + 4 * i}(sp)" for i, reg in enumerate(kept)]
+    for i in range(15):
+        lines += [f"li t0, {pattern(32 + i)}", f"sw t0, {4 * i}(sp)"]
+    lines += [f"li {reg}, {pattern(i)}" for i, reg in enumerate(kept)]
+    lines += ["la t0, judge_saved", "sw sp, 0(t0)", "mv t0, a0", "mv a0, a1", "mv a1, a2", "mv a2, a3", "jalr t0",
+              "la t0, judge_saved", "lw t1, 0(t0)", "sub a0, t1, sp", "mv sp, t1"]
+    for i, reg in enumerate(kept):
+        lines += [f"li t0, {pattern(i)}", f"xor t0, t0, {reg}", "or a0, a0, t0"]
+    for i in range(15):
+        lines += [f"li t0, {pattern(32 + i)}", f"lw t1, {4 * i}(sp)", "xor t0, t0, t1", "or a0, a0, t0"]
+    lines += ["lw ra, 60(sp)"] + [f"lw {reg}, {64 + 4 * i}(sp)" for i, reg in enumerate(kept)]
+    return "\n".join(lines + ["addi sp, sp, 128", "ret", ""])
+
+
+def arm_keeps():
+    """As riscv_keeps."""
+    kept = [f"r{i}" for i in range(4, 12)]
+    lines = [".text", ".globl judge_keeps", ".thumb_func", "judge_keeps:", "push {r4-r11, lr}", "sub sp, sp, #68"]
+    for i in range(16):
+        lines += [f"ldr r12, ={pattern(32 + i)}", f"str r12, [sp, #{4 * i}]"]
+    lines += [f"ldr {reg}, ={pattern(i)}" for i, reg in enumerate(kept)]
+    lines += ["ldr r12, =judge_saved", "str sp, [r12]", "mov r12, r0", "mov r0, r1", "mov r1, r2", "mov r2, r3", "blx r12",
+              "ldr r1, =judge_saved", "ldr r1, [r1]", "mov r0, sp", "subs r0, r0, r1", "mov sp, r1"]
+    for i, reg in enumerate(kept):
+        lines += [f"ldr r1, ={pattern(i)}", f"eors r1, {reg}", "orrs r0, r1"]
+    for i in range(16):
+        lines += [f"ldr r1, ={pattern(32 + i)}", f"ldr r2, [sp, #{4 * i}]", "eors r1, r2", "orrs r0, r1"]
+    return "\n".join(lines + ["add sp, sp, #68", "pop {r4-r11, pc}", ".ltorg", ""])
+
+
 class Riscv:
     name = "rv32imac"
     processor = "sifive-e31"
@@ -15,11 +53,13 @@ class Riscv:
     emulator = ["qemu-system-riscv32", "-M", "virt", "-m", "64M", "-bios", "none"]
     disassembler = ["llvm-mc-19", "--disassemble", "--show-inst", "--triple=riscv32", "--mattr=+m,+c"]
     memory = "RAM (rwx) : ORIGIN = 0x80000000, LENGTH = 60M"
+    data = "0x83c00000"
     order = ["ra", "t0", "t1", "t2", "s0", "s1", "a0", "a1", "a2", "a3", "a4", "a5", "sp"]
     registers = order[:-1]
     low = ["s0", "s1", "a0", "a1", "a2", "a3", "a4", "a5"]
     zero = "zero"
     has_flags = False
+    keeps = riscv_keeps()
     results = ["a0", "a1"]
     arguments = ["a0", "a1", "a2", "a3"]
     scratched = ["ra", "t0", "t1", "t2", "a0", "a1", "a2", "a3", "a4", "a5"]
@@ -125,11 +165,13 @@ class Arm:
     emulator = ["qemu-system-arm", "-M", "mps2-an386"]
     disassembler = ["llvm-mc-19", "--disassemble", "--show-inst", "--triple=thumbv7em-none-eabi", "--mcpu=cortex-m4"]
     memory = "RAM (rwx) : ORIGIN = 0x00000000, LENGTH = 4M"
+    data = "0x20000000"
     order = [f"r{i}" for i in range(13)] + ["sp", "lr"]
     registers = [f"r{i}" for i in range(10)] + ["lr"]
     low = [f"r{i}" for i in range(8)]
     zero = "r0"
     has_flags = True
+    keeps = arm_keeps()
     results = ["r0", "r1", "r2", "r3"]
     arguments = ["r0", "r1", "r2", "r3"]
     scratched = ["r0", "r1", "r2", "r3", "lr"]

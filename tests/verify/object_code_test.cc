@@ -1,0 +1,220 @@
+// Machine code whose meaning is not in its instructions alone is refused, demanded to be what it is taken for, or not
+// known: addresses in two halves, notes of the linker, what is below the stack pointer, callees, jumps into the middle.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "tests/temporary_directory.h"
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
+#include "transpiler/prove/compiled/object_code.h"
+
+namespace plcxx::prove {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr uint32_t kStateBytes = 16;
+
+class ZeroState : public compiled::CodeEnvironment {
+ public:
+  explicit ZeroState(terms::Terms& all) : terms_(all) {}
+  terms::TermId Initial(uint32_t) override { return terms_.Const(0, 8); }
+  terms::TermId CallHost(compiled::CodeMemory&, const compiled::HostRequest& request, std::string& refusal) override {
+    refusal = "a call of " + std::string(request.function);
+    return {};
+  }
+
+ private:
+  terms::Terms& terms_;
+};
+
+/// What becomes of f(State&) in these files: why it is refused, "demanded" what is not so for every state, or the first
+/// word of State afterwards.
+std::string Meaning(const char* target_name, const std::vector<std::string>& files) {
+  const testing_support::TemporaryDirectory directory;
+  const compile::Target& target = *compile::FindTarget(target_name);
+  const auto found = compile::FindToolchain(target, "");
+  const auto* toolchain = std::get_if<compile::Toolchain>(&found);
+  if (toolchain == nullptr) return "no compiler";
+  std::vector<std::string> objects;
+  for (const std::string& text : files) {
+    directory.Write("code.s", text);
+    std::vector<std::string> command = toolchain->command;
+    for (const std::string& flag : compile::FlagsOf(target)) command.push_back(flag);
+    command.insert(command.end(), {"-c", "code.s", "-o", "code.o"});
+    const compile::ProcessResult result = compile::RunProcess(command, 60, directory.path().string());
+    if (result.exit_code != 0) return "not assembled: " + result.output;
+    std::ifstream stream(directory.File("code.o"), std::ios::binary);
+    objects.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  }
+  const std::vector<compiled::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
+                                                       {.function = "declared", .parameters = {{.name = "m"}}}};
+  const compiled::LoadedCode loaded = compiled::LoadObjectCode(
+      {.objects = objects, .signatures = signatures, .processor = std::string(target.processor)});
+  if (loaded.code == nullptr) return loaded.reason;
+  terms::Terms all;
+  ZeroState state(all);
+  compiled::CodeRun run;
+  run.function = "f";
+  run.state_bytes = kStateBytes;
+  run.arguments = {{.kind = compiled::CodeArgument::Kind::kState, .name = "m", .value = {}}};
+  const compiled::CodeOutcome outcome = loaded.code->Execute(all, state, run);
+  if (!outcome.refusal.empty()) return outcome.refusal;
+  if (!outcome.obligations.empty()) return "demanded";
+  terms::TermId word = outcome.slots[3];
+  for (uint32_t i = 3; i-- > 0;) word = all.Concat(word, outcome.slots[i]);
+  return all.IsConst(word) ? std::to_string(all.Value(word)) : "not known";
+}
+
+struct Code {
+  const char* what;
+  std::string text;  // of f
+  const char* meaning;
+};
+
+void Expect(const char* target, const std::string& head, const std::string& tail, const std::vector<Code>& all) {
+  for (const Code& code : all) {
+    const std::string meaning = Meaning(target, {head + code.text + tail});
+    if (meaning == "no compiler") GTEST_SKIP() << "no compiler for " << target;
+    EXPECT_THAT(meaning, HasSubstr(code.meaning)) << target << ": " << code.what;
+  }
+}
+
+TEST(ObjectCode, OfRiscvIsWhatTheLinkerMakesOfIt) {
+  const std::string head = R"(
+  .section .rodata
+  .balign 4
+words: .word 11, 12
+  .section .text.f, "ax"
+  .globl f
+  .type f, @function
+f:
+)";
+  const std::string tail = R"(
+  .size f, . - f
+  .section .text.g, "ax"
+  .globl g
+  .type g, @function
+g: li a2, 1; li a2, 2; ret
+  .size g, . - g
+  .section .text.reads, "ax"
+  .globl reads
+  .type reads, @function
+reads: sw t1, 0(a0); ret
+  .size reads, . - reads
+)";
+  Expect("rv32imac", head, tail,
+         {{"a constant", "lla a1, words; lw a1, 4(a1); sw a1, 0(a0); ret", "12"},
+          {"halves in order", "1: auipc a1, %pcrel_hi(words); lw a1, %pcrel_lo(1b)(a1); sw a1, 0(a0); ret", "11"},
+          {"another upper half",
+           "1: auipc a1, %pcrel_hi(words); addi a1, a1, 4; lw a1, %pcrel_lo(1b)(a1); sw a1, 0(a0); ret", "demanded"},
+          {"an upper half alone", "1: auipc a1, %pcrel_hi(words); lw a1, 0(a1); sw a1, 0(a0); ret", "demanded"},
+          {"absolute halves", "lui a1, %hi(words); lw a1, %lo(words)(a1); sw a1, 0(a0); ret", "11"},
+          {"halves of two words", "lui a1, %hi(words); lw a1, %lo(words+4)(a1); sw a1, 0(a0); ret", "demanded"},
+          {"a note of another instruction", "lui a1, %hi(words); xori a1, a1, %lo(words); ret",
+           "a note of the linker for"},
+          {"a jump to a function", "tail g", "0"},
+          {"a jump into its middle", "tail g+2", "into the middle of a function"},
+          {"a register of a far jump", "li t1, 7; tail reads", "not known"},
+          {"halves of a call", ".reloc ., R_RISCV_CALL_PLT, g; auipc t1, 0; jalr zero, 0(t2)", "do not fit together"},
+          {"above the stack pointer",
+           "addi sp, sp, -16; li a1, 5; sw a1, 8(sp); lw a2, 8(sp); addi sp, sp, 16; sw a2, 0(a0); ret", "5"},
+          {"below the stack pointer", "sw a1, -4(sp); ret", "below the stack pointer"},
+          {"a frame that is given back",
+           "addi sp, sp, -16; li a1, 5; sw a1, 8(sp); mv a3, sp; addi sp, sp, 16; lw a2, 8(a3); sw a2, 0(a0); ret",
+           "not known"}});
+}
+
+TEST(ObjectCode, OfArmIsWhatTheLinkerMakesOfIt) {
+  const std::string head = R"(
+  .syntax unified
+  .thumb
+  .section .rodata
+  .balign 4
+words: .word 11, 12
+  .section .text.f, "ax"
+  .globl f
+  .thumb_func
+  .type f, %function
+f:
+)";
+  const std::string tail = R"(
+  .size f, . - f
+  .section .text.g, "ax"
+  .globl g
+  .thumb_func
+  .type g, %function
+g: movs r2, #1; movs r2, #2; bx lr
+  .size g, . - g
+)";
+  Expect(
+      "cortex-m4", head, tail,
+      {{"halves in order", "movw r1, #:lower16:words; movt r1, #:upper16:words; ldr r1, [r1, #4]; str r1, [r0]; bx lr",
+        "12"},
+       {"halves of two words",
+        "movw r1, #:lower16:words; movt r1, #:upper16:words+4; ldr r1, [r1]; str r1, [r0]; bx lr", "demanded"},
+       {"a lower half alone", "movw r1, #:lower16:words; ldr r1, [r1]; str r1, [r0]; bx lr", "demanded"},
+       {"a note of another instruction",
+        "ldr r1, 1f; bx lr; .reloc ., R_ARM_THM_ALU_ABS_G0_NC, words; adds r1, #0; 1: nop", "a note of the linker for"},
+       {"a jump to a function", "b.w g", "0"},
+       {"a jump into its middle", "b.w g+2", "into the middle of a function"},
+       {"flags of a move", "movs r1, #0; movs r2, #5; movs r3, r1; it eq; streq r2, [r0]; bx lr", "5"},
+       {"flags of an older comparison",
+        "movs r1, #1; movs r2, #5; cmp r1, #1; movs r3, r1; it eq; streq r2, [r0]; bx lr", "0"},
+       {"waiting", "wfi; bx lr", "waits or signals"},
+       {"a constant beside code", ".balign 4; ldr r1, 1f; str r1, [r0]; bx lr; .balign 4; 1: .word 9", "9"},
+       {"one of a section that is anywhere", "ldr.w r1, [pc, #4]; str r1, [r0]; bx lr; nop; nop", "not in the section"},
+       {"below the stack pointer", "str r1, [sp, #-4]; bx lr", "below the stack pointer"},
+       {"a list that is given back", "movs r1, #5; push {r1, r2}; pop {r2, r3}; ldr r1, [sp, #0]; str r2, [r0]; bx lr",
+        "demanded"},
+       {"a jump under a condition", "cbz r0, 1f; cmp r0, #1; it eq\n1: moveq r2, #1; bx lr", "under a condition"}});
+}
+
+/// The compiler knows what a function of the same section writes.
+TEST(ObjectCode, CalleesOfTheSameSectionCount) {
+  const std::string text = R"(
+  .text
+  .globl f
+  .type f, @function
+f: addi sp, sp, -16; sw ra, 12(sp); sw s0, 8(sp); mv s0, a0; li t3, 5; call declared; sw REG, 0(s0)
+   lw ra, 12(sp); lw s0, 8(sp); addi sp, sp, 16; ret
+  .size f, . - f
+  .globl declared
+  .type declared, @function
+declared: li t3, 7; ret
+  .size declared, . - declared
+)";
+  const auto with = [&](const char* reg) { return std::string(text).replace(text.find("REG"), 3, reg); };
+  if (Meaning("rv32imac", {with("t3")}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {with("t3")}), "not known");
+  EXPECT_EQ(Meaning("rv32imac", {with("zero")}), "0");
+}
+
+TEST(ObjectCode, InlineFunctionsMustBeAlike) {
+  const auto file = [](const std::string& number, const std::string& more) {
+    return "  .section .text.g, \"axG\", @progbits, g, comdat\n  .weak g\n  .type g, @function\ng: li a1, " + number +
+           "; ret\n  .size g, . - g\n" + more;
+  };
+  const std::string caller = R"(
+  .section .text.f, "ax"
+  .globl f
+  .type f, @function
+f: addi sp, sp, -16; sw ra, 12(sp); call g; sw a1, 0(a0); lw ra, 12(sp); addi sp, sp, 16; ret
+  .size f, . - f
+)";
+  if (Meaning("rv32imac", {file("5", caller)}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {file("5", caller), file("5", "")}), "5");
+  EXPECT_EQ(Meaning("rv32imac", {file("5", caller), file("6", "")}), "a call of g");
+  EXPECT_EQ(Meaning("rv32imac", {file("6", ""), file("5", caller)}), "a call of g");
+}
+
+}  // namespace
+}  // namespace plcxx::prove
