@@ -148,7 +148,6 @@ Value Lowering::InBitField(const Value& digits, const Lvalue& lvalue) {
   const Expr nowhere;
   const int64_t mask = (int64_t{1} << field.bit_width) - 1;
   Value result = BinaryInteger(BinaryOp::kBitAnd, Convert(digits, wide), Number(mask, wide, 16), nowhere);
-  result.bounds = {0, mask};
   if (type.is_signed) {
     // Its highest bit is the sign: (u ^ s) - s.
     const Value sign = Number(int64_t{1} << (field.bit_width - 1), wide, 16);
@@ -177,14 +176,18 @@ void Lowering::StoreBitField(const Lvalue& lvalue, const Value& value) {
   index_is_checked_ = was_checked;
 }
 
+/// W4, once for each variable.
+void Lowering::CheckAssigned(VariableId id, ExprId at) {
+  if (!flow_.unassigned.contains(id) || !read_unassigned_.insert(id.index).second) return;
+  diagnostics_.Report(ExprAt(at).range, diag::HncReadBeforeWrite, unit_.variables[id].name);
+}
+
 Value Lowering::Load(const Lvalue& lvalue) {
   if (lvalue.bit_field != nullptr) return LoadBitField(lvalue);
   const Type& type = TypeAt(lvalue.type);
   if (!IsArithmetic(type)) return Zero(int_);
   if (lvalue.local.valid()) {
-    if (flow_.unassigned.contains(lvalue.local) && read_unassigned_.insert(lvalue.local.index).second) {
-      diagnostics_.Report(ExprAt(lvalue.expr).range, diag::HncReadBeforeWrite, unit_.variables[lvalue.local].name);
-    }
+    CheckAssigned(lvalue.local, lvalue.expr);
     Value value = Make(builder_.Load(local_places_[lvalue.local.index]), lvalue.type);
     if (IsInteger(type)) {
       const std::optional<Bounds> known = flow_.Find(*CellOf(lvalue));

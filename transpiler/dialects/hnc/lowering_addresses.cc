@@ -172,7 +172,10 @@ Address Lowering::EvaluatePointer(ExprId id) {
     }
     case ExprKind::kLoad: {
       const Expr& source = ExprAt(expr.a);
-      if (source.kind == ExprKind::kVariable) return PointerIn(source.variable);
+      if (source.kind == ExprKind::kVariable) {
+        CheckAssigned(source.variable, expr.a);
+        return PointerIn(source.variable);
+      }
       if (source.kind != ExprKind::kIndex || ExprAt(source.a).kind != ExprKind::kVariable) break;
       const VariableId table = ExprAt(source.a).variable;
       if (unit_.variables[table].view) return TableElement(expr);
@@ -195,6 +198,7 @@ Address Lowering::EvaluatePointer(ExprId id) {
       const Expr& target = ExprAt(expr.a);
       if (target.kind != ExprKind::kVariable) break;
       const bool increments = expr.kind == ExprKind::kIncrement;
+      CheckAssigned(target.variable, expr.a);
       const Value step = increments ? Number(1, int_) : Evaluate(expr.b);
       const Address before = PointerIn(target.variable);
       Address after = before;

@@ -209,6 +209,7 @@ class Lowering {
 
   // --- accesses (lowering_accesses.cc) ---
   Value Load(const Lvalue& lvalue);
+  void CheckAssigned(VariableId id, ExprId at);
   void Store(const Lvalue& lvalue, const Value& value);
   ir::ValueId LoadAt(const Address& address, ir::Type type, ExprId at);
   void StoreAt(const Address& address, ir::Type type, ir::ValueId value, ExprId at);
