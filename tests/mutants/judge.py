@@ -11,7 +11,7 @@ import tests_seen
 BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
-MOST = 300                  # scenarios: of what nearly all of them execute, some say nothing new
+MOST = 150                  # scenarios: of what nearly all of them execute, some say nothing new
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
