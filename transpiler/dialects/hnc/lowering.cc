@@ -115,6 +115,14 @@ void Lowering::BeginLocals(const Function& function) {
     const ir::Type type = program_.places[copied->second].type;
     builder_.Store(PlaceAt(objects_.OfVariable(id), 0, type), builder_.Load(copied->second));
   }
+  block_locals_ = {};
+  for (const StatementId block : statements_) {
+    const bool plain = unit_.statements[block].kind == StatementKind::kCompound && block != function.body;
+    if (!plain || IsEntered(block)) continue;
+    for (const StatementId part : unit_.statements[block].body) {
+      for (const VariableId id : unit_.statements[part].variables) block_locals_.insert(id.index);
+    }
+  }
   for (const VariableId id : function.locals) {
     const Variable& variable = unit_.variables[id];
     if (variable.storage != Storage::kAutomatic) continue;
@@ -133,7 +141,11 @@ void Lowering::BeginLocals(const Function& function) {
       ClearMemory(id);
     }
     const bool scalar = IsArithmetic(type) || type.kind == TypeKind::kPointer;
-    if (scalar && !facts_.IsInMemory(id)) flow_.unassigned.insert(id);
+    if (!scalar || facts_.IsInMemory(id)) {
+      block_locals_.erase(id.index);
+    } else if (!block_locals_.contains(id.index)) {
+      flow_.unassigned.insert(id);
+    }
   }
 }
 

@@ -502,6 +502,7 @@ class Lowering {
   source::Range statement_range_;
   std::unordered_set<uint32_t> refused_pointers_;  // by VariableId
   std::unordered_set<uint32_t> read_unassigned_;   // likewise: reported
+  std::unordered_set<uint32_t> block_locals_;      // likewise: scalars of blocks that no jump leads into
   uint64_t rounds_around_ = 1;
   bool unreachable_reported_ = false;
   ir::PlaceId critical_flag_;

@@ -220,8 +220,20 @@ void Lowering::LowerBody(const std::vector<StatementId>& body, bool last) {
   for (size_t i = 0; i < body.size(); ++i) Lower(body[i], last && i + 1 == body.size());
 }
 
+/// The automatic variables of a block that is entered at its beginning alone have no value there, and are forgotten at
+/// its end: each branch copies and joins what has no value yet.
 void Lowering::Compound(const Statement& statement, bool last) {
+  const auto for_each_own = [&](auto visit) {
+    for (const StatementId part : statement.body) {
+      if (unit_.statements[part].kind != StatementKind::kDeclaration) continue;
+      for (const VariableId id : unit_.statements[part].variables) {
+        if (block_locals_.contains(id.index)) visit(id);
+      }
+    }
+  };
+  for_each_own([&](VariableId id) { flow_.unassigned.insert(id); });
   LowerBody(statement.body, last);
+  for_each_own([&](VariableId id) { flow_.unassigned.erase(id); });
   CommentsAtEnd(statement.close);
 }
 
