@@ -324,6 +324,49 @@ routine fast fast {
   EXPECT_EQ(After(routines), routines);
 }
 
+TEST(RemoveDeadLocals, WhatOneRoutineAloneReadsFirstIsKeptFromCallToCall) {
+  const std::string routines = R"(routine callee subroutine {
+  %0 = load rounds
+  %1 = eq.i32 %0 %0
+  store a %1
+  store rounds %0
+}
+routine fast fast {
+  call callee ()
+  call callee ()
+}
+)";
+  EXPECT_EQ(After(routines), routines);
+}
+
+TEST(RemoveDeadLocals, WhatOneRoutineAloneWritesFirstEndsWithIt) {
+  EXPECT_EQ(After(R"(routine callee subroutine {
+  %0 = const i32 1
+  store rounds %0
+  %1 = load rounds
+  %2 = eq.i32 %1 %1
+  store a %2
+  store rounds %1
+}
+routine fast fast {
+  call callee ()
+  call callee ()
+}
+)"),
+            R"(routine callee subroutine {
+  %0 = const i32 1
+  store rounds %0
+  %1 = load rounds
+  %2 = eq.i32 %1 %1
+  store a %2
+}
+routine fast fast {
+  call callee ()
+  call callee ()
+}
+)");
+}
+
 TEST(RemoveDeadLocals, ParametersStay) {
   const std::string routines = R"(routine slow slow (slice : i32 = slice) {
   %0 = const i32 1

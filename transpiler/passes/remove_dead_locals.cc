@@ -21,7 +21,8 @@ using ir::RegionId;
 
 constexpr uint32_t kUntracked = ~0u;
 
-/// A set of locals, in words: each branch copies and joins sets of all locals of the program.
+/// A set of locals, in words: each branch copies and joins sets of all locals that the routine may meet. The shared
+/// ones come first: of two sets of different size these are what both have.
 class Live {
  public:
   explicit Live(uint32_t locals) : words_((locals + kBits - 1) / kBits) {}
@@ -34,19 +35,28 @@ class Live {
   void Add(uint32_t local) { words_[local / kBits] |= uint64_t{1} << local % kBits; }
   void Remove(uint32_t local) { words_[local / kBits] &= ~(uint64_t{1} << local % kBits); }
   void Join(const Live& other) {
-    for (size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+    const size_t common = std::min(words_.size(), other.words_.size());
+    for (size_t i = 0; i < common; ++i) words_[i] |= other.words_[i];
   }
   void Intersect(const Live& other) {
-    for (size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+    const size_t common = std::min(words_.size(), other.words_.size());
+    for (size_t i = 0; i < common; ++i) words_[i] &= other.words_[i];
+  }
+  /// The first of them, as many as `Live(locals)` has room for.
+  Live First(uint32_t locals) const {
+    Live first(locals);
+    first.Join(*this);
+    return first;
   }
   bool operator==(const Live&) const = default;
 
- private:
   static constexpr uint32_t kBits = 64;
+
+ private:
   std::vector<uint64_t> words_;
 };
 
-/// What a subroutine does to its caller's locals.
+/// What a subroutine does to its caller's locals: of those that are shared.
 struct Summary {
   Live reads;   // before it writes them
   Live passes;  // those that it may leave as they are
@@ -55,8 +65,11 @@ struct Summary {
 
 struct Analysis {
   ir::Program& program;
-  std::vector<uint32_t> local_of;  // by PlaceId; kUntracked: not a local, or one that overlaps another
-  uint32_t locals = 0;
+  std::vector<uint32_t> local_of;             // by PlaceId; kUntracked: not a local, or one that overlaps another
+  uint32_t locals = 0;                        // that the routine may meet
+  uint32_t shared = 0;                        // of these, by whole words of a set
+  std::vector<uint32_t> own = {};             // how many more, by RoutineId
+  bool alone = false;                         // calls are passed over
   std::vector<Summary> summaries;             // by RoutineId
   std::unordered_map<uint32_t, Live> behind;  // by InstId of an open block or loop: live where an Exit leads
   std::unordered_map<uint32_t, Live> head;    // by InstId of an open loop: live where a Repeat leads
@@ -65,6 +78,9 @@ struct Analysis {
   std::vector<bool> dead = {};  // by InstId
 
   void FindLocals();
+  void Divide();
+  template <class Visit>
+  void ForEachTouched(ir::RoutineId id, Visit&& visit) const;
   std::vector<ir::RoutineId> CalleesFirst() const;
   Live Routine(ir::RoutineId id, Live after);
   void Region(RegionId region, Live& live);
@@ -122,6 +138,77 @@ void Analysis::FindLocals() {
   }
 }
 
+/// visit(local) for each access in the routine.
+template <class Visit>
+void Analysis::ForEachTouched(ir::RoutineId id, Visit&& visit) const {
+  const auto touch = [&](uint32_t place) {
+    if (place < local_of.size() && local_of[place] != kUntracked) visit(local_of[place]);
+  };
+  const ir::Routine& routine = program.routines[id];
+  for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+    if (!region.valid()) continue;
+    ir::ForEachInst(program, region, [&](InstId at) {
+      const Inst& inst = program[at];
+      const ir::Shape shape = ir::Info(inst.op).shape;
+      if (shape == ir::Shape::kLoad || shape == ir::Shape::kStore) touch(inst.payload);
+      if (shape == ir::Shape::kLoop) touch(program.loops[ir::LoopId(inst.payload)].budget.index);
+    });
+  }
+}
+
+/// Most locals are of one routine alone, which writes them before it reads them: no caller and no callee sees anything
+/// of them. They are in the sets of this routine only, and those of all routines have the same numbers.
+void Analysis::Divide() {
+  constexpr uint32_t kNobody = ~0u, kSeveral = ~0u - 1;
+  std::vector<uint32_t> user(locals, kNobody), number(locals);
+  const auto routines = static_cast<uint32_t>(program.routines.size());
+  for (uint32_t i = 0; i < routines; ++i) {
+    ForEachTouched(ir::RoutineId(i), [&](uint32_t local) {
+      if (user[local] != i) user[local] = user[local] == kNobody ? i : kSeveral;
+    });
+  }
+  const std::vector<uint32_t> all = std::exchange(local_of, {});
+  const auto renumber = [&](auto is_wanted) {
+    local_of.assign(all.size(), kUntracked);
+    for (size_t place = 0; place < all.size(); ++place) {
+      if (all[place] != kUntracked && is_wanted(all[place])) local_of[place] = number[all[place]];
+    }
+  };
+  const auto count_own = [&] {
+    own.assign(routines, 0);
+    for (uint32_t local = 0; local < user.size(); ++local) {
+      if (user[local] < routines) number[local] = own[user[local]]++;
+    }
+  };
+  // Who is read before it is written, when only its own routine is looked at, is not forgotten between two calls.
+  count_own();
+  renumber([&](uint32_t local) { return user[local] < routines; });
+  std::vector<std::vector<uint32_t>> of_routine(routines);
+  for (uint32_t local = 0; local < user.size(); ++local) {
+    if (user[local] < routines) of_routine[user[local]].push_back(local);
+  }
+  alone = true;
+  for (uint32_t i = 0; i < routines; ++i) {
+    locals = own[i];
+    if (locals == 0) continue;
+    const Live before = Routine(ir::RoutineId(i), Live(locals));
+    for (const uint32_t local : of_routine[i]) {
+      if (before.Has(number[local])) user[local] = kSeveral;
+    }
+  }
+  alone = false;
+  shared = 0;
+  count_own();
+  for (uint32_t local = 0; local < user.size(); ++local) {
+    if (user[local] == kSeveral) number[local] = shared++;
+  }
+  shared = (shared + Live::kBits - 1) / Live::kBits * Live::kBits;
+  for (uint32_t local = 0; local < user.size(); ++local) {
+    if (user[local] < routines) number[local] += shared;
+  }
+  renumber([&](uint32_t local) { return user[local] != kNobody; });
+}
+
 std::vector<ir::RoutineId> Analysis::CalleesFirst() const {
   std::vector<ir::RoutineId> order;
   std::vector<bool> seen(program.routines.size());
@@ -152,6 +239,7 @@ void Analysis::Store(InstId id, Live& live) {
 }
 
 void Analysis::Call(const Inst& inst, Live& live) {
+  if (alone) return;
   Summary& callee = summaries[program.calls[ir::CallId(inst.payload)].routine.index];
   // A partition that the schedule calls has locals of its own.
   if (program.routines[program.calls[ir::CallId(inst.payload)].routine].kind != ir::RoutineKind::kSubroutine) return;
@@ -298,21 +386,27 @@ void RemoveDeadLocals(ir::Program& program) {
   Analysis analysis{.program = program};
   analysis.FindLocals();
   if (analysis.locals == 0) return;
-  const Live none(analysis.locals), all = Live::All(analysis.locals);
-  analysis.summaries.assign(program.routines.size(), {.reads = none, .passes = all, .after = none});
+  analysis.Divide();
+  const Live none(analysis.shared);
+  analysis.summaries.assign(program.routines.size(),
+                            {.reads = none, .passes = Live::All(analysis.shared), .after = none});
   const std::vector<ir::RoutineId> order = analysis.CalleesFirst();
   for (const ir::RoutineId id : order) {
-    Live reads = analysis.Routine(id, none);
-    Live passes = analysis.Routine(id, all);
-    analysis.summaries[id.index].reads = std::move(reads);
-    analysis.summaries[id.index].passes = std::move(passes);
+    analysis.locals = analysis.shared + analysis.own[id.index];
+    const Live reads = analysis.Routine(id, Live(analysis.locals));
+    const Live passes = analysis.Routine(id, Live::All(analysis.locals));
+    analysis.summaries[id.index].reads = reads.First(analysis.shared);
+    analysis.summaries[id.index].passes = passes.First(analysis.shared);
   }
   analysis.collects = true;
   analysis.removes = true;
   analysis.dead.assign(program.insts.size(), false);
   for (const ir::RoutineId id : std::views::reverse(order)) {
+    analysis.locals = analysis.shared + analysis.own[id.index];
     const bool shares = program.routines[id].kind == ir::RoutineKind::kSubroutine;
-    analysis.Routine(id, shares ? analysis.summaries[id.index].after : none);
+    Live after(analysis.locals);
+    if (shares) after.Join(analysis.summaries[id.index].after);
+    analysis.Routine(id, std::move(after));
   }
   analysis.Sweep();
 }

@@ -62,7 +62,7 @@ def seconds(plcxx, words, folder, tries, answers=ANSWERS):
 
 
 def exponent(few, many):
-    return math.log(many / (few + NOISE_SECONDS), TIMES) if many < math.inf else math.inf
+    return math.log(many / (few + NOISE_SECONDS), TIMES) if max(few, many) < math.inf else math.inf
 
 
 def measure(args, start, folder, path, program, words, answers):

@@ -155,9 +155,9 @@ std::optional<ir::Place> MemoryPlace(const ir::Program& program, std::string_vie
 }
 
 std::optional<ir::Place> PlaceOf(const ir::Program& program, std::string_view text) {
-  auto thing = FindName(program, text);
+  auto thing = ReadDocumentedAddress(text);  // no name has its '+'
+  if (!thing) thing = FindName(program, text);
   if (thing && thing->kind == SymbolKind::kMechanism) return MechanismPlace(program, text);
-  if (!thing) thing = ReadDocumentedAddress(text);
   if (thing && thing->kind == SymbolKind::kBit) {
     return MemoryPlace(program, text, thing->area, thing->offset, 1, thing->bit);
   }

@@ -1,5 +1,6 @@
 #include "transpiler/dialects/technol/memory.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string_view>
 
@@ -79,8 +80,10 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
 }
 
 Memory::Memory(const ir::Program& program) {
+  // They are the first ones; behind them each mechanism may have its own.
+  const auto most = static_cast<uint32_t>(std::min<size_t>(program.spaces.size(), std::size(kSpaceRows)));
   for (const SpaceRow& row : kSpaceRows) {
-    for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    for (uint32_t i = 0; i < most; ++i) {
       if (program.spaces[ir::SpaceId(i)].name == row.name) spaces_[static_cast<size_t>(row.key)] = ir::SpaceId(i);
     }
   }

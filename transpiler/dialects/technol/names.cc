@@ -1,5 +1,6 @@
 #include "transpiler/dialects/technol/names.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "transpiler/dialects/technol/memory.h"
@@ -99,12 +100,11 @@ std::optional<NamedThing> ReadDocumentedAddress(std::string_view text) {
 
 std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name) {
   if (name.empty()) return std::nullopt;
-  const ir::Documentation* folded = nullptr;
+  const auto exact = std::ranges::find(program.documentation, name, &ir::Documentation::symbols);
+  if (exact != program.documentation.end()) return ReadAddress(exact->address);
   for (const ir::Documentation& row : program.documentation) {
-    if (row.symbols == name) return ReadAddress(row.address);
-    if (folded == nullptr && EqualIgnoringCase(row.symbols, name)) folded = &row;
+    if (EqualIgnoringCase(row.symbols, name)) return ReadAddress(row.address);
   }
-  if (folded != nullptr) return ReadAddress(folded->address);
   for (const Signal& signal : Signals()) {
     if (EqualIgnoringCase(signal.name, name)) return OfSignal(signal);
   }
