@@ -47,6 +47,8 @@ PROMISES = [
      "tests/policy/explain.cc", None),
     ("code in a remedy compiles", "the code of the help texts is taken out and compiled (nc110, host50)",
      "tests/fuzz/cases", None),
+    ("nothing grows with the square of a program", "every kind of statement, so many lines and ten times as many",
+     "tests/fuzz/cases/growth.py", "growth"),
     ("broken and hostile input gives a message, never a crash, a hang or a leak", "a fuzzer of whole cases over all "
      "subcommands", "tests/fuzz/cases/run.py", "cases"),
     ("each subcommand takes each program", "every form of every subcommand over goldens and samples",

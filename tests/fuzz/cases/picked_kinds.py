@@ -1,6 +1,6 @@
 """Kinds of statements that no single golden program shows: many names, declarations and calls, faults, what is never closed.
 
-A program of a kind whose name begins with `wrong-` is refused, of any other one accepted.
+A program of a kind whose name begins with `wrong-` may be refused, of any other one it is accepted.
 """
 
 
