@@ -199,6 +199,43 @@ TEST(HncLowering, VariablesHaveTheirSignTheirValueAndTheirComment) {
   EXPECT_THAT(meanings.at("a"), HasSubstr("of the axis"));
 }
 
+// covers: HNC-308
+TEST(HncLowering, AHandlerThatIsChosenHasASlotOfItsName) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nvoid on(int ch) { mod_M_code(ch) = -1; mod_T_code(ch) = -1; }\nvoid init() { "
+            "plc1_time = 16; plc2_time = 32;\n"
+            "if (P[0]) { set_mst_func(0, 'T', on); set_mst_func(1, 'M', on); } }\nvoid never() { plc1_time = 500; }\n"
+            "void plc1() { }\nvoid plc2() { }\n");
+  std::vector<std::string> names;
+  for (const ir::Place& place : lowered.program().places) names.push_back(place.name);
+  EXPECT_THAT(names, Contains("handler_T0"));
+  EXPECT_THAT(names, Contains("handler_M1"));
+  // What no part reaches sets no period.
+  EXPECT_EQ(lowered.program().schedule.fast_every_ms, 16u);
+  EXPECT_EQ(lowered.program().schedule.slow_every_ms, 32u);
+}
+
+// covers: HNC-139
+TEST(HncLowering, IndexedPlacesHaveNamesThatSayWhereTheyBegin) {
+  const auto names = [](const std::string& statements) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements(statements));
+    std::vector<std::string> found;
+    for (const ir::Place& place : lowered.program().places) {
+      if (place.indexed && lowered.program().spaces[place.space].name != "system") found.push_back(place.name);
+    }
+    return found;
+  };
+  EXPECT_THAT(names("table[a] = 1;"), Contains("table"));
+  EXPECT_THAT(names("((unsigned char *)table)[a] = 1;"), Contains("table_from_0_by_1"));
+  EXPECT_THAT(names("R[a] = 1;"), Contains("R"));
+  EXPECT_THAT(names("R_ui[a] = 1;"), Contains("R_ui"));
+  EXPECT_THAT(names("R_ul[a] = 1;"), Contains("R_ul"));
+  EXPECT_THAT(names("P[a] = 1;"), Contains("P"));
+  EXPECT_THAT(names("*G_uc[a] = 1;"), Contains("G_uc_by_2"));
+}
+
 // covers: HNC-344
 TEST(HncLowering, AVariableIsReportedOnceAsReadBeforeWritten) {
   LoweredProgram lowered;

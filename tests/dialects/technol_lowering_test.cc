@@ -159,6 +159,18 @@ TEST(TechnolLowering, WhatUsesAValueOfAnEarlierStatementIsAStatementOfItsOwn) {
   EXPECT_EQ(statements("LOD W\nLDR A\nWR B\nAD W\nSTO W\n"), 3);
 }
 
+TEST(TechnolLowering, ACommentInFrontOfTheEndOfAModuleIsKeptThere) {
+  LoweredProgram lowered;
+  LowerInto(lowered, TechnolProgram("LDR A\nWR B\n; the last one\n", "S: LDR A\nWR C\nRET\n"));
+  const std::vector<std::string> lines = lowered.Routine("MODULE_MAIN");
+  EXPECT_EQ(lines.back(), "stmt");
+  std::vector<std::string> comments;
+  for (const ir::Statement& statement : lowered.program().statements) {
+    for (const source::Range comment : statement.comments) comments.emplace_back(lowered.sources.Text(comment));
+  }
+  EXPECT_THAT(comments, Contains(testing::HasSubstr("the last one")));
+}
+
 TEST(TechnolLowering, AModuleThatTheSchedulerDoesNotKnowIsARoutineOfItsName) {
   LoweredProgram lowered;
   LowerInto(

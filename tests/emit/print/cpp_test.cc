@@ -93,6 +93,14 @@ TEST(Temporaries, AValueUsedTwiceGetsAName) {
   EXPECT_THAT(source, HasSubstr("  const bool t1 = m[a];\n  m[b] = t1;\n  m[c] = t1;\n"));
 }
 
+TEST(Temporaries, AValueUsedVeryOftenGetsANameAsWell) {
+  for (const uint32_t uses : {255U, 256U, 257U, 513U}) {
+    std::string body = "%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\n";
+    for (uint32_t i = 0; i < uses; ++i) body += i % 2 == 0 ? "store c %2\n" : "store d %2\n";
+    EXPECT_THAT(Print(body).source, HasSubstr("  const bool t1 = m[a] & m[b];\n  m[c] = t1;\n  m[d] = t1;\n")) << uses;
+  }
+}
+
 TEST(Temporaries, APureValueOfAnOldReadUsesTheNameOfTheRead) {
   const std::string source = Print("%0 = load a\n%1 = load b\nstore a %1\n%2 = not.bit %0\nstore b %2").source;
   EXPECT_THAT(source, HasSubstr("  const bool t1 = m[a];\n  m[a] = m[b];\n  m[b] = !t1;\n"));
