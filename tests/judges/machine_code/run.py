@@ -2,10 +2,11 @@
 """Each row of plcxx verify --object against a processor: what the lifted instruction does to registers, flags and
 memory is what QEMU's processor does, and what a function of the compiler's library does is what libgcc's does.
 
-run.py RUNNER ROWS TARGET DIRECTORY [--each N] [--states N] [--seed N]
+run.py RUNNER ROWS TARGET DIRECTORY [--each N] [--states N] [--seed N] [--rounds N]
 
 ROWS is the folder of riscv.def, arm.def and library.def. Of each line of riscv.txt or arm.txt N instances are made with
-other registers and numbers; LLVM's disassembler says which row each is. A row without an instance is a failure.
+other registers and numbers, in each round with another seed; LLVM's disassembler says which row each is. A row without an
+instance is a failure.
 """
 import argparse
 import os
@@ -170,6 +171,7 @@ def main():
     parser.add_argument("--each", type=int, default=6)
     parser.add_argument("--states", type=int, default=4)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--rounds", type=int, default=1)
     settings = parser.parse_args()
     target = TARGETS[settings.target]
     for tool in (target.compiler, target.emulator[0], target.disassembler[0]):
@@ -177,7 +179,11 @@ def main():
             print(f"not judged: there is no {tool}")
             return 77
     os.makedirs(settings.directory, exist_ok=True)
-    rng = random.Random(settings.seed)
+    return max(judge_once(target, settings, settings.seed + i) for i in range(settings.rounds))
+
+
+def judge_once(target, settings, seed):
+    rng = random.Random(seed)
     instances = []
     for line in open(os.path.join(HERE, target.table + ".txt")):
         if line.strip() and not line.startswith("#"):
