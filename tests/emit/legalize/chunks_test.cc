@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <map>
 
 #include "transpiler/emit/legalize/legalize.h"
@@ -81,6 +82,20 @@ TEST(Chunks, AreBetweenTheLimits) {
   EXPECT_EQ(total, 2000u);
   EXPECT_GE(emittable.chunks.size(), 20u);
   EXPECT_LE(emittable.chunks.size(), 81u);
+}
+
+TEST(Chunks, OfOneSubjectAreToldApartByTheirFirstStatement) {
+  ir::Program program = CoilProgram(Sequence(300));
+  for (ir::Statement& statement : program.statements) statement.subject = "PUMP";
+  const Emittable emittable = Legalize(program, {.name = "coils"});
+  ASSERT_GT(emittable.chunks.size(), 2u);
+  for (size_t i = 0; i < emittable.chunks.size(); ++i) {
+    const Chunk& chunk = emittable.chunks[i];
+    const ir::Inst& mark = program[program.regions[chunk.region].insts[chunk.begin]];
+    char id[16];
+    std::snprintf(id, sizeof id, "_%08x", program.statements[ir::StatementId(mark.payload)].id);
+    EXPECT_EQ(chunk.name, std::string("slow_PUMP") + (i == 0 ? "" : id));
+  }
 }
 
 TEST(Chunks, AShortProgramIsOneFunction) {

@@ -43,6 +43,12 @@ TEST(NameTable, KnowsTheWordsOfCppAndOfTheGeneratedCode) {
   EXPECT_EQ(names.Allocate("t1", "U4A12"), "t1_U4A12");
   EXPECT_EQ(names.Allocate("t1a", "U4A13"), "t1a");
   EXPECT_EQ(names.Allocate("t", "U4A14"), "t");
+  EXPECT_EQ(names.Allocate("uint8_t", "U4A21"), "uint8_t_U4A21");
+  EXPECT_EQ(names.Allocate("int_fast7_t", "U4A22"), "int_fast7_t_U4A22");
+  EXPECT_EQ(names.Allocate("UINT9_MAX", "U4A23"), "UINT9_MAX_U4A23");
+  EXPECT_EQ(names.Allocate("INTPTR_WIDTH", "U4A24"), "INTPTR_WIDTH_U4A24");
+  EXPECT_EQ(names.Allocate("uint", "U4A25"), "uint");
+  EXPECT_EQ(names.Allocate("MY_MAX", "U4A26"), "MY_MAX");
   EXPECT_EQ(names.Allocate("round2", "U4A16"), "round2_U4A16");
   EXPECT_EQ(names.Allocate("OnDelayTimer", "U4A17"), "OnDelayTimer_U4A17");
   EXPECT_EQ(names.Allocate("OnDelayTimerTag", "U4A18"), "OnDelayTimerTag_U4A18");

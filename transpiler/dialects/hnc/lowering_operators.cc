@@ -30,8 +30,6 @@ constexpr Widths kAdd{OpKind::kAdd16, OpKind::kAdd32}, kSubtract{OpKind::kSub16,
     kSignedRemainder{OpKind::kSignedRem16, OpKind::kSignedRemOrZero32},
     kUnsignedRemainder{OpKind::kUnsignedRem16, OpKind::kUnsignedRemOrZero32};
 
-bool IsComparison(BinaryOp op) { return op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual; }
-
 OpKind ComparisonOf(BinaryOp op, const Type& type, bool with_sign) {
   switch (op) {
     case BinaryOp::kLess:
@@ -243,7 +241,7 @@ Value Lowering::Binary(BinaryOp op, const Value& a, const Value& b, const Expr& 
     if (op == BinaryOp::kBitOr) return FromBit(Pure(OpKind::kBitOr, {a.id, b.id}));
     if (op == BinaryOp::kBitXor || op == BinaryOp::kNotEqual) return FromBit(Pure(OpKind::kBitXor, {a.id, b.id}));
   }
-  if (a.is_bit && IsComparison(op) && (op == BinaryOp::kEqual || op == BinaryOp::kNotEqual)) {
+  if (a.is_bit && (op == BinaryOp::kEqual || op == BinaryOp::kNotEqual)) {
     // (x > 3) == 0: the truth value itself, or its opposite.
     const std::optional<int64_t> known = b.is_bit ? std::nullopt : KnownInteger(b);
     if (known == 0 || known == 1) {
