@@ -20,6 +20,16 @@ TEST(Groups, RowsOfNamesAreRanges) {
   EXPECT_EQ(NamesAsRanges({"U4A0", "U4A1"}), "U4A0, U4A1");
   EXPECT_EQ(NamesAsRanges({"DB 10", "DB 11", "DB 12"}), "DB 10..12");
   EXPECT_EQ(NamesAsRanges({"a", "b"}), "a, b");
+  EXPECT_EQ(NamesAsRanges({"LABEL_MEM+5:8", "LABEL_MEM+6:8", "LABEL_MEM+7:8", "LABEL_MEM+8:16"}),
+            "LABEL_MEM+5..7:8, LABEL_MEM+8:16");
+  EXPECT_EQ(NamesAsRanges({"T5.done", "T6.done", "T7.done", "T7.timing"}), "T5..7.done, T7.timing");
+  EXPECT_EQ(NamesAsRanges({"Y1.6", "Y1.7", "Y2.7", "Y3.7"}), "Y1.6, Y1..3.7");
+}
+
+TEST(Groups, OfManyRangesTheFirstOnesAreNamed) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 60; ++i) names.push_back("G[" + std::to_string(3 * i) + "]");
+  EXPECT_THAT(NamesAsRanges(names), testing::EndsWith(", G[69] and 36 more ranges"));
 }
 
 DiffItem Item(const std::string& name, ItemKind kind, ItemVerdict verdict, std::vector<std::string> through) {
@@ -32,7 +42,7 @@ DiffItem Item(const std::string& name, ItemKind kind, ItemVerdict verdict, std::
 }
 
 Diff Pump() {
-  Diff diff;
+  Diff diff{.changes_are_found = true};
   diff.items.push_back(Item("U4A0", ItemKind::kOutput, ItemVerdict::kUndecided, {"U100K0"}));
   diff.items.push_back(Item("U4A1", ItemKind::kOutput, ItemVerdict::kUndecided, {"U4A0"}));
   diff.items.push_back(Item("U4A2", ItemKind::kOutput, ItemVerdict::kUndecided, {"U4A1", "U4A0"}));
@@ -67,6 +77,24 @@ TEST(Groups, ManyThatReadEachOtherAreOneGroup) {
   const std::vector<DiffGroup> groups = GroupsOf(diff);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(NamesOf(groups[0]), "G[0..8]");
+}
+
+/// Of each kind one line, with all that they may follow from, though each follows from something else.
+TEST(Groups, ManyUndecidedOnesOfOneKindAreOneGroup) {
+  Diff diff{.changes_are_found = true};
+  for (const char* const cause : {"a", "b", "c"}) {
+    diff.items.push_back(Item("U_" + std::string(cause), ItemKind::kOutput, ItemVerdict::kUndecided, {cause}));
+    diff.items.push_back(Item(cause, ItemKind::kInternal, ItemVerdict::kUndecided, {}));
+  }
+  std::vector<DiffGroup> groups = GroupsOf(diff);
+  ASSERT_FALSE(groups.empty());
+  EXPECT_EQ(NamesOf(groups[0]), "U_a, U_b, U_c");
+  EXPECT_THAT(groups[0].causes, ElementsAre("a", "b", "c"));
+  // Nobody looked which have a change of their own: then nothing is claimed.
+  diff.changes_are_found = false;
+  groups = GroupsOf(diff);
+  EXPECT_EQ(NamesOf(groups[0]), "U_a, U_b, U_c");
+  EXPECT_THAT(groups[0].causes, testing::IsEmpty());
 }
 
 TEST(Groups, EachFormSaysThem) {

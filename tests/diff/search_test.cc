@@ -82,6 +82,51 @@ TEST(Search, ARenamedInputIsTheSameInput) {
   EXPECT_EQ(NamesIn(diff), "");
 }
 
+/// Four bytes that have to be right in one scan, on a machine that was at work for a while: nobody guesses them, and no
+/// run from power-on is short. The solver is asked what has to be set from there.
+TEST(Search, WhatHasToBeSetAtOnceIsComputedFromTheMachineAtWork) {
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  const auto program = [](const std::string& code) {
+    return "#include \"plc.h\"\nint n;\nvoid init() { plc1_time = 1; plc2_time = 1; }\nvoid plc1()\n{\n"
+           "    if (X[0] == 5) n++;\n    Y[0] = n > 40 && X[1] * 16777216L + X[2] * 65536L + X[3] * 256L + X[4] == " +
+           code + ";\n}\nvoid plc2() { }\n";
+  };
+  old_directory.Write("p.cld", program("1715004L"));
+  new_directory.Write("p.cld", program("1715005L"));
+  old_directory.Write("s.yaml",
+                      "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {\"X[0]\": 5}\n- run: {fast: 60}\n"
+                      "- set: {\"X[0]\": 0}\n- run: {fast: 2}\n");
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    CompilationRequest request;
+    request.sources = {"p.cld"};
+    request.base_directory = directory.path().string();
+    request.dialect = "hnc";
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const Diff diff = CompareSides(
+      old_side, new_side,
+      {.same = {}, .time_ms = 40'000, .scenario_directory = old_directory.path().string(), .progress = {}});
+  const DiffItem* const output = ItemNamed(diff, "Y[0]");
+  ASSERT_NE(output, nullptr);
+  ASSERT_TRUE(output->counterexample.has_value());
+  EXPECT_EQ(output->verdict, ItemVerdict::kDifferent);
+  EXPECT_FALSE(output->counterexample->from_state);
+  EXPECT_EQ(output->counterexample->replay, Replay::kSimulator);
+}
+
+/// An execution that is not done in time is given up: nothing is claimed, and that is no reason to compare nothing.
+TEST(Search, WhatIsNotExecutedInTimeIsNotDecided) {
+  const Diff diff = WithScenario(Lock("30"), Lock("50"), "- run: {slow: 1}\n").Compared(1);
+  EXPECT_EQ(diff.refusal, "");
+  EXPECT_EQ(diff.equal, 0U);
+  const DiffItem* const lamp = ItemNamed(diff, "U4A0");
+  ASSERT_NE(lamp, nullptr);
+  EXPECT_EQ(lamp->verdict, ItemVerdict::kUndecided);
+  EXPECT_EQ(lamp->reason, "the time was not enough");
+  EXPECT_EQ(ItemNamed(diff, "I0A0"), nullptr);
+}
+
 /// A lamp that was kept without power, and is not any more: only a power failure shows it.
 TEST(Search, PowerFailsInARun) {
   const std::string text =

@@ -78,7 +78,9 @@ struct Diff {
   std::vector<DiffItem> items;  // by their kind, each kind by address
   uint32_t equal = 0;           // items proved equal, which are not listed
   uint32_t invariants = 0;      // that their proofs needed
-  std::string refusal;          // not empty: nothing was compared, and why
+  /// Which items have a change of their own was found out: all others behave alike in every run in which those do.
+  bool changes_are_found = false;
+  std::string refusal;  // not empty: nothing was compared, and why
   /// Why what is shown was not run as generated code, where it should have been; else empty.
   std::string not_compiled;
   std::vector<ItemStatement> old_statements, new_statements;  // that the other version does not have

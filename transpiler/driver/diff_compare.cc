@@ -3,9 +3,10 @@
 #include <chrono>
 #include <iterator>
 #include <map>
-#include <set>
+#include <utility>
 
 #include "transpiler/driver/diff.h"
+#include "transpiler/driver/diff_causes.h"
 #include "transpiler/driver/diff_confirm.h"
 #include "transpiler/driver/diff_declared.h"
 #include "transpiler/driver/diff_items.h"
@@ -22,37 +23,12 @@ using prove::compare::PairResult;
 using prove::compare::PairVerdict;
 using prove::execute::CellId;
 
-/// One version with all that names and causes need.
-struct Named {
-  Named(const DiffSide& diff_side, const prove::compare::Version& side_version)
-      : side(diff_side),
-        compilation(diff_side.compilation),
-        version(side_version),
-        words(version, compilation),
-        accesses(AccessesOf(version)),
-        heads(HeadsOf(version)) {}
-
-  const DiffSide& side;
-  const Compilation& compilation;
-  const prove::compare::Version& version;
-  CellWords words;
-  std::vector<StatementAccess> accesses;
-  std::map<ir::StatementId, std::set<ir::StatementId>> heads;
-};
-
 ItemKind KindOf(const prove::compare::Version& version, CellId cell) {
   if (prove::execute::CellAt(*version.program, version.cells, cell).kind == prove::execute::CellKind::kCalls)
     return ItemKind::kCalls;
   if (prove::compare::DirectionOf(version, cell) == ir::Direction::kOutput) return ItemKind::kOutput;
   return prove::compare::IsRetentive(version, cell) ? ItemKind::kRetentive : ItemKind::kInternal;
 }
-
-/// All cells of one name, with the worst verdict of them.
-struct Gathered {
-  DiffItem item;
-  std::vector<CellId> old_cells, new_cells;
-  const PairResult* worst = nullptr;
-};
 
 ItemVerdict VerdictOf(const PairResult& pair) {
   switch (pair.verdict) {
@@ -123,121 +99,12 @@ void DropOrderOfCalls(std::vector<Gathered>& items, CellId order) {
   });
 }
 
-constexpr uint32_t kNoItem = 0xFFFFFFFF;
 constexpr int kMostExamples = 60;
 constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
 constexpr uint64_t kExampleShare = 10;    // of the time: for shorter runs
 constexpr uint64_t kLastShare = 6;        // of the time: left for that, and for showing them
 constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kSearchShare = 6;  // of the time: for runs
 constexpr uint64_t kSlicesShare = 6;  // of the time, where the slow part is in slices: for what is seen between them
-
-/// What the statements of one version do with the items, by index of the item.
-struct Touched {
-  std::vector<std::set<ir::StatementId>> writers;
-  std::map<ir::StatementId, std::set<uint32_t>> reads;  // differing items only
-};
-
-Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::vector<CellId> Gathered::* cells) {
-  std::vector<uint32_t> item_of(side.version.cells.count, kNoItem);
-  for (uint32_t i = 0; i < items.size(); ++i) {
-    if (items[i].item.verdict == ItemVerdict::kEqual) continue;
-    for (const CellId cell : items[i].*cells) item_of[cell.index] = i;
-  }
-  Touched touched{.writers = std::vector<std::set<ir::StatementId>>(items.size()), .reads = {}};
-  for (const StatementAccess& access : side.accesses) {
-    if (!access.statement.valid()) continue;
-    for (uint32_t cell = access.begin; cell < access.end; ++cell) {
-      if (item_of[cell] == kNoItem) continue;
-      if (access.writes) {
-        touched.writers[item_of[cell]].insert(access.statement);
-      } else {
-        touched.reads[access.statement].insert(item_of[cell]);
-      }
-    }
-  }
-  return touched;
-}
-
-/// The changed statements that write what `readers` read: a value may be another one in the middle of a scan only, and
-/// what has it then is not in the list.
-std::set<ir::StatementId> ChangedBefore(const Named& side, const std::set<ir::StatementId>& readers,
-                                        const StatementTexts& other_texts) {
-  std::vector<bool> read(side.version.cells.count);
-  for (const StatementAccess& access : side.accesses) {
-    if (access.writes || !readers.contains(access.statement)) continue;
-    for (uint32_t cell = access.begin; cell < access.end; ++cell) read[cell] = true;
-  }
-  std::set<ir::StatementId> writers;
-  for (const StatementAccess& access : side.accesses) {
-    if (!access.writes || !access.statement.valid()) continue;
-    for (uint32_t cell = access.begin; cell < access.end; ++cell) {
-      if (read[cell]) writers.insert(access.statement);
-    }
-  }
-  std::erase_if(writers, [&](ir::StatementId id) { return !StatementOf(side.side, id, other_texts).changed; });
-  return writers;
-}
-
-/// The changed statements that decide whether others are executed.
-std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::StatementId>& statements,
-                                       const StatementTexts& other_texts) {
-  const std::map<ir::StatementId, std::set<ir::StatementId>>& heads = side.heads;
-  std::set<ir::StatementId> around = statements;
-  std::vector<ir::StatementId> open(statements.begin(), statements.end());
-  while (!open.empty()) {
-    const auto found = heads.find(open.back());
-    open.pop_back();
-    if (found == heads.end()) continue;
-    for (const ir::StatementId head : found->second) {
-      if (around.insert(head).second) open.push_back(head);
-    }
-  }
-  std::erase_if(around, [&](ir::StatementId id) {
-    return statements.contains(id) || !StatementOf(side.side, id, other_texts).changed;
-  });
-  return around;
-}
-
-void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
-  const StatementTexts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
-  const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
-  const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
-  for (uint32_t i = 0; i < items.size(); ++i) {
-    DiffItem& item = items[i].item;
-    if (item.verdict == ItemVerdict::kEqual) continue;
-    std::set<std::string> through;
-    const auto add = [&](const Named& side, const Touched& touched, const StatementTexts& other_texts,
-                         std::vector<ItemStatement>& statements) {
-      for (const ir::StatementId id : touched.writers[i]) {
-        statements.push_back(StatementOf(side.side, id, other_texts));
-        const auto reads = touched.reads.find(id);
-        if (reads == touched.reads.end()) continue;
-        for (const uint32_t other : reads->second) {
-          if (other != i) through.insert(items[other].item.name);
-        }
-      }
-    };
-    add(old_side, old_touched, new_texts, item.old_statements);
-    add(new_side, new_touched, old_texts, item.new_statements);
-    item.through.assign(through.begin(), through.end());
-    ShowChangedLines(old_side.side, new_side.side, item);
-    const auto is_changed = [](const std::vector<ItemStatement>& statements) {
-      return std::ranges::any_of(statements, &ItemStatement::changed);
-    };
-    if (!item.changed_itself || is_changed(item.old_statements) || is_changed(item.new_statements)) continue;
-    const auto add_changed = [&](const auto& find) {
-      for (const ir::StatementId id : find(old_side, old_touched.writers[i], new_texts)) {
-        item.old_statements.push_back(StatementOf(old_side.side, id, new_texts));
-      }
-      for (const ir::StatementId id : find(new_side, new_touched.writers[i], old_texts)) {
-        item.new_statements.push_back(StatementOf(new_side.side, id, old_texts));
-      }
-    };
-    add_changed(ChangedHeads);
-    if (!is_changed(item.old_statements) && !is_changed(item.new_statements)) add_changed(ChangedBefore);
-    ShowChangedLines(old_side.side, new_side.side, item);
-  }
-}
 
 bool IsSliced(const ir::Program& program) {
   return std::ranges::any_of(program.routines, [](const ir::Routine& routine) { return routine.slices > 1; });
@@ -353,6 +220,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::optional<DirectedSearch> search;
+  uint32_t round = 0;
+  bool scenarios_are_run = false;
   const auto find_different = [&](const prove::compare::Sought& sought, prove::compare::Effort effort,
                                   uint64_t most_ms) {
     using prove::compare::Effort;
@@ -370,7 +239,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       return cells;
     };
     if (!search) search.emplace(old_side, new_side, old_version, new_version, match, old_named.words, sought.all);
-    const auto run_both = [&](const std::vector<CellId>& cells) {
+    const auto run_both = [&](const std::vector<CellId>& cells, Clock::time_point run_end) {
       if (cells.empty()) return;
       RunBoth(old_side, new_side,
               {.old_version = old_version,
@@ -378,24 +247,34 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                .match = match,
                .cells = cells,
                .effort = effort,
-               .end = compare_end},
+               .end = run_end,
+               .round = round},
               options, runs);
     };
     switch (effort) {
+      case Effort::kScenarios:
+        if (!std::exchange(scenarios_are_run, true)) search->RunScenarios(part(kScenariosShare), runs);
+        break;
       case Effort::kQuick:
-        search->RunScenarios(part(kScenariosShare), runs);
-        run_both(sought.all);
+        run_both(sought.all, compare_end);
         search->Run(open(), part(kQuickSearchShare), runs);
         break;
       case Effort::kThorough:
         search->Follow(sought.runs, part(kSearchShare), runs);
         search->Run(open(), part(kSearchShare), runs);
-        run_both(open());
+        run_both(open(), compare_end);
         break;
-      case Effort::kLasting:
+      case Effort::kLasting: {
         search->Follow(sought.runs, compare_end, runs);
-        search->Run(open(), std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms)), runs);
+        // By turns: what begins with a machine at work, and what waits long or counts from power-on.
+        ++round;
+        const Clock::time_point half_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms / 2));
+        const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
+        const bool is_run = open().size() <= kMostSought;
+        search->Run(open(), is_run ? half_end : lasting_end, runs);
+        if (is_run) run_both(open(), lasting_end);
         break;
+      }
     }
     std::vector<CellId> different;
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
@@ -403,7 +282,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   };
   const prove::compare::CompareResult result =
       prove::compare::CompareVersions(old_version, new_version, match, find_different, limits);
-  Diff diff{.invariants = result.invariants, .refusal = result.refusal};
+  Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),
                    .new_statements = ChangedStatements(new_side, old_side)};

@@ -19,11 +19,13 @@ struct DiffGroup {
   const DiffItem& first() const { return *items.front(); }
 };
 
-/// By kind, in the order of ItemKind; what changed itself before what follows from it, what differs before what is not
-/// decided. The diff outlives the groups.
+/// By kind, in the order of ItemKind; what differs before what is not decided, what changed itself before what follows
+/// from it. The diff outlives the groups.
 std::vector<DiffGroup> GroupsOf(const Diff& diff);
 
-/// "U4A0..3, U5K0, F byte 0..511": numbers at the end of names that follow each other are a range.
+/// "U4A0..3, U5K0, F byte 0..511, LABEL_MEM+5..44:8": names in which one number counts on are a range. Of many ranges
+/// the first ones; JSON has all names.
+inline constexpr size_t kMostRanges = 24;
 std::string NamesAsRanges(const std::vector<std::string>& names);
 std::string NamesOf(const DiffGroup& group);
 

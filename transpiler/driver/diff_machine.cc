@@ -153,4 +153,12 @@ uint64_t DiffMachine::Seen(prove::execute::CellId id) const {
   return value;
 }
 
+uint64_t DiffMachine::ValueOf(prove::execute::CellId id) const {
+  if (id.index >= version_.cells.calls) return 0;
+  if (byte_of_[id.index] != kNowhere) return Seen(id);
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  const std::span<const uint8_t> bytes = simulator_.Memory(cell.space);
+  return cell.offset < bytes.size() ? bytes[cell.offset] >> cell.bit & 1 : 0;
+}
+
 }  // namespace plcxx::driver

@@ -33,6 +33,9 @@ class DiffMachine {
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
   /// not show is 0.
   uint64_t Seen(prove::execute::CellId cell) const;
+  /// As Seen, and of memory that no picture shows, too; of calls 0.
+  uint64_t ValueOf(prove::execute::CellId cell) const;
+  uint64_t time_ms() const { return clock_.time_ms(); }
   /// The calls between the last two pictures.
   const std::vector<sim::HostEvent>& events() const { return events_; }
 

@@ -192,7 +192,7 @@ std::vector<std::string> RunsOf(const DiffGroup& group) {
     Counterexample example = *item->counterexample;
     const bool is_same = !lines.empty() && !example.steps.empty() && example.steps == steps;
     steps = example.steps;
-    if (is_same) example.steps = "behind the same run";
+    if (is_same) example.steps = "after the same run";
     lines.push_back((group.items.size() == 1 ? std::string() : item->name + ": ") + ExampleText(example));
   }
   if (more != 0) lines.push_back(RestOfRuns(more));

@@ -24,7 +24,6 @@ constexpr int kSpareRuns = 6;
 constexpr uint64_t kRandomShare = 5, kQuickShare = 80;  // of the time: a fifth, an eightieth
 constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
 constexpr uint32_t kLeastPulses = 20;
-constexpr size_t kMostSought = 400;
 constexpr uint64_t kWatchedMs = 30'000;  // from power-on
 
 /// The control does what it was asked for now and then: the requests are cleared before some of the steps.
@@ -150,7 +149,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
   const bool has_fast = prove::compare::HasFastPart(old_version) || prove::compare::HasFastPart(new_version);
-  Random random(quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03);
+  Random random((quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03) + request.round);
   const auto run_both = [&](Stimuli stimuli) {
     AddDoneRequests(random, requests, stimuli);
     DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
@@ -221,7 +220,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       if (difference.run >= first_run) telling = InputsAfter(result.runs[difference.run], difference.steps);
     }
   };
-  for (int run = 0; !quick && run < kHoldRuns && !behind.empty() && !late(); ++run) {
+  const auto first_run = static_cast<int>(request.round) * kHoldRuns;
+  for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
     const std::vector<prove::compare::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));

@@ -43,8 +43,11 @@ struct RunRequest {
   const prove::compare::Match& match;
   const std::vector<prove::execute::CellId>& cells;  // old ones: what is looked at
   prove::compare::Effort effort{};
-  std::chrono::steady_clock::time_point end;  // of the whole comparison
+  std::chrono::steady_clock::time_point end;
+  uint32_t round = 0;  // of thorough searches: each has other inputs
 };
+
+inline constexpr size_t kMostSought = 400;  // cells, of a search that is not quick; of more it does nothing
 
 /// Runs of both versions from power-on, in the simulator, with the same random inputs at the same time. A thorough
 /// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See diff_search.h

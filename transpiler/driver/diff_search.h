@@ -3,8 +3,10 @@
 // Both versions run beside each other in the simulator. First come the scenarios that stand beside the old version, as
 // they are. Then it goes back again and again to a moment that was seen, and does something unexpected there. Moments
 // that are gone back to: those at which something differs already, for more follows from it; those at which what the
-// changed statements read was not seen like this before; those between two steps of a scenario. In: two versions. Out:
-// a run for each cell that was seen to differ. Not its job: making a run short, proofs.
+// changed statements read was not seen like this before; those between two steps of a scenario. Of each such moment a
+// solver is asked what has to be set there so that a difference is seen within a few periods: that hits what has to be
+// set in one scan. In: two versions. Out: a run for each cell that was seen to differ. Not its job: making a run short,
+// proofs.
 #pragma once
 
 #include <chrono>
@@ -33,7 +35,7 @@ class DirectedSearch {
   void RunScenarios(Time end, RandomRuns& result);
   /// Runs that a solver computed, each once: from their ends there is more to be seen.
   void Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result);
-  /// Until `end`, or until each of `sought` (old cells) has differed.
+  /// Until `end`, or until each of `sought` (old cells, those that matter most first) has differed.
   void Run(const std::vector<prove::execute::CellId>& sought, Time end, RandomRuns& result);
 
  private:
@@ -50,6 +52,7 @@ class DirectedSearch {
     Stimuli stimuli;  // from power-on
     uint64_t periods = 0;
     size_t scenario = 0, next_step = 0;  // of the known runs, of which it is the continuation
+    bool is_asked = false;               // what has to be set there
   };
   /// Why a moment is kept.
   enum class Kept : uint8_t { kDiffers, kNew, kBetweenSteps };
@@ -61,6 +64,7 @@ class DirectedSearch {
   void FindInputs();
   bool Late() const { return std::chrono::steady_clock::now() >= end_; }
   void GoTo(const Moment& moment);
+  Moment Here() const;
   void Keep(Kept why);
   /// Goes back to a moment.
   void GoBack();
@@ -71,6 +75,10 @@ class DirectedSearch {
   /// A number for what the changed statements read.
   uint64_t Signature() const;
   Stimulus Unexpected();
+  /// The next moment of which the solver was not asked yet; null: there is none.
+  Moment* NextToAsk();
+  /// Asks the solver what has to be set at the moment, and does that.
+  void Aim(Moment& moment, const std::vector<prove::execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
 
   const DiffSide& old_side_;
@@ -97,6 +105,10 @@ class DirectedSearch {
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;
   size_t followed_ = 0;  // computed runs
+  uint32_t period_ms_ = 1;
+  uint32_t pass_periods_ = 1;  // of a whole slow pass
+  prove::compare::Uses old_uses_, new_uses_;
+  std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
   bool has_new_difference_ = false;
   prove::terms::Random random_{0x8EBC6AF09C88C6E3};
 };

@@ -81,9 +81,7 @@ void SetVerdicts(Comparison& comparison) {
   }
 }
 
-/// Gives how many open pairs differ.
-uint32_t MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort,
-                       uint64_t most_ms = 0) {
+Sought SoughtOf(const Comparison& comparison) {
   Sought sought;
   for (const PairResult& result : comparison.results) {
     sought.all.push_back(result.old_cell);
@@ -91,6 +89,17 @@ uint32_t MarkDifferent(Comparison& comparison, const FindDifferent& find_differe
     if (!comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided)
       sought.open.push_back(result.old_cell);
   }
+  std::ranges::stable_sort(sought.open, {}, [&comparison](execute::CellId cell) {
+    if (comparison.results[comparison.result_of_old[cell.index]].changed_itself) return 0;
+    return DirectionOf(comparison.old_version, cell) == ir::Direction::kOutput ? 1 : 2;
+  });
+  return sought;
+}
+
+/// Gives how many open pairs differ.
+uint32_t MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort,
+                       uint64_t most_ms = 0) {
+  const Sought sought = SoughtOf(comparison);
   if (sought.open.empty()) return 0;
   comparison.Report("running both");
   uint32_t added = 0;
@@ -121,15 +130,29 @@ void SeparateUndecided(Comparison& comparison) {
   }
 }
 
+/// What anybody may set and neither version writes is no item of a comparison that was not finished.
+void LeaveOutInputs(Comparison& comparison) {
+  for (PairResult& result : comparison.results) {
+    const bool written =
+        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    if (result.verdict == PairVerdict::kUndecided && !written && comparison.IsInput(result.old_cell))
+      result.verdict = PairVerdict::kUntouched;
+  }
+}
+
 CompareResult Finish(Comparison& comparison, uint32_t invariants) {
+  if (comparison.Late()) LeaveOutInputs(comparison);
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
-  CompareResult result{.pairs = std::move(comparison.results), .refusal = comparison.refusal, .invariants = invariants};
+  CompareResult result{.pairs = std::move(comparison.results),
+                       .refusal = comparison.refusal,
+                       .invariants = invariants,
+                       .changes_are_found = comparison.changes_are_found};
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
                   : many && pair.changed_itself
                       ? "no run or state that was tried shows a difference, and equality is not proved"
-                  : many ? "too much is behind the change to look at each"
+                  : many ? "the change reaches too much to look at each"
                          : "no run of " + std::to_string(comparison.limits.most_periods) +
                                " periods from power-on shows a difference, and equality is not proved";
   }
@@ -190,28 +213,38 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   Comparison comparison(old_version, new_version, match, limits);
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
+  // What a scenario shows needs no proof, and scenarios are there however large the program is.
+  if (find_different)
+    comparison.before_questions = [&] { find_different(SoughtOf(comparison), Effort::kScenarios, 0); };
+  // What is not executed to its end in time is not decided, but what runs have shown is known.
+  const auto finish_early = [&] {
+    for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
+    if (find_different && comparison.refusal.empty()) MarkDifferent(comparison, find_different, Effort::kScenarios);
+    return Finish(comparison, 0);
+  };
   // With everything taken for equal: which functions differ by themselves.
-  if (!CheckPowerOn(comparison)) return Finish(comparison, 0);
+  if (!CheckPowerOn(comparison)) return finish_early();
   const bool at_power_on = std::ranges::all_of(
       comparison.results, [&](const PairResult& result) { return comparison.pairing.IsEqual(result.old_cell); });
-  if (!FindInductiveSet(comparison, 1)) return Finish(comparison, 0);
+  if (!FindInductiveSet(comparison, 1)) return finish_early();
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<execute::CellId> reach;
   if (at_power_on) {
     std::optional<std::vector<execute::CellId>> found = ReachOfDifferences(comparison);
-    if (!found) return Finish(comparison, 0);
+    if (!found) return finish_early();
     reach = std::move(*found);
   }
   const bool reaches_much = reach.size() > kMostReached;
-  if (!SeparateWake(comparison)) return Finish(comparison, 0);
+  if (!SeparateWake(comparison)) return finish_early();
+  comparison.changes_are_found = true;
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
   if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
   uint32_t beyond_reach = 0;
   if (reaches_much) {
     for (const execute::CellId cell : reach) comparison.pairing.Separate(cell);
-    if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return Finish(comparison, 0);
+    if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return finish_early();
   }
-  if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return Finish(comparison, 0);
+  if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return finish_early();
   SetVerdicts(comparison);
   uint32_t invariants = 0;
   // The solver's runs are the shortest ones; longer ones are tried for what these leave.

@@ -58,13 +58,16 @@ struct PairResult {
 };
 
 struct CompareResult {
-  std::vector<PairResult> pairs;  // of all state, ascending by old cell, then those of the new version only
-  std::string refusal;            // not empty: nothing was compared, and why
-  uint32_t invariants = 0;        // that were proved on the way and needed
+  std::vector<PairResult> pairs;   // of all state, ascending by old cell, then those of the new version only
+  std::string refusal;             // not empty: nothing was compared, and why
+  uint32_t invariants = 0;         // that were proved on the way and needed
+  bool changes_are_found = false;  // PairResult::changed_itself says something
 };
 
-enum class Effort : uint8_t { kQuick, kThorough, kLasting };
-/// Pairs, by old cell: all that are compared, and those that are open; runs from power-on that show a difference.
+/// kScenarios: known runs alone, before anything is asked; what they show is told with the next effort.
+enum class Effort : uint8_t { kScenarios, kQuick, kThorough, kLasting };
+/// Pairs, by old cell: all that are compared, and those that are open, with a change of their own first, then outputs;
+/// runs from power-on that show a difference.
 struct Sought {
   std::vector<execute::CellId> all, open;
   std::vector<Run> runs;

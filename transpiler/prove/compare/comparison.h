@@ -25,6 +25,7 @@ struct Comparison {
   terms::Terms terms;
   std::unique_ptr<solver::Solver> solver;
   std::string refusal;
+  bool changes_are_found = false;  // SeparateWake was done
   Pairing pairing;
   Uses old_uses, new_uses;
   std::vector<execute::CellId> requests;                  // old cells that the control clears when it likes
@@ -38,6 +39,7 @@ struct Comparison {
   uint64_t execution_ms = 0;            // that the last execution of a part took
   std::vector<Invariant> old_invariants, new_invariants;
   std::chrono::steady_clock::time_point deadline;
+  std::function<void()> before_questions;  // called once, before the solver is asked anything
 
   uint64_t RestMs() const;
   bool Late() const { return RestMs() == 0; }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "transpiler/prove/compare/comparison.h"
 #include "transpiler/prove/terms/cone.h"
@@ -42,11 +43,14 @@ PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
                     execute::CellAt(*version.program, version.cells, old_cell.valid() ? old_cell : cell);
                 return execute::Environment::HostBit{
                     (old_cell.valid() ? "" : "new ") + version.program->spaces[at.space].name, at.offset, at.bit};
-              }};
+              },
+          .is_late = [&comparison] { return comparison.Late(); }};
 }
 
 bool TakeRefusal(Comparison& comparison, const Transition& transition, const char* which) {
   if (transition.refusal.empty()) return false;
+  // What was not executed to its end is not decided; that is no reason to compare nothing.
+  if (comparison.Late()) return true;
   comparison.refusal = std::string(which) + " version: " + transition.refusal;
   return true;
 }
@@ -99,6 +103,7 @@ void Comparison::PushInvariants() {
 }
 
 std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
+  if (!questions.empty() && comparison.before_questions) std::exchange(comparison.before_questions, nullptr)();
   std::vector<solver::TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(question.pair);
   comparison.PushInvariants();

@@ -17,7 +17,8 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .now = environment.now,
                                  .stored = stored,
                                  .host_answers = environment.answers == HostAnswers::kAny,
-                                 .summarize_after = 16};
+                                 .summarize_after = 16,
+                                 .is_late = environment.is_late};
   execution.observe = [&](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
     Observation observation{.function = function, .when = when, .outputs = {}};
     for (const execute::CellId cell : environment.outputs) observation.outputs.push_back(memory.Read(cell));

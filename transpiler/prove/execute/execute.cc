@@ -142,6 +142,7 @@ void Executor::ExecuteStatement(ir::InstId, const ir::Inst&) {
   if (terms_.size() - first_term_ > memory_.environment().most_terms) {
     Refuse("the program takes more than " + std::to_string(memory_.environment().most_terms) + " terms");
   }
+  if (memory_.environment().is_late && memory_.environment().is_late()) Refuse("the time was not enough");
 }
 
 void Executor::ExecuteLoad(ir::InstId id, const ir::Inst& inst) {

@@ -96,6 +96,8 @@ struct Environment {
   /// Rounds that one loop is unrolled, and terms that one execution may make, before it is given up.
   uint32_t most_rounds = 4096;
   uint32_t most_terms = 20'000'000;
+  /// Asked at each statement: the execution is given up when it is so; empty: it never is.
+  std::function<bool()> is_late;
 };
 
 /// The cells of one program in the middle of an execution.
