@@ -238,6 +238,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       });
       return cells;
     };
+    // Too late to begin with anything.
+    if (!search && Clock::now() >= compare_end) return std::vector<CellId>();
     if (!search) search.emplace(old_side, new_side, old_version, new_version, match, old_named.words, sought.all);
     const auto run_both = [&](const std::vector<CellId>& cells, Clock::time_point run_end) {
       if (cells.empty()) return;
