@@ -74,7 +74,7 @@ class EmittedProgram {
     ASSERT_FALSE(compiler.empty());
     auto platform = MakeHostPlatform(compiler);
     ASSERT_EQ(platform.index(), 0u) << std::get<1>(platform).message;
-    auto compiled = CompileFor(std::get<0>(platform), program_, sources_);
+    auto compiled = CompileFor(std::get<0>(platform), program_, sources_, emit::Flavour::kDebug);
     ASSERT_EQ(compiled.index(), 0u) << std::get<1>(compiled).message << Source(emit::Flavour::kDebug);
     auto started = StartCompiled(std::get<0>(compiled));
     ASSERT_EQ(started.index(), 0u);

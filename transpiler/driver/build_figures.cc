@@ -16,7 +16,7 @@ bool IsFloat(ir::Type type) { return type == ir::Type::kF32 || type == ir::Type:
 
 bool HasFloats(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
-  const std::vector<ir::InstId> insts = emit::PrintedInsts(program, emittable.options.flavour);
+  const std::vector<ir::InstId> insts = emit::PrintedInsts(program, emittable.options);
   return std::ranges::any_of(insts, [&](ir::InstId id) { return IsFloat(program[id].type); }) ||
          std::ranges::any_of(program.places, [](const ir::Place& place) { return IsFloat(place.type); });
 }
@@ -119,10 +119,9 @@ BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& em
   if (!code.objects().empty()) figures.timing = code.objects().front().timing;
   compile::Measurement measurement(code, bounds);
   const ir::Program& program = *emittable.program;
-  const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::Routine& routine = program.routines[ir::RoutineId(i)];
-    if (emit::SharesLocals(routine.kind) || (routine.simulation_only && !debug)) continue;
+    if (emit::SharesLocals(routine.kind) || !emit::IsPrinted(routine, emittable.options)) continue;
     const uint32_t function = code.Find(Qualified(emittable, routine.name));
     if (function == compile::kNoFunction) continue;
     const ir::RoutineId id(i);

@@ -6,6 +6,7 @@
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/driver/harness.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::driver {
 namespace {
@@ -107,6 +108,7 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Force(const ir::Place& place, uint64_t value) override {
+    PLCXX_CHECK(compiled_->flavour == emit::Flavour::kDebug);  // else FlavourFor chose wrongly
     Apply(place, value, [this](const PlacePart& cell, ir::SpaceId space, uint8_t mask, uint8_t bits) {
       std::vector<uint8_t>& masks = cell.in_state ? force_mask_ : shadow_mask_[space.index];
       std::vector<uint8_t>& values = cell.in_state ? force_value_ : shadow_value_[space.index];

@@ -46,6 +46,7 @@ class Batch {
     compiled->platform = platform_;
     compiled->executable = executable_;
     compiled->number = number;
+    compiled->flavour = programs_[number].flavour;
     return compiled;
   }
 
@@ -55,8 +56,8 @@ class Batch {
     const compile::TemporaryDirectory& directory = executable_->directory();
     std::string name = "program";
     if (!emitted_.empty()) name += std::to_string(emitted_.size() + 1);
-    emitted_.push_back(
-        emit::legalize::Legalize(*program.program, {.name = std::move(name), .flavour = emit::Flavour::kDebug}));
+    emitted_.push_back(emit::legalize::Legalize(
+        *program.program, {.name = std::move(name), .flavour = program.flavour, .simulated = true}));
     const emit::Emittable& emittable = emitted_.back();
     bool written = true;
     for (const emit::OutputFile& file : emit::print::PrintCpp(emittable, *program.sources)) {
@@ -95,8 +96,8 @@ std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platf
 }
 
 CompiledOrFailure CompileFor(const std::shared_ptr<const Platform>& platform, const ir::Program& program,
-                             const source::SourceManager& sources, int seconds) {
-  const ProgramToCompile one{&program, &sources};
+                             const source::SourceManager& sources, emit::Flavour flavour, int seconds) {
+  const ProgramToCompile one{&program, &sources, flavour};
   return CompileTogether(platform, {&one, 1}, seconds).front();
 }
 

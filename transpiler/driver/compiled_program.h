@@ -16,7 +16,7 @@
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/driver/platform.h"
-#include "transpiler/emit/layout/layout.h"
+#include "transpiler/emit/emittable.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 
@@ -39,6 +39,7 @@ struct CompiledProgram {
   std::shared_ptr<const Platform> platform;
   std::shared_ptr<const Executable> executable;
   uint32_t number = 0;  // in the executable
+  emit::Flavour flavour = emit::Flavour::kRelease;
 };
 
 using CompiledOrFailure = std::variant<std::shared_ptr<CompiledProgram>, CompileFailure>;
@@ -49,6 +50,8 @@ inline constexpr int kMostCompileSeconds = 300;
 struct ProgramToCompile {
   const ir::Program* program = nullptr;
   const source::SourceManager* sources = nullptr;
+  /// What users ship, unless something is to be forced or a statement to be switched off.
+  emit::Flavour flavour = emit::Flavour::kRelease;
 };
 
 /// A result for each. When the compiler refuses them together, or they do not fit into a processor's memory together,
@@ -59,6 +62,7 @@ std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platf
                                                int seconds = kMostCompileSeconds);
 
 CompiledOrFailure CompileFor(const std::shared_ptr<const Platform>& platform, const ir::Program& program,
-                             const source::SourceManager& sources, int seconds = kMostCompileSeconds);
+                             const source::SourceManager& sources, emit::Flavour flavour,
+                             int seconds = kMostCompileSeconds);
 
 }  // namespace plcxx::driver

@@ -28,7 +28,8 @@ std::string CompileBoth(const std::shared_ptr<const Platform>& platform, std::ar
   const int seconds = SecondsUntil(end);
   if (seconds < 1) return "the time was over";
   const auto compile = [&platform, seconds](const DiffSide* side) {
-    return CompileFor(platform, side->compilation.program, *side->compilation.sources, seconds);
+    return CompileFor(platform, side->compilation.program, *side->compilation.sources, emit::Flavour::kRelease,
+                      seconds);
   };
   std::future<CompiledOrFailure> other = std::async(std::launch::async, compile, sides[1]);
   std::array<CompiledOrFailure, 2> built{compile(sides[0]), other.get()};
@@ -36,7 +37,7 @@ std::string CompileBoth(const std::shared_ptr<const Platform>& platform, std::ar
     if (const auto* const failure = std::get_if<CompileFailure>(&built[i])) {
       return SecondsUntil(end) < 1 ? "the time was over" : failure->message;
     }
-    programs[i].Give(*platform, std::move(built[i]));
+    programs[i].Give(*platform, emit::Flavour::kRelease, std::move(built[i]));
   }
   return {};
 }

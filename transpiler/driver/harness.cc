@@ -49,7 +49,7 @@ static void HostWrites() {
   const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
   unsigned char* const bytes = reinterpret_cast<unsigned char*>(&m);
   bytes[at] = static_cast<unsigned char>((bytes[at] & ~mask) | (value & mask));
-  m.ReapplyForces();
+  ReapplyForces(m);
 }
 
 static Answer Ask(const Event& event) {
@@ -120,7 +120,10 @@ static void Serve() {
       case 'F': host.now = word(); RunFastOnly(m, host); Report(); break;
       case 'L': host.now = word(); RunElapse(m, host); Report(); break;
       case 'W': harness::HostWrites(); break;
-      case 'K': {
+)";
+
+// Of the debug flavour only.
+constexpr std::string_view kForcing = R"(      case 'K': {
         const uint32_t at = word(), mask = word(), value = word();
         m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] | mask);
         m.force_value[at] = static_cast<unsigned char>((m.force_value[at] & ~mask) | (value & mask));
@@ -132,7 +135,14 @@ static void Serve() {
         m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] & ~mask);
         break;
       }
-      case 'T': {
+      case 'E': {
+        const uint32_t statement = word();
+        m.off[statement] = word() == 0;
+        break;
+      }
+)";
+
+constexpr std::string_view kServeOn = R"(      case 'T': {
         const uint32_t size = word();
         if (size > text_room) {
           text = static_cast<char*>(plcxx_console::Grow(text, 0, 2 * static_cast<size_t>(size)));
@@ -141,11 +151,6 @@ static void Serve() {
         plcxx_console::Read(text, size);
         SendText(m, text, size);
         Report();
-        break;
-      }
-      case 'E': {
-        const uint32_t statement = word();
-        m.off[statement] = word() == 0;
         break;
       }
       case 'H': harness::asks = word() != 0; break;
@@ -253,6 +258,9 @@ std::string ProgramHarness(const emit::Emittable& emittable) {
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
   out += "constexpr size_t kMostArguments = " + std::to_string(most_arguments) + ";\n";
   out += "constexpr uint32_t kHostQuestion = " + std::to_string(kHostQuestion) + "u;\n";
+  const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
+  out += std::string("static void ReapplyForces(State& state) {") +
+         (debug ? " state.ReapplyForces(); }\n" : " static_cast<void>(state); }\n");
   out += "static void StoreRetentive() {\n";
   if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
   out += "}\n" + std::string(kCalls) + HostFunctions(emittable) + "}\n";
@@ -271,7 +279,9 @@ std::string ProgramHarness(const emit::Emittable& emittable) {
              ? "  program::send_operator_text(m, text, length);\n"
              : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
   out += "}\n";
-  return out + std::string(kServe);
+  out += kServe;
+  if (debug) out += kForcing;
+  return out + std::string(kServeOn);
 }
 
 }  // namespace

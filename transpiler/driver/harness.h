@@ -8,6 +8,7 @@
 //   T <u32 n, bytes>       operator text            E <u32 statement, on>             S  store retentive memory
 //   L <u32 now>            time has passed          H <u32 asks>  host calls ask from now on, or not
 //
+// K, R and E are commands of the debug flavour.
 // I, P, F, L and T are answered: <u32 events> { <u32 function> <u32 n> <u64 argument>... } <bytes of State>.
 // A host call that asks sends <u32 kHostQuestion> <u32 function> <u32 n> <u64 argument>... <bytes of State> instead,
 // obeys W and S, and goes on after  A <u64 result, u32 has a second one, u64 second result>. Values are raw bits.

@@ -1,5 +1,6 @@
 #include "transpiler/driver/scenario_program.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -56,26 +57,35 @@ CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& o
   return request;
 }
 
+emit::Flavour FlavourFor(const Scenario& scenario) {
+  const bool forces =
+      scenario.steps && std::ranges::any_of(*scenario.steps, [](const ScenarioStep& step) {
+        return std::holds_alternative<ForceStep>(step.action) || std::holds_alternative<ReleaseStep>(step.action);
+      });
+  return forces ? emit::Flavour::kDebug : emit::Flavour::kRelease;
+}
+
 Compilation& ScenarioProgram::Compiled() {
   if (compiled_ != nullptr) return *compiled_;
   std::call_once(compile_once_, [this] { compilation_ = Compile(request_); });
   return compilation_;
 }
 
-ScenarioProgram::Built& ScenarioProgram::BuiltOn(const Platform& platform) {
+ScenarioProgram::Built& ScenarioProgram::BuiltOn(const Platform& platform, emit::Flavour flavour) {
   const std::lock_guard lock(built_mutex_);
-  return built_[platform.name];
+  return built_[{platform.name, flavour}];
 }
 
-CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const Platform>& platform) {
+CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const Platform>& platform, emit::Flavour flavour) {
   const Compilation& compilation = Compiled();
-  Built& built = BuiltOn(*platform);
-  std::call_once(built.once, [&] { built.result = CompileFor(platform, compilation.program, *compilation.sources); });
+  Built& built = BuiltOn(*platform, flavour);
+  std::call_once(built.once,
+                 [&] { built.result = CompileFor(platform, compilation.program, *compilation.sources, flavour); });
   return built.result;
 }
 
-void ScenarioProgram::Give(const Platform& platform, CompiledOrFailure result) {
-  Built& built = BuiltOn(platform);
+void ScenarioProgram::Give(const Platform& platform, emit::Flavour flavour, CompiledOrFailure result) {
+  Built& built = BuiltOn(platform, flavour);
   std::call_once(built.once, [&] { built.result = std::move(result); });
 }
 

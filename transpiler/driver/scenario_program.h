@@ -28,6 +28,9 @@ struct ProgramOverrides {
 /// The request of a scenario. Warnings that it lists are switched on.
 CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides);
 
+/// The flavour that its compiled engines execute: what users ship, unless it forces something.
+emit::Flavour FlavourFor(const Scenario& scenario);
+
 class ScenarioProgram {
  public:
   explicit ScenarioProgram(CompilationRequest request) : request_(std::move(request)) {}
@@ -37,23 +40,23 @@ class ScenarioProgram {
   /// Compiled at the first call.
   Compilation& Compiled();
   /// The generated code, built at the first call for a platform. The compilation must be without errors.
-  CompiledOrFailure On(const std::shared_ptr<const Platform>& platform);
+  CompiledOrFailure On(const std::shared_ptr<const Platform>& platform, emit::Flavour flavour);
   /// It was built already, together with other programs (CompileTogether).
-  void Give(const Platform& platform, CompiledOrFailure built);
+  void Give(const Platform& platform, emit::Flavour flavour, CompiledOrFailure built);
 
  private:
   struct Built {
     std::once_flag once;
     CompiledOrFailure result;
   };
-  Built& BuiltOn(const Platform& platform);
+  Built& BuiltOn(const Platform& platform, emit::Flavour flavour);
 
   CompilationRequest request_;
   std::once_flag compile_once_;
   Compilation compilation_;
   Compilation* compiled_ = nullptr;  // somebody else's
   std::mutex built_mutex_;
-  std::map<std::string, Built> built_;  // by the platform's name
+  std::map<std::pair<std::string, emit::Flavour>, Built> built_;  // by the platform's name
 };
 
 /// All that distinguishes one request from another, as one text: scenarios of one machine share their program.

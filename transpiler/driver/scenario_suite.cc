@@ -76,26 +76,27 @@ class GroupPrograms {
   }
 
   /// A program runs there: its scenario is chosen, and has steps.
-  void Want(const PlatformUse& use, ScenarioProgram& program) {
-    std::vector<ScenarioProgram*>& wanted = wanted_[use.platform.get()];
-    if (std::ranges::find(wanted, &program) == wanted.end()) wanted.push_back(&program);
+  void Want(const PlatformUse& use, ScenarioProgram& program, emit::Flavour flavour) {
+    std::vector<Wanted>& wanted = wanted_[use.platform.get()];
+    if (std::ranges::find(wanted, Wanted{&program, flavour}) == wanted.end()) wanted.push_back({&program, flavour});
   }
 
   void Build(const std::shared_ptr<const Platform>& platform) {
-    const std::vector<ScenarioProgram*>& wanted = wanted_[platform.get()];
+    const std::vector<Wanted>& wanted = wanted_[platform.get()];
     std::vector<ProgramToCompile> programs;
-    for (ScenarioProgram* const program : wanted) {
+    for (const auto& [program, flavour] : wanted) {
       const Compilation& compilation = program->Compiled();
-      programs.push_back({&compilation.program, compilation.sources.get()});
+      programs.push_back({&compilation.program, compilation.sources.get(), flavour});
     }
     std::vector<CompiledOrFailure> built = CompileTogether(platform, programs);
-    for (size_t i = 0; i < wanted.size(); ++i) wanted[i]->Give(*platform, std::move(built[i]));
+    for (size_t i = 0; i < wanted.size(); ++i) wanted[i].first->Give(*platform, wanted[i].second, std::move(built[i]));
   }
 
  private:
   const ProgramOverrides& overrides_;
   std::map<std::string, ScenarioProgram> programs_;  // by key
-  std::map<const Platform*, std::vector<ScenarioProgram*>> wanted_;
+  using Wanted = std::pair<ScenarioProgram*, emit::Flavour>;
+  std::map<const Platform*, std::vector<Wanted>> wanted_;
 };
 
 /// Has the items worked on in child processes, and hands the results to `report`, in order.
@@ -140,7 +141,7 @@ class Suite {
       ScenarioProgram& program = programs.Of(scenario);
       if (!program.Compiled().ok()) continue;
       for (const PlatformUse& use : options_.platforms) {
-        if (RunsOn(use, scenario)) programs.Want(use, program);
+        if (RunsOn(use, scenario)) programs.Want(use, program, FlavourFor(scenario));
       }
     }
     work.BeginCommon();

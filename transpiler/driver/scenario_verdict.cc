@@ -141,7 +141,7 @@ class Test {
     }
     for (const PlatformUse& use : options_.platforms) {
       if (!RunsOn(use, scenario_)) continue;
-      auto built = program_.On(use.platform);
+      auto built = program_.On(use.platform, FlavourFor(scenario_));
       if (const auto* failure = std::get_if<CompileFailure>(&built)) return failure->message;
       auto started = StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(built));
       if (const auto* failure = std::get_if<CompileFailure>(&started)) return failure->message;

@@ -7,10 +7,14 @@
 
 namespace plcxx::emit {
 
-std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour) {
+bool IsPrinted(const ir::Routine& routine, const EmitOptions& options) {
+  return !routine.simulation_only || options.simulated || options.flavour == Flavour::kDebug;
+}
+
+std::vector<ir::InstId> PrintedInsts(const ir::Program& program, const EmitOptions& options) {
   std::vector<ir::InstId> insts;
   for (const ir::Routine& routine : program.routines) {
-    if (routine.simulation_only && flavour != Flavour::kDebug) continue;
+    if (!IsPrinted(routine, options)) continue;
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
       if (region.valid()) ir::ForEachInst(program, region, [&insts](ir::InstId id) { insts.push_back(id); });
     }

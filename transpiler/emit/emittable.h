@@ -23,6 +23,8 @@ enum class Flavour : uint8_t { kRelease, kDebug };
 struct EmitOptions {
   std::string name = "program";  // of the files and, made safe, of the namespace
   Flavour flavour = Flavour::kRelease;
+  /// The release flavour with the routines that only a simulation calls; the debug flavour always has them.
+  bool simulated = false;
   bool line_directives = false;
   /// Files of the program's code, kMostParts at most; 0: as many as its size asks for, named by their content. A fixed
   /// number is for build systems that have to know their outputs before: name.cpp, name_2.cpp, ... name_N.cpp.
@@ -108,12 +110,14 @@ struct ElseArm {
   enum class Kind : uint8_t {
     kNone,    // there is none, or nothing in it
     kBlock,   // else { ... }
+    kBehind,  // none: the other arm leaves by `leave`, and the text of this one follows the If
     kIf,      // else if (...) { ... }: `chained` goes on with the chain
     kAlways,  // else { ... }: the arms of `chained`, whose condition is constant
   };
   Kind kind = Kind::kNone;
-  ir::InstId chained;         // of kIf and kAlways: the arm's own If
-  ir::StatementId statement;  // whose comments are between; none: "} else if" on one line
+  ir::InstId chained;                  // of kIf and kAlways: the arm's own If
+  ir::StatementId statement;           // whose comments are between; none: "} else if" on one line
+  Leave leave = Leave::kFallsThrough;  // of kBehind: the last line of the first arm; kFallsThrough: it has left before
 };
 
 /// What follows the text of a switch's arm.
@@ -170,7 +174,10 @@ struct Emittable {
   std::vector<Part> parts;
   std::vector<uint32_t> routine_parts;  // by RoutineId: index into `parts`; other than 0 for subroutines only
   std::vector<ChunkRun> runs;
-  std::unordered_map<uint32_t, Leave> leaves;       // by InstId, of every Exit and Repeat
+  std::unordered_map<uint32_t, Leave> leaves;  // by InstId, of every Exit and Repeat
+  /// By InstId, of an If whose first arm ends in a jump of the source to where the function, iteration or switch arm
+  /// ends: the word for it.
+  std::unordered_map<uint32_t, Leave> early_leaves;
   std::unordered_map<uint32_t, Landing> landings;   // by InstId, of all loops, and of blocks that have anything
   std::unordered_map<uint32_t, ElseArm> else_arms;  // by InstId, of every If that has text
   /// By InstId, of stores of a result: they are `return value;`, and so is this Exit, if any, that follows.
@@ -185,8 +192,10 @@ struct Emittable {
   std::vector<bool> called_by_slice;              // by RoutineId: a piece of a sliced routine calls it
 };
 
+/// Whether the generated code has a routine.
+bool IsPrinted(const ir::Routine& routine, const EmitOptions& options);
 /// The instructions of the routines that this flavour of the generated code has, in their order.
-std::vector<ir::InstId> PrintedInsts(const ir::Program& program, Flavour flavour);
+std::vector<ir::InstId> PrintedInsts(const ir::Program& program, const EmitOptions& options);
 /// Whether it has anything to print or to execute of its own; values are spelled where they are used.
 bool IsEffect(const Emittable& emittable, ir::InstId id);
 /// Whether a number has a literal in C++; others (infinities, NaNs) are spelled by their bits.

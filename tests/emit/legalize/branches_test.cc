@@ -54,6 +54,38 @@ TEST(Branches, TheRecordIsIndentedAsTheFunction) {
       HasSubstr("\n  variable i"));
 }
 
+// What the source left by a jump is left by a word of C++, where nothing else follows; the other arm is not nested.
+TEST(Branches, WhatAJumpOfTheSourceLeftIsLeftEarly) {
+  const std::string_view jumps = "%0 = load a\nif %0 jumps {\nstmt s1\n} else {\nstmt s2\n%1 = load b\nstore c %1\n}\n";
+  const std::string behind = "line: if, its arm ends by return, the other arm behind it\n";
+  EXPECT_THAT(Record(jumps), HasSubstr(behind));
+  // Both arms of a branch that the source wrote itself are nested.
+  EXPECT_THAT(Record("%0 = load a\nif %0 {\nstmt s1\n} else {\nstmt s2\n%1 = load b\nstore c %1\n}\n"),
+              HasSubstr("line: if, else\n"));
+  // Something follows: a return would skip it.
+  EXPECT_THAT(Record(std::string(jumps) + "%3 = load c\nstore a %3\n"), HasSubstr("line: if, else\n"));
+  EXPECT_THAT(Record(jumps, Flavour::kDebug), HasSubstr("line: if, else"));
+  EXPECT_THAT(Record("loop @1 proven 5 {\ncondition {\n%8 = load a\n}\nbody {\n" + std::string(jumps) + "}\n}\n"),
+              HasSubstr("line: if, its arm ends by continue, the other arm behind it\n"));
+  EXPECT_THAT(Record("%8 = load w\nswitch %8 {\ncase 1 {\n" + std::string(jumps) + "}\n}\n%9 = load a\nstore b %9\n"),
+              HasSubstr("line: if, its arm ends by break, the other arm behind it\n"));
+}
+
+TEST(Branches, AnArmThatLeavesByItselfHasNoSecondWord) {
+  EXPECT_THAT(Record("loop @1 proven 5 {\ncondition {\n%8 = load a\n}\nbody {\n%0 = load b\nif %0 jumps {\nexit @1\n} "
+                     "else {\n%1 = load b\nstore c %1\n}\n}\n}\n%9 = load c\nstore a %9\n"),
+              HasSubstr("line: if, the other arm behind it\n"));
+}
+
+// `if (a) { ... } else if (b) { return; } ...` would skip nothing after the first arm.
+TEST(Branches, InAChainNoArmIsLeftEarly) {
+  const std::string record = Record(
+      "%0 = load a\nif %0 {\n%1 = load b\nstore c %1\n} else {\n%2 = load b\nif %2 jumps {\nstmt s1\n} else {\nstmt "
+      "s2\n%3 = load c\nstore a %3\n}\n}\n");
+  EXPECT_THAT(record, HasSubstr("line: if, else\n"));
+  EXPECT_THAT(record, HasSubstr("line: if, its arm ends by return, the other arm behind it\n"));
+}
+
 TEST(Branches, AnArmOfASwitchEndsWithBreakUnlessItLeaves) {
   const std::string record = Record(
       "block @1 {\n%0 = load w\nswitch %0 {\ncase 1 {\nexit @1\n}\ncase 2 falls_through {\n%1 = load a\nstore b %1\n}\n"

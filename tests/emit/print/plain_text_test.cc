@@ -101,6 +101,13 @@ TEST(PlainText, NegativeNumbersOf32BitsReadAsSuch) {
   EXPECT_THAT(source("add.i32"), Not(HasSubstr("using plcxx::Minus32;\n")));
   EXPECT_THAT(source("mul.i32"), HasSubstr("m[d] = Mul32(m[d], Minus32(500));\n"));
   EXPECT_THAT(source("mul.i32"), HasSubstr("using plcxx::Minus32;\n"));
+  // One that is subtracted from is named as ever, on either side.
+  const std::string both =
+      Plain("%0 = const i32 4294967293\n%1 = const i32 4294967295\n%2 = add.i32 %0 %1\nstore d %2\n");
+  EXPECT_THAT(both, HasSubstr("m[d] = Sub32(Minus32(3), 1);\n"));
+  EXPECT_THAT(both, HasSubstr("using plcxx::Minus32;\n"));
+  EXPECT_THAT(Plain("%0 = const i32 4294967293\n%2 = add.i32 %0 %0\nstore d %2\n"),
+              HasSubstr("using plcxx::Minus32;\n"));
   // What declares it is included.
   const ir::Program program =
       ir::ReadOrDie(std::string(kPlaces) + "routine fast fast {\n%0 = const i32 4294967295\nstore d %0\n}\n");

@@ -95,7 +95,7 @@ class Damaged : public testing::Test {
   Emittable emittable_ = legalize::Legalize(program_, {.name = "p"});
 
   Form& FormOf(ir::OpKind op) {
-    for (const ir::InstId id : PrintedInsts(program_, Flavour::kRelease)) {
+    for (const ir::InstId id : PrintedInsts(program_, {})) {
       if (program_[id].op == op) return emittable_.forms[id.index];
     }
     ADD_FAILURE();

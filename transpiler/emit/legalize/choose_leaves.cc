@@ -3,6 +3,7 @@
 //   block @1 { exit @1 if %0; ... }; (end of the routine)   ->   if (...) return; ...
 //   loop @1 { ...; repeat @1 if %0 }                        ->   for (;;) { ...; if (...) { ...; continue; } break; }
 //   block @1 { switch ... { exit @1 } ... }; stmt U4A8      ->   goto to_U4A8; ... to_U4A8:;
+//   if %0 { stmt } else { ... }, the stmt a jump            ->   if (...) { return; } ...
 //
 // C++ has a word of its own for the way out where nothing else follows the block or loop; elsewhere a goto to a label
 // behind it. Labels have the names of what follows them, so that an edit elsewhere renames none.
@@ -65,6 +66,7 @@ struct Chooser {
   void Switch(InstId id, const End& next);
   void Exit(InstId id, const End& next, bool last);
   void Repeat(InstId id, const End& next);
+  void LeaveEarly(InstId id, const End& next);
   void ChooseWay(InstId id, const std::vector<Way>& ways, const Around& target);
   bool Binds(const Way& way) const;
   const Around& TargetOf(const ir::Inst& inst) const;
@@ -153,6 +155,16 @@ void Chooser::Repeat(InstId id, const End& next) {
   if (RegionId(inst.b).valid()) Region(RegionId(inst.b), next);
 }
 
+/// if c { stmt return } else { ... }, where nothing follows: what the source left by a jump, the text leaves by a word.
+/// Not in the debug flavour, where switching off a statement skips the arms of its If together.
+void Chooser::LeaveEarly(InstId id, const End& next) {
+  const ir::Inst& inst = program[id];
+  const bool jumps = static_cast<ir::IfOrigin>(inst.payload) == ir::IfOrigin::kJumps;
+  if (!jumps || !RegionId(inst.c).valid() || emittable.options.flavour == Flavour::kDebug) return;
+  const auto way = std::ranges::find_if(next.ways, [this](const Way& candidate) { return Binds(candidate); });
+  if (way != next.ways.end()) emittable.early_leaves[id.index] = way->leave;
+}
+
 void Chooser::Loop(InstId id, const End& next) {
   const ir::Loop& loop = program.loops[ir::LoopId(program[id].payload)];
   breakables.push_back({id, true});
@@ -199,6 +211,7 @@ void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
       Repeat(id, next);
       return;
     case ir::OpKind::kIf:
+      LeaveEarly(id, next);
       for (const RegionId arm : {RegionId(inst.b), RegionId(inst.c)}) {
         if (arm.valid()) Region(arm, next);
       }
@@ -246,6 +259,7 @@ bool HasLocals(const Emittable& emittable, RegionId region) {
   const ir::Program& program = *emittable.program;
   for (const InstId id : program.regions[region].insts) {
     if (emittable.forms[id.index] == Form::kLocal) return true;
+    if (emittable.early_leaves.contains(id.index) && HasLocals(emittable, RegionId(program[id].c))) return true;
     if (program[id].op != ir::OpKind::kBlock) continue;
     const auto landing = emittable.landings.find(id.index);
     const bool braces = landing != emittable.landings.end() && landing->second.braces;

@@ -41,7 +41,7 @@ bool IsNegative(const ir::Inst& inst) {
 
 void ChooseWordings(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
-  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+  for (const ir::InstId id : PrintedInsts(program, emittable.options)) {
     const ir::Inst& inst = program[id];
     Wording& wording = emittable.wordings[id.index];
     if (inst.op == ir::OpKind::kBitNot && HasComplement(emittable, ir::ValueId(inst.a))) wording = Wording::kComplement;

@@ -177,7 +177,7 @@ void FindCalledSubroutines(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   for (Part& part : emittable.parts) part.called.assign(program.routines.size(), false);
   const auto note = [&](uint32_t part, ir::RoutineId routine, const std::vector<Piece>& pieces) {
-    const bool is_printed = emittable.options.flavour == Flavour::kDebug || !program.routines[routine].simulation_only;
+    const bool is_printed = IsPrinted(program.routines[routine], emittable.options);
     if (!is_printed) return;
     VisitFunction(emittable, pieces,
                   {.inst =

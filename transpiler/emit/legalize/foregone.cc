@@ -83,7 +83,7 @@ bool IsForegone(const ir::Program& program, const ir::Inst& inst) {
 void FindForegoneComparisons(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.wordings.assign(program.insts.size(), Wording::kTable);
-  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour))
+  for (const ir::InstId id : PrintedInsts(program, emittable.options))
     if (IsForegone(program, program[id])) emittable.wordings[id.index] = Wording::kFunction;
 }
 

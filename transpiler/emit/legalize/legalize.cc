@@ -18,7 +18,7 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   ShareLocals(emittable);     // after CutChunks: chunks get them, too
   ChooseLeaves(emittable);    // after CutChunks: what ends a function decides what `return` leaves
   PlaceEffects(emittable);    // after ChooseLeaves: a way out that needs no text asks for no value
-  PlaceBraces(emittable);     // after PlaceEffects: around the locals
+  PlaceBraces(emittable);     // after PlaceEffects: around the locals; after ChooseLeaves: which arms are not nested
   ChooseWordings(emittable);  // after PlaceEffects: what has a name is not spelled inside
   FindUsedFunctions(emittable);
   FindUsedHeaders(emittable);

@@ -11,6 +11,7 @@
 #include <ranges>
 
 #include "transpiler/emit/function_insts.h"
+#include "transpiler/emit/legalize/ends.h"
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
 
@@ -34,7 +35,7 @@ struct ValuePlacer {
   bool Returns(InstId exit) const;
   void ReturnsIn(const std::vector<Piece>& pieces);
   void ReturnsAtEnd(const std::vector<Piece>& pieces);
-  bool EndIsReached(const std::vector<Piece>& pieces) const;
+  bool ReturnsEarly(InstId id) const;
   bool IsAskedFor() const;
 };
 
@@ -85,6 +86,9 @@ void ValuePlacer::ReturnsIn(const std::vector<Piece>& pieces) {
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
       const InstId id = program.regions[piece.region].insts[i];
       for (const RegionId owned : ir::OwnedRegions(program, program[id])) ReturnsIn(PiecesOf(emittable, owned));
+      const auto early = emittable.early_leaves.find(id.index);
+      if (early != emittable.early_leaves.end() && early->second == Leave::kReturn)
+        ReturnsAtEnd(PiecesOf(emittable, RegionId(program[id].b)));
       if (store.valid() && HasText(id) && Returns(id)) {
         emittable.returns[store.index] = id;
         emittable.forms[id.index] = Form::kInside;
@@ -115,24 +119,11 @@ void ValuePlacer::ReturnsAtEnd(const std::vector<Piece>& pieces) {
   }
 }
 
-bool ValuePlacer::EndIsReached(const std::vector<Piece>& pieces) const {
-  if (pieces.empty() || pieces.back().chunk != Piece::kInPlace) return true;
-  const Piece& piece = pieces.back();
-  for (uint32_t i = piece.end; i-- > piece.begin;) {
-    const InstId id = program.regions[piece.region].insts[i];
-    const ir::Inst& inst = program[id];
-    if (inst.op == ir::OpKind::kStatement || !HasText(id)) continue;
-    if (emittable.returns.contains(id.index) || Returns(id)) return false;
-    if (inst.op == ir::OpKind::kIf) {
-      return !RegionId(inst.c).valid() || EndIsReached(PiecesOf(emittable, RegionId(inst.b))) ||
-             EndIsReached(PiecesOf(emittable, RegionId(inst.c)));
-    }
-    if (inst.op != ir::OpKind::kBlock) return true;
-    const auto landing = emittable.landings.find(id.index);
-    const bool is_landed_at = landing != emittable.landings.end() && !landing->second.behind.empty();
-    return is_landed_at || EndIsReached(PiecesOf(emittable, RegionId(inst.a)));
-  }
-  return true;
+/// Whether a line `return result;` ends its first arm.
+bool ValuePlacer::ReturnsEarly(InstId id) const {
+  const auto early = emittable.early_leaves.find(id.index);
+  return early != emittable.early_leaves.end() && early->second == Leave::kReturn &&
+         EndIsReached(emittable, RegionId(program[id].b));
 }
 
 /// Whether any text names the variable of the result.
@@ -150,6 +141,7 @@ bool ValuePlacer::IsAskedFor() const {
                        asked = asked || ((store || load) && inst.payload == result.index);
                        asked = asked || (inst.op == ir::OpKind::kExit && form == Form::kLine &&
                                          emittable.leaves.at(id.index) == Leave::kReturn);
+                       asked = asked || ReturnsEarly(id);
                        if (inst.op == ir::OpKind::kHostCall)
                          asked = asked || program.calls[ir::CallId(inst.payload)].out == result;
                      },
@@ -165,7 +157,7 @@ void ValuePlacer::Returns() {
   const std::vector<Piece> pieces = PiecesOf(emittable, routine);
   ReturnsIn(pieces);
   ReturnsAtEnd(pieces);
-  emittable.returns_at_end[routine.index] = EndIsReached(pieces);
+  emittable.returns_at_end[routine.index] = EndIsReached(emittable, pieces);
   if (IsAskedFor()) return;
   for (Locals::Declared& local : locals.declared) local.read = local.read && local.place != result;
   std::erase_if(locals.declared,

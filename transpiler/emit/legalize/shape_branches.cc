@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "transpiler/emit/function_insts.h"
+#include "transpiler/emit/legalize/ends.h"
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
@@ -44,12 +45,11 @@ struct Shaper {
   void Line(InstId id);
   void If(InstId id);
   void Condition(InstId id);
-  ElseArm ArmOf(RegionId otherwise) const;
+  ElseArm ArmOf(InstId id) const;
   void SwitchArms(const ir::Inst& inst);
   ArmEnd EndOf(const ir::SwitchCase& arm) const;
   void Loop(InstId id, const ir::Loop& loop);
   bool IsOneExpression(RegionId region) const;
-  bool EndIsNotReached(RegionId region) const;
 };
 
 /// What follows is not yet inside of its statement's guard, and has to be.
@@ -95,12 +95,18 @@ void Shaper::Condition(InstId id) {
 }
 
 /// A chain goes on with an If that is all of the arm, and whose condition needs no line of its own.
-ElseArm Shaper::ArmOf(RegionId otherwise) const {
+ElseArm Shaper::ArmOf(InstId id) const {
+  const RegionId otherwise(program[id].c);
   if (!otherwise.valid() || program.regions[otherwise].insts.empty()) return {};
+  if (const auto early = emittable.early_leaves.find(id.index); early != emittable.early_leaves.end()) {
+    const bool goes_on = EndIsReached(emittable, RegionId(program[id].b));
+    return {ElseArm::Kind::kBehind, {}, {}, goes_on ? early->second : Leave::kFallsThrough};
+  }
   const ElseArm block{ElseArm::Kind::kBlock, {}, {}};
   const std::vector<InstId>& insts = program.regions[otherwise].insts;
   const InstId last = insts.back();
   if (program[last].op != ir::OpKind::kIf || emittable.forms[last.index] != Form::kLine) return block;
+  if (emittable.early_leaves.contains(last.index)) return block;
   if (!emittable.region_chunks[otherwise.index].empty()) return block;
   ElseArm arm{ElseArm::Kind::kIf, last, {}};
   for (size_t i = 0; i + 1 < insts.size(); ++i) {
@@ -130,9 +136,9 @@ void Shaper::If(InstId id) {
   for (InstId at = id; at.valid();) {
     Condition(at);
     Region(RegionId(program[at].b));
-    const ElseArm arm = ArmOf(RegionId(program[at].c));
+    const ElseArm arm = ArmOf(at);
     emittable.else_arms[at.index] = arm;
-    if (arm.kind == ElseArm::Kind::kBlock) Region(RegionId(program[at].c));
+    if (arm.kind == ElseArm::Kind::kBlock || arm.kind == ElseArm::Kind::kBehind) Region(RegionId(program[at].c));
     if (arm.statement.valid()) {
       statement = arm.statement;
       switched = false;
@@ -169,26 +175,10 @@ bool Shaper::IsOneExpression(RegionId region) const {
   });
 }
 
-/// Whether control never gets to the end of a list.
-bool Shaper::EndIsNotReached(RegionId region) const {
-  if (!region.valid()) return false;
-  const std::vector<InstId>& insts = program.regions[region].insts;
-  for (size_t i = insts.size(); i-- > 0;) {
-    if (!IsEffect(emittable, insts[i])) continue;
-    const ir::Inst& inst = program[insts[i]];
-    const bool always = !ir::ValueId(inst.a).valid();
-    if (inst.op == ir::OpKind::kExit) return always && emittable.leaves.at(insts[i].index) != Leave::kFallsThrough;
-    if (inst.op == ir::OpKind::kRepeat) return always && EndIsNotReached(RegionId(inst.b));
-    if (inst.op == ir::OpKind::kIf) return EndIsNotReached(RegionId(inst.b)) && EndIsNotReached(RegionId(inst.c));
-    return false;
-  }
-  return false;
-}
-
 void Shaper::Loop(InstId id, const ir::Loop& loop) {
   Landing& landing = emittable.landings[id.index];
   if (loop.kind == ir::LoopBound::kBudget) {
-    landing.ends_with_break = debug() || !EndIsNotReached(loop.body);
+    landing.ends_with_break = debug() || EndIsReached(emittable, loop.body);
     Region(loop.body);
     return;
   }

@@ -12,7 +12,7 @@ namespace plcxx::emit::legalize {
 void FindUsedHostFunctions(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   emittable.host_used.assign(program.host_functions.size(), false);
-  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+  for (const ir::InstId id : PrintedInsts(program, emittable.options)) {
     const ir::Inst& inst = program[id];
     if (inst.op == ir::OpKind::kHostCall) {
       emittable.host_used[program.calls[ir::CallId(inst.payload)].host.index] = true;
@@ -26,13 +26,17 @@ namespace {
 std::vector<bool> NamedOperations(const Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   std::vector<bool> named(ir::OpCount(), false);
-  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+  for (const ir::InstId id : PrintedInsts(program, emittable.options)) {
     const bool subtracts = emittable.wordings[id.index] == Wording::kSubtract;
     named[static_cast<size_t>(subtracts ? ir::OpKind::kSub32 : program[id].op)] = true;
-    ir::ForEachUse(program, program[id], [&](uint32_t word) {
-      if (emittable.wordings[word] == Wording::kNegative && !subtracts)
-        named[static_cast<size_t>(ir::OpKind::kMinus32)] = true;
-    });
+    const auto use = [&](uint32_t word) {
+      if (emittable.wordings[word] == Wording::kNegative) named[static_cast<size_t>(ir::OpKind::kMinus32)] = true;
+    };
+    if (subtracts) {
+      use(program[id].a);  // the other one has lost its sign
+    } else {
+      ir::ForEachUse(program, program[id], use);
+    }
   }
   return named;
 }
@@ -41,7 +45,7 @@ std::vector<bool> NamedOperations(const Emittable& emittable) {
 
 void FindUsedFunctions(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
-  const std::vector<ir::InstId> insts = PrintedInsts(program, emittable.options.flavour);
+  const std::vector<ir::InstId> insts = PrintedInsts(program, emittable.options);
   const std::vector<bool> used = NamedOperations(emittable);
   for (uint32_t i = 0; i < used.size(); ++i) {
     const auto op = static_cast<ir::OpKind>(i);
@@ -82,7 +86,7 @@ void FindUsedHeaders(Emittable& emittable) {
     const std::string_view header = ir::Info(static_cast<ir::OpKind>(i)).header;
     if (named[i] && !header.empty()) headers.insert(std::string(header));
   }
-  for (const ir::InstId id : PrintedInsts(program, emittable.options.flavour)) {
+  for (const ir::InstId id : PrintedInsts(program, emittable.options)) {
     const ir::Inst& inst = program[id];
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");

@@ -61,6 +61,16 @@ void PartPrinter::If(ir::InstId id) {
         --indent_;
         Line("}");
         break;
+      case ElseArm::Kind::kBehind:
+        if (arm.leave != Leave::kFallsThrough) {
+          ++indent_;
+          Line(Word(arm.leave));
+          --indent_;
+        }
+        Line("}");
+        if (indent_ == 1) BlankLine();  // as between other statements
+        RegionBody(ir::RegionId(inst.c));
+        break;
       case ElseArm::Kind::kIf:
         Line(Spelled(before + "else if (" + Condition(arm.chained) + ") {", arm.chained));
         break;
@@ -195,25 +205,29 @@ void PartPrinter::Block(ir::InstId id, const ir::Inst& inst) {
   if (landing != emittable_.landings.end()) Label(landing->second.behind);
 }
 
-/// "return;", "goto to_U4A8;"
-std::string PartPrinter::Departure(ir::InstId id) const {
-  const Leave leave = emittable_.leaves.at(id.index);
+/// "return;", "break;"
+std::string PartPrinter::Word(Leave leave) const {
   switch (leave) {
-    case Leave::kFallsThrough:
-      break;  // has no text
     case Leave::kReturn:
       return return_;
     case Leave::kBreak:
       return "break;";
     case Leave::kContinue:
       return "continue;";
-    case Leave::kGoto: {
-      const ir::Inst& inst = program_[id];
-      const Landing& landing = emittable_.landings.at(inst.payload);
-      return "goto " + (inst.op == ir::OpKind::kRepeat ? landing.again : landing.behind) + ";";
-    }
+    case Leave::kFallsThrough:
+    case Leave::kGoto:
+      break;  // has no text; has a label, too
   }
   PLCXX_UNREACHABLE();
+}
+
+/// "return;", "goto to_U4A8;"
+std::string PartPrinter::Departure(ir::InstId id) const {
+  const Leave leave = emittable_.leaves.at(id.index);
+  if (leave != Leave::kGoto) return Word(leave);
+  const ir::Inst& inst = program_[id];
+  const Landing& landing = emittable_.landings.at(inst.payload);
+  return "goto " + (inst.op == ir::OpKind::kRepeat ? landing.again : landing.behind) + ";";
 }
 
 void PartPrinter::Exit(ir::InstId id, const ir::Inst& inst) {

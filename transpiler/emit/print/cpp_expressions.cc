@@ -14,6 +14,8 @@ namespace {
 
 using ir::Precedence;
 
+constexpr std::string_view kChoice = "({0} ?";  // how rows of ops.def begin that choose one of two values
+
 std::string Hex(uint64_t value, uint32_t digits) {
   constexpr char kHex[] = "0123456789ABCDEF";
   std::string out;
@@ -92,6 +94,12 @@ std::string Complement(std::string_view comparison) {
   PLCXX_UNREACHABLE();
 }
 
+/// The name of a function of runtime_support, for which the program has a `using`.
+Text Declared(const Emittable& emittable, std::string_view function) {
+  PLCXX_CHECK(std::ranges::binary_search(emittable.functions, function));
+  return Text(std::string(function));
+}
+
 Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::string_view pattern);
 
 Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
@@ -102,7 +110,7 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
   if (info.spelling == "{0}") return Spell(emittable, first);
   switch (emittable.wordings[id.index]) {
     case Wording::kFunction:
-      return {Text(info.function) + "(" + Spell(emittable, first).text + ", " +
+      return {Declared(emittable, info.function) + "(" + Spell(emittable, first).text + ", " +
                   Spell(emittable, ir::ValueId(inst.b)).text + ")",
               Precedence::kPrimary};
     case Wording::kComplement: {
@@ -110,7 +118,7 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
       return SpellPattern(emittable, comparison, Complement(ir::Info(comparison.op).spelling));
     }
     case Wording::kSubtract:
-      return {Text(ir::Info(ir::OpKind::kSub32).function) + "(" + Spell(emittable, first).text + ", " +
+      return {Declared(emittable, ir::Info(ir::OpKind::kSub32).function) + "(" + Spell(emittable, first).text + ", " +
                   Negated((*emittable.program)[ir::ValueId(inst.b)]) + ")",
               Precedence::kPrimary};
     case Wording::kTable:
@@ -121,12 +129,45 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
   return SpellPattern(emittable, inst, info.spelling);
 }
 
+/// What a text is to C++ where it is nothing but stored data: m[a], or a choice of such.
+struct Stored {
+  ir::Type type = ir::Type::kNone;  // kNone: it is something else
+  bool converts = false;            // an object of runtime_support that converts to the type, no member of State
+};
+
+Stored StoredBy(const Emittable& emittable, ir::ValueId value) {
+  const ir::Inst& inst = (*emittable.program)[value];
+  if (emittable.forms[value.index] == Form::kLocal) return {};
+  if (inst.op == ir::OpKind::kLoad) {
+    const layout::Storage storage = emittable.layout.places[inst.payload].storage;
+    if (storage == layout::Storage::kLocal) return {};
+    const bool bytes = storage == layout::Storage::kWide || storage == layout::Storage::kIndexed ||
+                       storage == layout::Storage::kRetentiveWide || storage == layout::Storage::kRetentiveIndexed;
+    return {inst.type, bytes || emittable.options.flavour == Flavour::kDebug};
+  }
+  const std::string_view spelling = ir::Info(inst.op).spelling;
+  if (spelling == "{0}") return StoredBy(emittable, ir::ValueId(inst.a));
+  if (!spelling.starts_with(kChoice)) return {};
+  const Stored first = StoredBy(emittable, ir::ValueId(inst.b)), second = StoredBy(emittable, ir::ValueId(inst.c));
+  if (first.type != second.type) return {};
+  return {first.type, first.converts || second.converts};
+}
+
+/// Of a choice one arm takes the type of the other, and where one is an object that converts, it takes that of the
+/// other whatever it is: "c ? a < b : m[w]" is a bool. So that arm says its own type: "c ? a < b : uint16_t{m[w]}".
+bool SaysItsType(const Emittable& emittable, ir::ValueId arm, ir::ValueId other) {
+  const Stored stored = StoredBy(emittable, arm);
+  return stored.converts && stored.type != ir::Type::kBit && StoredBy(emittable, other).type != stored.type;
+}
+
 /// The operation as `pattern` spells it, which binds as the operation's own.
 Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::string_view pattern) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const uint32_t words[] = {inst.a, inst.b, inst.c};
   Text out;
   const bool operation = info.precedence != Precedence::kPrimary;
+  const size_t name = pattern.find('(');
+  if (name != std::string_view::npos && name > 0) Declared(emittable, pattern.substr(0, name));
   for (size_t i = 0; i < pattern.size(); ++i) {
     // "S16({1})" of a constant is the number itself.
     const size_t bracket = operation && pattern[i] == 'S' ? pattern.find("({", i) : std::string_view::npos;
@@ -142,7 +183,13 @@ Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::str
       const auto operand = static_cast<uint32_t>(pattern[i + 1] - '0');
       Spelling inner = Spell(emittable, ir::ValueId(words[operand]));
       // A choice binds loosest; compilers ask whether its condition was meant to be all that stands before it.
-      const bool condition = operand == 0 && pattern.starts_with("({0} ?") && inner.precedence >= Precedence::kAnd;
+      const bool choice = pattern.starts_with(kChoice);
+      if (choice && operand > 0 &&
+          SaysItsType(emittable, ir::ValueId(words[operand]), ir::ValueId(words[3 - operand]))) {
+        const ir::Type type = StoredBy(emittable, ir::ValueId(words[operand])).type;
+        inner = {Text(ir::CppName(type)) + "{" + inner.text + "}", Precedence::kPrimary};
+      }
+      const bool condition = operand == 0 && choice && inner.precedence >= Precedence::kAnd;
       const bool brackets = condition || (operation && NeedsBrackets(inner.precedence, info.precedence, operand == 0));
       if (brackets) out.chars += '(';
       out += inner.text;
@@ -219,7 +266,8 @@ Spelling SpellDefinition(const Emittable& emittable, ir::ValueId value) {
   switch (info.shape) {
     case ir::Shape::kConst:
       if (emittable.wordings[value.index] == Wording::kNegative)
-        return {Text(ir::Info(ir::OpKind::kMinus32).function) + "(" + Negated(inst) + ")", Precedence::kPrimary};
+        return {Declared(emittable, ir::Info(ir::OpKind::kMinus32).function) + "(" + Negated(inst) + ")",
+                Precedence::kPrimary};
       return SpellConstant(inst);
     case ir::Shape::kPure:
       return SpellPure(emittable, value);

@@ -130,7 +130,9 @@ void PartPrinter::Using() {
   if (!names.empty()) out_ += '\n';
 }
 
-bool PartPrinter::IsPrinted(ir::RoutineId id) const { return debug() || !program_.routines[id].simulation_only; }
+bool PartPrinter::IsPrinted(ir::RoutineId id) const {
+  return emit::IsPrinted(program_.routines[id], emittable_.options);
+}
 
 /// Subroutines that are called here before they are defined, or elsewhere; and what the partitions call of other files.
 void PartPrinter::Declarations() {

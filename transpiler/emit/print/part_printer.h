@@ -97,6 +97,7 @@ class PartPrinter {
   void Exit(ir::InstId id, const ir::Inst& inst);
   void Repeat(ir::InstId id, const ir::Inst& inst);
   void Label(const std::string& label);
+  std::string Word(Leave leave) const;
   std::string Departure(ir::InstId id) const;
 
   bool debug() const { return emittable_.options.flavour == Flavour::kDebug; }

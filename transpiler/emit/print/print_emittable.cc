@@ -64,6 +64,22 @@ void FunctionText::Pieces(const std::vector<Piece>& pieces) {
   }
 }
 
+std::string WordOf(Leave leave) {
+  switch (leave) {
+    case Leave::kFallsThrough:
+      return " to what follows";
+    case Leave::kReturn:
+      return " by return";
+    case Leave::kBreak:
+      return " by break";
+    case Leave::kContinue:
+      return " by continue";
+    case Leave::kGoto:
+      return " by goto";
+  }
+  return "";
+}
+
 std::string FunctionText::OfIf(const ElseArm& arm) const {
   const std::string comments = arm.statement.valid() ? " behind comments" : "";
   switch (arm.kind) {
@@ -71,6 +87,9 @@ std::string FunctionText::OfIf(const ElseArm& arm) const {
       return "";
     case ElseArm::Kind::kBlock:
       return ", else";
+    case ElseArm::Kind::kBehind:
+      return std::string(arm.leave == Leave::kFallsThrough ? "" : ", its arm ends" + WordOf(arm.leave)) +
+             ", the other arm behind it";
     case ElseArm::Kind::kIf:
       return ", else if" + comments;
     case ElseArm::Kind::kAlways:
@@ -92,21 +111,10 @@ std::string FunctionText::OfLanding(const Landing& landing) const {
 
 std::string FunctionText::OfLeave(ir::InstId id) const {
   const ir::Inst& inst = program_[id];
-  switch (emittable_.leaves.at(id.index)) {
-    case Leave::kFallsThrough:
-      return " to what follows";
-    case Leave::kReturn:
-      return " by return";
-    case Leave::kBreak:
-      return " by break";
-    case Leave::kContinue:
-      return " by continue";
-    case Leave::kGoto: {
-      const Landing& landing = emittable_.landings.at(inst.payload);
-      return " by goto " + (inst.op == ir::OpKind::kRepeat ? landing.again : landing.behind);
-    }
-  }
-  return "";
+  const Leave leave = emittable_.leaves.at(id.index);
+  if (leave != Leave::kGoto) return WordOf(leave);
+  const Landing& landing = emittable_.landings.at(inst.payload);
+  return WordOf(leave) + " " + (inst.op == ir::OpKind::kRepeat ? landing.again : landing.behind);
 }
 
 std::string FunctionText::OfSwitch(ir::InstId id) const {

@@ -103,14 +103,15 @@ static uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Hos
     // return low;
     return low;
   }
+
   // if (value > high)
-  else if (S16(value) > S16(high)) {
+  if (S16(value) > S16(high)) {
     // return high;
     return high;
-  } else {
-    // return value;
-    return value;
   }
+
+  // return value;
+  return value;
 }
 
 // read_inputs()
@@ -155,26 +156,30 @@ static void select_mode(State& m, Host& host) noexcept {
   // if (mode == (*ch_ctrl(0) & CH_MODE_MSK))
   if (mode == (m[ch_ctrl_0] & 7)) {
     // return;
+    return;
   }
+
   // if (mode > MODE_REF_RETURN)
-  else if (mode > 5) {
+  if (mode > 5) {
     // return;
-  } else {
-    // for (a = 0; a < AXES; a++)
-    a = 0;
-    for (; a < 3; a = Add16(a, 1)) {
-      // if (!get_axis_den(a))
-      const uint16_t t502 = get_axis_den(m, a, host);
-      if (t502 == 0) {
-        // set_axis_stop(a);
-        set_axis_stop(m, a, host);
-        // return;
-        return;
-      }
-    }
-    // *ch_ctrl(0) = *ch_ctrl(0) & ~CH_MODE_MSK | mode;
-    m[ch_ctrl_0] = (m[ch_ctrl_0] & 0xFFF8) | mode;
+    return;
   }
+
+  // for (a = 0; a < AXES; a++)
+  a = 0;
+  for (; a < 3; a = Add16(a, 1)) {
+    // if (!get_axis_den(a))
+    const uint16_t t502 = get_axis_den(m, a, host);
+    if (t502 == 0) {
+      // set_axis_stop(a);
+      set_axis_stop(m, a, host);
+      // return;
+      return;
+    }
+  }
+
+  // *ch_ctrl(0) = *ch_ctrl(0) & ~CH_MODE_MSK | mode;
+  m[ch_ctrl_0] = (m[ch_ctrl_0] & 0xFFF8) | mode;
 }
 
 // mode_lamps()
@@ -532,46 +537,47 @@ static void step(State& m, uint16_t a, Host& host) noexcept {
   if (answer == 0) {
     // the step before it is still under way
     // return;
-  } else {
-    // if (HIT_PLUS(a) && !(*axis_ctrl(a) & AX_LSP))
-    const bool t249 = (m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0;
-    both = t249;
-    if (t249) {
-      const uint32_t t250 = SignExtend16To32(Mul16(a, 10));
-      if (t250 > 255) {
-        record_fault(m, 2, 0x6152BE05, host);
-      }
-      both = (m[At(G, t250)] & 1) == 0;
+    return;
+  }
+
+  // if (HIT_PLUS(a) && !(*axis_ctrl(a) & AX_LSP))
+  const bool t249 = (m[pressed_1] & ShiftLeft16(1, Mul16(2, a) & 31)) != 0;
+  both = t249;
+  if (t249) {
+    const uint32_t t250 = SignExtend16To32(Mul16(a, 10));
+    if (t250 > 255) {
+      record_fault(m, 2, 0x6152BE05, host);
     }
-    if (both) {
-      // set_axis_step(a, (long) step_width);
-      const uint32_t t729 = SignExtend16To32(m[step_width]);
-      const uint16_t t730 = a;
-      if (t730 > 15) {
-        record_fault(m, 2, 0xC74504ED, host);
-      } else {
-        set_axis_step(m, t730, t729, host);
-      }
+    both = (m[At(G, t250)] & 1) == 0;
+  }
+  if (both) {
+    // set_axis_step(a, (long) step_width);
+    const uint32_t t729 = SignExtend16To32(m[step_width]);
+    const uint16_t t730 = a;
+    if (t730 > 15) {
+      record_fault(m, 2, 0xC74504ED, host);
     } else {
-      // if (HIT_MINUS(a) && !(*axis_ctrl(a) & AX_LSN))
-      const bool t203 = (m[pressed_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0;
-      both_local = t203;
-      if (t203) {
-        const uint32_t t204 = SignExtend16To32(Mul16(a, 10));
-        if (t204 > 255) {
-          record_fault(m, 2, 0x0B09D997, host);
-        }
-        both_local = (m[At(G, t204)] & 2) == 0;
+      set_axis_step(m, t730, t729, host);
+    }
+  } else {
+    // if (HIT_MINUS(a) && !(*axis_ctrl(a) & AX_LSN))
+    const bool t203 = (m[pressed_1] & ShiftLeft16(1, Add16(Mul16(2, a), 1) & 31)) != 0;
+    both_local = t203;
+    if (t203) {
+      const uint32_t t204 = SignExtend16To32(Mul16(a, 10));
+      if (t204 > 255) {
+        record_fault(m, 2, 0x0B09D997, host);
       }
-      if (both_local) {
-        // set_axis_step(a, -(long) step_width);
-        const uint32_t t176 = Minus32(SignExtend16To32(m[step_width]));
-        const uint16_t t177 = a;
-        if (t177 > 15) {
-          record_fault(m, 2, 0x5AAF9C00, host);
-        } else {
-          set_axis_step(m, t177, t176, host);
-        }
+      both_local = (m[At(G, t204)] & 2) == 0;
+    }
+    if (both_local) {
+      // set_axis_step(a, -(long) step_width);
+      const uint32_t t176 = Minus32(SignExtend16To32(m[step_width]));
+      const uint16_t t177 = a;
+      if (t177 > 15) {
+        record_fault(m, 2, 0x5AAF9C00, host);
+      } else {
+        set_axis_step(m, t177, t176, host);
       }
     }
   }
@@ -695,43 +701,45 @@ static void axes(State& m, Host& host) noexcept {
     // get_handwheel(0);
     get_handwheel(m, 0, host);
     // return;
+    return;
+  }
+
+  // if (mode == MODE_HANDWHEEL)
+  if (mode == 4) {
+    // wheel();
+    wheel(m, host);
   } else {
-    // if (mode == MODE_HANDWHEEL)
-    if (mode == 4) {
-      // wheel();
-      wheel(m, host);
-    } else {
-      // turned in another mode: forget it
-      // get_handwheel(0);
-      get_handwheel(m, 0, host);
-    }
-    // for (a = 0; a < AXES; a++)
-    a = 0;
-    for (; a < 3; a = Add16(a, 1)) {
-      // switch (mode)
-      switch (mode) {
-        case 2: {
-          // case MODE_JOG:
-          // jog(a);
-          jog(m, a, host);
-          break;
-        }
-        case 3: {
-          // case MODE_STEP:
-          // step(a);
-          step(m, a, host);
-          break;
-        }
-        case 5: {
-          // case MODE_REF_RETURN:
-          // reference(a);
-          reference(m, a, host);
-          break;
-        }
-        default: {
-          // default:
-          break;
-        }
+    // turned in another mode: forget it
+    // get_handwheel(0);
+    get_handwheel(m, 0, host);
+  }
+
+  // for (a = 0; a < AXES; a++)
+  a = 0;
+  for (; a < 3; a = Add16(a, 1)) {
+    // switch (mode)
+    switch (mode) {
+      case 2: {
+        // case MODE_JOG:
+        // jog(a);
+        jog(m, a, host);
+        break;
+      }
+      case 3: {
+        // case MODE_STEP:
+        // step(a);
+        step(m, a, host);
+        break;
+      }
+      case 5: {
+        // case MODE_REF_RETURN:
+        // reference(a);
+        reference(m, a, host);
+        break;
+      }
+      default: {
+        // default:
+        break;
       }
     }
   }
@@ -765,17 +773,19 @@ static void spindle_keys(State& m, Host& host) noexcept {
   // if (mode == MODE_AUTO)
   if (mode == 1) {
     // return;
-  } else {
-    // if (HIT_SPINDLE && CLAMPED && machine_on)
-    if (((m[pressed_0] & 0x40) != 0) & ((m[sample_7] & 4) != 0) & (m[machine_on] != 0)) {
-      // start_spindle(SPINDLE_CW);
-      start_spindle(m, 1, host);
-    }
-    // if (HIT_SP_STOP)
-    if ((m[pressed_0] & 0x80) != 0) {
-      // start_spindle(SPINDLE_STOPPED);
-      start_spindle(m, 0, host);
-    }
+    return;
+  }
+
+  // if (HIT_SPINDLE && CLAMPED && machine_on)
+  if (((m[pressed_0] & 0x40) != 0) & ((m[sample_7] & 4) != 0) & (m[machine_on] != 0)) {
+    // start_spindle(SPINDLE_CW);
+    start_spindle(m, 1, host);
+  }
+
+  // if (HIT_SP_STOP)
+  if ((m[pressed_0] & 0x80) != 0) {
+    // start_spindle(SPINDLE_STOPPED);
+    start_spindle(m, 0, host);
   }
 }
 
@@ -916,16 +926,18 @@ static void on_t(State& m, uint16_t ch, Host& host) noexcept {
     m[alarms] = m[alarms] | 0x20;
     // stays busy until reset withdraws the request
     // return;
-  } else {
-    // wanted_tool = tool;
-    m[wanted_tool] = tool;
-    // mod_T_code(ch) = -1;
-    const uint32_t t320 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
-    if (t320 > 255) {
-      record_fault(m, 2, 0xC2D197EC, host);
-    }
-    m[At(G, t320)] = Minus16(1);
+    return;
   }
+
+  // wanted_tool = tool;
+  m[wanted_tool] = tool;
+
+  // mod_T_code(ch) = -1;
+  const uint32_t t320 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 2));
+  if (t320 > 255) {
+    record_fault(m, 2, 0xC2D197EC, host);
+  }
+  m[At(G, t320)] = Minus16(1);
 }
 
 // begin_change()
@@ -933,21 +945,25 @@ static void begin_change(State& m, Host& host) noexcept {
   // if (change_state != CHANGE_IDLE)
   if (m[change_state] != 0) {
     // return;
-  } else {
-    // change_scans = 0;
-    m[change_scans] = 0;
-    // if (wanted_tool == tool_in_spindle)
-    if (m[wanted_tool] == m[tool_in_spindle]) {
-      // change_state = CHANGE_DONE;
-      m[change_state] = 8;
-      // return;
-    } else {
-      // target_pocket = pocket_of(wanted_tool);
-      m[target_pocket] = pocket_of(m, m[wanted_tool], host);
-      // change_state = CHANGE_ORIENT;
-      m[change_state] = 1;
-    }
+    return;
   }
+
+  // change_scans = 0;
+  m[change_scans] = 0;
+
+  // if (wanted_tool == tool_in_spindle)
+  if (m[wanted_tool] == m[tool_in_spindle]) {
+    // change_state = CHANGE_DONE;
+    m[change_state] = 8;
+    // return;
+    return;
+  }
+
+  // target_pocket = pocket_of(wanted_tool);
+  m[target_pocket] = pocket_of(m, m[wanted_tool], host);
+
+  // change_state = CHANGE_ORIENT;
+  m[change_state] = 1;
 }
 
 // next_step()
@@ -975,9 +991,11 @@ static void count_pockets(State& m, Host&) noexcept {
   // if (!HIT_POCKET)
   if ((m[pressed_7] & 0x10) == 0) {
     // return;
+    return;
   }
+
   // if (Y[3] & 0x01)
-  else if ((m[Y3] & 0x01) != 0) {
+  if ((m[Y3] & 0x01) != 0) {
     // pocket_in_front = pocket_in_front % POCKETS + 1;
     m[pocket_in_front] = Add16(SignedRem16(m[pocket_in_front], 12), 1);
   }
@@ -1040,198 +1058,201 @@ static void tool_change(State& m, Host& host) noexcept {
       m[Y3] = m[Y3] & 0xFB;
     }
     // return;
-  } else {
-    // if (change_state < CHANGE_DONE && ++change_scans > step_limit && step_limit != 0)
-    const bool t112 = m[change_state] < 8;
-    both = t112;
-    if (t112) {
-      const uint16_t t113 = Add16(m[change_scans], 1);
-      m[change_scans] = t113;
-      both = t113 > m[step_limit];
-    }
-    if (both & (m[step_limit] != 0)) {
-      // alarms |= ALARM_CHANGE;
-      m[alarms] = m[alarms] | 0x40;
-    }
-    // if (alarms & ALARM_CHANGE || !machine_on)
-    if (((m[alarms] & 0x40) != 0) | (m[machine_on] == 0)) {
-      // stop_magazine();
-      stop_magazine(m, host);
-      // return;
-    } else {
-      // switch (change_state)
-      switch (m[change_state]) {
-        case 1: {
-          // case CHANGE_ORIENT:
-          // start_spindle(SPINDLE_ORIENT);
-          start_spindle(m, 3, host);
-          // if (!ORIENTED)
-          if ((m[sample_7] & 0x40) == 0) {
-            return;
-          }
-          // next_step(CHANGE_OUT);
-          next_step(m, 2, host);
-        }
-        [[fallthrough]];
-        case 2: {
-          // falls through: the magazine moves in the same scan
-          // case CHANGE_OUT:
-          // Y_MAG_BACK(0)
-          if (false) {
-            m[Y2] = m[Y2] | 0x80;
-          } else {
-            m[Y2] = m[Y2] & 0x7F;
-          }
-          // Y_MAG_OUT(1)
-          if (true) {
-            m[Y2] = m[Y2] | 0x40;
-          } else {
-            m[Y2] = m[Y2] & 0xBF;
-          }
-          // if (MAG_FRONT)
-          if ((m[sample_7] & 1) != 0) {
-            // next_step(CHANGE_OPEN);
-            next_step(m, 3, host);
-          }
-          break;
-        }
-        case 3: {
-          // case CHANGE_OPEN:
-          // Y_UNCLAMP(1)
-          if (true) {
-            m[Y3] = m[Y3] | 4;
-          } else {
-            m[Y3] = m[Y3] & 0xFB;
-          }
-          // if (UNCLAMPED)
-          if ((m[sample_7] & 8) != 0) {
-            // next_step(CHANGE_RISE);
-            next_step(m, 4, host);
-          }
-          break;
-        }
-        case 4: {
-          // the spindle leaves the tool: 20 scans
-          // case CHANGE_RISE:
-          // if (change_scans < 20)
-          if (m[change_scans] < 20) {
-            return;
-          }
-          // if (tool_in_spindle != 0)
-          if (m[tool_in_spindle] != 0) {
-            // *cutter_in_mag(pocket_in_front - 1) = tool_in_spindle;
-            const uint16_t t952 = m[tool_in_spindle];
-            const uint32_t t953 = SignExtend16To32(Sub16(m[pocket_in_front], 1));
-            if (Add32(t953, 1) > 99) {
-              record_fault(m, 2, 0xE5F47B10, host);
-            }
-            m[At(B_from_1, t953)] = t952;
-          }
-          // tool_in_spindle = 0;
-          m[tool_in_spindle] = 0;
-          // next_step(CHANGE_TURN);
-          next_step(m, 5, host);
-          break;
-        }
-        case 5: {
-          // case CHANGE_TURN:
-          // turning = pocket_in_front != target_pocket;
-          turning = m[pocket_in_front] != m[target_pocket];
-          // Y_MAG_CW(turning && positive_turn())
-          const bool t268 = turning != 0;
-          both_local = t268;
-          if (t268) {
-            const uint16_t t269 = positive_turn(m, host);
-            both_local = t269 != 0;
-          }
-          if (both_local) {
-            m[Y3] = m[Y3] | 1;
-          } else {
-            m[Y3] = m[Y3] & 0xFE;
-          }
-          // Y_MAG_CCW(turning && !positive_turn())
-          const bool t870 = turning != 0;
-          both_local_2 = t870;
-          if (t870) {
-            const uint16_t t871 = positive_turn(m, host);
-            both_local_2 = t871 == 0;
-          }
-          if (both_local_2) {
-            m[Y3] = m[Y3] | 2;
-          } else {
-            m[Y3] = m[Y3] & 0xFD;
-          }
-          // if (turning)
-          if (turning != 0) {
-            return;
-          }
-          // tool_in_spindle = *cutter_in_mag(target_pocket - 1);
-          const uint32_t t552 = SignExtend16To32(Sub16(m[target_pocket], 1));
-          if (Add32(t552, 1) > 99) {
-            record_fault(m, 2, 0xE3FA4B14, host);
-          }
-          m[tool_in_spindle] = m[At(B_from_1, t552)];
-          // *cutter_in_mag(target_pocket - 1) = 0;
-          const uint32_t t784 = SignExtend16To32(Sub16(m[target_pocket], 1));
-          if (Add32(t784, 1) > 99) {
-            record_fault(m, 2, 0x2A121D28, host);
-          }
-          m[At(B_from_1, t784)] = 0;
-          // next_step(CHANGE_CLOSE);
-          next_step(m, 6, host);
-          break;
-        }
-        case 6: {
-          // case CHANGE_CLOSE:
-          // Y_UNCLAMP(0)
-          if (false) {
-            m[Y3] = m[Y3] | 4;
-          } else {
-            m[Y3] = m[Y3] & 0xFB;
-          }
-          // if (CLAMPED)
-          if ((m[sample_7] & 4) != 0) {
-            // next_step(CHANGE_BACK);
-            next_step(m, 7, host);
-          }
-          break;
-        }
-        case 7: {
-          // case CHANGE_BACK:
-          // Y_MAG_OUT(0)
-          if (false) {
-            m[Y2] = m[Y2] | 0x40;
-          } else {
-            m[Y2] = m[Y2] & 0xBF;
-          }
-          // Y_MAG_BACK(1)
-          if (true) {
-            m[Y2] = m[Y2] | 0x80;
-          } else {
-            m[Y2] = m[Y2] & 0x7F;
-          }
-          // if (!MAG_HOME)
-          if ((m[sample_7] & 2) == 0) {
-            return;
-          }
-          // Y_MAG_BACK(0)
-          if (false) {
-            m[Y2] = m[Y2] | 0x80;
-          } else {
-            m[Y2] = m[Y2] & 0x7F;
-          }
-          // start_spindle(SPINDLE_STOPPED);
-          start_spindle(m, 0, host);
-          // next_step(CHANGE_DONE);
-          next_step(m, 8, host);
-          break;
-        }
-        default: {
-          // CHANGE_DONE: M06 ends it
-          // default:
-          break;
-        }
+    return;
+  }
+
+  // if (change_state < CHANGE_DONE && ++change_scans > step_limit && step_limit != 0)
+  const bool t112 = m[change_state] < 8;
+  both = t112;
+  if (t112) {
+    const uint16_t t113 = Add16(m[change_scans], 1);
+    m[change_scans] = t113;
+    both = t113 > m[step_limit];
+  }
+  if (both & (m[step_limit] != 0)) {
+    // alarms |= ALARM_CHANGE;
+    m[alarms] = m[alarms] | 0x40;
+  }
+
+  // if (alarms & ALARM_CHANGE || !machine_on)
+  if (((m[alarms] & 0x40) != 0) | (m[machine_on] == 0)) {
+    // stop_magazine();
+    stop_magazine(m, host);
+    // return;
+    return;
+  }
+
+  // switch (change_state)
+  switch (m[change_state]) {
+    case 1: {
+      // case CHANGE_ORIENT:
+      // start_spindle(SPINDLE_ORIENT);
+      start_spindle(m, 3, host);
+      // if (!ORIENTED)
+      if ((m[sample_7] & 0x40) == 0) {
+        return;
       }
+      // next_step(CHANGE_OUT);
+      next_step(m, 2, host);
+    }
+    [[fallthrough]];
+    case 2: {
+      // falls through: the magazine moves in the same scan
+      // case CHANGE_OUT:
+      // Y_MAG_BACK(0)
+      if (false) {
+        m[Y2] = m[Y2] | 0x80;
+      } else {
+        m[Y2] = m[Y2] & 0x7F;
+      }
+      // Y_MAG_OUT(1)
+      if (true) {
+        m[Y2] = m[Y2] | 0x40;
+      } else {
+        m[Y2] = m[Y2] & 0xBF;
+      }
+      // if (MAG_FRONT)
+      if ((m[sample_7] & 1) != 0) {
+        // next_step(CHANGE_OPEN);
+        next_step(m, 3, host);
+      }
+      break;
+    }
+    case 3: {
+      // case CHANGE_OPEN:
+      // Y_UNCLAMP(1)
+      if (true) {
+        m[Y3] = m[Y3] | 4;
+      } else {
+        m[Y3] = m[Y3] & 0xFB;
+      }
+      // if (UNCLAMPED)
+      if ((m[sample_7] & 8) != 0) {
+        // next_step(CHANGE_RISE);
+        next_step(m, 4, host);
+      }
+      break;
+    }
+    case 4: {
+      // the spindle leaves the tool: 20 scans
+      // case CHANGE_RISE:
+      // if (change_scans < 20)
+      if (m[change_scans] < 20) {
+        return;
+      }
+      // if (tool_in_spindle != 0)
+      if (m[tool_in_spindle] != 0) {
+        // *cutter_in_mag(pocket_in_front - 1) = tool_in_spindle;
+        const uint16_t t952 = m[tool_in_spindle];
+        const uint32_t t953 = SignExtend16To32(Sub16(m[pocket_in_front], 1));
+        if (Add32(t953, 1) > 99) {
+          record_fault(m, 2, 0xE5F47B10, host);
+        }
+        m[At(B_from_1, t953)] = t952;
+      }
+      // tool_in_spindle = 0;
+      m[tool_in_spindle] = 0;
+      // next_step(CHANGE_TURN);
+      next_step(m, 5, host);
+      break;
+    }
+    case 5: {
+      // case CHANGE_TURN:
+      // turning = pocket_in_front != target_pocket;
+      turning = m[pocket_in_front] != m[target_pocket];
+      // Y_MAG_CW(turning && positive_turn())
+      const bool t268 = turning != 0;
+      both_local = t268;
+      if (t268) {
+        const uint16_t t269 = positive_turn(m, host);
+        both_local = t269 != 0;
+      }
+      if (both_local) {
+        m[Y3] = m[Y3] | 1;
+      } else {
+        m[Y3] = m[Y3] & 0xFE;
+      }
+      // Y_MAG_CCW(turning && !positive_turn())
+      const bool t870 = turning != 0;
+      both_local_2 = t870;
+      if (t870) {
+        const uint16_t t871 = positive_turn(m, host);
+        both_local_2 = t871 == 0;
+      }
+      if (both_local_2) {
+        m[Y3] = m[Y3] | 2;
+      } else {
+        m[Y3] = m[Y3] & 0xFD;
+      }
+      // if (turning)
+      if (turning != 0) {
+        return;
+      }
+      // tool_in_spindle = *cutter_in_mag(target_pocket - 1);
+      const uint32_t t552 = SignExtend16To32(Sub16(m[target_pocket], 1));
+      if (Add32(t552, 1) > 99) {
+        record_fault(m, 2, 0xE3FA4B14, host);
+      }
+      m[tool_in_spindle] = m[At(B_from_1, t552)];
+      // *cutter_in_mag(target_pocket - 1) = 0;
+      const uint32_t t784 = SignExtend16To32(Sub16(m[target_pocket], 1));
+      if (Add32(t784, 1) > 99) {
+        record_fault(m, 2, 0x2A121D28, host);
+      }
+      m[At(B_from_1, t784)] = 0;
+      // next_step(CHANGE_CLOSE);
+      next_step(m, 6, host);
+      break;
+    }
+    case 6: {
+      // case CHANGE_CLOSE:
+      // Y_UNCLAMP(0)
+      if (false) {
+        m[Y3] = m[Y3] | 4;
+      } else {
+        m[Y3] = m[Y3] & 0xFB;
+      }
+      // if (CLAMPED)
+      if ((m[sample_7] & 4) != 0) {
+        // next_step(CHANGE_BACK);
+        next_step(m, 7, host);
+      }
+      break;
+    }
+    case 7: {
+      // case CHANGE_BACK:
+      // Y_MAG_OUT(0)
+      if (false) {
+        m[Y2] = m[Y2] | 0x40;
+      } else {
+        m[Y2] = m[Y2] & 0xBF;
+      }
+      // Y_MAG_BACK(1)
+      if (true) {
+        m[Y2] = m[Y2] | 0x80;
+      } else {
+        m[Y2] = m[Y2] & 0x7F;
+      }
+      // if (!MAG_HOME)
+      if ((m[sample_7] & 2) == 0) {
+        return;
+      }
+      // Y_MAG_BACK(0)
+      if (false) {
+        m[Y2] = m[Y2] | 0x80;
+      } else {
+        m[Y2] = m[Y2] & 0x7F;
+      }
+      // start_spindle(SPINDLE_STOPPED);
+      start_spindle(m, 0, host);
+      // next_step(CHANGE_DONE);
+      next_step(m, 8, host);
+      break;
+    }
+    default: {
+      // CHANGE_DONE: M06 ends it
+      // default:
+      break;
     }
   }
 }
@@ -1241,18 +1262,20 @@ static void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noex
   // if (alarms & ALARM_SPINDLE)
   if ((m[alarms] & 0x80) != 0) {
     // return;
-  } else {
-    // start_spindle(state);
-    start_spindle(m, state, host);
-    // if (state == SPINDLE_STOPPED || spindle_speed == 0 || at_speed_scans >= 2)
-    if ((state == 0) | (m[spindle_speed] == 0) | (m[at_speed_scans] >= 2)) {
-      // mod_M_code(ch) = -1;
-      const uint32_t t160 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
-      if (t160 > 255) {
-        record_fault(m, 2, 0x84C595D4, host);
-      }
-      m[At(G, t160)] = Minus16(1);
+    return;
+  }
+
+  // start_spindle(state);
+  start_spindle(m, state, host);
+
+  // if (state == SPINDLE_STOPPED || spindle_speed == 0 || at_speed_scans >= 2)
+  if ((state == 0) | (m[spindle_speed] == 0) | (m[at_speed_scans] >= 2)) {
+    // mod_M_code(ch) = -1;
+    const uint32_t t160 = SignExtend16To32(Add16(Add16(Mul16(ch, 20), 170), 0));
+    if (t160 > 255) {
+      record_fault(m, 2, 0x84C595D4, host);
     }
+    m[At(G, t160)] = Minus16(1);
   }
 }
 
@@ -1419,46 +1442,51 @@ static void watch(State& m, Host&) noexcept {
   // if (scans_read < 2)
   if (m[scans_read] < 2) {
     // return;
-  } else {
-    // Drives need a second after they are enabled: 60 scans.
-    // if (!machine_on || DRIVES_OK && SP_READY)
-    if ((m[machine_on] == 0) | (((m[sample_4] & 2) != 0) & ((m[sample_4] & 4) != 0))) {
-      // drive_scans = 0;
-      m[watch_drive_scans] = 0;
+    return;
+  }
+
+  // Drives need a second after they are enabled: 60 scans.
+  // if (!machine_on || DRIVES_OK && SP_READY)
+  if ((m[machine_on] == 0) | (((m[sample_4] & 2) != 0) & ((m[sample_4] & 4) != 0))) {
+    // drive_scans = 0;
+    m[watch_drive_scans] = 0;
+  }
+  // if (drive_scans < 60)
+  else if (m[watch_drive_scans] < 60) {
+    // drive_scans++;
+    m[watch_drive_scans] = Add8(m[watch_drive_scans], 1);
+  }
+
+  // if (drive_scans == 60)
+  if (m[watch_drive_scans] == 60) {
+    // if (!DRIVES_OK)
+    if ((m[sample_4] & 2) == 0) {
+      // alarms |= ALARM_DRIVES;
+      m[alarms] = m[alarms] | 2;
     }
-    // if (drive_scans < 60)
-    else if (m[watch_drive_scans] < 60) {
-      // drive_scans++;
-      m[watch_drive_scans] = Add8(m[watch_drive_scans], 1);
+    // if (!SP_READY)
+    if ((m[sample_4] & 4) == 0) {
+      // alarms |= ALARM_SPINDLE;
+      m[alarms] = m[alarms] | 0x80;
     }
-    // if (drive_scans == 60)
-    if (m[watch_drive_scans] == 60) {
-      // if (!DRIVES_OK)
-      if ((m[sample_4] & 2) == 0) {
-        // alarms |= ALARM_DRIVES;
-        m[alarms] = m[alarms] | 2;
-      }
-      // if (!SP_READY)
-      if ((m[sample_4] & 4) == 0) {
-        // alarms |= ALARM_SPINDLE;
-        m[alarms] = m[alarms] | 0x80;
-      }
-    }
-    // if (!AIR_OK)
-    if ((m[sample_4] & 0x10) == 0) {
-      // alarms |= ALARM_AIR;
-      m[alarms] = m[alarms] | 4;
-    }
-    // if (!OIL_OK)
-    if ((m[sample_4] & 0x20) == 0) {
-      // alarms |= ALARM_OIL;
-      m[alarms] = m[alarms] | 8;
-    }
-    // if (!COOLANT_OK)
-    if ((m[sample_4] & 0x40) == 0) {
-      // alarms |= ALARM_COOLANT;
-      m[alarms] = m[alarms] | 0x10;
-    }
+  }
+
+  // if (!AIR_OK)
+  if ((m[sample_4] & 0x10) == 0) {
+    // alarms |= ALARM_AIR;
+    m[alarms] = m[alarms] | 4;
+  }
+
+  // if (!OIL_OK)
+  if ((m[sample_4] & 0x20) == 0) {
+    // alarms |= ALARM_OIL;
+    m[alarms] = m[alarms] | 8;
+  }
+
+  // if (!COOLANT_OK)
+  if ((m[sample_4] & 0x40) == 0) {
+    // alarms |= ALARM_COOLANT;
+    m[alarms] = m[alarms] | 0x10;
   }
 }
 
@@ -1496,37 +1524,43 @@ static void lubrication(State& m, Host&) noexcept {
     // clr_y(0, 7);
     m[Y0] = m[Y0] & 0x7F;
     // return;
+    return;
+  }
+
+  // quarter += 4;
+  m[lubrication_quarter] = Add8(m[lubrication_quarter], 4);
+
+  // if (quarter >= 125)
+  if (m[lubrication_quarter] >= 125) {
+    // quarter -= 125;
+    m[lubrication_quarter] = Sub8(m[lubrication_quarter], 125);
+    // seconds++;
+    m[lubrication_seconds] = Add16(m[lubrication_seconds], 1);
+  }
+
+  // limit = pumping ? lube_on_s : lube_off_s;
+  limit = (m[lubrication_pumping] != 0 ? m[lube_on_s] : m[lube_off_s]);
+
+  // if (limit != 0 && seconds >= limit)
+  if ((limit != 0) & (m[lubrication_seconds] >= limit)) {
+    // seconds = 0;
+    m[lubrication_seconds] = 0;
+    // pumping = !pumping;
+    m[lubrication_pumping] = (m[lubrication_pumping] == 0 ? 1 : 0);
+  }
+
+  // Y_LUBE(pumping && !(alarms & ALARM_OIL))
+  if ((m[lubrication_pumping] != 0) & ((m[alarms] & 8) == 0)) {
+    m[Y2] = m[Y2] | 0x20;
   } else {
-    // quarter += 4;
-    m[lubrication_quarter] = Add8(m[lubrication_quarter], 4);
-    // if (quarter >= 125)
-    if (m[lubrication_quarter] >= 125) {
-      // quarter -= 125;
-      m[lubrication_quarter] = Sub8(m[lubrication_quarter], 125);
-      // seconds++;
-      m[lubrication_seconds] = Add16(m[lubrication_seconds], 1);
-    }
-    // limit = pumping ? lube_on_s : lube_off_s;
-    limit = (m[lubrication_pumping] != 0 ? m[lube_on_s] : m[lube_off_s]);
-    // if (limit != 0 && seconds >= limit)
-    if ((limit != 0) & (m[lubrication_seconds] >= limit)) {
-      // seconds = 0;
-      m[lubrication_seconds] = 0;
-      // pumping = !pumping;
-      m[lubrication_pumping] = (m[lubrication_pumping] == 0 ? 1 : 0);
-    }
-    // Y_LUBE(pumping && !(alarms & ALARM_OIL))
-    if ((m[lubrication_pumping] != 0) & ((m[alarms] & 8) == 0)) {
-      m[Y2] = m[Y2] | 0x20;
-    } else {
-      m[Y2] = m[Y2] & 0xDF;
-    }
-    // put_y(0, 7, pumping || alarms & ALARM_OIL)
-    if ((m[lubrication_pumping] != 0) | ((m[alarms] & 8) != 0)) {
-      m[Y0] = m[Y0] | 0x80;
-    } else {
-      m[Y0] = m[Y0] & 0x7F;
-    }
+    m[Y2] = m[Y2] & 0xDF;
+  }
+
+  // put_y(0, 7, pumping || alarms & ALARM_OIL)
+  if ((m[lubrication_pumping] != 0) | ((m[alarms] & 8) != 0)) {
+    m[Y0] = m[Y0] | 0x80;
+  } else {
+    m[Y0] = m[Y0] & 0x7F;
   }
 }
 

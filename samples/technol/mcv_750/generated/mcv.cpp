@@ -1755,13 +1755,16 @@ static void mech_VYPADEK(State& m, Host&) noexcept {
   const uint16_t t241 = m[SITE_CAS];
   if (t241 < 100) {
     m[SITE_CAS] = Add16(t241, 1);
-  } else {
-    m[SITE_CAS] = 0;
-    // FL   1,MCH_VYPNUTI
-    m[MCH_VYPNUTI] = true;
-    // MECH_END VYPADEK
-    m[VYPADEK] = false;
+    return;
   }
+
+  m[SITE_CAS] = 0;
+
+  // FL   1,MCH_VYPNUTI
+  m[MCH_VYPNUTI] = true;
+
+  // MECH_END VYPADEK
+  m[VYPADEK] = false;
 }
 
 // Mechanism MCH_VYPNUTI: goes on where it waits.
@@ -2088,12 +2091,12 @@ static bool PREPIS(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint32_t&
 
   // CALL SUMA
   if (SUMA(m, ax, bx, dr, rounds_left, host)) {
-    left = true;
-  } else {
-    // LOD  SOUCET
-    // STO  LABEL_MEM.ZN_SUMA
-    m[LABEL_MEM_ZN_SUMA] = m[SOUCET];
+    return true;
   }
+
+  // LOD  SOUCET
+  // STO  LABEL_MEM.ZN_SUMA
+  m[LABEL_MEM_ZN_SUMA] = m[SOUCET];
 
   // RET
   return left;

@@ -224,19 +224,20 @@ static void plc1(State& m, Host&) noexcept {
   for (; i < 10; i = Add16(i, 1)) {
     // if (i & 1)
     if ((i & 1) != 0) {
+      continue;
     }
     // if (i == 6)
-    else if (i == 6) {
+    if (i == 6) {
       // b += 19;
       m[b] = Add16(m[b], 19);
-    } else {
-      // if (i == 8)
-      if (i == 8) {
-        break;
-      }
-      // b += i;
-      m[b] = Add16(m[b], i);
+      continue;
     }
+    // if (i == 8)
+    if (i == 8) {
+      break;
+    }
+    // b += i;
+    m[b] = Add16(m[b], i);
   }
 
   // for (i = 0; i < 5; i++)
