@@ -105,9 +105,9 @@ class DirectedSearch {
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;
   size_t followed_ = 0;  // computed runs
-  uint32_t period_ms_ = 1;
-  uint32_t pass_periods_ = 1;  // of a whole slow pass
   prove::compare::Uses old_uses_, new_uses_;
+  uint32_t period_ms_ = 1;
+  uint32_t pass_periods_ = 1;                                 // of a whole slow pass
   std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
   bool has_new_difference_ = false;
   prove::terms::Random random_{0x8EBC6AF09C88C6E3};

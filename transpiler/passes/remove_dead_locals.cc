@@ -116,12 +116,12 @@ void Analysis::FindLocals() {
       const ir::Place& place = program.places[ir::PlaceId(i)];
       return Key(place.offset, place.bit, place.type);
     };
-    std::map<Key, bool> alone;  // by what one local would be
-    for (const uint32_t i : places) alone.try_emplace(key_of(i), true).first->second &= !fixed[i];
-    for (auto one = alone.begin(); one != alone.end(); ++one) {
+    std::map<Key, bool> apart;  // by what one local would be
+    for (const uint32_t i : places) apart.try_emplace(key_of(i), true).first->second &= !fixed[i];
+    for (auto one = apart.begin(); one != apart.end(); ++one) {
       const auto& [offset, bit, type] = one->first;
       // What begins behind this one cannot overlap it, nor can what follows.
-      for (auto other = std::next(one); other != alone.end(); ++other) {
+      for (auto other = std::next(one); other != apart.end(); ++other) {
         const auto& [other_offset, other_bit, other_type] = other->first;
         if (other_offset >= offset + ir::Bytes(type)) break;
         if (type == ir::Type::kBit && other_type == ir::Type::kBit && bit != other_bit) continue;
@@ -130,7 +130,7 @@ void Analysis::FindLocals() {
     }
     std::map<Key, uint32_t> numbers;
     for (const uint32_t i : places) {
-      if (!alone[key_of(i)]) continue;
+      if (!apart[key_of(i)]) continue;
       const auto [number, added] = numbers.emplace(key_of(i), locals);
       if (added) ++locals;
       local_of[i] = number->second;

@@ -81,8 +81,9 @@ TEST(Functions, NeedNothingOfWhatIsAroundThem) {
     const std::set<uint32_t> inside = Within(program, chunk);
     for (const uint32_t index : inside) {
       const ir::Inst& inst = program[ir::InstId(index)];
-      if (inst.op == ir::OpKind::kExit || inst.op == ir::OpKind::kRepeat)
+      if (inst.op == ir::OpKind::kExit || inst.op == ir::OpKind::kRepeat) {
         EXPECT_TRUE(inside.contains(inst.payload)) << chunk.name;
+      }
       for (const ir::ValueId value : ir::UsedValues(program, inst))
         EXPECT_TRUE(inside.contains(value.index)) << chunk.name;
     }
@@ -91,8 +92,12 @@ TEST(Functions, NeedNothingOfWhatIsAroundThem) {
       if (other == k) continue;
       const std::set<uint32_t> around = Within(program, emittable.chunks[other]);
       const bool is_inside = std::ranges::includes(around, inside);
-      if (chunk.parent == other) EXPECT_TRUE(is_inside && other > k) << chunk.name;
-      if (is_inside) EXPECT_NE(chunk.parent, Chunk::kNoParent) << chunk.name;
+      if (chunk.parent == other) {
+        EXPECT_TRUE(is_inside && other > k) << chunk.name;
+      }
+      if (is_inside) {
+        EXPECT_NE(chunk.parent, Chunk::kNoParent) << chunk.name;
+      }
       if (!is_inside && !std::ranges::includes(inside, around)) {
         for (const uint32_t index : inside) EXPECT_FALSE(around.contains(index)) << chunk.name;
       }
@@ -144,8 +149,12 @@ void CheckParts(const ir::Program& program, const Emittable& emittable) {
     const Chunk& chunk = emittable.chunks[k];
     ASSERT_LT(chunk.part, emittable.parts.size());
     const bool of_subroutine = program.routines[chunk.routine].kind == ir::RoutineKind::kSubroutine;
-    if (of_subroutine) EXPECT_EQ(chunk.part, emittable.routine_parts[chunk.routine.index]) << chunk.name;
-    if (chunk.parent != Chunk::kNoParent) EXPECT_EQ(chunk.part, emittable.chunks[chunk.parent].part) << chunk.name;
+    if (of_subroutine) {
+      EXPECT_EQ(chunk.part, emittable.routine_parts[chunk.routine.index]) << chunk.name;
+    }
+    if (chunk.parent != Chunk::kNoParent) {
+      EXPECT_EQ(chunk.part, emittable.chunks[chunk.parent].part) << chunk.name;
+    }
     const bool called_from_elsewhere = chunk.part != 0 && !of_subroutine && chunk.parent == Chunk::kNoParent;
     EXPECT_EQ(runs_of[k], called_from_elsewhere ? 1u : 0u) << chunk.name;
   }
@@ -199,7 +208,9 @@ TEST(Parts, AreAsManyAsWereAskedFor) {
     for (const uint32_t count : statements) all += count;
     for (uint32_t part = 0; part < parts; ++part) {
       EXPECT_GE(statements[part], all / (3 * parts)) << part << " of " << parts;
-      if (part > 0) EXPECT_EQ(emittable.parts[part].suffix, "_" + std::to_string(part + 1));
+      if (part > 0) {
+        EXPECT_EQ(emittable.parts[part].suffix, "_" + std::to_string(part + 1));
+      }
     }
   }
 }

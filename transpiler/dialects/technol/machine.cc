@@ -132,9 +132,9 @@ std::string_view NearMnemonic(std::string_view word) {
   static const std::vector<std::string_view> mnemonics = [] {
     std::vector<std::string_view> words;
     for (const auto& [name, op] : OpsByName()) words.push_back(name);
-    for (const std::string_view word : {"DATA", "DATA_END", "STOP", "MECH_BEGIN", "MECH_END", "MODULE_MAIN",
-                                        "MODULE_MAIN_END", "MODULE_FAST", "MODULE_FAST_END"}) {
-      words.push_back(word);
+    for (const std::string_view other : {"DATA", "DATA_END", "STOP", "MECH_BEGIN", "MECH_END", "MODULE_MAIN",
+                                         "MODULE_MAIN_END", "MODULE_FAST", "MODULE_FAST_END"}) {
+      words.push_back(other);
     }
     return words;
   }();
