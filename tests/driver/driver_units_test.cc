@@ -1,8 +1,15 @@
 // The parts of the driver that are functions of their arguments alone.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -80,6 +87,54 @@ TEST(WriteAll, LeavesNothingBehindAfterAFailure) {
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->path, in_the_way);
   EXPECT_FALSE(std::filesystem::exists(directory.File("a")));
+}
+
+std::string TextOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(WriteAll, WritesThroughLinks) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string file = directory.File("file"), link = directory.File("link");
+  ASSERT_FALSE(WriteAll({"", {{file, "old"}}, {}}).has_value());
+  std::filesystem::create_symlink(file, link);
+  ASSERT_FALSE(WriteAll({"", {{link, "new"}}, {}}).has_value());
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(TextOf(file), "new");
+}
+
+// With `--junit /dev/full`, as root, the device was a file from then on. A pipe stands for it here.
+TEST(WriteAll, WritesToWhatIsNoFile) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string pipe = directory.File("pipe"), link = directory.File("link");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink(pipe, link);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_FALSE(WriteAll({"", {{link, "text"}}, {}}).has_value());
+  char text[8] = {};
+  EXPECT_EQ(read(reader, text, sizeof text), 4);
+  EXPECT_STREQ(text, "text");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  close(reader);
+}
+
+TEST(WriteAll, WritesNothingWhereWhatIsNoFileRefuses) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string file = directory.File("file"), name = directory.File("socket");
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  ASSERT_LT(name.size(), sizeof address.sun_path);
+  name.copy(address.sun_path, name.size());
+  const int listening = socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  const auto failure = WriteAll({"", {{file, "text"}, {name, "text"}}, {}});
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->path, name);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_TRUE(std::filesystem::is_socket(name));
+  close(listening);
 }
 
 TEST(Compile, StopsWhereItIsToldTo) {

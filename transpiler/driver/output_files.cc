@@ -90,6 +90,7 @@ class Transaction {
   std::optional<WriteFailure> MakeDirectory();
   std::optional<WriteFailure> CheckTarget(const std::string& path) const;
   std::optional<WriteFailure> WriteTemporary(const emit::OutputFile& file);
+  std::optional<WriteFailure> WriteThrough(const emit::OutputFile& file) const;
   std::optional<WriteFailure> Replace(Replacement& replacement);
 
   const OutputRequest& request_;
@@ -144,6 +145,41 @@ std::optional<WriteFailure> Transaction::CheckTarget(const std::string& path) co
   return std::nullopt;
 }
 
+/// To an open file, or the reason why it is not open in `errno`.
+std::optional<WriteFailure> WriteAndClose(int descriptor, const emit::OutputFile& file) {
+  if (descriptor < 0) return WriteFailure{file.name, SystemWords(errno)};
+  std::string_view rest = file.text;
+  int problem = 0;
+  while (!rest.empty() && problem == 0) {
+    const ssize_t written = write(descriptor, rest.data(), rest.size());
+    if (ended_by != 0) {
+      problem = EINTR;
+    } else if (written >= 0) {
+      rest.remove_prefix(static_cast<size_t>(written));
+    } else if (errno != EINTR) {
+      problem = errno;
+    }
+  }
+  if (close(descriptor) != 0 && problem == 0) problem = errno;
+  if (problem != 0) return WriteFailure{file.name, SystemWords(problem)};
+  return std::nullopt;
+}
+
+/// A device or a pipe: to be written to, never to be replaced by a file (`-o /dev/stdout`).
+bool IsSpecial(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// What a link leads to: the link stays one.
+std::string Resolved(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
+
 /// What a process left that was killed while it wrote this file: hidden files whose process is no longer there. A file
 /// server may show files of other machines' processes, so that young ones are left alone.
 void RemoveLeftovers(const fs::path& place) {
@@ -168,8 +204,8 @@ void RemoveLeftovers(const fs::path& place) {
 
 std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& file) {
   Replacement replacement;
-  replacement.path = file.name;
-  const fs::path place(file.name);
+  replacement.path = Resolved(file.name);
+  const fs::path place(replacement.path);
   const std::string hidden = "." + place.filename().string() + "." + std::to_string(getpid());
   replacement.temporary = (place.parent_path() / (hidden + ".new")).string();
   replacement.backup = (place.parent_path() / (hidden + ".old")).string();
@@ -177,24 +213,12 @@ std::optional<WriteFailure> Transaction::WriteTemporary(const emit::OutputFile& 
   RemoveLeftovers(place);
 
   const int descriptor = open(replacement.temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return WriteFailure{file.name, SystemWords(errno)};
-  std::string_view rest = file.text;
-  int problem = 0;
-  while (!rest.empty() && problem == 0) {
-    const ssize_t written = write(descriptor, rest.data(), rest.size());
-    if (ended_by != 0) {
-      problem = EINTR;
-    } else if (written >= 0) {
-      rest.remove_prefix(static_cast<size_t>(written));
-    } else if (errno != EINTR) {
-      problem = errno;
-    }
-  }
-  if (close(descriptor) != 0 && problem == 0) problem = errno;
-  if (problem != 0) return WriteFailure{file.name, SystemWords(problem)};
-  return std::nullopt;
+  return WriteAndClose(descriptor, file);
 }
 
+std::optional<WriteFailure> Transaction::WriteThrough(const emit::OutputFile& file) const {
+  return WriteAndClose(open(file.name.c_str(), O_WRONLY | O_CLOEXEC), file);
+}
 std::optional<WriteFailure> Transaction::Replace(Replacement& replacement) {
   replacement.existed = access(replacement.path.c_str(), F_OK) == 0;
   unlink(replacement.backup.c_str());  // left by a process that was killed
@@ -212,8 +236,13 @@ std::optional<WriteFailure> Transaction::Run() {
     if (auto failure = CheckTarget(file.name)) return failure;
   }
   for (const emit::OutputFile& file : request_.files) {
-    if (HasBytes(file.name, file.text)) continue;
+    if (IsSpecial(file.name) || HasBytes(file.name, file.text)) continue;
     if (auto failure = WriteTemporary(file)) return failure;
+  }
+  // Nothing takes this back; all that can fail before it has been done.
+  for (const emit::OutputFile& file : request_.files) {
+    if (!IsSpecial(file.name)) continue;
+    if (auto failure = WriteThrough(file)) return failure;
   }
   for (Replacement& replacement : replacements_) {
     if (auto failure = Replace(replacement)) return failure;

@@ -1,7 +1,8 @@
 // Writes the files of one program: all of them or none.
 //
 // Each file is written beside its place and renamed into it, so that no reader ever sees half a file; a file whose
-// bytes did not change is left alone, so that nothing that depends on it is built again.
+// bytes did not change is left alone, so that nothing that depends on it is built again. A device or a pipe is written
+// to, and a link stays one.
 #pragma once
 
 #include <optional>
