@@ -218,7 +218,9 @@ class Generator(Statements):
             nested = ", ".join(f"{{{row(item.second)}}}" for _ in range(self.random.randrange(1, item.count + 1)))
             initial = f" = {{{nested}}}" if self.chance(70) else f" = {{{row(item.count * item.second)}}}"
         if isinstance(item.kind, Struct) and item.kind.word == "struct" and not item.count and self.chance(50):
-            initial = f" = {{{', '.join(str(self.random.randrange(-3, 100)) for _ in range(self.random.randrange(1, 3)))}}}"
+            values = [str(self.random.randrange(-3, 100)) for _ in range(self.random.randrange(1, 3))]
+            named = sum(1 for member in item.kind.members if member.name)  # a bit-field without a name takes none
+            initial = f" = {{{', '.join(values[:named])}}}"
         text = spelled.declared(item.kind, name, item.count) + (f"[{item.second}]" if item.second else "") + initial
         if not isinstance(item.kind, Struct) and self.chance(15):
             alias = self.fresh("D")
