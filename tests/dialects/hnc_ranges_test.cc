@@ -144,7 +144,9 @@ TEST(HncRanges, ArraysThatAreJustLongEnoughNeedNoCheck) {
   };
   for (const Known& row : rows) {
     EXPECT_FALSE(IsChecked(row.before, row.index, row.most + 1)) << row.before << " table[" << row.index << "]";
-    if (row.before.ends_with("n = 0;")) EXPECT_TRUE(IsChecked(row.before, row.index, row.most)) << row.before;
+    if (row.before.ends_with("n = 0;")) {
+      EXPECT_TRUE(IsChecked(row.before, row.index, row.most)) << row.before;
+    }
     // Of a known number it is an error of the program.
     const bool constant = row.index == "MOST" || row.before.ends_with("n = 0;") || row.before.starts_with("n = 3;") ||
                           row.before.starts_with("k = (n = 5)");

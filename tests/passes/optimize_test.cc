@@ -75,8 +75,12 @@ TEST(FoldConstants, EachOperationOfIntegersOnEachSideOfItsBorders) {
       EXPECT_EQ(folded("ne", "a"), bit(a != b));
       EXPECT_EQ(folded("ult", "a"), bit(a < b));
       EXPECT_EQ(folded("ugt", "a"), bit(a > b));
-      if (width > 8) EXPECT_EQ(folded("ule", "a"), bit(a <= b));
-      if (width > 8) EXPECT_EQ(folded("uge", "a"), bit(a >= b));
+      if (width > 8) {
+        EXPECT_EQ(folded("ule", "a"), bit(a <= b));
+      }
+      if (width > 8) {
+        EXPECT_EQ(folded("uge", "a"), bit(a >= b));
+      }
       if (width > 8) continue;
       const std::string constant = "%0 = const i8 ";
       EXPECT_EQ(folded("and", "w"), constant + std::to_string(a & b));

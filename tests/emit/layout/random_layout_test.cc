@@ -82,7 +82,9 @@ void Check(const ir::Program& program, const Layout& layout) {
     const Bytes space = InSpace(place), state = InState(place, stored);
     EXPECT_LE(state.end, layout.size);
     const bool word = stored.storage >= Storage::kWord16 && stored.storage <= Storage::kFloat64;
-    if (word) EXPECT_EQ(stored.offset % ir::Bytes(place.type), 0u);
+    if (word) {
+      EXPECT_EQ(stored.offset % ir::Bytes(place.type), 0u);
+    }
     bool shared = false, shared_bits_only = true;
     for (uint32_t k = 0; k < used.size(); ++k) {
       if (k == i || !used[k]) continue;
@@ -115,7 +117,9 @@ void Check(const ir::Program& program, const Layout& layout) {
       EXPECT_EQ(stored.storage, Storage::kIndexed) << place.name;
     } else if (place.type == ir::Type::kBit) {
       EXPECT_EQ(stored.storage, shared_bits_only ? Storage::kBit : Storage::kPackedBit) << place.name;
-      if (!shared_bits_only) EXPECT_EQ(stored.bit, place.bit);
+      if (!shared_bits_only) {
+        EXPECT_EQ(stored.bit, place.bit);
+      }
     } else if (place.type == ir::Type::kI8) {
       EXPECT_EQ(stored.storage, Storage::kByte) << place.name;
     } else {
