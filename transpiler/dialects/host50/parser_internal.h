@@ -108,7 +108,7 @@ class Parser {
   void CloseBody();
   /// At an END word that does not close `part`: E312. True when it is taken for the one that is missing.
   bool ReadWrongEnd(PartKind part);
-  bool EndsLater(PartKind part) const;
+  bool EndsLater(PartKind part);
   void ReadEnd();
   bool IsDirective(std::string_view word) const;
   void ReportDirectiveInside(PartKind part);
@@ -227,6 +227,14 @@ class Parser {
 
   // Structure.
   uint32_t file_ = 0, line_ = 0;
+  /// From each line in [from, line) of the file the first line that begins a part or ends this one is `line`.
+  struct Ahead {
+    uint32_t file = 0;
+    PartKind part = PartKind::kTitle;
+    uint32_t from = 0, line = 0;
+    bool ends = false;  // it ends this one
+  };
+  Ahead ahead_;
   std::vector<Body> bodies_;
   std::vector<Table> tables_;
   std::vector<Place> directives_;

@@ -120,15 +120,18 @@ void Parser::ReportDirectiveInside(PartKind part) {
   Fault(Peek().range, diag::Host50DirectiveInside, word, Name(part));
 }
 
-/// Is `part` still closed before the next part begins?
-bool Parser::EndsLater(PartKind part) const {
+/// Is `part` still closed before the next part begins? What was found once holds up to there: thousands of wrong ends
+/// would each look through the rest of the file.
+bool Parser::EndsLater(PartKind part) {
+  if (ahead_.file == file_ && ahead_.part == part && ahead_.from <= line_ && line_ < ahead_.line) return ahead_.ends;
   const LexedFile& file = files_[file_];
-  for (uint32_t i = line_ + 1; i < file.lines.size(); ++i) {
-    const std::string_view word = WordOf(file.lines[i]);
-    if (Opener(word)) return false;
-    if (PartByEnd(word) == part) return true;
+  ahead_ = {file_, part, line_, line_ + 1, false};
+  for (; ahead_.line < file.lines.size(); ++ahead_.line) {
+    const std::string_view word = WordOf(file.lines[ahead_.line]);
+    ahead_.ends = PartByEnd(word) == part;
+    if (ahead_.ends || Opener(word)) break;
   }
-  return false;
+  return ahead_.ends;
 }
 
 bool Parser::ReadWrongEnd(PartKind part) {
