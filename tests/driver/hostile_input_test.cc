@@ -30,6 +30,13 @@ TEST(HostileInput, ScenariosThatHaveNoEnd) {
               HasSubstr("s.yaml:1:7: not YAML: ',' belongs to no list and no map: delete it"));
 }
 
+TEST(HostileInput, NoStatementOfAListingActsOnTheTerminal) {
+  const Workplace work;
+  work.Write("ok.plc", "U4A0\t=\fI0A0\f*\t\fI0A1\f");
+  EXPECT_THAT(work.Run("report ok.plc --dialect nc110 --cost-listing").out,
+              AllOf(HasSubstr("=<U+000C>I0A0"), Not(HasSubstr("\f"))));
+}
+
 TEST(HostileInput, NothingOfAScenarioActsOnTheTerminal) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);

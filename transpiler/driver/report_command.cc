@@ -165,7 +165,8 @@ void PrintCosts(const Compilation& compilation) {
       const std::string_view text = compilation.sources->Text(range);
       std::cout << "  " << LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
                 << LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
-                << PlacesText(compilation, {range}) << "  " << text.substr(0, text.find_first_of("\r\n")) << '\n';
+                << PlacesText(compilation, {range}) << "  " << diag::Escaped(text.substr(0, text.find_first_of("\r\n")))
+                << '\n';
     }
   }
 }
