@@ -26,6 +26,15 @@ def mnemonics(*pairs):
     return rf"\t({'|'.join(re.escape(a) for a in table)})(\t.*)", name(table)
 
 
+def another_function(m):
+    """The same call, m[1], of another function than m[2]."""
+    return f"\t{m[1]}\t" + {
+        "read_inputs": "_ZN6turret13write_outputsERNS_4HostERKNS_5StateE",
+        "write_outputs": "_ZN6turret11read_inputsERNS_4HostERNS_5StateE",
+        "fast": "_ZN6turret4initERNS_5StateERNS_4HostE",
+        "now_ms": "_ZN6turret11read_inputsERNS_4HostERNS_5StateE"}[m[2]]
+
+
 # (what, pattern of a whole line, line from the match)
 RISCV = [
     ("branch inverted", r"\tb(\w+?)(z?)(\t.*)", lambda m: f"\tb{INVERSE[m[1]]}{m[2]}{m[3]}" if m[1] in INVERSE else None),
@@ -47,11 +56,7 @@ RISCV = [
     ("load dropped", r"\tl[bhw]u?\t.*", lambda m: "\tnop"),
     ("move dropped", r"\tmv\t.*", lambda m: "\tnop"),
     ("call dropped", r"\t(?:call|tail)\t.*", lambda m: "\tnop"),
-    ("another function called", r"\t(call|tail)\t.*(read_inputs|write_outputs|fast|now_ms).*", lambda m: {
-        "read_inputs": f"\t{m[1]}\t_ZN6turret13write_outputsERNS_4HostERKNS_5StateE",
-        "write_outputs": f"\t{m[1]}\t_ZN6turret11read_inputsERNS_4HostERNS_5StateE",
-        "fast": f"\t{m[1]}\t_ZN6turret4initERNS_5StateERNS_4HostE",
-        "now_ms": f"\t{m[1]}\t_ZN6turret11read_inputsERNS_4HostERNS_5StateE"}[m[2]]),
+    ("another function called", r"\t(call|tail)\t.*(read_inputs|write_outputs|fast|now_ms).*", another_function),
     ("a function's middle called", r"\t(call|tail)\t(\w+)", lambda m: f"\t{m[1]}\t{m[2]}+4"),
     ("another register saved", r"\tsw\t(s0|ra),(\d+\(sp\))", lambda m: f"\tsw\t{'s1' if m[1] == 's0' else 's0'},{m[2]}"),
     ("another register restored", r"\tlw\t(s0|ra),(\d+\(sp\))", lambda m: f"\tlw\t{'s1' if m[1] == 's0' else 's0'},{m[2]}"),
@@ -86,11 +91,7 @@ ARM = [
     ("move dropped", r"\tmov\t.*", lambda m: "\tnop"),
     ("comparison dropped", r"\t(?:cmp|tst|cmn)\t.*", lambda m: "\tnop"),
     ("call dropped", r"\tbl?\t_Z.*", lambda m: "\tnop"),
-    ("another function called", r"\t(bl?)\t_Z.*(read_inputs|write_outputs|fast|now_ms).*", lambda m: {
-        "read_inputs": f"\t{m[1]}\t_ZN6turret13write_outputsERNS_4HostERKNS_5StateE",
-        "write_outputs": f"\t{m[1]}\t_ZN6turret11read_inputsERNS_4HostERNS_5StateE",
-        "fast": f"\t{m[1]}\t_ZN6turret4initERNS_5StateERNS_4HostE",
-        "now_ms": f"\t{m[1]}\t_ZN6turret11read_inputsERNS_4HostERNS_5StateE"}[m[2]]),
+    ("another function called", r"\t(bl?)\t_Z.*(read_inputs|write_outputs|fast|now_ms).*", another_function),
     ("a function's middle called", r"\t(bl?)\t(_Z\w+)", lambda m: f"\t{m[1]}\t{m[2]}+4"),
     ("a list without a register", r"\t(push|pop|ldm\w*|stm\w*)\t(.*)\{(\w+), (.*)\}(.*)", lambda m: f"\t{m[1]}\t{m[2]}{{{m[4]}}}{m[5]}"),
     ("another list", r"\t(push|pop|ldm\w*|stm\w*)\t(.*)\{(.*)r4(.*)\}(.*)", lambda m: f"\t{m[1]}\t{m[2]}{{{m[3]}r8{m[4]}}}{m[5]}"),
