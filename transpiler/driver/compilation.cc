@@ -73,6 +73,11 @@ std::string OptionName(const dialects::Dialect& dialect, const std::string& name
   return name;
 }
 
+bool AssertsFacts(const ir::Program& program) {
+  if (!ir::FalseFactOf(program).valid()) return false;
+  return std::ranges::any_of(program.insts, [&](const ir::Inst& inst) { return ir::IsFalseFact(program, inst); });
+}
+
 /// The phases up to `until`; each is left out after an error in one before it.
 class Pipeline {
  public:
@@ -107,6 +112,7 @@ class Pipeline {
   void TakeFacts(const std::string& value);
   void Lower();
   void Structure();
+  void Estimate();
   void Check();
   void Optimize();
 
@@ -176,9 +182,20 @@ void Pipeline::Structure() {
   CheckIr(compilation_.program, ir::Stage::kStructured);
 }
 
+/// Assertions cost time that no machine ever spends: periods, limits and slices are those of the program without them.
+void Pipeline::Estimate() {
+  if (!AssertsFacts(compilation_.program)) return EstimateCosts(compilation_);
+  CompilationRequest request = request_;
+  request.progress = {};
+  std::erase_if(request.options, [](const auto& option) { return option.first == kFactsOption; });
+  Compilation shipped = Compile(request, Stage::kStructured);
+  EstimateCosts(shipped);
+  TakeCosts(compilation_, shipped);
+}
+
 void Pipeline::Check() {
   Show("checking");
-  EstimateCosts(compilation_);  // before the checks: one of them asks for the number of slices
+  Estimate();  // before the checks: one of them asks for the number of slices
   checks::RunAll(compilation_.program, compilation_.dialect->lints, compilation_.diagnostics);
   CheckBudgets(compilation_);
 }

@@ -40,6 +40,14 @@ void CheckBudget(Compilation& compilation, dialects::Budget budget, std::string_
 
 }  // namespace
 
+void TakeCosts(Compilation& compilation, const Compilation& shipped) {
+  compilation.estimates = shipped.estimates;
+  for (uint32_t i = 0; i < compilation.program.routines.size(); ++i) {
+    const ir::RoutineId id(i);
+    compilation.program.routines[id].slices = shipped.program.routines[id].slices;
+  }
+}
+
 void EstimateCosts(Compilation& compilation) {
   ir::Program& program = compilation.program;
   Estimates& estimates = compilation.estimates;
@@ -92,8 +100,6 @@ void CheckPeriods(Compilation& compilation, uint64_t fast_ns, uint64_t slow_ns) 
 }  // namespace
 
 void CheckBudgets(Compilation& compilation) {
-  // Assertions cost time that no machine ever spends: what they are added to keeps its limits.
-  if (compilation.facts == ir::Facts::kChecked) return;
   uint64_t fast_ns = 0, slow_ns = 0, bytes = 0;
   for (const PartitionEstimate& partition : compilation.estimates.partitions) {
     if (partition.kind == ir::RoutineKind::kFast) fast_ns += partition.time_ns;

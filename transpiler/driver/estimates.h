@@ -7,6 +7,8 @@ namespace plcxx::driver {
 
 /// Prices the partitions and, where the program leaves the number of slices to the cost model, sets it.
 void EstimateCosts(Compilation& compilation);
+/// The figures and slices of `shipped`, which is the same program without assertions.
+void TakeCosts(Compilation& compilation, const Compilation& shipped);
 /// Reports what is above the limits among the options.
 void CheckBudgets(Compilation& compilation);
 /// Cuts what has more than one slice.
