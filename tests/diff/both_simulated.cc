@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/driver/diff_items.h"
-#include "transpiler/driver/scenario_control.h"
 #include "transpiler/prove/compare/match.h"
+#include "transpiler/review/diff/items.h"
+#include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using prove::compare::Version;
@@ -104,7 +104,7 @@ class Machine {
   const ir::Program& program_;
   std::vector<bool> is_ordered_;
   sim::Simulator simulator_;
-  ScenarioControl control_;
+  scenarios::ScenarioControl control_;
   sim::Clock clock_;
   std::map<std::string, uint64_t> calls_, asked_;
 };
@@ -267,4 +267,4 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
   return std::nullopt;
 }
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "transpiler/driver/diff.h"
 #include "transpiler/prove/terms/random.h"
+#include "transpiler/review/diff/diff.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 
 struct SimulatedRuns {
   int runs = 8;
@@ -23,4 +23,4 @@ struct SimulatedRuns {
 std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
                                         const DiffOptions& options, SimulatedRuns runs, prove::terms::Random& random);
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -6,7 +6,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 std::string ChangedTexts(const std::vector<ItemStatement>& statements) {
@@ -51,4 +51,4 @@ TEST(Causes, AByteBehindAComputedIndexHasItsNameAndItsScenario) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

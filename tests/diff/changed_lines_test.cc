@@ -5,7 +5,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 std::string Changed(const std::vector<ItemStatement>& statements) {
@@ -51,4 +51,4 @@ TEST(ChangedLines, ALineThatWasTakenOut) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
+#include "transpiler/review/diff/diff.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 
 /// A dialect and how its files end.
 struct Language {
@@ -21,7 +21,7 @@ inline Diff ComparedTexts(const Language& language, const std::string& old_text,
                           const DiffOptions& options = {}) {
   const testing_support::TemporaryDirectory directory;
   const auto side = [&](const std::string& name, const std::string& text) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory.Write(name + language.extension, text)};
     request.dialect = language.dialect;
     return MakeDiffSide(name, request);
@@ -52,4 +52,4 @@ inline const DiffItem* ItemNamed(const Diff& diff, const std::string& name) {
   return at == diff.items.end() ? nullptr : &*at;
 }
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -1,5 +1,5 @@
 // plcxx diff: verdicts that are worked out by hand on small programs.
-#include "transpiler/driver/diff.h"
+#include "transpiler/review/diff/diff.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "tests/temporary_directory.h"
 #include "transpiler/driver/diff_output.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 struct Compared {
@@ -24,7 +24,7 @@ Compared CompareTexts(const std::string& old_text, const std::string& new_text, 
                       const std::string& dialect = "nc110") {
   const testing_support::TemporaryDirectory directory;
   const auto side = [&directory, &dialect](const std::string& name, const std::string& text) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory.Write(name, text)};
     request.dialect = dialect;
     return MakeDiffSide(name, request);
@@ -234,20 +234,21 @@ TEST(Diff, WhatFollowsFromAChangeThatReachesEverythingIsShown) {
   EXPECT_TRUE(compared.diff.items[0].changed_itself);
   EXPECT_EQ(compared.diff.items[0].verdict, ItemVerdict::kDifferent);
   EXPECT_GT(std::ranges::count(compared.diff.items, ItemVerdict::kDifferent, &DiffItem::verdict), 100);
-  const std::string text = DiffText(compared.diff, {.old_label = "old", .new_label = "new"}, diag::Colour::kOff);
+  const std::string text =
+      driver::DiffText(compared.diff, {.old_label = "old", .new_label = "new"}, diag::Colour::kOff);
   EXPECT_NE(text.find("through U200K0"), std::string::npos) << text;
   EXPECT_LT(std::ranges::count(text, '\n'), 40) << text;
 }
 
 TEST(DiffOutput, SaysTheSameInEveryForm) {
   const Compared compared = CompareTexts("$\nU4A8=I0A3*/I0A4\n", "$\nU4A8=I0A3\n");
-  const DiffNames names{"old", "new"};
-  EXPECT_NE(DiffText(compared.diff, names, diag::Colour::kOff).find("old -> new: 1 output differs; "),
+  const driver::DiffNames names{"old", "new"};
+  EXPECT_NE(driver::DiffText(compared.diff, names, diag::Colour::kOff).find("old -> new: 1 output differs; "),
             std::string::npos);
-  EXPECT_NE(DiffMarkdown(compared.diff, names).find("| `U4A8` | different |"), std::string::npos);
-  EXPECT_NE(DiffJson(compared.diff, names).find("\"steps\": \"I0A3=1, I0A4=1, slow 1\""), std::string::npos);
-  EXPECT_NE(DiffSarif(compared.diff, names).find("\"ruleId\": \"behaviour-differs\""), std::string::npos);
+  EXPECT_NE(driver::DiffMarkdown(compared.diff, names).find("| `U4A8` | different |"), std::string::npos);
+  EXPECT_NE(driver::DiffJson(compared.diff, names).find("\"steps\": \"I0A3=1, I0A4=1, slow 1\""), std::string::npos);
+  EXPECT_NE(driver::DiffSarif(compared.diff, names).find("\"ruleId\": \"behaviour-differs\""), std::string::npos);
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -19,12 +19,12 @@
 #include "tests/diff/both_simulated.h"
 #include "tests/diff/source_edits.h"
 #include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_program.h"
-#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/scenario.h"
+#include "transpiler/scenarios/suite.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,9 +62,9 @@ std::vector<fs::path> ScenariosOf(const std::string& dialect) {
 class EditedProgram {
  public:
   explicit EditedProgram(const fs::path& scenario) {
-    const ScenarioOrErrors read = ReadScenario(scenario.string());
-    if (!std::holds_alternative<Scenario>(read) || !std::get<Scenario>(read).steps) return;
-    Scenario copied = std::get<Scenario>(read);
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(scenario.string());
+    if (!std::holds_alternative<scenarios::Scenario>(read) || !std::get<scenarios::Scenario>(read).steps) return;
+    scenarios::Scenario copied = std::get<scenarios::Scenario>(read);
     // Files beside it may be included, or named by options.
     for (const auto& entry : fs::directory_iterator(scenario.parent_path())) {
       if (entry.is_directory() || entry.path().extension() == ".yaml") continue;
@@ -73,9 +73,9 @@ class EditedProgram {
     // A known run to begin with.
     fs::copy_file(scenario, old_.path() / scenario.filename());
     copied.directory = old_.path().string();
-    old_request_ = RequestOf(copied, {});
+    old_request_ = scenarios::RequestOf(copied, {});
     copied.directory = new_.path().string();
-    new_request_ = RequestOf(copied, {});
+    new_request_ = scenarios::RequestOf(copied, {});
     for (const std::string& source : copied.sources) {
       if (fs::exists(old_.path() / source)) files_[source] = Content(old_.path() / source);
     }
@@ -93,15 +93,16 @@ class EditedProgram {
   bool PassesOnNew(const std::string& scenario) const { return Passes(scenario, new_request_); }
 
  private:
-  bool Passes(const std::string& scenario, const CompilationRequest& request) const {
-    const ScenarioOrErrors parsed = ParseScenario(old_.File("counterexample.yaml"), scenario);
-    if (!std::holds_alternative<Scenario>(parsed)) return false;
-    ScenarioProgram program(request);
-    return TestScenario(std::get<Scenario>(parsed), SuiteOptions(), program).test.outcome == TestOutcome::kPassed;
+  bool Passes(const std::string& scenario, const compilation::CompilationRequest& request) const {
+    const scenarios::ScenarioOrErrors parsed = scenarios::ParseScenario(old_.File("counterexample.yaml"), scenario);
+    if (!std::holds_alternative<scenarios::Scenario>(parsed)) return false;
+    scenarios::ScenarioProgram program(request);
+    return scenarios::TestScenario(std::get<scenarios::Scenario>(parsed), scenarios::SuiteOptions(), program)
+               .test.outcome == scenarios::TestOutcome::kPassed;
   }
 
   testing_support::TemporaryDirectory old_, new_;
-  CompilationRequest old_request_, new_request_;
+  compilation::CompilationRequest old_request_, new_request_;
   std::map<std::string, std::string> files_;
 };
 
@@ -202,4 +203,4 @@ INSTANTIATE_TEST_SUITE_P(Dialects, EditsTest, testing::Values("nc110", "technol"
                          [](const auto& named) { return std::string(named.param); });
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

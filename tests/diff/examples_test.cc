@@ -7,7 +7,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::HasSubstr;
@@ -117,4 +117,4 @@ TEST(DiffExamples, TheTimeIsKept) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -1,5 +1,5 @@
 // plcxx diff: what follows from a change is folded under it, and rows of locations are ranges.
-#include "transpiler/driver/diff_groups.h"
+#include "transpiler/review/diff/groups.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "tests/diff/compared_texts.h"
 #include "transpiler/driver/diff_output.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::ElementsAre;
@@ -99,18 +99,18 @@ TEST(Groups, ManyUndecidedOnesOfOneKindAreOneGroup) {
 
 TEST(Groups, EachFormSaysThem) {
   const Diff diff = Pump();
-  const DiffNames names{"a", "b"};
-  const std::string text = DiffText(diff, names, diag::Colour::kOff);
+  const driver::DiffNames names{"a", "b"};
+  const std::string text = driver::DiffText(diff, names, diag::Colour::kOff);
   EXPECT_THAT(text, HasSubstr("  U4A0..2 (3)  not decided, at most through U100K0; nobody knows\n"));
   EXPECT_THAT(text, HasSubstr("      old * p.plc:7  U100K0 = 1\n"));
   EXPECT_THAT(text, Not(HasSubstr("  U4A1")));
-  EXPECT_THAT(DiffMarkdown(diff, names),
+  EXPECT_THAT(driver::DiffMarkdown(diff, names),
               HasSubstr("| `U4A0..2` (3) | not decided, at most through U100K0; nobody knows |"));
-  EXPECT_THAT(DiffSarif(diff, names), HasSubstr("U4A0..2 (3) are not proved to behave as before"));
-  const std::string json = DiffJson(diff, names);
+  EXPECT_THAT(driver::DiffSarif(diff, names), HasSubstr("U4A0..2 (3) are not proved to behave as before"));
+  const std::string json = driver::DiffJson(diff, names);
   EXPECT_THAT(json, HasSubstr("\"names\": \"U4A0..2\""));
   EXPECT_THAT(json, HasSubstr("\"name\": \"U4A1\""));
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

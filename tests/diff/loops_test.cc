@@ -5,7 +5,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 Diff CompareMechanisms(const std::string& old_text, const std::string& new_text) {
@@ -111,4 +111,4 @@ TEST(Loops, WhatALoopOnlyWritesKeepsWhatWasThereBefore) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

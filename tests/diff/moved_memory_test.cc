@@ -5,7 +5,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 /// An array with computed indices, and a loop of which nobody knows how often it goes round.
@@ -57,4 +57,4 @@ TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -6,7 +6,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::HasSubstr;
@@ -39,7 +39,7 @@ TEST(Observed, AStatementThatMovesIntoAnotherSlice) {
   const auto compared = [](const std::string& old_text, const std::string& new_text) {
     const testing_support::TemporaryDirectory directory;
     const auto side = [&](const std::string& name, const std::string& text) {
-      CompilationRequest request;
+      compilation::CompilationRequest request;
       request.sources = {directory.Write(name + ".plc", text)};
       request.options = {{"slices", "2"}};
       return MakeDiffSide(name, request);
@@ -72,7 +72,7 @@ TEST(Observed, PeriodsAndInitialBytes) {
   const testing_support::TemporaryDirectory directory;
   const std::string source = directory.Write("p.plc", "$\nU4A0=/U4A0\n");
   const auto side = [&](const std::string& clo) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {source};
     request.options = {{"clo", clo}};
     return MakeDiffSide(clo, request);
@@ -91,4 +91,4 @@ TEST(Observed, PeriodsAndInitialBytes) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

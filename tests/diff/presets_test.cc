@@ -5,7 +5,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 /// A step that takes too long: for one period, since what ends it lets it begin again.
@@ -29,4 +29,4 @@ TEST(DiffPresets, AreFoundInDeclaredData) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -8,7 +8,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 void ExpectEqualByInvariants(const Language& language, const std::string& program, const std::string& one,
@@ -289,4 +289,4 @@ DAL:
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "tests/diff/compared_texts.h"
-#include "transpiler/driver/platform.h"
+#include "transpiler/engines/platform.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::HasSubstr;
@@ -86,7 +86,7 @@ OUT0: DFM CHOD
 }
 
 TEST(DiffReplay, TheGeneratedCodeOfBothVersionsShowsIt) {
-  const Diff diff = ComparedTexts(kNc110, "$\nU4A8=I0A3\n", "$\nU4A8=I0A4\n", {.compiler = FindCompiler()});
+  const Diff diff = ComparedTexts(kNc110, "$\nU4A8=I0A3\n", "$\nU4A8=I0A4\n", {.compiler = engines::FindCompiler()});
   const DiffItem* const item = Shown(diff, "U4A8");
   ASSERT_NE(item, nullptr);
   EXPECT_EQ(item->counterexample->replay, Replay::kCompiled);
@@ -97,4 +97,4 @@ TEST(DiffReplay, TheGeneratedCodeOfBothVersionsShowsIt) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -9,7 +9,7 @@
 
 #include "tests/diff/compared_texts.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::HasSubstr;
@@ -99,4 +99,4 @@ BITY: DFM CEKA,STAV
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

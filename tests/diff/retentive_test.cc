@@ -5,9 +5,9 @@
 #include <string>
 
 #include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
+#include "transpiler/review/diff/diff.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 /// With a technology table, of which one item is given.
@@ -16,7 +16,7 @@ Diff CompareTexts(const std::string& old_text, const std::string& new_text, cons
   const testing_support::TemporaryDirectory old_directory, new_directory;
   const auto side = [&](const testing_support::TemporaryDirectory& directory, const std::string& text,
                         const std::string& item) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory.Write("program.plc", text),
                        directory.Write("TAB.TCH", "$TCH 1 2 1\n0: 1 " + item + "\n")};
     request.dialect = "technol";
@@ -90,4 +90,4 @@ TEST(Retentive, WhatItStartsWithCountsWhereTheHostHasNoCopy) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -8,10 +8,10 @@
 #include <iterator>
 
 #include "tests/diff/compared_texts.h"
-#include "transpiler/driver/diff_search.h"
-#include "transpiler/driver/diff_shorten.h"
+#include "transpiler/review/diff/search.h"
+#include "transpiler/review/diff/shorten.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using testing::HasSubstr;
@@ -25,7 +25,7 @@ struct WithScenario {
   }
   Diff Compared(uint64_t time_ms) const {
     const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-      CompilationRequest request;
+      compilation::CompilationRequest request;
       request.sources = {"p.plc"};
       request.base_directory = directory.path().string();
       request.dialect = "nc110";
@@ -69,7 +69,7 @@ TEST(Search, ARenamedInputIsTheSameInput) {
   new_directory.Write("p.cld", program("desired"));
   old_directory.Write("s.yaml", "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {wanted: 7}\n- run: {slow: 2}\n");
   const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {"p.cld"};
     request.base_directory = directory.path().string();
     request.dialect = "hnc";
@@ -97,7 +97,7 @@ TEST(Search, WhatHasToBeSetAtOnceIsComputedFromTheMachineAtWork) {
                       "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {\"X[0]\": 5}\n- run: {fast: 60}\n"
                       "- set: {\"X[0]\": 0}\n- run: {fast: 2}\n");
   const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {"p.cld"};
     request.base_directory = directory.path().string();
     request.dialect = "hnc";
@@ -152,7 +152,7 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
   text.replace(text.find("T24I(30)"), 8, "T24I(50)");
   changed.Write("turret.plc", text);
   const auto side = [](const std::string& name, const std::filesystem::path& directory) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {"lathe.sym", "fast.plc", "spindle.plc", "turret.plc"};
     request.base_directory = directory.string();
     request.options = {{"iocfil", "IOCFIL"}, {"axcfil", "AXCFIL"}, {"pgcfil", "PGCFIL"}};
@@ -202,4 +202,4 @@ TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
 }
 
 }  // namespace
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

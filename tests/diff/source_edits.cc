@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 namespace {
 
 using prove::terms::Random;
@@ -160,4 +160,4 @@ SourceEdit EditedSource(const std::map<std::string, std::string>& files, Random&
   return {};
 }
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

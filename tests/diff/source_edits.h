@@ -10,7 +10,7 @@
 
 #include "transpiler/prove/terms/random.h"
 
-namespace plcxx::driver {
+namespace plcxx::review::diff {
 
 struct SourceEdit {
   std::string file;  // its key in the map
@@ -21,4 +21,4 @@ struct SourceEdit {
 /// `files`: name and text. The same random numbers give the same edit. An empty `file`: there was nothing to edit.
 SourceEdit EditedSource(const std::map<std::string, std::string>& files, prove::terms::Random& random);
 
-}  // namespace plcxx::driver
+}  // namespace plcxx::review::diff

@@ -1,5 +1,5 @@
 // How many rounds loops with a budget can make in one call of a partition.
-#include "transpiler/driver/build_budgets.h"
+#include "transpiler/measure/budgets.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::optional<uint64_t> Rounds(const std::string& partition, const std::string& 
   ir::RoutineId slow;
   for (uint32_t i = 0; i < program.routines.size(); ++i)
     if (program.routines[ir::RoutineId(i)].name == "slow") slow = ir::RoutineId(i);
-  for (const auto& [place, rounds] : BudgetRounds(program, slow))
+  for (const auto& [place, rounds] : measure::BudgetRounds(program, slow))
     if (program.places[ir::PlaceId(place)].name == budget) return rounds;
   return std::nullopt;
 }

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "tests/driver/run_plcxx.h"
-#include "transpiler/driver/compiled_engine.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/engines/compiled_engine.h"
 #include "transpiler/ir/reader.h"
 #include "transpiler/ir/verifier.h"
 #include "transpiler/sim/simulator.h"
@@ -70,13 +70,13 @@ class EmittedProgram {
   /// The debug flavour, with random statements switched off and random inputs forced.
   void ExpectDebugsAsSimulated(uint32_t seed = 1) const {
     work_.Write("debug.cpp", Source(emit::Flavour::kDebug));
-    const std::string compiler = FindCompiler();
+    const std::string compiler = engines::FindCompiler();
     ASSERT_FALSE(compiler.empty());
-    auto platform = MakeHostPlatform(compiler);
+    auto platform = engines::MakeHostPlatform(compiler);
     ASSERT_EQ(platform.index(), 0u) << std::get<1>(platform).message;
-    auto compiled = CompileFor(std::get<0>(platform), program_, sources_, emit::Flavour::kDebug);
+    auto compiled = engines::CompileFor(std::get<0>(platform), program_, sources_, emit::Flavour::kDebug);
     ASSERT_EQ(compiled.index(), 0u) << std::get<1>(compiled).message << Source(emit::Flavour::kDebug);
-    auto started = StartCompiled(std::get<0>(compiled));
+    auto started = engines::StartCompiled(std::get<0>(compiled));
     ASSERT_EQ(started.index(), 0u);
     sim::Simulator simulator(program_);
     const std::vector<sim::Engine*> engines = {std::get<0>(started).get(), &simulator};

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "tests/driver/run_plcxx.h"
-#include "transpiler/driver/lockstep.h"
-#include "transpiler/driver/scenario_failure.h"
-#include "transpiler/driver/verify_facts.h"
+#include "transpiler/engines/lockstep.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
+#include "transpiler/review/verify/facts.h"
+#include "transpiler/scenarios/failure.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
 
@@ -31,15 +31,15 @@ struct FactsCase {
 
 struct FactsBench {
   Workplace workplace;
-  Compilation compilation;
+  compilation::Compilation compilation;
 
   explicit FactsBench(const FactsCase& one) {
     workplace.Write(one.file, one.text);
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {workplace.Path(one.file)};
     request.dialect = one.dialect;
-    request.options.emplace_back(kFactsOption, "checked");
-    compilation = Compile(request);
+    request.options.emplace_back(compilation::kFactsOption, "checked");
+    compilation = compilation::Compile(request);
     EXPECT_TRUE(compilation.ok()) << one.dialect << " " << compilation.diagnostics.all().size();
   }
 
@@ -87,12 +87,12 @@ struct FactsBench {
   std::string Execute() {
     std::vector<std::unique_ptr<sim::Engine>> engines;
     engines.push_back(std::make_unique<sim::Simulator>(program()));
-    Lockstep lockstep(program(), std::move(engines));
+    engines::Lockstep lockstep(program(), std::move(engines));
     sim::Clock clock(program(), {&lockstep});
     clock.PowerOn();
     clock.RunMs(200);
     if (!lockstep.false_fact()) return {};
-    return FalseFactText(*lockstep.false_fact(), program(), *compilation.sources);
+    return scenarios::FalseFactText(*lockstep.false_fact(), program(), *compilation.sources);
   }
 };
 
@@ -103,7 +103,7 @@ inline void ExpectHold(const FactsCase& one) {
   for (const ir::InstId fact : bench.Facts()) kinds.insert(bench.KindOf(fact));
   EXPECT_THAT(kinds, ::testing::IsSupersetOf(one.kinds)) << one.dialect;
   EXPECT_EQ(bench.Execute(), "") << one.dialect;
-  const FactsReport report = VerifyFactsOf(bench.compilation, {}, {});
+  const review::verify::FactsReport report = review::verify::VerifyFactsOf(bench.compilation, {}, {});
   EXPECT_TRUE(report.all_proved()) << one.dialect << "\n" << report.Text();
   EXPECT_GE(report.findings.size(), one.kinds.size());
 }
@@ -123,7 +123,7 @@ inline void ExpectFalseOnesAreFound(const FactsCase& one) {
       EXPECT_THAT(said, ::testing::HasSubstr("does not hold: " + kind)) << one.dialect;
       EXPECT_THAT(said, ::testing::HasSubstr(std::string(one.file) + ":")) << one.dialect;
     }
-    const FactsReport report = VerifyFactsOf(bench.compilation, {}, {});
+    const review::verify::FactsReport report = review::verify::VerifyFactsOf(bench.compilation, {}, {});
     EXPECT_GE(report.CountOf(prove::facts::FactResult::kViolated), 1U) << one.dialect << " " << kind << "\n"
                                                                        << report.Text();
     EXPECT_THAT(report.Text(), ::testing::HasSubstr(kind + ": does not hold of the value ")) << one.dialect;

@@ -1,5 +1,5 @@
 // Engines that ask their host: the first one is answered, the others get the same answers at the same calls.
-#include "transpiler/driver/lockstep.h"
+#include "transpiler/engines/lockstep.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,13 +46,13 @@ struct Bench {
   ir::Program program = ir::ReadOrDie(kAsking);
   ir::Program other;
   std::vector<std::unique_ptr<sim::Engine>> engines;
-  std::unique_ptr<Lockstep> lockstep;
+  std::unique_ptr<engines::Lockstep> lockstep;
   std::vector<std::string> asked;
 
   explicit Bench(std::string_view text = kAsking) : other(ir::ReadOrDie(text)) {
     engines.push_back(std::make_unique<sim::Simulator>(program));
     engines.push_back(std::make_unique<OtherEngine>(other));
-    lockstep = std::make_unique<Lockstep>(program, std::move(engines));
+    lockstep = std::make_unique<engines::Lockstep>(program, std::move(engines));
     lockstep->AnswerHostCalls([this](ir::HostFunctionId function, std::span<const uint64_t>) {
       asked.push_back(program.host_functions[function].name);
       if (asked.back() == "exchange") lockstep->Write(program.places[ir::PlaceId(0)], asked.size());

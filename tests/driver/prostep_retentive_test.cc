@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/driver/run_plcxx.h"
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/sim/simulator.h"
@@ -48,7 +48,7 @@ std::string ProgramText(uint32_t first, uint32_t last, std::set<uint32_t>& words
 
 class RetentiveMachine {
  public:
-  explicit RetentiveMachine(const Compilation& compilation)
+  explicit RetentiveMachine(const compilation::Compilation& compilation)
       : compilation_(compilation), simulator_(compilation.program) {
     simulator_.PowerOn();
   }
@@ -62,7 +62,7 @@ class RetentiveMachine {
     EXPECT_TRUE(location && location->place.space.valid()) << name;
     return location->place;
   }
-  const Compilation& compilation_;
+  const compilation::Compilation& compilation_;
   sim::Simulator simulator_;
   uint32_t now_ = 0;
 };
@@ -70,11 +70,11 @@ class RetentiveMachine {
 void Check(uint32_t first, uint32_t last) {
   std::set<uint32_t> words, doubles;
   const Workplace work;
-  CompilationRequest request;
+  compilation::CompilationRequest request;
   request.sources = {work.Write("data.plc", ProgramText(first, last, words, doubles))};
   request.dialect = "prostep";
   request.options = {{"retentive", std::to_string(first) + "-" + std::to_string(last)}};
-  const Compilation compilation = Compile(request);
+  const compilation::Compilation compilation = compilation::Compile(request);
   ASSERT_TRUE(compilation.ok()) << compilation.diagnostics.all().front().text;
   EXPECT_FALSE(emit::legalize::Legalize(compilation.program, {.name = "data"}).layout.places.empty());
 

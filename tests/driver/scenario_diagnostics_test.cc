@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "transpiler/driver/junit.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_diagnostics.h"
+#include "transpiler/scenarios/expected_diagnostics.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::driver {
 namespace {
@@ -19,7 +19,9 @@ constexpr diag::Message<> kLabel{{"Label", "test-41", diag::Severity::kError, "n
 constexpr diag::Message<> kUnused{{"Unused", "test-W356", diag::Severity::kWarning, "never read", "remove it"}};
 constexpr diag::Message<> kOther{{"Other", "test-W302", diag::Severity::kWarning, "twice", "remove it"}};
 
-Scenario ParsedRight(const std::string& text) { return std::get<Scenario>(ParseScenario("s.yaml", text)); }
+scenarios::Scenario ParsedRight(const std::string& text) {
+  return std::get<scenarios::Scenario>(scenarios::ParseScenario("s.yaml", text));
+}
 
 /// Two files of four lines; diagnostics are given by their file and line.
 struct Compiled {
@@ -38,11 +40,13 @@ struct Compiled {
   }
   std::string Error(const std::string& yaml) {
     diagnostics.SortBySource();
-    return CheckExpectedError(ParsedRight("expect_error: " + yaml), diagnostics, sources).value_or("as expected");
+    return scenarios::CheckExpectedError(ParsedRight("expect_error: " + yaml), diagnostics, sources)
+        .value_or("as expected");
   }
   std::string Warnings(const std::string& yaml) {
     diagnostics.SortBySource();
-    return CheckExpectedWarnings(ParsedRight("warnings: " + yaml), diagnostics, sources).value_or("as expected");
+    return scenarios::CheckExpectedWarnings(ParsedRight("warnings: " + yaml), diagnostics, sources)
+        .value_or("as expected");
   }
 };
 
@@ -100,9 +104,10 @@ TEST(ExpectedWarnings, AreThereAndNowhereElse) {
 }
 
 TEST(Junit, IsEscapedAndCounted) {
-  const std::vector<TestCase> cases = {{"a.yaml", "dir", TestOutcome::kPassed, ""},
-                                       {"b<1>.yaml", "dir", TestOutcome::kFailed, "x < \"y\" & \x01\xFF\nsecond"},
-                                       {"c.yaml", "", TestOutcome::kUnusable, "\xD0\x96"}};
+  const std::vector<scenarios::TestCase> cases = {
+      {"a.yaml", "dir", scenarios::TestOutcome::kPassed, ""},
+      {"b<1>.yaml", "dir", scenarios::TestOutcome::kFailed, "x < \"y\" & \x01\xFF\nsecond"},
+      {"c.yaml", "", scenarios::TestOutcome::kUnusable, "\xD0\x96"}};
   EXPECT_EQ(JunitXml(cases),
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<testsuites name=\"plcxx test\" tests=\"3\" failures=\"1\" errors=\"1\">\n"

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/driver/lockstep.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_plan.h"
-#include "transpiler/driver/scenario_run.h"
+#include "transpiler/engines/lockstep.h"
 #include "transpiler/ir/reader.h"
+#include "transpiler/scenarios/plan.h"
+#include "transpiler/scenarios/run.h"
+#include "transpiler/scenarios/scenario.h"
 #include "transpiler/sim/simulator.h"
 
 namespace plcxx::driver {
@@ -132,14 +132,14 @@ struct ScenarioBench {
 
   /// "passed", or the text of the failure or of the scenario's errors.
   std::string Run(const std::string& steps, sim::Trace* trace = nullptr) {
-    ScenarioOrErrors read = ParseScenario("s.yaml", "steps:\n" + steps);
-    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) return ToText(errors->front());
-    const Scenario& scenario = std::get<Scenario>(read);
+    scenarios::ScenarioOrErrors read = scenarios::ParseScenario("s.yaml", "steps:\n" + steps);
+    if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) return ToText(errors->front());
+    const scenarios::Scenario& scenario = std::get<scenarios::Scenario>(read);
     const dialects::Dialect dialect = TestDialect();
-    const auto plan = PlanScenario(scenario, dialect, program);
-    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&plan)) {
+    const auto plan = scenarios::PlanScenario(scenario, dialect, program);
+    if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
       std::string text;
-      for (const ScenarioError& error : *errors) text += (text.empty() ? "" : "\n") + ToText(error);
+      for (const scenarios::ScenarioError& error : *errors) text += (text.empty() ? "" : "\n") + ToText(error);
       return text;
     }
     auto simulator = std::make_unique<sim::Simulator>(program);
@@ -148,16 +148,16 @@ struct ScenarioBench {
     std::vector<std::unique_ptr<sim::Engine>> engines;
     engines.push_back(std::move(simulator));
     if (other) engines.push_back(std::make_unique<OtherEngine>(*other));
-    Lockstep lockstep(program, std::move(engines));
-    const std::optional<std::string> failure = RunScenario({.scenario = scenario,
-                                                            .plan = std::get<ScenarioPlan>(plan),
-                                                            .dialect = dialect,
-                                                            .program = program,
-                                                            .sources = sources,
-                                                            .engines = lockstep,
-                                                            .writes = writes,
-                                                            .stub = std::move(stub),
-                                                            .trace = trace});
+    engines::Lockstep lockstep(program, std::move(engines));
+    const std::optional<std::string> failure = scenarios::RunScenario({.scenario = scenario,
+                                                                       .plan = std::get<scenarios::ScenarioPlan>(plan),
+                                                                       .dialect = dialect,
+                                                                       .program = program,
+                                                                       .sources = sources,
+                                                                       .engines = lockstep,
+                                                                       .writes = writes,
+                                                                       .stub = std::move(stub),
+                                                                       .trace = trace});
     return failure.value_or("passed");
   }
 };

@@ -7,34 +7,34 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/driver/scenario.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::driver {
 namespace {
 
 using testing::ElementsAre;
 
-Scenario Parsed(const std::string& text) {
-  ScenarioOrErrors read = ParseScenario("dir/s.yaml", text);
-  if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
-    for (const ScenarioError& error : *errors) ADD_FAILURE() << ToText(error);
+scenarios::Scenario Parsed(const std::string& text) {
+  scenarios::ScenarioOrErrors read = scenarios::ParseScenario("dir/s.yaml", text);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    for (const scenarios::ScenarioError& error : *errors) ADD_FAILURE() << ToText(error);
     return {};
   }
-  return std::get<Scenario>(std::move(read));
+  return std::get<scenarios::Scenario>(std::move(read));
 }
 
 /// The errors, one line each.
 std::vector<std::string> Errors(const std::string& text) {
-  ScenarioOrErrors read = ParseScenario("s.yaml", text);
+  scenarios::ScenarioOrErrors read = scenarios::ParseScenario("s.yaml", text);
   std::vector<std::string> lines;
-  if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
-    for (const ScenarioError& error : *errors) lines.push_back(ToText(error));
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    for (const scenarios::ScenarioError& error : *errors) lines.push_back(ToText(error));
   }
   return lines;
 }
 
 TEST(ScenarioReader, EverythingOfTheDesign) {
-  const Scenario scenario = Parsed(R"(
+  const scenarios::Scenario scenario = Parsed(R"(
 dialect: nc110
 name: turret
 description: any words
@@ -67,32 +67,33 @@ steps:
   EXPECT_EQ((*scenario.warnings)[1].line, 0u);
   EXPECT_EQ((*scenario.warnings)[1].file, "a.plc");
 
-  const std::vector<ScenarioStep>& steps = *scenario.steps;
+  const std::vector<scenarios::ScenarioStep>& steps = *scenario.steps;
   ASSERT_EQ(steps.size(), 11u);
-  const auto& set = std::get<SetStep>(steps[0].action);
+  const auto& set = std::get<scenarios::SetStep>(steps[0].action);
   EXPECT_EQ(set.assignments[1].location.text, "W2K2");
   EXPECT_EQ(set.assignments[1].value.text, "0x12");
   EXPECT_EQ(set.assignments[2].value.text, "DOOR 1");
   EXPECT_EQ(set.assignments[0].location.mark.line, 9u);
   EXPECT_EQ(set.assignments[0].location.mark.column, 9u);
-  const auto& run = std::get<RunStep>(steps[2].action);
+  const auto& run = std::get<scenarios::RunStep>(steps[2].action);
   ASSERT_EQ(run.parts.size(), 3u);
-  EXPECT_EQ(run.parts[0].unit, RunUnit::kMilliseconds);
-  EXPECT_EQ(run.parts[1].unit, RunUnit::kFastTicks);
+  EXPECT_EQ(run.parts[0].unit, scenarios::RunUnit::kMilliseconds);
+  EXPECT_EQ(run.parts[1].unit, scenarios::RunUnit::kFastTicks);
   EXPECT_EQ(run.parts[2].count, 1500u);
-  EXPECT_EQ(std::get<ReleaseStep>(steps[5].action).locations.size(), 2u);
-  EXPECT_EQ(std::get<ReleaseStep>(steps[6].action).locations.size(), 1u);
-  const auto& calls = std::get<ExpectCallsStep>(steps[7].action).calls;
+  EXPECT_EQ(std::get<scenarios::ReleaseStep>(steps[5].action).locations.size(), 2u);
+  EXPECT_EQ(std::get<scenarios::ReleaseStep>(steps[6].action).locations.size(), 1u);
+  const auto& calls = std::get<scenarios::ExpectCallsStep>(steps[7].action).calls;
   ASSERT_EQ(calls.size(), 4u);
   EXPECT_EQ(calls[0].arguments[1].value.text, "20");
   EXPECT_EQ(calls[3].function.text, "load");
-  EXPECT_THAT(std::get<ExpectMessagesStep>(steps[8].action).messages, ElementsAre("9", "36"));
+  EXPECT_THAT(std::get<scenarios::ExpectMessagesStep>(steps[8].action).messages, ElementsAre("9", "36"));
   EXPECT_EQ(steps[10].number, 11u);
   EXPECT_EQ(steps[10].name, "power_cycle");
 }
 
 TEST(ScenarioReader, ExpectedErrors) {
-  const Scenario scenario = Parsed("sources: a.plc\nexpect_error: {line: 7, contains: label, file: a.plc}\n");
+  const scenarios::Scenario scenario =
+      Parsed("sources: a.plc\nexpect_error: {line: 7, contains: label, file: a.plc}\n");
   EXPECT_EQ(scenario.expect_error->line, 7u);
   EXPECT_THAT(scenario.expect_error->contains, ElementsAre("label"));
   EXPECT_EQ(scenario.expect_error->file, "a.plc");
@@ -154,7 +155,7 @@ TEST(ScenarioReader, WhatIsNotYaml) {
 
 TEST(ScenarioReader, FilesThatCannotBeRead) {
   const auto error = [](const std::string& path) {
-    return std::get<std::vector<ScenarioError>>(ReadScenario(path)).at(0).message;
+    return std::get<std::vector<scenarios::ScenarioError>>(scenarios::ReadScenario(path)).at(0).message;
   };
   EXPECT_EQ(error("/nowhere/s.yaml"), "there is no such file");
   EXPECT_EQ(error("/"), "not a file");

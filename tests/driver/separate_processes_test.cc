@@ -1,4 +1,4 @@
-#include "transpiler/driver/separate_processes.h"
+#include "transpiler/scenarios/separate_processes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,23 +19,23 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// What became of items 0 to 5 in two groups, of which `bad` does its harm.
-std::map<uint32_t, ItemEnd> EndsOfGroups(uint32_t bad, void (*harm)()) {
-  std::map<uint32_t, ItemEnd> ends;
-  const std::vector<ItemGroup> groups = {{0, 1, 2, 3}, {4, 5}};
-  WorkSeparately(
+std::map<uint32_t, scenarios::ItemEnd> EndsOfGroups(uint32_t bad, void (*harm)()) {
+  std::map<uint32_t, scenarios::ItemEnd> ends;
+  const std::vector<scenarios::ItemGroup> groups = {{0, 1, 2, 3}, {4, 5}};
+  scenarios::WorkSeparately(
       groups, {.jobs = 2, .item_seconds = 1},
-      [&](const ItemGroup& items, WorkReport& report) {
+      [&](const scenarios::ItemGroup& items, scenarios::WorkReport& report) {
         for (const uint32_t item : items) {
           report.Begin(item);
           if (item == bad) harm();
           report.Done(item, "item " + std::to_string(item));
         }
       },
-      [&](uint32_t item, ItemEnd end) { EXPECT_TRUE(ends.emplace(item, std::move(end)).second) << item; });
+      [&](uint32_t item, scenarios::ItemEnd end) { EXPECT_TRUE(ends.emplace(item, std::move(end)).second) << item; });
   return ends;
 }
 
-void ExpectOnlyFailed(const std::map<uint32_t, ItemEnd>& ends, uint32_t bad) {
+void ExpectOnlyFailed(const std::map<uint32_t, scenarios::ItemEnd>& ends, uint32_t bad) {
   EXPECT_EQ(ends.size(), 6u);
   for (const auto& [item, end] : ends) {
     if (item != bad) {
@@ -77,17 +77,17 @@ TEST(SeparateProcesses, AnExceptionIsShown) {
 }
 
 TEST(SeparateProcesses, WorkForAllThatFailsIsDoneForEach) {
-  std::map<uint32_t, ItemEnd> ends;
-  WorkSeparately(
+  std::map<uint32_t, scenarios::ItemEnd> ends;
+  scenarios::WorkSeparately(
       {{0, 1, 2}}, {},
-      [](const ItemGroup& items, WorkReport& report) {
+      [](const scenarios::ItemGroup& items, scenarios::WorkReport& report) {
         report.BeginCommon();
         for (const uint32_t item : items) {
           if (item == 1) std::abort();
         }
         for (const uint32_t item : items) report.Done(item, std::string(100'000, 'x'));
       },
-      [&](uint32_t item, ItemEnd end) { ends[item] = std::move(end); });
+      [&](uint32_t item, scenarios::ItemEnd end) { ends[item] = std::move(end); });
   EXPECT_EQ(ends.at(0).result, std::string(100'000, 'x'));
   EXPECT_THAT(ends.at(1).why, HasSubstr("signal 6"));
   EXPECT_EQ(ends.at(2).result, std::string(100'000, 'x'));

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tests/driver/run_plcxx.h"
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/ir/verifier.h"
 #include "transpiler/sim/simulator.h"
 
@@ -169,21 +169,21 @@ std::string ProgramOf(const std::string& cells, const std::string& main, const s
 class Compiled {
  public:
   explicit Compiled(const std::string& text) {
-    CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {work_.Write("graph.plc", text)};
     request.dialect = "technol";
     request.options = {{"loop-limit", std::to_string(kLoopLimit)}};
-    compilation_ = Compile(request);
+    compilation_ = compilation::Compile(request);
   }
-  const Compilation& operator*() const { return compilation_; }
-  const Compilation* operator->() const { return &compilation_; }
+  const compilation::Compilation& operator*() const { return compilation_; }
+  const compilation::Compilation* operator->() const { return &compilation_; }
   ir::Place Place(const std::string& name) const {
     return compilation_.dialect->locate(compilation_.program, name).value().place;
   }
 
  private:
   Workplace work_;
-  Compilation compilation_;
+  compilation::Compilation compilation_;
 };
 
 constexpr uint16_t kBits[] = {0x0000, 0xFFFF, 0x5A5A, 0x2D71};

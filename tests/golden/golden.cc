@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "transpiler/compile/child_process.h"
-#include "transpiler/driver/scenario.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::golden {
 namespace {
@@ -62,8 +62,8 @@ struct Program {
 
 /// What a scenario names; none, when it cannot be read.
 std::optional<Program> ProgramOf(const fs::path& path) {
-  const driver::ScenarioOrErrors read = driver::ReadScenario(path.string());
-  const auto* scenario = std::get_if<driver::Scenario>(&read);
+  const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path.string());
+  const auto* scenario = std::get_if<scenarios::Scenario>(&read);
   if (scenario == nullptr || scenario->sources.empty()) return std::nullopt;
   Program program;
   if (!scenario->dialect.empty()) program.words = {"--dialect", scenario->dialect};

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "transpiler/compile/child_process.h"
-#include "transpiler/driver/scenario.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::golden {
 namespace {
@@ -43,9 +43,10 @@ TEST(Golden, GeneratedCodeOfTheSamples) {
 
 TEST(Golden, CasesThatMustFailAreNamedSo) {
   for (const fs::path& file : FilesBelow(kRoot / "tests/golden", ".yaml")) {
-    const driver::ScenarioOrErrors read = driver::ReadScenario(file.string());
-    const auto* scenario = std::get_if<driver::Scenario>(&read);
-    ASSERT_NE(scenario, nullptr) << file << ": " << ToText(std::get<std::vector<driver::ScenarioError>>(read).front());
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
+    const auto* scenario = std::get_if<scenarios::Scenario>(&read);
+    ASSERT_NE(scenario, nullptr) << file << ": "
+                                 << ToText(std::get<std::vector<scenarios::ScenarioError>>(read).front());
     EXPECT_EQ(file.stem().string().ends_with("_bad"), scenario->expect_error.has_value()) << file;
   }
 }

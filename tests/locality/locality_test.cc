@@ -14,8 +14,8 @@
 
 #include "tests/locality/line_changes.h"
 #include "tests/temporary_directory.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/compile/child_process.h"
-#include "transpiler/driver/compilation.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
@@ -61,12 +61,12 @@ class EditedPrograms {
   }
   /// The generated C++ of one of them.
   Files Emit(const std::string& file) const {
-    driver::CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {file};
     request.dialect = dialect_;
     request.base_directory = directory_.path().string();
     request.name = "program";
-    const driver::Compilation compilation = driver::Compile(request);
+    const compilation::Compilation compilation = compilation::Compile(request);
     std::string errors;
     for (const diag::Diagnostic& diagnostic : compilation.diagnostics.all())
       if (diagnostic.severity == diag::Severity::kError) errors += diagnostic.text + "\n";

@@ -9,19 +9,19 @@
 
 #include "tests/diff/both_simulated.h"
 #include "tests/temporary_directory.h"
-#include "transpiler/driver/diff.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_program.h"
-#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/scenario.h"
+#include "transpiler/scenarios/suite.h"
 
 namespace plcxx::pairs {
 namespace {
 
 namespace fs = std::filesystem;
-using driver::Diff;
-using driver::DiffItem;
-using driver::DiffSide;
-using driver::ItemVerdict;
+using review::diff::Diff;
+using review::diff::DiffItem;
+using review::diff::DiffSide;
+using review::diff::ItemVerdict;
 
 void Write(const ProgramText& program, const fs::path& directory) {
   fs::create_directories(directory);
@@ -29,8 +29,8 @@ void Write(const ProgramText& program, const fs::path& directory) {
   if (!program.scenario.empty()) std::ofstream(directory / "scenario.yaml", std::ios::binary) << program.scenario;
 }
 
-driver::CompilationRequest RequestOf(const ProgramText& program, const fs::path& directory) {
-  driver::CompilationRequest request;
+compilation::CompilationRequest RequestOf(const ProgramText& program, const fs::path& directory) {
+  compilation::CompilationRequest request;
   request.sources = program.sources;
   request.base_directory = directory.string();
   request.dialect = program.dialect;
@@ -38,12 +38,13 @@ driver::CompilationRequest RequestOf(const ProgramText& program, const fs::path&
   return request;
 }
 
-driver::TestOutcome OutcomeOf(const std::string& scenario, const driver::CompilationRequest& request,
-                              const std::string& path) {
-  const driver::ScenarioOrErrors parsed = driver::ParseScenario(path, scenario);
-  if (!std::holds_alternative<driver::Scenario>(parsed)) return driver::TestOutcome::kUnusable;
-  driver::ScenarioProgram program(request);
-  return driver::TestScenario(std::get<driver::Scenario>(parsed), driver::SuiteOptions(), program).test.outcome;
+scenarios::TestOutcome OutcomeOf(const std::string& scenario, const compilation::CompilationRequest& request,
+                                 const std::string& path) {
+  const scenarios::ScenarioOrErrors parsed = scenarios::ParseScenario(path, scenario);
+  if (!std::holds_alternative<scenarios::Scenario>(parsed)) return scenarios::TestOutcome::kUnusable;
+  scenarios::ScenarioProgram program(request);
+  return scenarios::TestScenario(std::get<scenarios::Scenario>(parsed), scenarios::SuiteOptions(), program)
+      .test.outcome;
 }
 
 class Judged {
@@ -56,14 +57,14 @@ class Judged {
   }
 
   Tally Run(uint64_t seed) {
-    DiffSide old_side = driver::MakeDiffSide("old", RequestOf(pair_.old_program, old_.path())),
-             new_side = driver::MakeDiffSide("new", RequestOf(pair_.new_program, new_.path()));
+    DiffSide old_side = review::diff::MakeDiffSide("old", RequestOf(pair_.old_program, old_.path())),
+             new_side = review::diff::MakeDiffSide("new", RequestOf(pair_.new_program, new_.path()));
     const auto is_usable = [](const DiffSide& side) { return side.compilation.ok() && side.compilation.has_program; };
     if (!is_usable(old_side) || !is_usable(new_side)) {
       tally_.not_compiled = 1;
       return tally_;
     }
-    const driver::DiffOptions options{
+    const review::diff::DiffOptions options{
         .same = {}, .time_ms = options_.time_ms, .scenario_directory = old_.path().string(), .progress = {}};
     const auto begin = std::chrono::steady_clock::now();
     const Diff diff = CompareSides(old_side, new_side, options);
@@ -84,7 +85,7 @@ class Judged {
     tally_.alike_undecided = pair_.alike ? tally_.pairs_undecided : 0;
     // Where a period or the number of slices is another one, the versions have no common time.
     const bool has_common_time = std::ranges::none_of(diff.items, [](const DiffItem& item) {
-      return item.kind == driver::ItemKind::kSchedule && item.declared.has_value();
+      return item.kind == review::diff::ItemKind::kSchedule && item.declared.has_value();
     });
     if (has_common_time) {
       Random random(0xA24BAED4963EE407 * (seed + 1));
@@ -115,7 +116,7 @@ class Judged {
     const auto before = OutcomeOf(item.counterexample->scenario, RequestOf(pair_.old_program, old_.path()), path);
     const auto after = OutcomeOf(item.counterexample->scenario, RequestOf(pair_.new_program, new_.path()), path);
     ++tally_.replayed;
-    if (before != driver::TestOutcome::kPassed || after != driver::TestOutcome::kFailed)
+    if (before != scenarios::TestOutcome::kPassed || after != scenarios::TestOutcome::kFailed)
       Wrong("the scenario of " + item.name + " does not show it:\n" + item.counterexample->scenario);
   }
 

@@ -74,7 +74,7 @@ bool ChangeOption(Pair& pair, Random& random) {
 }
 
 bool EditToken(Pair& pair, Random& random) {
-  const driver::SourceEdit edit = driver::EditedSource(pair.new_program.files, random);
+  const review::diff::SourceEdit edit = review::diff::EditedSource(pair.new_program.files, random);
   if (edit.file.empty()) return false;
   pair.new_program.files[edit.file] = edit.text;
   pair.what = edit.file + " " + edit.what;

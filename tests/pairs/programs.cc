@@ -9,7 +9,7 @@
 #include "tests/reference/nc110_reference.h"
 #include "tests/reference/prostep.h"
 #include "tests/reference/technol.h"
-#include "transpiler/driver/scenario.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::pairs {
 namespace {
@@ -38,8 +38,8 @@ ProgramText Golden(const std::string& dialect, Random& random) {
   const std::vector<fs::path>& paths = GoldenScenarios(dialect);
   for (int tries = 0; tries < 50; ++tries) {
     const fs::path& path = paths[Below(random, paths.size())];
-    const driver::ScenarioOrErrors read = driver::ReadScenario(path.string());
-    const auto* const scenario = std::get_if<driver::Scenario>(&read);
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path.string());
+    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
     if (scenario == nullptr || !scenario->steps || scenario->sources.empty()) continue;
     ProgramText program{.dialect = dialect,
                         .sources = scenario->sources,

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "tests/temporary_directory.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/diagnostics/diagnostics.h"
-#include "transpiler/driver/compilation.h"
 
 namespace plcxx::policy {
 namespace {
@@ -32,9 +32,9 @@ bool IsSource(const std::string& name) {
   return name.ends_with(".plc") || name.ends_with(".sym") || name.ends_with(".TCH");
 }
 
-driver::Compilation CompileFence(const Fence& program, const std::vector<Fence>& fences) {
+compilation::Compilation CompileFence(const Fence& program, const std::vector<Fence>& fences) {
   const testing_support::TemporaryDirectory directory;
-  driver::CompilationRequest request;
+  compilation::CompilationRequest request;
   request.base_directory = directory.path().string();
   request.dialect = program.words.front();
   for (const Fence& fence : fences) {
@@ -53,10 +53,10 @@ driver::Compilation CompileFence(const Fence& program, const std::vector<Fence>&
     request.options.emplace_back(setting->substr(0, equals),
                                  equals == std::string::npos ? "" : setting->substr(equals + 1));
   }
-  return driver::Compile(request);
+  return compilation::Compile(request);
 }
 
-std::string Shown(const driver::Compilation& compilation) {
+std::string Shown(const compilation::Compilation& compilation) {
   std::string text;
   for (const diag::Diagnostic& diagnostic : compilation.diagnostics.all()) {
     text += (text.empty() ? "" : "; ") + std::string(diagnostic.row->code) + " " + diagnostic.text;
@@ -66,7 +66,7 @@ std::string Shown(const driver::Compilation& compilation) {
 
 /// An error has to be the first error, so that nothing else explains the fault better; a warning has to be there,
 /// in a program without errors.
-bool Raises(const driver::Compilation& compilation, const std::string& code) {
+bool Raises(const compilation::Compilation& compilation, const std::string& code) {
   for (const diag::Diagnostic& diagnostic : compilation.diagnostics.all()) {
     if (diagnostic.severity == diag::Severity::kError) return diagnostic.row->code == code;
     if (diagnostic.row->code == code && compilation.ok()) return true;
@@ -74,7 +74,7 @@ bool Raises(const driver::Compilation& compilation, const std::string& code) {
   return false;
 }
 
-bool Mentions(const driver::Compilation& compilation, const std::string& code) {
+bool Mentions(const compilation::Compilation& compilation, const std::string& code) {
   return std::ranges::any_of(compilation.diagnostics.all(),
                              [&code](const diag::Diagnostic& diagnostic) { return diagnostic.row->code == code; });
 }
@@ -121,12 +121,12 @@ Findings CheckPage(const std::string& code, std::string_view page) {
       shown = true;
     } else if (Has(fence, "wrong")) {
       shown = true;
-      const driver::Compilation compilation = CompileFence(fence, fences);
+      const compilation::Compilation compilation = CompileFence(fence, fences);
       if (!Raises(compilation, code)) {
         findings.push_back(Place(file, fence.line) + "the wrong program gives: " + Shown(compilation));
       }
     } else if (Has(fence, "right")) {
-      const driver::Compilation compilation = CompileFence(fence, fences);
+      const compilation::Compilation compilation = CompileFence(fence, fences);
       if (!compilation.ok() || Mentions(compilation, code)) {
         findings.push_back(Place(file, fence.line) + "the right program gives: " + Shown(compilation));
       }

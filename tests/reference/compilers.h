@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "transpiler/driver/platform.h"
+#include "transpiler/engines/platform.h"
 
 namespace plcxx::reference {
 
 /// "g++ -O2": a compiler with its flags, as a platform of the scenarios.
-std::shared_ptr<const driver::Platform> MakeCompiler(const std::string& command);
+std::shared_ptr<const engines::Platform> MakeCompiler(const std::string& command);
 
 }  // namespace plcxx::reference

@@ -7,14 +7,14 @@
 
 #include "tests/reference/reference_dialects.h"
 #include "tests/reference/runs.h"
-#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/scenarios/suite.h"
 
 namespace plcxx::reference {
 namespace {
 
 std::vector<std::string> ScenariosOf(std::string_view dialect) {
   const std::string root = PLCXX_ROOT;
-  const auto found = driver::FindScenarios(
+  const auto found = scenarios::FindScenarios(
       {root + "/tests/golden/" + std::string(dialect), root + "/samples/" + std::string(dialect)});
   return std::get<std::vector<std::string>>(found);
 }
@@ -26,10 +26,10 @@ TEST_P(ReferenceTest, GoldenScenarios) {
   uint32_t unsupported = 0, ran = 0;
   uint64_t compared = 0;
   for (const std::string& path : ScenariosOf(dialect.name)) {
-    const driver::ScenarioOrErrors read = driver::ReadScenario(path);
-    const auto* const scenario = std::get_if<driver::Scenario>(&read);
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path);
+    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
     if (scenario == nullptr || !scenario->steps || scenario->expect_error) continue;
-    driver::Compilation compilation = driver::Compile(driver::RequestOf(*scenario, {}));
+    compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(*scenario, {}));
     if (compilation.dialect == nullptr || compilation.dialect->name != dialect.name) continue;
     const RunResult result = RunBeside(*scenario, compilation, dialect);
     compared += result.compared;

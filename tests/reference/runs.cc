@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "tests/reference/reference_engine.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/diagnostics/render.h"
-#include "transpiler/driver/compilation.h"
-#include "transpiler/driver/lockstep.h"
-#include "transpiler/driver/scenario_plan.h"
-#include "transpiler/driver/scenario_run.h"
+#include "transpiler/engines/lockstep.h"
+#include "transpiler/scenarios/plan.h"
+#include "transpiler/scenarios/run.h"
 #include "transpiler/sim/simulator.h"
 
 namespace plcxx::reference {
@@ -56,13 +56,13 @@ std::string Joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compilation,
+RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilation& compilation,
                     const ReferenceDialect& dialect) {
   RunResult result;
   if (!scenario.steps || !compilation.ok()) return {Outcome::kNothingToRun, {}, 0};
-  const auto plan = driver::PlanScenario(scenario, *compilation.dialect, compilation.program);
-  if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&plan)) {
-    return {Outcome::kNothingToRun, driver::ToText(errors->front()), 0};
+  const auto plan = scenarios::PlanScenario(scenario, *compilation.dialect, compilation.program);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
+    return {Outcome::kNothingToRun, scenarios::ToText(errors->front()), 0};
   }
   diag::Engine said_before;
   dialects::Request request = compilation.MakeRequest();
@@ -78,18 +78,18 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
   std::vector<std::unique_ptr<sim::Engine>> engines;
   engines.push_back(std::move(simulator));
   engines.push_back(std::move(reference));
-  driver::Lockstep lockstep(compilation.program, std::move(engines));
+  engines::Lockstep lockstep(compilation.program, std::move(engines));
   const std::optional<std::string> failure =
-      driver::RunScenario({.scenario = scenario,
-                           .plan = std::get<driver::ScenarioPlan>(plan),
-                           .dialect = *compilation.dialect,
-                           .program = compilation.program,
-                           .sources = *compilation.sources,
-                           .engines = lockstep,
-                           .writes = nullptr,
-                           .stub = compilation.dialect->make_stub == nullptr
-                                       ? nullptr
-                                       : compilation.dialect->make_stub(compilation.program, compilation.options)});
+      scenarios::RunScenario({.scenario = scenario,
+                              .plan = std::get<scenarios::ScenarioPlan>(plan),
+                              .dialect = *compilation.dialect,
+                              .program = compilation.program,
+                              .sources = *compilation.sources,
+                              .engines = lockstep,
+                              .writes = nullptr,
+                              .stub = compilation.dialect->make_stub == nullptr
+                                          ? nullptr
+                                          : compilation.dialect->make_stub(compilation.program, compilation.options)});
   if (failure) return {Outcome::kDisagrees, *failure, result.compared};
   if (!beside.reference().unsupported().empty()) {  // met while it ran
     return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};
@@ -100,24 +100,24 @@ RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compi
   return result;
 }
 
-std::vector<uint64_t> TraceOf(const driver::Scenario& scenario, driver::Compilation& compilation) {
-  const auto plan = driver::PlanScenario(scenario, *compilation.dialect, compilation.program);
-  if (!std::holds_alternative<driver::ScenarioPlan>(plan)) return {};
+std::vector<uint64_t> TraceOf(const scenarios::Scenario& scenario, compilation::Compilation& compilation) {
+  const auto plan = scenarios::PlanScenario(scenario, *compilation.dialect, compilation.program);
+  if (!std::holds_alternative<scenarios::ScenarioPlan>(plan)) return {};
   std::vector<uint64_t> trace;
   std::vector<std::unique_ptr<sim::Engine>> engines;
   engines.push_back(std::make_unique<sim::Simulator>(compilation.program));
   engines.push_back(std::make_unique<RecordingSimulator>(compilation.program, trace));
-  driver::Lockstep lockstep(compilation.program, std::move(engines));
-  driver::RunScenario({.scenario = scenario,
-                       .plan = std::get<driver::ScenarioPlan>(plan),
-                       .dialect = *compilation.dialect,
-                       .program = compilation.program,
-                       .sources = *compilation.sources,
-                       .engines = lockstep,
-                       .writes = nullptr,
-                       .stub = compilation.dialect->make_stub == nullptr
-                                   ? nullptr
-                                   : compilation.dialect->make_stub(compilation.program, compilation.options)});
+  engines::Lockstep lockstep(compilation.program, std::move(engines));
+  scenarios::RunScenario({.scenario = scenario,
+                          .plan = std::get<scenarios::ScenarioPlan>(plan),
+                          .dialect = *compilation.dialect,
+                          .program = compilation.program,
+                          .sources = *compilation.sources,
+                          .engines = lockstep,
+                          .writes = nullptr,
+                          .stub = compilation.dialect->make_stub == nullptr
+                                      ? nullptr
+                                      : compilation.dialect->make_stub(compilation.program, compilation.options)});
   return trace;
 }
 
@@ -127,12 +127,12 @@ RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialec
     std::ofstream(directory + "/" + file.name, std::ios::binary) << file.text;
     scenario_text = file.text;
   }
-  const driver::ScenarioOrErrors read = driver::ParseScenario(directory + "/scenario.yaml", scenario_text);
-  if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&read)) {
-    return {Outcome::kNothingToRun, driver::ToText(errors->front()), 0};
+  const scenarios::ScenarioOrErrors read = scenarios::ParseScenario(directory + "/scenario.yaml", scenario_text);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    return {Outcome::kNothingToRun, scenarios::ToText(errors->front()), 0};
   }
-  const auto& scenario = std::get<driver::Scenario>(read);
-  driver::Compilation compilation = driver::Compile(driver::RequestOf(scenario, {}));
+  const auto& scenario = std::get<scenarios::Scenario>(read);
+  compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(scenario, {}));
   if (!compilation.ok()) {
     std::vector<diag::Diagnostic> errors;
     for (const diag::Diagnostic& diagnostic : compilation.diagnostics.all()) {

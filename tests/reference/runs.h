@@ -10,8 +10,8 @@
 
 #include "tests/reference/random_program.h"
 #include "tests/reference/reference_dialects.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_program.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::reference {
 
@@ -28,11 +28,11 @@ struct RunResult {
   uint64_t compared = 0;  // values: bytes of memory and fields of elements, after each period
 };
 
-RunResult RunBeside(const driver::Scenario& scenario, driver::Compilation& compilation,
+RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilation& compilation,
                     const ReferenceDialect& dialect);
 
 /// What the host sees of a scenario in the simulator: its memory after each piece of execution, as hashes.
-std::vector<uint64_t> TraceOf(const driver::Scenario& scenario, driver::Compilation& compilation);
+std::vector<uint64_t> TraceOf(const scenarios::Scenario& scenario, compilation::Compilation& compilation);
 
 /// Writes the program into `directory`, compiles and runs it.
 RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory);

@@ -7,7 +7,7 @@
 
 #include "tests/reference/compilers.h"
 #include "transpiler/compile/child_process.h"
-#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/scenarios/suite.h"
 
 namespace plcxx::reference {
 namespace {
@@ -87,7 +87,7 @@ int RunJudge(Share share, const std::vector<std::string>& platforms, const std::
     std::cerr << "nothing to run\n";
     return 2;
   }
-  driver::SuiteOptions options;
+  scenarios::SuiteOptions options;
   options.jobs = 1;
   options.time_limit = kSecondsForAProgram;
   for (const std::string& name : platforms) {
@@ -95,17 +95,17 @@ int RunJudge(Share share, const std::vector<std::string>& platforms, const std::
       options.platforms.push_back({MakeCompiler(name), 1});
       continue;
     }
-    auto machine = driver::MakeEmulatedPlatform(name);
-    if (const auto* failure = std::get_if<driver::CompileFailure>(&machine)) {
+    auto machine = engines::MakeEmulatedPlatform(name);
+    if (const auto* failure = std::get_if<engines::CompileFailure>(&machine)) {
       std::cerr << failure->message << "\n";
       return 2;
     }
-    options.platforms.push_back({std::get<std::shared_ptr<const driver::Platform>>(machine), 1});
+    options.platforms.push_back({std::get<std::shared_ptr<const engines::Platform>>(machine), 1});
   }
   bool failed = false;
-  const auto results = driver::TestScenarios(scenarios, options, [](const driver::ScenarioResult&) {});
+  const auto results = scenarios::TestScenarios(scenarios, options, [](const scenarios::ScenarioResult&) {});
   for (size_t i = 0; i < results.size(); ++i) {
-    if (results[i].test.outcome == driver::TestOutcome::kPassed) continue;
+    if (results[i].test.outcome == scenarios::TestOutcome::kPassed) continue;
     failed = true;
     std::cout << "FAILED " << scenarios[i] << "\n" << results[i].test.text << "\n";
   }

@@ -235,10 +235,10 @@ class Soak {
 int RunScenarios(const std::vector<std::string>& paths) {
   int disagree = 0;
   for (const std::string& path : paths) {
-    const auto read = plcxx::driver::ReadScenario(path);
-    const auto* const scenario = std::get_if<plcxx::driver::Scenario>(&read);
+    const auto read = plcxx::scenarios::ReadScenario(path);
+    const auto* const scenario = std::get_if<plcxx::scenarios::Scenario>(&read);
     if (scenario == nullptr) throw std::invalid_argument(path + " is no scenario");
-    auto compilation = plcxx::driver::Compile(plcxx::driver::RequestOf(*scenario, {}));
+    auto compilation = plcxx::compilation::Compile(plcxx::scenarios::RequestOf(*scenario, {}));
     const ReferenceDialect* dialect =
         compilation.dialect == nullptr ? nullptr : FindReference(compilation.dialect->name);
     if (dialect == nullptr) throw std::invalid_argument(path + ": its dialect has no reference");

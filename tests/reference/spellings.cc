@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "tests/reference/runs.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/diagnostics/render.h"
-#include "transpiler/driver/compilation.h"
-#include "transpiler/driver/scenario.h"
-#include "transpiler/driver/scenario_program.h"
 #include "transpiler/ir/printer.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::reference {
 namespace {
@@ -52,8 +52,8 @@ std::string Decimal(const std::string& word) {
 }
 
 struct Compiled {
-  driver::Scenario scenario;
-  driver::Compilation compilation;
+  scenarios::Scenario scenario;
+  compilation::Compilation compilation;
 };
 
 std::variant<std::string, Compiled> CompileIn(const RandomProgram& program, std::string_view dialect,
@@ -64,10 +64,10 @@ std::variant<std::string, Compiled> CompileIn(const RandomProgram& program, std:
     std::ofstream(directory + "/" + file.name, std::ios::binary) << file.text;
     scenario_text = file.text;
   }
-  const driver::ScenarioOrErrors read = driver::ParseScenario(directory + "/scenario.yaml", scenario_text);
-  if (const auto* errors = std::get_if<std::vector<driver::ScenarioError>>(&read)) return ToText(errors->front());
-  const auto& scenario = std::get<driver::Scenario>(read);
-  driver::Compilation compilation = driver::Compile(driver::RequestOf(scenario, {}));
+  const scenarios::ScenarioOrErrors read = scenarios::ParseScenario(directory + "/scenario.yaml", scenario_text);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) return ToText(errors->front());
+  const auto& scenario = std::get<scenarios::Scenario>(read);
+  compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(scenario, {}));
   if (compilation.ok()) return Compiled{scenario, std::move(compilation)};
   return diag::RenderText(*compilation.sources, compilation.diagnostics.all(), {});
 }

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "tests/temporary_directory.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/dialects/references.h"
-#include "transpiler/driver/compilation.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/prove/front_end/front_end.h"
@@ -33,9 +33,9 @@ class Subject {
  public:
   explicit Subject(std::string_view body) {
     directory_.Write("mill.cld", std::string(kVariables) + "void plc1() {\n" + std::string(body) + "\n}\n");
-    driver::CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory_.File("mill.cld")};
-    compilation_ = driver::Compile(request);
+    compilation_ = compilation::Compile(request);
   }
 
   bool ok() const { return compilation_.ok(); }
@@ -69,7 +69,7 @@ class Subject {
 
  private:
   testing_support::TemporaryDirectory directory_;
-  driver::Compilation compilation_;
+  compilation::Compilation compilation_;
 };
 
 struct Mutation {

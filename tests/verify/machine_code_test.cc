@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "tests/temporary_directory.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/driver/compilation.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/prove/compiled/object_code.h"
@@ -48,10 +48,10 @@ class MachineSubject {
       : target_(*compile::FindTarget(target)) {
     auto found = compile::FindToolchain(target_, "");
     if (auto* toolchain = std::get_if<compile::Toolchain>(&found)) toolchain_ = std::move(*toolchain);
-    driver::CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory_.Write(file, text)};
     request.dialect = dialect;
-    compilation_ = driver::Compile(request);
+    compilation_ = compilation::Compile(request);
     EXPECT_TRUE(compilation_.ok());
     emittable_ = emit::legalize::Legalize(compilation_.program, {.name = "turret"});
     EXPECT_TRUE(compile::WriteRuntime(directory_.path().string()));
@@ -101,7 +101,7 @@ class MachineSubject {
   testing_support::TemporaryDirectory directory_;
   const compile::Target& target_;
   std::optional<compile::Toolchain> toolchain_;
-  driver::Compilation compilation_;
+  compilation::Compilation compilation_;
   emit::Emittable emittable_;
 };
 

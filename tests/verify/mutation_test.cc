@@ -17,10 +17,10 @@
 
 #include "tests/temporary_directory.h"
 #include "tests/volume.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/driver/compilation.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
@@ -281,11 +281,11 @@ class Subject {
   Subject(const compile::Toolchain& toolchain, const char* name, const char* text, const char* dialect,
           const std::vector<std::pair<std::string, std::string>>& options = {})
       : toolchain_(toolchain) {
-    driver::CompilationRequest request;
+    compilation::CompilationRequest request;
     request.sources = {directory_.Write(name, text)};
     request.dialect = dialect;
     request.options = options;
-    compilation_ = driver::Compile(request);
+    compilation_ = compilation::Compile(request);
     EXPECT_TRUE(compilation_.ok());
     emittable_ = emit::legalize::Legalize(compilation_.program, {.name = "turret"});
     files_ = emit::print::PrintCpp(emittable_, *compilation_.sources);
@@ -323,7 +323,7 @@ class Subject {
  private:
   testing_support::TemporaryDirectory directory_;
   const compile::Toolchain& toolchain_;
-  driver::Compilation compilation_;
+  compilation::Compilation compilation_;
   emit::Emittable emittable_;
   std::vector<emit::OutputFile> files_, runtime_;
 };

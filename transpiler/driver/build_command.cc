@@ -16,8 +16,6 @@
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/driver/build_figures.h"
-#include "transpiler/driver/build_limits.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
@@ -29,6 +27,8 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/measure/figures.h"
+#include "transpiler/measure/limits.h"
 
 namespace plcxx::driver {
 namespace {
@@ -76,7 +76,7 @@ struct BuildSettings {
   std::string level = "2";
   unsigned jobs = 0;
   std::string clock;
-  BuildLimits limits;
+  measure::BuildLimits limits;
   bool no_audit = false;
   bool debug = false;
   bool quiet = false;
@@ -99,8 +99,8 @@ std::string BytesOf(const std::filesystem::path& path) {
 /// One build: from a compiled program to the files that are written.
 class Build {
  public:
-  Build(const BuildSettings& settings, const compile::Target& target, uint64_t clock_hz, Compilation& compilation,
-        ProgressLine& progress)
+  Build(const BuildSettings& settings, const compile::Target& target, uint64_t clock_hz,
+        compilation::Compilation& compilation, ProgressLine& progress)
       : settings_(settings), target_(target), clock_hz_(clock_hz), compilation_(compilation), progress_(progress) {}
 
   void Run() {
@@ -110,10 +110,10 @@ class Build {
   }
 
   /// Empty where nothing was measured.
-  std::string Table() const { return figures_ ? BuildTable(*figures_, Way(), compilation_.name) : ""; }
+  std::string Table() const { return figures_ ? measure::BuildTable(*figures_, Way(), compilation_.name) : ""; }
 
  private:
-  BuildWay Way() const {
+  measure::BuildWay Way() const {
     return {.target = &target_, .toolchain = &toolchain_, .level = settings_.level, .clock_hz = clock_hz_};
   }
 
@@ -164,20 +164,20 @@ class Build {
     progress_.Show("auditing");
     std::vector<std::string> objects;
     for (const std::string& name : library.objects) objects.push_back(BytesOf(directory / name));
-    const std::optional<compile::ProgramCode> code = ReadObjects(objects, target_, compilation_);
+    const std::optional<compile::ProgramCode> code = measure::ReadObjects(objects, target_, compilation_);
     if (!code) return;
-    AuditObjects(*code, emittable, compilation_);
+    measure::AuditObjects(*code, emittable, compilation_);
     if (!compilation_.ok()) return;  // of code that must not be, figures mean nothing
     progress_.Show("measuring");
-    figures_ = Measure(*code, emittable, files_);
-    CheckLimits(*figures_, settings_.limits, clock_hz_, emittable, compilation_);
+    figures_ = measure::Measure(*code, emittable, files_);
+    measure::CheckLimits(*figures_, settings_.limits, clock_hz_, emittable, compilation_);
   }
 
   void Write() {
     if (compilation_.has_program) {
       std::vector<std::string> names;
       for (const emit::OutputFile& file : files_) names.push_back(file.name);
-      const nlohmann::ordered_json build = figures_ ? BuildJson(*figures_, Way()) : nlohmann::ordered_json();
+      const nlohmann::ordered_json build = figures_ ? measure::BuildJson(*figures_, Way()) : nlohmann::ordered_json();
       files_.push_back({compilation_.name + ".report.json", ReportJson(compilation_, names, build)});
       for (const compile::RuntimeFile& header : compile::RuntimeFiles()) {
         files_.push_back({header.name, std::string(header.text)});
@@ -210,15 +210,15 @@ class Build {
   const BuildSettings& settings_;
   const compile::Target& target_;
   uint64_t clock_hz_;
-  Compilation& compilation_;
+  compilation::Compilation& compilation_;
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
-  std::optional<BuildFigures> figures_;
+  std::optional<measure::BuildFigures> figures_;
   std::vector<emit::OutputFile> files_;  // without directory
 };
 
 int RunBuild(const BuildSettings& settings) {
-  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
+  std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
@@ -229,7 +229,7 @@ int RunBuild(const BuildSettings& settings) {
   }
   uint64_t clock_hz = 0;
   if (!settings.clock.empty()) {
-    const std::optional<uint64_t> clock = ParseClock(settings.clock);
+    const std::optional<uint64_t> clock = measure::ParseClock(settings.clock);
     if (!clock) {
       PrintUsageError("'--clock " + settings.clock + "' is no frequency: write 168MHz, 32kHz or 16000000");
       return kWrongUse;
@@ -249,7 +249,7 @@ int RunBuild(const BuildSettings& settings) {
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  Compilation compilation = Compile(*request);
+  compilation::Compilation compilation = compilation::Compile(*request);
   Build build(settings, *target, clock_hz, compilation, progress);
   if (compilation.ok()) build.Run();
   progress.Clear();

@@ -2,9 +2,9 @@
 #include <iostream>
 #include <memory>
 
+#include "transpiler/compilation/preemption.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
-#include "transpiler/driver/preemption.h"
 #include "transpiler/driver/terminal.h"
 
 namespace plcxx::driver {
@@ -26,12 +26,13 @@ struct CheckSettings {
 
 int RunCheck(const CheckSettings& settings) {
   const CommonOptions& options = settings.common;
-  std::optional<CompilationRequest> request = MakeRequest(options);
+  std::optional<compilation::CompilationRequest> request = MakeRequest(options);
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  Compilation compilation = Compile(*request, settings.preemptive ? Stage::kOptimized : Stage::kChecked);
-  if (settings.preemptive) static_cast<void>(CheckPreemptive(compilation));
+  compilation::Compilation compilation = compilation::Compile(
+      *request, settings.preemptive ? compilation::Stage::kOptimized : compilation::Stage::kChecked);
+  if (settings.preemptive) static_cast<void>(compilation::CheckPreemptive(compilation));
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(options));
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.

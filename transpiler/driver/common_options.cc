@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/driver/columns.h"
+#include "transpiler/compilation/warning_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/driver/warning_options.h"
+#include "transpiler/support/columns.h"
 
 namespace plcxx::driver {
 namespace {
@@ -61,8 +61,9 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
       ->type_name("NAME")
       ->group(kSourcesGroup);
   command
-      .add_option("--encoding", options.encoding,
-                  "Encoding of the sources: " + CommaSeparated(source::EncodingNames()) + "; else (auto) detected")
+      .add_option(
+          "--encoding", options.encoding,
+          "Encoding of the sources: " + support::CommaSeparated(source::EncodingNames()) + "; else (auto) detected")
       ->type_name("NAME")
       ->group(kSourcesGroup);
   AddRepeated(command, "-I", options.include_directories, "DIR", "Where to look for files that options name",
@@ -98,13 +99,13 @@ std::string DialectOptionsText() {
       text += line + "\n";
     }
   }
-  text += "Option of every dialect:\n  " + std::string(kFactsOption) +
+  text += "Option of every dialect:\n  " + std::string(compilation::kFactsOption) +
           "             what plcxx decides from becomes assertions: trusted or checked (trusted)\n";
   return text;
 }
 
-std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
-  CompilationRequest request;
+std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& options) {
+  compilation::CompilationRequest request;
   request.sources = options.sources;
   request.dialect = options.dialect;
   request.include_directories = options.include_directories;
@@ -113,7 +114,7 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
       PrintUsageError("unknown encoding '" + options.encoding + "': choose one of auto, " +
-                      CommaSeparated(source::EncodingNames()));
+                      support::CommaSeparated(source::EncodingNames()));
       return std::nullopt;
     }
   }
@@ -125,7 +126,7 @@ std::optional<CompilationRequest> MakeRequest(const CommonOptions& options) {
   }
   for (const std::string& name : options.undefines) request.macros.push_back({name, std::nullopt});
   std::vector<std::string> unknown;
-  request.warnings = ReadWarningOptions(options.warnings, unknown);
+  request.warnings = compilation::ReadWarningOptions(options.warnings, unknown);
   if (!unknown.empty()) {
     PrintUsageError("'" + unknown.front() + "' names no warning: plcxx explain --list shows them all");
     return std::nullopt;
@@ -137,7 +138,7 @@ MessageStyle MessagesOf(const CommonOptions& options) {
   return {DiagnosticsFormatByName(options.format).value_or(DiagnosticsFormat::kText), options.most_messages};
 }
 
-int ExitCodeOf(const Compilation& compilation) {
+int ExitCodeOf(const compilation::Compilation& compilation) {
   if (compilation.ok()) return kDone;
   return compilation.wrong_use ? kWrongUse : kProgramHasErrors;
 }

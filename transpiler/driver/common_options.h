@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/driver/diagnostics_output.h"
 
 namespace plcxx::driver {
@@ -40,11 +40,11 @@ void AddSettings(CLI::App& command, CommonOptions& options);
 std::string DialectOptionsText();
 
 /// None when an option is wrong: the error has been printed, the exit code is kWrongUse.
-std::optional<CompilationRequest> MakeRequest(const CommonOptions& options);
+std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& options);
 MessageStyle MessagesOf(const CommonOptions& options);
 
 /// kDone, kProgramHasErrors, or kWrongUse when the errors are of the command line.
-int ExitCodeOf(const Compilation& compilation);
+int ExitCodeOf(const compilation::Compilation& compilation);
 
 // The subcommands, one file each.
 void AddEmit(CLI::App& app, Run& run);

@@ -3,25 +3,25 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "transpiler/driver/build_figures.h"
-#include "transpiler/driver/columns.h"
 #include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/measure/figures.h"
+#include "transpiler/support/columns.h"
 #include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
 
 /// Budgets and reports are in whole microseconds, as the control shows them; nothing that runs takes none.
-uint64_t Microseconds(uint64_t ns) { return (ns + kNsPerUs - 1) / kNsPerUs; }
+uint64_t Microseconds(uint64_t ns) { return (ns + compilation::kNsPerUs - 1) / compilation::kNsPerUs; }
 
 /// Without directory: the report must not depend on where the sources stand.
-std::string FileName(const Compilation& compilation, source::FileId id) {
+std::string FileName(const compilation::Compilation& compilation, source::FileId id) {
   return std::filesystem::path(compilation.sources->Get(id).path).filename().string();
 }
 
 }  // namespace
 
-std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files,
+std::string ReportJson(const compilation::Compilation& compilation, const std::vector<std::string>& files,
                        const nlohmann::ordered_json& build) {
   nlohmann::ordered_json report;
   report["program"] = compilation.name;
@@ -38,7 +38,7 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
   report["warnings"] = compilation.diagnostics.warning_count();
   report["errors"] = compilation.diagnostics.error_count();
   report["partitions"] = nlohmann::ordered_json::array();
-  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
+  for (const compilation::PartitionEstimate& partition : compilation.estimates.partitions) {
     report["partitions"].push_back({{"name", partition.name},
                                     {"time_us", Microseconds(partition.time_ns)},
                                     {"time_ns", partition.time_ns},
@@ -67,13 +67,14 @@ std::string ReportJson(const Compilation& compilation, const std::vector<std::st
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string ReportText(const Compilation& compilation) {
+std::string ReportText(const compilation::Compilation& compilation) {
   std::string text = compilation.name + ": " + support::Counted(compilation.summary.lines, "line") + ", " +
                      support::Counted(compilation.summary.statements, "statement") + ", " +
                      CountText(compilation.diagnostics) + "\n";
-  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
-    text += "  " + LeftAligned(partition.name, 6) + RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) +
-            " us" + RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
+  for (const compilation::PartitionEstimate& partition : compilation.estimates.partitions) {
+    text += "  " + support::LeftAligned(partition.name, 6) +
+            support::RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
+            support::RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
   }
   if (compilation.estimates.slow_period_ms > 0) {
     text += "  slow part in " + support::Counted(compilation.estimates.slices, "slice") + ", period " +

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 
 namespace plcxx::driver {
 
 /// <name>.report.json. `files` are the other files written, without directory; `build` is what plcxx build measured,
 /// null where nothing was.
-std::string ReportJson(const Compilation& compilation, const std::vector<std::string>& files,
+std::string ReportJson(const compilation::Compilation& compilation, const std::vector<std::string>& files,
                        const nlohmann::ordered_json& build);
 /// A few lines for the terminal.
-std::string ReportText(const Compilation& compilation);
+std::string ReportText(const compilation::Compilation& compilation);
 
 }  // namespace plcxx::driver

@@ -9,11 +9,11 @@ namespace plcxx::driver {
 namespace {
 
 /// Programs that read messages get all of them unless a number was asked for.
-std::vector<diag::Diagnostic> ForPrograms(const Compilation& compilation, const MessageStyle& messages) {
+std::vector<diag::Diagnostic> ForPrograms(const compilation::Compilation& compilation, const MessageStyle& messages) {
   return diag::FirstOf(compilation.diagnostics.all(), messages.most.value_or(0));
 }
 
-std::string Rendered(const Compilation& compilation, const MessageStyle& messages) {
+std::string Rendered(const compilation::Compilation& compilation, const MessageStyle& messages) {
   constexpr size_t kMostShown = 100;
   const source::SourceManager& sources = *compilation.sources;
   switch (messages.format) {
@@ -40,11 +40,11 @@ std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name) 
   return std::nullopt;
 }
 
-void PrintDiagnosticsBeside(const Compilation& compilation, const MessageStyle& messages) {
+void PrintDiagnosticsBeside(const compilation::Compilation& compilation, const MessageStyle& messages) {
   std::cerr << Rendered(compilation, messages) << std::flush;
 }
 
-void PrintDiagnostics(const Compilation& compilation, const MessageStyle& messages) {
+void PrintDiagnostics(const compilation::Compilation& compilation, const MessageStyle& messages) {
   std::ostream& out = messages.format == DiagnosticsFormat::kText ? std::cerr : std::cout;
   out << Rendered(compilation, messages) << std::flush;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 
 namespace plcxx::driver {
 
@@ -22,9 +22,9 @@ struct MessageStyle {
 std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name);
 
 /// For commands whose result is not the diagnostics: always to standard error.
-void PrintDiagnosticsBeside(const Compilation& compilation, const MessageStyle& messages);
+void PrintDiagnosticsBeside(const compilation::Compilation& compilation, const MessageStyle& messages);
 /// For commands whose standard output is free: JSON and SARIF go there.
-void PrintDiagnostics(const Compilation& compilation, const MessageStyle& messages);
+void PrintDiagnostics(const compilation::Compilation& compilation, const MessageStyle& messages);
 
 /// "2 errors, 1 warning"
 std::string CountText(const diag::Engine& diagnostics);

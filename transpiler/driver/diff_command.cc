@@ -6,15 +6,15 @@
 #include <variant>
 
 #include "transpiler/driver/common_options.h"
-#include "transpiler/driver/diff.h"
 #include "transpiler/driver/diff_output.h"
 #include "transpiler/driver/diff_page.h"
-#include "transpiler/driver/diff_sources.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
-#include "transpiler/driver/platform.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/engines/platform.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/review/diff/sources.h"
 
 namespace plcxx::driver {
 namespace {
@@ -45,13 +45,13 @@ enum class DiffFormat : uint8_t { kText, kMarkdown, kJson, kSarif };
 
 struct DiffSettings {
   CommonOptions common;
-  DiffWords words;
+  review::diff::DiffWords words;
   std::vector<std::string> same;
   std::string scenarios, format = "text", time = "60s";
 };
 
 /// Options for both sides; sources are found later.
-std::optional<CompilationRequest> CommonRequest(const DiffSettings& settings) {
+std::optional<compilation::CompilationRequest> CommonRequest(const DiffSettings& settings) {
   CommonOptions common = settings.common;
   common.sources.clear();
   return MakeRequest(common);
@@ -68,10 +68,10 @@ std::string FileNameOf(const std::string& item) {
   return name;
 }
 
-int WriteScenarios(const Diff& diff, const std::string& directory) {
+int WriteScenarios(const review::diff::Diff& diff, const std::string& directory) {
   OutputRequest output{.directory = directory, .files = {}, .protected_paths = {}};
   std::set<std::string> names;
-  for (const DiffItem& item : diff.items) {
+  for (const review::diff::DiffItem& item : diff.items) {
     if (!item.counterexample || item.counterexample->scenario.empty()) continue;
     std::string name = FileNameOf(item.name);
     for (int number = 2; !names.insert(name).second; ++number)
@@ -84,7 +84,7 @@ int WriteScenarios(const Diff& diff, const std::string& directory) {
   return kWrongUse;
 }
 
-std::string Rendered(const Diff& diff, const DiffNames& names, const std::string& format) {
+std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, const std::string& format) {
   if (format == "markdown") return DiffMarkdown(diff, names);
   if (format == "json") return DiffJson(diff, names);
   if (format == "sarif") return DiffSarif(diff, names);
@@ -92,7 +92,7 @@ std::string Rendered(const Diff& diff, const DiffNames& names, const std::string
 }
 
 /// false: the program has errors, which have been told.
-bool IsUsable(const DiffSide& side, const DiffSettings& settings) {
+bool IsUsable(const review::diff::DiffSide& side, const DiffSettings& settings) {
   if (side.compilation.ok() && side.compilation.has_program) return true;
   PrintDiagnosticsBeside(side.compilation, MessagesOf(settings.common));
   PrintUsageError("'" + side.label +
@@ -101,28 +101,28 @@ bool IsUsable(const DiffSide& side, const DiffSettings& settings) {
 }
 
 int RunDiff(const DiffSettings& settings) {
-  const std::optional<CompilationRequest> common = CommonRequest(settings);
+  const std::optional<compilation::CompilationRequest> common = CommonRequest(settings);
   if (!common) return kWrongUse;
   const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
   if (!time_ms || *time_ms == 0) {
     PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
     return kWrongUse;
   }
-  std::variant<DiffRequests, std::string> resolved = ResolveDiff(settings.words, *common);
+  std::variant<review::diff::DiffRequests, std::string> resolved = review::diff::ResolveDiff(settings.words, *common);
   if (const auto* const why = std::get_if<std::string>(&resolved)) {
     PrintUsageError(*why);
     return kWrongUse;
   }
-  auto& requests = std::get<DiffRequests>(resolved);
+  auto& requests = std::get<review::diff::DiffRequests>(resolved);
   if (!requests.one_sided.empty()) {
     std::cout << requests.one_sided << "\n";
     return kDone;
   }
-  DiffOptions options{.same = {},
-                      .time_ms = *time_ms,
-                      .scenario_directory = settings.scenarios,
-                      .compiler = FindCompiler(),
-                      .progress = {}};
+  review::diff::DiffOptions options{.same = {},
+                                    .time_ms = *time_ms,
+                                    .scenario_directory = settings.scenarios,
+                                    .compiler = engines::FindCompiler(),
+                                    .progress = {}};
   for (const std::string& pair : settings.same) {
     const size_t equals = pair.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size()) {
@@ -133,10 +133,10 @@ int RunDiff(const DiffSettings& settings) {
   }
   ProgressLine progress;
   options.progress = [&progress](const std::string& what) { progress.Show(what); };
-  DiffSide old_side =
-      MakeDiffSide(requests.old_side.label, requests.old_side.compilation, requests.old_side.hidden_prefix);
-  DiffSide new_side =
-      MakeDiffSide(requests.new_side.label, requests.new_side.compilation, requests.new_side.hidden_prefix);
+  review::diff::DiffSide old_side = review::diff::MakeDiffSide(requests.old_side.label, requests.old_side.compilation,
+                                                               requests.old_side.hidden_prefix);
+  review::diff::DiffSide new_side = review::diff::MakeDiffSide(requests.new_side.label, requests.new_side.compilation,
+                                                               requests.new_side.hidden_prefix);
   old_side.file_name = requests.old_side.file_name;
   new_side.file_name = requests.new_side.file_name;
   progress.Clear();
@@ -148,7 +148,7 @@ int RunDiff(const DiffSettings& settings) {
                     " and " + std::string(new_side.compilation.dialect->name));
     return not_compared;
   }
-  const Diff diff = CompareSides(old_side, new_side, options);
+  const review::diff::Diff diff = review::diff::CompareSides(old_side, new_side, options);
   progress.Clear();
   if (!diff.refusal.empty()) {
     PrintUsageError("cannot compare: " + diff.refusal);

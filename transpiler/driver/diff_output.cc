@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
-#include "transpiler/driver/diff_groups.h"
+#include "transpiler/review/diff/groups.h"
 
 namespace plcxx::driver {
 namespace {
@@ -19,33 +19,34 @@ using Json = nlohmann::ordered_json;
 struct KindWords {
   std::string_view title, one, many;
 };
-KindWords WordsOf(ItemKind kind) {
+KindWords WordsOf(review::diff::ItemKind kind) {
   switch (kind) {
-    case ItemKind::kSchedule:
+    case review::diff::ItemKind::kSchedule:
       return {"Schedule", "part of the schedule", "parts of the schedule"};
-    case ItemKind::kData:
+    case review::diff::ItemKind::kData:
       return {"Texts and tables", "text or table item", "texts or table items"};
-    case ItemKind::kOutput:
+    case review::diff::ItemKind::kOutput:
       return {"Outputs", "output", "outputs"};
-    case ItemKind::kCalls:
+    case review::diff::ItemKind::kCalls:
       return {"Calls of the control", "kind of call", "kinds of calls"};
-    case ItemKind::kRetentive:
+    case review::diff::ItemKind::kRetentive:
       return {"Retentive memory", "retentive location", "retentive locations"};
-    case ItemKind::kInternal:
+    case review::diff::ItemKind::kInternal:
       return {"Internal state", "internal location", "internal locations"};
   }
   return {};
 }
-constexpr std::array kKinds = {ItemKind::kSchedule, ItemKind::kOutput,    ItemKind::kCalls,
-                               ItemKind::kData,     ItemKind::kRetentive, ItemKind::kInternal};
+constexpr std::array kKinds = {review::diff::ItemKind::kSchedule,  review::diff::ItemKind::kOutput,
+                               review::diff::ItemKind::kCalls,     review::diff::ItemKind::kData,
+                               review::diff::ItemKind::kRetentive, review::diff::ItemKind::kInternal};
 
-std::string_view VerdictText(ItemVerdict verdict) {
+std::string_view VerdictText(review::diff::ItemVerdict verdict) {
   switch (verdict) {
-    case ItemVerdict::kEqual:
+    case review::diff::ItemVerdict::kEqual:
       return "equal";
-    case ItemVerdict::kDifferent:
+    case review::diff::ItemVerdict::kDifferent:
       return "different";
-    case ItemVerdict::kUndecided:
+    case review::diff::ItemVerdict::kUndecided:
       return "not decided";
   }
   return {};
@@ -68,24 +69,24 @@ std::string Paint(std::string text, const char* code, diag::Colour colour) {
 
 }  // namespace
 
-std::string Cause(const DiffGroup& group) {
-  const DiffItem& item = group.first();
+std::string Cause(const review::diff::DiffGroup& group) {
+  const review::diff::DiffItem& item = group.first();
   if (item.declared)
     return item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one";
   std::string text;
-  const bool undecided = item.verdict == ItemVerdict::kUndecided;
+  const bool undecided = item.verdict == review::diff::ItemVerdict::kUndecided;
   if (!group.causes.empty()) text = (undecided ? "at most through " : "through ") + Joined(group.causes, 4);
   if (!undecided) return text;
   std::string reason = item.reason;
-  for (const DiffItem* const other : group.items) {
+  for (const review::diff::DiffItem* const other : group.items) {
     if (other->reason != reason) reason = "of some " + item.reason + "; of others " + other->reason;
     if (other->reason != item.reason) break;
   }
   return text + (text.empty() ? "" : "; ") + reason;
 }
 
-std::string Heading(const DiffGroup& group) {
-  const std::string names = NamesOf(group);
+std::string Heading(const review::diff::DiffGroup& group) {
+  const std::string names = review::diff::NamesOf(group);
   return group.items.size() == 1 ? names : names + " (" + std::to_string(group.items.size()) + ")";
 }
 
@@ -101,10 +102,10 @@ std::string RestOfRuns(size_t count) {
 constexpr size_t kMostStatements = 6;  // of one location
 constexpr size_t kMostChanges = 20;    // of all
 
-void AddStatements(std::string& text, std::string_view side, const std::vector<ItemStatement>& statements,
+void AddStatements(std::string& text, std::string_view side, const std::vector<review::diff::ItemStatement>& statements,
                    diag::Colour colour, size_t most) {
   size_t shown = 0;
-  for (const ItemStatement& statement : statements) {
+  for (const review::diff::ItemStatement& statement : statements) {
     if (shown++ == most) {
       text += "      " + std::string(side) + "  and " + std::to_string(statements.size() - most) + " more\n";
       return;
@@ -116,7 +117,7 @@ void AddStatements(std::string& text, std::string_view side, const std::vector<I
 }
 
 /// As lines of a patch.
-void AddChanges(std::string& text, std::string_view sign, const std::vector<ItemStatement>& statements) {
+void AddChanges(std::string& text, std::string_view sign, const std::vector<review::diff::ItemStatement>& statements) {
   for (size_t i = 0; i < statements.size() && i < kMostChanges; ++i) {
     text += std::string(sign) + " " + statements[i].file + ":" + std::to_string(statements[i].line) + "  " +
             statements[i].text + "\n";
@@ -125,21 +126,24 @@ void AddChanges(std::string& text, std::string_view sign, const std::vector<Item
     text += std::string(sign) + " and " + std::to_string(statements.size() - kMostChanges) + " more\n";
 }
 
-const char* CodeOf(ItemVerdict verdict) { return verdict == ItemVerdict::kDifferent ? "1;31" : "1;33"; }
+const char* CodeOf(review::diff::ItemVerdict verdict) {
+  return verdict == review::diff::ItemVerdict::kDifferent ? "1;31" : "1;33";
+}
 
-std::string ExampleText(const Counterexample& example) {
+std::string ExampleText(const review::diff::Counterexample& example) {
   std::string text = (example.steps.empty() ? "a run that no scenario can say" : example.steps) + ": ";
   text += example.old_value == example.new_value
               ? "the calls differ"
               : example.old_value + " in the old version, " + example.new_value + " in the new one";
   if (example.from_state) text += " (from this state; no run from power-on to it is known)";
-  if (example.replay == Replay::kSideBySide) text += " (both versions beside each other; not as a scenario)";
+  if (example.replay == review::diff::Replay::kSideBySide)
+    text += " (both versions beside each other; not as a scenario)";
   return text;
 }
 
-Json ToJson(const std::vector<ItemStatement>& statements) {
+Json ToJson(const std::vector<review::diff::ItemStatement>& statements) {
   Json list = Json::array();
-  for (const ItemStatement& statement : statements) {
+  for (const review::diff::ItemStatement& statement : statements) {
     list.push_back({{"file", statement.file},
                     {"line", statement.line},
                     {"column", statement.column},
@@ -160,15 +164,17 @@ std::string EscapedMarkdown(std::string_view text) {
 
 }  // namespace
 
-std::string DiffSummary(const Diff& diff) {
+std::string DiffSummary(const review::diff::Diff& diff) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const auto& [verdict, one, many] :
-       {std::tuple(ItemVerdict::kDifferent, " differs", " differ"),
-        std::tuple(ItemVerdict::kUndecided, " is not decided", " are not decided")}) {
-    for (const ItemKind kind : kKinds) {
-      const auto count = static_cast<size_t>(std::ranges::count_if(
-          diff.items, [&, v = verdict](const DiffItem& item) { return item.kind == kind && item.verdict == v; }));
+       {std::tuple(review::diff::ItemVerdict::kDifferent, " differs", " differ"),
+        std::tuple(review::diff::ItemVerdict::kUndecided, " is not decided", " are not decided")}) {
+    for (const review::diff::ItemKind kind : kKinds) {
+      const auto count =
+          static_cast<size_t>(std::ranges::count_if(diff.items, [&, v = verdict](const review::diff::DiffItem& item) {
+            return item.kind == kind && item.verdict == v;
+          }));
       if (count != 0) add(Count(count, WordsOf(kind)) + (count == 1 ? one : many));
     }
   }
@@ -179,17 +185,17 @@ std::string DiffSummary(const Diff& diff) {
   return text;
 }
 
-std::vector<std::string> RunsOf(const DiffGroup& group) {
+std::vector<std::string> RunsOf(const review::diff::DiffGroup& group) {
   std::vector<std::string> lines;
   size_t more = 0;
   std::string steps;
-  for (const DiffItem* const item : group.items) {
+  for (const review::diff::DiffItem* const item : group.items) {
     if (!item->counterexample) continue;
     if (lines.size() == kMostRunsTold) {
       ++more;
       continue;
     }
-    Counterexample example = *item->counterexample;
+    review::diff::Counterexample example = *item->counterexample;
     const bool is_same = !lines.empty() && !example.steps.empty() && example.steps == steps;
     steps = example.steps;
     if (is_same) example.steps = "after the same run";
@@ -202,40 +208,44 @@ std::vector<std::string> RunsOf(const DiffGroup& group) {
 namespace {
 
 /// The changed statements, when they are not all told with one difference.
-bool TellsChanges(const Diff& diff, const std::vector<DiffGroup>& groups) {
+bool TellsChanges(const review::diff::Diff& diff, const std::vector<review::diff::DiffGroup>& groups) {
   if (diff.old_statements.empty() && diff.new_statements.empty()) return false;
   std::set<std::pair<bool, uint32_t>> open;
-  for (const ItemStatement& statement : diff.old_statements) open.emplace(true, statement.statement.index);
-  for (const ItemStatement& statement : diff.new_statements) open.emplace(false, statement.statement.index);
-  for (const DiffGroup& group : groups) {
+  for (const review::diff::ItemStatement& statement : diff.old_statements)
+    open.emplace(true, statement.statement.index);
+  for (const review::diff::ItemStatement& statement : diff.new_statements)
+    open.emplace(false, statement.statement.index);
+  for (const review::diff::DiffGroup& group : groups) {
     if (!group.first().changed_itself) continue;
-    for (const ItemStatement& statement : group.first().old_statements) open.erase({true, statement.statement.index});
-    for (const ItemStatement& statement : group.first().new_statements) open.erase({false, statement.statement.index});
+    for (const review::diff::ItemStatement& statement : group.first().old_statements)
+      open.erase({true, statement.statement.index});
+    for (const review::diff::ItemStatement& statement : group.first().new_statements)
+      open.erase({false, statement.statement.index});
     return !open.empty();
   }
   return !groups.empty();
 }
 
 /// Of statements that nobody changed the first ones are enough.
-std::vector<ItemStatement> Telling(const std::vector<ItemStatement>& statements) {
-  std::vector<ItemStatement> changed;
-  std::ranges::copy_if(statements, std::back_inserter(changed), &ItemStatement::changed);
+std::vector<review::diff::ItemStatement> Telling(const std::vector<review::diff::ItemStatement>& statements) {
+  std::vector<review::diff::ItemStatement> changed;
+  std::ranges::copy_if(statements, std::back_inserter(changed), &review::diff::ItemStatement::changed);
   return changed.empty() ? statements : changed;
 }
 
 }  // namespace
 
-std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colour) {
+std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour) {
   std::string text = names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
-  const std::vector<DiffGroup> groups = GroupsOf(diff);
+  const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
   if (TellsChanges(diff, groups)) {
     text += "\nChanged\n";
     AddStatements(text, "old", diff.old_statements, colour, kMostChanges);
     AddStatements(text, "new", diff.new_statements, colour, kMostChanges);
   }
-  std::optional<ItemKind> kind;
-  for (const DiffGroup& group : groups) {
-    const DiffItem& item = group.first();
+  std::optional<review::diff::ItemKind> kind;
+  for (const review::diff::DiffGroup& group : groups) {
+    const review::diff::DiffItem& item = group.first();
     if (kind != item.kind) text += "\n" + std::string(WordsOf(item.kind).title) + "\n";
     kind = item.kind;
     text += "  " + Paint(Heading(group), "1", colour);
@@ -252,15 +262,15 @@ std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colo
   return text;
 }
 
-std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
+std::string DiffMarkdown(const review::diff::Diff& diff, const DiffNames& names) {
   std::string text = "### What changed from " + EscapedMarkdown(names.old_label) + " to " +
                      EscapedMarkdown(names.new_label) + "\n\n" + DiffSummary(diff) + ".\n";
-  const std::vector<DiffGroup> groups = GroupsOf(diff);
-  const auto statements = [](const std::vector<ItemStatement>& old_statements,
-                             const std::vector<ItemStatement>& new_statements) {
+  const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
+  const auto statements = [](const std::vector<review::diff::ItemStatement>& old_statements,
+                             const std::vector<review::diff::ItemStatement>& new_statements) {
     std::string all, separator;
     for (const auto& [sign, list] : {std::pair("-", &old_statements), std::pair("+", &new_statements)}) {
-      for (const ItemStatement& statement : *list) {
+      for (const review::diff::ItemStatement& statement : *list) {
         if (!statement.changed) continue;
         all += separator + sign + " " + EscapedMarkdown(statement.text);
         separator = "<br>";
@@ -274,16 +284,17 @@ std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
     AddChanges(text, "+", diff.new_statements);
     text += "```\n";
   }
-  std::optional<ItemKind> kind;
-  for (const DiffGroup& group : groups) {
-    const DiffItem& item = group.first();
+  std::optional<review::diff::ItemKind> kind;
+  for (const review::diff::DiffGroup& group : groups) {
+    const review::diff::DiffItem& item = group.first();
     if (kind != item.kind) {
       text += "\n**" + std::string(WordsOf(item.kind).title) +
               "**\n\n| | verdict | statements | shown by |\n|---|---|---|---|\n";
     }
     kind = item.kind;
     const bool is_one = group.items.size() == 1;
-    text += "| `" + NamesOf(group) + "`" + (is_one ? "" : " (" + std::to_string(group.items.size()) + ")") +
+    text += "| `" + review::diff::NamesOf(group) + "`" +
+            (is_one ? "" : " (" + std::to_string(group.items.size()) + ")") +
             (is_one && !item.meaning.empty() ? " " + EscapedMarkdown(item.meaning) : std::string()) + " | " +
             std::string(VerdictText(item.verdict));
     if (const std::string cause = Cause(group); !cause.empty()) text += ", " + EscapedMarkdown(cause);
@@ -299,7 +310,7 @@ std::string DiffMarkdown(const Diff& diff, const DiffNames& names) {
   return text;
 }
 
-std::string DiffJson(const Diff& diff, const DiffNames& names) {
+std::string DiffJson(const review::diff::Diff& diff, const DiffNames& names) {
   Json json = {{"old", names.old_label},
                {"new", names.new_label},
                {"summary", DiffSummary(diff)},
@@ -310,17 +321,17 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
                {"newStatements", ToJson(diff.new_statements)},
                {"groups", Json::array()},
                {"items", Json::array()}};
-  for (const DiffGroup& group : GroupsOf(diff)) {
+  for (const review::diff::DiffGroup& group : review::diff::GroupsOf(diff)) {
     Json members = Json::array();
-    for (const DiffItem* const item : group.items) members.push_back(item->name);
-    json["groups"].push_back({{"names", NamesOf(group)},
+    for (const review::diff::DiffItem* const item : group.items) members.push_back(item->name);
+    json["groups"].push_back({{"names", review::diff::NamesOf(group)},
                               {"kind", WordsOf(group.first().kind).one},
                               {"verdict", VerdictText(group.first().verdict)},
                               {"causes", group.causes},
                               {"text", Cause(group)},
                               {"items", std::move(members)}});
   }
-  for (const DiffItem& item : diff.items) {
+  for (const review::diff::DiffItem& item : diff.items) {
     Json entry = {{"name", item.name},
                   {"meaning", item.meaning},
                   {"kind", WordsOf(item.kind).one},
@@ -330,14 +341,14 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
                   {"oldStatements", ToJson(item.old_statements)},
                   {"newStatements", ToJson(item.new_statements)}};
     if (item.declared) entry["declared"] = {{"old", item.declared->old_text}, {"new", item.declared->new_text}};
-    if (!item.reason.empty() && item.verdict == ItemVerdict::kUndecided) entry["reason"] = item.reason;
+    if (!item.reason.empty() && item.verdict == review::diff::ItemVerdict::kUndecided) entry["reason"] = item.reason;
     if (item.counterexample) {
       entry["counterexample"] = {{"steps", item.counterexample->steps},
                                  {"old", item.counterexample->old_value},
                                  {"new", item.counterexample->new_value},
                                  {"fromState", item.counterexample->from_state},
-                                 {"confirmed", item.counterexample->replay >= Replay::kSimulator},
-                                 {"compiled", item.counterexample->replay == Replay::kCompiled},
+                                 {"confirmed", item.counterexample->replay >= review::diff::Replay::kSimulator},
+                                 {"compiled", item.counterexample->replay == review::diff::Replay::kCompiled},
                                  {"scenario", item.counterexample->scenario}};
     }
     json["items"].push_back(std::move(entry));
@@ -345,14 +356,14 @@ std::string DiffJson(const Diff& diff, const DiffNames& names) {
   return diag::JsonForTerminals(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-std::string DiffSarif(const Diff& diff, const DiffNames&) {
+std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
   Json results = Json::array();
-  const std::vector<DiffGroup> groups = GroupsOf(diff);
-  for (const DiffGroup& group : groups) {
-    const DiffItem& item = group.first();
+  const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
+  for (const review::diff::DiffGroup& group : groups) {
+    const review::diff::DiffItem& item = group.first();
     const bool is_one = group.items.size() == 1;
     std::string message = Heading(group) + " ";
-    if (item.verdict == ItemVerdict::kDifferent) {
+    if (item.verdict == review::diff::ItemVerdict::kDifferent) {
       message += is_one ? "behaves differently" : "behave differently";
     } else {
       message += is_one ? "is not proved to behave as before" : "are not proved to behave as before";
@@ -363,12 +374,13 @@ std::string DiffSarif(const Diff& diff, const DiffNames&) {
       message += separator + line;
       separator = "; ";
     }
-    Json result = {{"ruleId", item.verdict == ItemVerdict::kDifferent ? "behaviour-differs" : "behaviour-not-decided"},
-                   {"level", item.verdict == ItemVerdict::kDifferent ? "warning" : "note"},
+    Json result = {{"ruleId", item.verdict == review::diff::ItemVerdict::kDifferent ? "behaviour-differs"
+                                                                                    : "behaviour-not-decided"},
+                   {"level", item.verdict == review::diff::ItemVerdict::kDifferent ? "warning" : "note"},
                    {"message", {{"text", message}}}};
-    const std::vector<ItemStatement>& statements =
+    const std::vector<review::diff::ItemStatement>& statements =
         item.new_statements.empty() ? item.old_statements : item.new_statements;
-    for (const ItemStatement& statement : statements) {
+    for (const review::diff::ItemStatement& statement : statements) {
       result["locations"].push_back(
           {{"physicalLocation",
             {{"artifactLocation", {{"uri", statement.file}}},

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "transpiler/diagnostics/render.h"
-#include "transpiler/driver/diff.h"
-#include "transpiler/driver/diff_groups.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/review/diff/groups.h"
 
 namespace plcxx::driver {
 
@@ -14,17 +14,17 @@ struct DiffNames {
   std::string old_label, new_label;
 };
 
-std::string DiffText(const Diff& diff, const DiffNames& names, diag::Colour colour);
-std::string DiffMarkdown(const Diff& diff, const DiffNames& names);
-std::string DiffJson(const Diff& diff, const DiffNames& names);
-std::string DiffSarif(const Diff& diff, const DiffNames& names);
+std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour);
+std::string DiffMarkdown(const review::diff::Diff& diff, const DiffNames& names);
+std::string DiffJson(const review::diff::Diff& diff, const DiffNames& names);
+std::string DiffSarif(const review::diff::Diff& diff, const DiffNames& names);
 
 /// "2 outputs differ, 1 is not decided; 41 proved equal"
-std::string DiffSummary(const Diff& diff);
+std::string DiffSummary(const review::diff::Diff& diff);
 
 /// Of a group: why it is in the list, "U4A0..3 (4)", and its runs, a line each.
-std::string Cause(const DiffGroup& group);
-std::string Heading(const DiffGroup& group);
-std::vector<std::string> RunsOf(const DiffGroup& group);
+std::string Cause(const review::diff::DiffGroup& group);
+std::string Heading(const review::diff::DiffGroup& group);
+std::vector<std::string> RunsOf(const review::diff::DiffGroup& group);
 
 }  // namespace plcxx::driver

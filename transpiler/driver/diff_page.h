@@ -3,11 +3,12 @@
 
 #include <string>
 
-#include "transpiler/driver/diff.h"
+#include "transpiler/review/diff/diff.h"
 
 namespace plcxx::driver {
 
 /// HTML, one file. Both sides have been compared without a refusal.
-std::string DiffPage(const Diff& diff, const DiffSide& old_side, const DiffSide& new_side);
+std::string DiffPage(const review::diff::Diff& diff, const review::diff::DiffSide& old_side,
+                     const review::diff::DiffSide& new_side);
 
 }  // namespace plcxx::driver

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/compilation/preemption.h"
 #include "transpiler/compile/amalgamate.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
-#include "transpiler/driver/preemption.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/emittable.h"
@@ -44,7 +44,8 @@ struct EmitSettings {
   uint32_t parts = 0;
 };
 
-OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compilation, std::vector<bool> shared) {
+OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compilation& compilation,
+                         std::vector<bool> shared) {
   OutputRequest output;
   output.directory = settings.output.directory;
   if (compilation.has_program) {
@@ -77,14 +78,14 @@ OutputRequest MakeOutput(const EmitSettings& settings, const Compilation& compil
 }
 
 int RunEmit(const EmitSettings& settings) {
-  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
+  std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  Compilation compilation = Compile(*request);
+  compilation::Compilation compilation = compilation::Compile(*request);
   std::vector<bool> shared;
-  if (settings.preemptive) shared = CheckPreemptive(compilation);
+  if (settings.preemptive) shared = compilation::CheckPreemptive(compilation);
   if (compilation.ok()) {
     progress.Show("printing C++");
     const OutputRequest output = MakeOutput(settings, compilation, std::move(shared));

@@ -37,7 +37,7 @@ bool RunsAllScenarios() {
 
 class Choice {
  public:
-  Choice(const std::string& compiler, SuiteOptions& options) : compiler_(compiler), options_(options) {}
+  Choice(const std::string& compiler, scenarios::SuiteOptions& options) : compiler_(compiler), options_(options) {}
 
   bool Add(Word word) {
     if (RunsAllScenarios()) word.one_in = 1;
@@ -51,18 +51,18 @@ class Choice {
       }
       return AddHost(word.one_in);
     }
-    const std::vector<std::string_view> machines = EmulatedMachines();
+    const std::vector<std::string_view> machines = engines::EmulatedMachines();
     if (std::ranges::find(machines, word.name) == machines.end()) {
       PrintUsageError("there is no engine '" + std::string(word.name) + "'; there are " + EngineNames());
       return false;
     }
     options_.simulator = true;
-    return AddPlatform(MakeEmulatedPlatform(word.name), word.one_in);
+    return AddPlatform(engines::MakeEmulatedPlatform(word.name), word.one_in);
   }
 
  private:
   bool FindHostCompiler() {
-    if (compiler_.empty()) compiler_ = FindCompiler();
+    if (compiler_.empty()) compiler_ = engines::FindCompiler();
     return !compiler_.empty();
   }
 
@@ -71,33 +71,33 @@ class Choice {
       PrintUsageError("there is no C++ compiler for '--engine host': install g++ or name one with --cxx");
       return false;
     }
-    return AddPlatform(MakeHostPlatform(compiler_), one_in);
+    return AddPlatform(engines::MakeHostPlatform(compiler_), one_in);
   }
 
-  bool AddPlatform(PlatformOrFailure made, uint32_t one_in) {
-    if (const auto* failure = std::get_if<CompileFailure>(&made)) {
+  bool AddPlatform(engines::PlatformOrFailure made, uint32_t one_in) {
+    if (const auto* failure = std::get_if<engines::CompileFailure>(&made)) {
       PrintUsageError(failure->message);
       return false;
     }
-    auto platform = std::get<std::shared_ptr<const Platform>>(std::move(made));
-    const auto same = [&](const PlatformUse& use) { return use.platform->name == platform->name; };
+    auto platform = std::get<std::shared_ptr<const engines::Platform>>(std::move(made));
+    const auto same = [&](const scenarios::PlatformUse& use) { return use.platform->name == platform->name; };
     if (std::ranges::none_of(options_.platforms, same)) options_.platforms.push_back({std::move(platform), one_in});
     return true;
   }
 
   std::string compiler_;
-  SuiteOptions& options_;
+  scenarios::SuiteOptions& options_;
 };
 
 }  // namespace
 
 std::string EngineNames() {
   std::string names = "sim, host, all";
-  for (const std::string_view machine : EmulatedMachines()) names += ", " + std::string(machine);
+  for (const std::string_view machine : engines::EmulatedMachines()) names += ", " + std::string(machine);
   return names;
 }
 
-bool ChooseEngines(const std::string& choice, const std::string& compiler, SuiteOptions& options) {
+bool ChooseEngines(const std::string& choice, const std::string& compiler, scenarios::SuiteOptions& options) {
   options.simulator = false;
   options.platforms.clear();
   Choice chosen(compiler, options);

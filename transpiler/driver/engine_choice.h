@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "transpiler/driver/scenario_suite.h"
+#include "transpiler/scenarios/suite.h"
 
 namespace plcxx::driver {
 
@@ -17,6 +17,6 @@ std::string EngineNames();
 /// Fills `simulator` and `platforms` of the options. `compiler` is that of the host, empty when it is to be found.
 /// Emulated machines have the simulator beside them, whose trace is the measure. The environment variable
 /// PLCXX_ALL_TARGETS takes all scenarios where NAME/N takes one in N. False when it cannot be; reported.
-bool ChooseEngines(const std::string& choice, const std::string& compiler, SuiteOptions& options);
+bool ChooseEngines(const std::string& choice, const std::string& compiler, scenarios::SuiteOptions& options);
 
 }  // namespace plcxx::driver

@@ -1,13 +1,15 @@
 // What plcxx answers to the process that called it; pipelines depend on these four numbers.
 #pragma once
 
+#include "transpiler/support/exit_code.h"
+
 namespace plcxx::driver {
 
 enum ExitCode : int {
   kDone = 0,
   kProgramHasErrors = 1,  // or a scenario failed, or a difference was found
   kWrongUse = 2,
-  kInternalFault = 3  // also used by support::InternalFault
+  kInternalFault = support::kInternalFaultExit
 };
 
 }  // namespace plcxx::driver

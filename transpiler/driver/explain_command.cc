@@ -11,10 +11,10 @@
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/explain.h"
 #include "transpiler/diagnostics/places.h"
-#include "transpiler/driver/columns.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/columns.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
@@ -97,15 +97,16 @@ int RunExplain(const ExplainSettings& settings) {
   if (!page) {
     const std::vector<std::string_view> named = CodesNamed(settings.code);
     if (named.size() > 1) {
-      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + CommaSeparated(named));
+      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + support::CommaSeparated(named));
       return kWrongUse;
     }
     if (named.size() == 1) page = diag::Explain(named.front());
   }
   if (!page) {
     const std::vector<std::string_view> near = NearCodes(settings.code);
-    PrintUsageError("unknown code '" + settings.code + "'" +
-                    (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + CommaSeparated(near)));
+    PrintUsageError(
+        "unknown code '" + settings.code + "'" +
+        (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + support::CommaSeparated(near)));
     return kWrongUse;
   }
   std::cout << *page;

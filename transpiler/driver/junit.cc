@@ -49,22 +49,25 @@ std::string Escaped(std::string_view text) {
   return escaped;
 }
 
-std::string_view Element(TestOutcome outcome) { return outcome == TestOutcome::kFailed ? "failure" : "error"; }
+std::string_view Element(scenarios::TestOutcome outcome) {
+  return outcome == scenarios::TestOutcome::kFailed ? "failure" : "error";
+}
 
 }  // namespace
 
-std::string JunitXml(std::span<const TestCase> cases) {
-  const auto count = [&](TestOutcome outcome) {
+std::string JunitXml(std::span<const scenarios::TestCase> cases) {
+  const auto count = [&](scenarios::TestOutcome outcome) {
     return std::to_string(
-        std::count_if(cases.begin(), cases.end(), [&](const TestCase& c) { return c.outcome == outcome; }));
+        std::count_if(cases.begin(), cases.end(), [&](const scenarios::TestCase& c) { return c.outcome == outcome; }));
   };
   const std::string counts = " tests=\"" + std::to_string(cases.size()) + "\" failures=\"" +
-                             count(TestOutcome::kFailed) + "\" errors=\"" + count(TestOutcome::kUnusable) + "\"";
+                             count(scenarios::TestOutcome::kFailed) + "\" errors=\"" +
+                             count(scenarios::TestOutcome::kUnusable) + "\"";
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"plcxx test\"" + counts + ">\n";
   xml += "  <testsuite name=\"scenarios\"" + counts + " skipped=\"0\">\n";
-  for (const TestCase& test : cases) {
+  for (const scenarios::TestCase& test : cases) {
     xml += "    <testcase classname=\"" + Escaped(test.group) + "\" name=\"" + Escaped(test.name) + "\"";
-    if (test.outcome == TestOutcome::kPassed) {
+    if (test.outcome == scenarios::TestOutcome::kPassed) {
       xml += "/>\n";
       continue;
     }

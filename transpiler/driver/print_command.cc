@@ -40,7 +40,7 @@ struct PrintSettings {
 /// Files that are printed one behind the other need headings; a single one is printed as it is.
 std::string Heading(const std::string& name, size_t count) { return count == 1 ? std::string() : "=== " + name + "\n"; }
 
-std::string PrintSource(Compilation& compilation) {
+std::string PrintSource(compilation::Compilation& compilation) {
   std::string text;
   for (const source::FileId id : compilation.files) {
     const source::File& file = compilation.sources->Get(id);
@@ -49,27 +49,29 @@ std::string PrintSource(Compilation& compilation) {
   return text;
 }
 
-std::string PrintTokens(Compilation& compilation) {
+std::string PrintTokens(compilation::Compilation& compilation) {
   dialects::Request request = compilation.MakeRequest();
   return compilation.dialect->print_tokens(request);
 }
 
-std::string PrintSyntax(Compilation& compilation) {
+std::string PrintSyntax(compilation::Compilation& compilation) {
   dialects::Request request = compilation.MakeRequest();
   return compilation.dialect->print_syntax(request);
 }
 
-std::string PrintIr(Compilation& compilation) { return ir::Print(compilation.program); }
+std::string PrintIr(compilation::Compilation& compilation) { return ir::Print(compilation.program); }
 
-emit::Emittable EmittableOf(const Compilation& compilation) {
+emit::Emittable EmittableOf(const compilation::Compilation& compilation) {
   emit::EmitOptions options;
   options.name = compilation.name;
   return emit::legalize::Legalize(compilation.program, options);
 }
 
-std::string PrintEmittable(Compilation& compilation) { return emit::print::PrintEmittable(EmittableOf(compilation)); }
+std::string PrintEmittable(compilation::Compilation& compilation) {
+  return emit::print::PrintEmittable(EmittableOf(compilation));
+}
 
-std::string PrintFiles(Compilation& compilation) {
+std::string PrintFiles(compilation::Compilation& compilation) {
   const std::vector<emit::OutputFile> files = emit::print::PrintCpp(EmittableOf(compilation), *compilation.sources);
   std::string text;
   for (const emit::OutputFile& file : files) text += Heading(file.name, files.size()) + file.text;
@@ -78,18 +80,18 @@ std::string PrintFiles(Compilation& compilation) {
 
 struct PhaseRow {
   std::string_view name;
-  Stage stage;
-  std::string (*print)(Compilation& compilation);
+  compilation::Stage stage;
+  std::string (*print)(compilation::Compilation& compilation);
 };
 constexpr std::array<PhaseRow, 8> kPhases = {{
-    {"source", Stage::kLoaded, PrintSource},
-    {"tokens", Stage::kLoaded, PrintTokens},
-    {"syntax", Stage::kLoaded, PrintSyntax},
-    {"ir", Stage::kLowered, PrintIr},
-    {"ir-structured", Stage::kStructured, PrintIr},
-    {"ir-optimized", Stage::kOptimized, PrintIr},
-    {"ir-emittable", Stage::kOptimized, PrintEmittable},
-    {"cpp", Stage::kOptimized, PrintFiles},
+    {"source", compilation::Stage::kLoaded, PrintSource},
+    {"tokens", compilation::Stage::kLoaded, PrintTokens},
+    {"syntax", compilation::Stage::kLoaded, PrintSyntax},
+    {"ir", compilation::Stage::kLowered, PrintIr},
+    {"ir-structured", compilation::Stage::kStructured, PrintIr},
+    {"ir-optimized", compilation::Stage::kOptimized, PrintIr},
+    {"ir-emittable", compilation::Stage::kOptimized, PrintEmittable},
+    {"cpp", compilation::Stage::kOptimized, PrintFiles},
 }};
 
 const PhaseRow* PhaseByName(std::string_view name) {
@@ -114,9 +116,9 @@ int RunPrint(const PrintSettings& settings) {
     PrintUsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
     return kWrongUse;
   }
-  const std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  const std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
-  Compilation compilation = Compile(*request, phase->stage);
+  compilation::Compilation compilation = compilation::Compile(*request, phase->stage);
   if (compilation.reached == phase->stage) {
     const std::string text = phase->print(compilation);
     // A file gets the text as it is; a terminal nothing that acts on it. Bytes that are no text nobody can read.

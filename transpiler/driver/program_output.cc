@@ -26,8 +26,9 @@ void AddOutputOptions(CLI::App& command, OutputOptions& options) {
   add("--depfile", options.dependency_file, "FILE", "Also write the files read as a rule of Make");
 }
 
-std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, const OutputOptions& options) {
-  std::optional<CompilationRequest> request = MakeRequest(common);
+std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOptions& common,
+                                                                const OutputOptions& options) {
+  std::optional<compilation::CompilationRequest> request = MakeRequest(common);
   if (!request) return std::nullopt;
   if (!options.name.empty() && !IsFileName(options.name)) {
     PrintUsageError("'--name " + options.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
@@ -50,7 +51,7 @@ std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, 
   return request;
 }
 
-std::vector<std::string> PathsRead(const Compilation& compilation) {
+std::vector<std::string> PathsRead(const compilation::Compilation& compilation) {
   std::vector<std::string> paths;
   for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
     const std::string& path = compilation.sources->Get(source::FileId(i)).path;
@@ -59,7 +60,7 @@ std::vector<std::string> PathsRead(const Compilation& compilation) {
   return paths;
 }
 
-void ReportCannotWrite(const WriteFailure& failure, Compilation& compilation) {
+void ReportCannotWrite(const WriteFailure& failure, compilation::Compilation& compilation) {
   const diag::Message<diag::Text, diag::Text>* message = &diag::CannotWriteOutput;
   for (const CannotWriteRow& row : kCannotWrite) {
     if (row.dialect == compilation.dialect->name) message = row.message;

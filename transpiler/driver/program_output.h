@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/driver/common_options.h"
-#include "transpiler/driver/compilation.h"
 #include "transpiler/driver/output_files.h"
 
 namespace plcxx::driver {
@@ -26,12 +26,13 @@ struct OutputOptions {
 void AddOutputOptions(CLI::App& command, OutputOptions& options);
 
 /// MakeRequest with the name among the options; none when that cannot name files, either.
-std::optional<CompilationRequest> MakeNamedRequest(const CommonOptions& common, const OutputOptions& options);
+std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOptions& common,
+                                                                const OutputOptions& options);
 
 /// The files that were read: no output may overwrite them.
-std::vector<std::string> PathsRead(const Compilation& compilation);
+std::vector<std::string> PathsRead(const compilation::Compilation& compilation);
 
 /// With the code that the dialect's specification fixes for it, where it fixes one.
-void ReportCannotWrite(const WriteFailure& failure, Compilation& compilation);
+void ReportCannotWrite(const WriteFailure& failure, compilation::Compilation& compilation);
 
 }  // namespace plcxx::driver

@@ -15,11 +15,11 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
-#include "transpiler/driver/prove_machine.h"
 #include "transpiler/driver/prove_output.h"
-#include "transpiler/driver/prove_runs.h"
-#include "transpiler/driver/scenario_program.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/review/properties/runs.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/property_machine.h"
 
 namespace plcxx::driver {
 namespace {
@@ -84,21 +84,21 @@ class Prove {
     if (!scenario_ && settings_.files.empty()) {
       return Wrong("there is nothing to prove: name a file of properties with --property, or a scenario that has some");
     }
-    MakeProveMachine(request_, machine_);
-    Compilation& compilation = machine_.compilation;
+    scenarios::MakeProveMachine(request_, machine_);
+    compilation::Compilation& compilation = machine_.compilation;
     if (!compilation.ok()) {
       PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
       return ExitCodeOf(compilation);
     }
     if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
     if (const int code = ReadProperties(); code != kDone) return code;
-    for (const PlacedProperty& placed : properties_) NameLocationsOf(placed.property, machine_);
+    for (const scenarios::PlacedProperty& placed : properties_) scenarios::NameLocationsOf(placed.property, machine_);
     progress_.Show("executing");
-    PropertyRuns runs(machine_, KnownRuns(request_));
+    review::properties::PropertyRuns runs(machine_, scenarios::KnownRuns(request_));
     options_.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
     options_.why_not_shown = [this](const prove::properties::Property& property,
                                     const prove::properties::PropertyResult& result) {
-      scenario_of_run_ = MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
+      scenario_of_run_ = review::properties::MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
       return scenario_of_run_.reason;
     };
     options_.progress = [this](const std::string& what) {
@@ -110,7 +110,7 @@ class Prove {
       PrintUsageError("nothing can be proved: " + checker.refusal());
       return kWrongUse;
     }
-    for (PlacedProperty& placed : properties_) Check(checker, std::move(placed));
+    for (scenarios::PlacedProperty& placed : properties_) Check(checker, std::move(placed));
     return Finish();
   }
 
@@ -121,18 +121,18 @@ class Prove {
   }
 
   bool MakeRequest() {
-    std::optional<CompilationRequest> request = driver::MakeRequest(settings_.common);
+    std::optional<compilation::CompilationRequest> request = driver::MakeRequest(settings_.common);
     if (!request) return false;
     request_ = std::move(*request);
     const std::vector<std::string>& sources = settings_.common.sources;
     if (sources.size() != 1 || std::filesystem::path(sources.front()).extension() != ".yaml") return true;
-    ScenarioOrErrors read =
-        ReadScenario(sources.front(), settings_.common.allow_outside ? Reach::kAnywhere : Reach::kProject);
-    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
-      for (const ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    scenarios::ScenarioOrErrors read = scenarios::ReadScenario(
+        sources.front(), settings_.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
+    if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+      for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
       return false;
     }
-    scenario_ = std::move(std::get<Scenario>(read));
+    scenario_ = std::move(std::get<scenarios::Scenario>(read));
     if (scenario_->sources.empty()) {
       PrintUsageError(scenario_->path + ": no 'sources': the scenario names no program");
       return false;
@@ -141,7 +141,7 @@ class Prove {
       PrintUsageError(scenario_->path + ": no 'properties': there is nothing to prove");
       return false;
     }
-    CompilationRequest own = RequestOf(*scenario_, {{}, request_.options, request_.warnings});
+    compilation::CompilationRequest own = scenarios::RequestOf(*scenario_, {{}, request_.options, request_.warnings});
     own.include_directories = request_.include_directories;
     own.macros = request_.macros;
     request_ = std::move(own);
@@ -149,35 +149,37 @@ class Prove {
   }
 
   int ReadProperties() {
-    Compilation& compilation = machine_.compilation;
+    compilation::Compilation& compilation = machine_.compilation;
     const dialects::Dialect& dialect = *compilation.dialect;
     const prove::properties::PropertyContext context =
-        PropertyContextOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
-    const auto add = [this](std::vector<PlacedProperty> more) {
-      for (PlacedProperty& one : more) properties_.push_back(std::move(one));
+        scenarios::PropertyContextOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
+    const auto add = [this](std::vector<scenarios::PlacedProperty> more) {
+      for (scenarios::PlacedProperty& one : more) properties_.push_back(std::move(one));
     };
     diag::Engine diagnostics;
     std::swap(diagnostics, compilation.diagnostics);  // warnings of the program are not this command's
     if (scenario_ && !scenario_->properties.empty()) {
-      add(PropertiesOfScenario(*scenario_, dialect.name, context, *compilation.sources, compilation.diagnostics));
+      add(scenarios::PropertiesOfScenario(*scenario_, dialect.name, context, *compilation.sources,
+                                          compilation.diagnostics));
     }
     for (const std::string& path : settings_.files) {
       std::error_code none;
       std::ifstream in(path, std::ios::binary);
       if (!in || std::filesystem::is_directory(path, none)) return Wrong("cannot read '" + path + "'");
       const std::string text{std::istreambuf_iterator<char>(in), {}};
-      add(PropertiesOfFile(path, text, dialect.name, context, *compilation.sources, compilation.diagnostics));
+      add(scenarios::PropertiesOfFile(path, text, dialect.name, context, *compilation.sources,
+                                      compilation.diagnostics));
     }
     if (compilation.ok()) return kDone;
     PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
     return kWrongUse;
   }
 
-  ScenarioPlace PlaceOfNext() const {
+  review::properties::ScenarioPlace PlaceOfNext() const {
     return {.directory = settings_.counterexamples, .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml"};
   }
 
-  void Check(prove::properties::PropertyChecker& checker, PlacedProperty placed) {
+  void Check(prove::properties::PropertyChecker& checker, scenarios::PlacedProperty placed) {
     const std::string number = std::to_string(proved_.size() + 1);
     ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}};
     const prove::properties::Property& property = proved.placed.property;
@@ -185,7 +187,7 @@ class Prove {
     proved.result = checker.Check(property);
     if (proved.result.run) proved.scenario = std::move(scenario_of_run_);
     if (proved.result.verdict == prove::properties::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
-      const ScenarioPlace place = PlaceOfNext();
+      const review::properties::ScenarioPlace place = PlaceOfNext();
       proved.file = (std::filesystem::path(place.directory) / place.name).generic_string();
     }
     progress_.Clear();
@@ -227,13 +229,13 @@ class Prove {
 
   const ProveSettings& settings_;
   prove::properties::CheckOptions options_;
-  CompilationRequest request_;
-  std::optional<Scenario> scenario_;
-  ProveMachine machine_;
+  compilation::CompilationRequest request_;
+  std::optional<scenarios::Scenario> scenario_;
+  scenarios::ProveMachine machine_;
   ProgressLine progress_;
-  std::vector<PlacedProperty> properties_;
+  std::vector<scenarios::PlacedProperty> properties_;
   std::vector<ProvedProperty> proved_;
-  PropertyScenario scenario_of_run_;  // of the last run that was shown, or was not
+  review::properties::PropertyScenario scenario_of_run_;  // of the last run that was shown, or was not
 };
 
 }  // namespace

@@ -120,13 +120,13 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
   return diag::JsonForTerminals(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-std::vector<TestCase> ProveCases(const std::vector<ProvedProperty>& all) {
-  std::vector<TestCase> cases;
+std::vector<scenarios::TestCase> ProveCases(const std::vector<ProvedProperty>& all) {
+  std::vector<scenarios::TestCase> cases;
   for (const ProvedProperty& proved : all) {
-    TestCase test{.name = proved.placed.property.text, .group = proved.placed.path, .text = {}};
+    scenarios::TestCase test{.name = proved.placed.property.text, .group = proved.placed.path, .text = {}};
     if (proved.result.verdict != PropertyVerdict::kProved) {
-      test.outcome =
-          proved.result.verdict == PropertyVerdict::kViolated ? TestOutcome::kFailed : TestOutcome::kUnusable;
+      test.outcome = proved.result.verdict == PropertyVerdict::kViolated ? scenarios::TestOutcome::kFailed
+                                                                         : scenarios::TestOutcome::kUnusable;
       test.text = std::string(NameOf(proved.result.verdict));
       for (const std::string& line : DetailsOf(proved)) test.text += "\n" + line;
     }

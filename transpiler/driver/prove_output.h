@@ -6,17 +6,17 @@
 #include <vector>
 
 #include "transpiler/driver/junit.h"
-#include "transpiler/driver/prove_properties.h"
-#include "transpiler/driver/prove_scenario.h"
 #include "transpiler/prove/properties/check.h"
+#include "transpiler/review/properties/scenario.h"
+#include "transpiler/scenarios/property_places.h"
 
 namespace plcxx::driver {
 
 struct ProvedProperty {
-  PlacedProperty placed;
+  scenarios::PlacedProperty placed;
   prove::properties::PropertyResult result;
-  PropertyScenario scenario;  // of a violation
-  std::string file;           // where the scenario was written; empty: nowhere
+  review::properties::PropertyScenario scenario;  // of a violation
+  std::string file;                               // where the scenario was written; empty: nowhere
 };
 
 enum class Colours : uint8_t { kNone, kTerminal };
@@ -26,6 +26,6 @@ std::string ProveText(const ProvedProperty& proved, Colours colours);
 /// "3 properties: 1 proved, 1 violated, 1 not decided"
 std::string ProveSummary(const std::vector<ProvedProperty>& all);
 std::string ProveJson(const std::vector<ProvedProperty>& all);
-std::vector<TestCase> ProveCases(const std::vector<ProvedProperty>& all);
+std::vector<scenarios::TestCase> ProveCases(const std::vector<ProvedProperty>& all);
 
 }  // namespace plcxx::driver

@@ -7,7 +7,6 @@
 #include "transpiler/checks/accesses.h"
 #include "transpiler/cost/cost_model.h"
 #include "transpiler/diagnostics/terminal_text.h"
-#include "transpiler/driver/columns.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
@@ -18,6 +17,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
+#include "transpiler/support/columns.h"
 
 namespace plcxx::driver {
 namespace {
@@ -95,7 +95,7 @@ const ir::Place* PlaceOf(const ir::Program& program, const dialects::Location& l
   return found == program.places.end() ? nullptr : &*found;
 }
 
-const Uses* UsesOf(const Compilation& compilation, const UsesByBits& uses, const std::string& address) {
+const Uses* UsesOf(const compilation::Compilation& compilation, const UsesByBits& uses, const std::string& address) {
   const auto location = compilation.dialect->locate(compilation.program, address);
   if (!location || location->absent || location->text_input) return nullptr;
   const ir::Place* place = PlaceOf(compilation.program, *location, address);
@@ -105,7 +105,7 @@ const Uses* UsesOf(const Compilation& compilation, const UsesByBits& uses, const
   return found == uses.end() ? nullptr : &found->second;
 }
 
-std::string PlacesText(const Compilation& compilation, const std::vector<source::Range>& ranges) {
+std::string PlacesText(const compilation::Compilation& compilation, const std::vector<source::Range>& ranges) {
   std::string out;
   for (const source::Range& range : ranges) {
     const source::Position at = compilation.sources->Locate(range.begin);
@@ -116,7 +116,7 @@ std::string PlacesText(const Compilation& compilation, const std::vector<source:
   return out.empty() ? "-" : out;
 }
 
-void PrintSymbols(const Compilation& compilation) {
+void PrintSymbols(const compilation::Compilation& compilation) {
   const UsesByBits uses = CollectUses(compilation.program);
   struct Row {
     std::string address;
@@ -133,13 +133,13 @@ void PrintSymbols(const Compilation& compilation) {
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {
-    std::cout << LeftAligned(diag::Escaped(name), 17) << ' ' << LeftAligned(row.address, 9) << ' '
-              << LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
+    std::cout << support::LeftAligned(diag::Escaped(name), 17) << ' ' << support::LeftAligned(row.address, 9) << ' '
+              << support::LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
               << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
   }
 }
 
-void PrintCrossReference(const Compilation& compilation) {
+void PrintCrossReference(const compilation::Compilation& compilation) {
   const UsesByBits uses = CollectUses(compilation.program);
   for (const ir::Documentation& known : compilation.program.documentation) {
     std::cout << diag::Escaped(known.address);
@@ -153,7 +153,7 @@ void PrintCrossReference(const Compilation& compilation) {
   }
 }
 
-void PrintCosts(const Compilation& compilation) {
+void PrintCosts(const compilation::Compilation& compilation) {
   const ir::Program& program = compilation.program;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::Routine& routine = program.routines[ir::RoutineId(i)];
@@ -163,8 +163,8 @@ void PrintCosts(const Compilation& compilation) {
     for (const cost::StatementCost& statement : estimate.statements) {
       const source::Range range = program.statements[statement.statement].range;
       const std::string_view text = compilation.sources->Text(range);
-      std::cout << "  " << LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
-                << LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
+      std::cout << "  " << support::LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
+                << support::LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
                 << PlacesText(compilation, {range}) << "  " << diag::Escaped(text.substr(0, text.find_first_of("\r\n")))
                 << '\n';
     }
@@ -172,20 +172,20 @@ void PrintCosts(const Compilation& compilation) {
 }
 
 /// The original's resource page; a control that has none says so.
-void PrintResources(const Compilation& compilation) {
+void PrintResources(const compilation::Compilation& compilation) {
   if (compilation.summary.resources.empty()) {
     std::cout << compilation.dialect->title << " limits no resources of this kind\n";
     return;
   }
   std::cout << "resource          used    available\n";
   for (const dialects::ResourceUse& resource : compilation.summary.resources) {
-    std::cout << LeftAligned(std::string(resource.name), 17) << ' ' << LeftAligned(std::to_string(resource.used), 7)
-              << ' ' << resource.available << '\n';
+    std::cout << support::LeftAligned(std::string(resource.name), 17) << ' '
+              << support::LeftAligned(std::to_string(resource.used), 7) << ' ' << resource.available << '\n';
   }
 }
 
 /// What the specification of the dialect asks for beside the program.
-void PrintLists(const Compilation& compilation) {
+void PrintLists(const compilation::Compilation& compilation) {
   if (compilation.summary.tables.empty()) std::cout << compilation.dialect->title << " has no further lists\n";
   for (const dialects::SummaryTable& table : compilation.summary.tables) {
     std::vector<size_t> widths;
@@ -195,7 +195,7 @@ void PrintLists(const Compilation& compilation) {
     }
     const auto line = [&widths](const std::vector<std::string>& row) {
       std::string text = " ";
-      for (size_t i = 0; i < row.size(); ++i) text += ' ' + LeftAligned(row[i], widths[i] + 1);
+      for (size_t i = 0; i < row.size(); ++i) text += ' ' + support::LeftAligned(row[i], widths[i] + 1);
       std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
     };
     std::cout << table.title << (table.rows.empty() ? ": none\n" : "\n");
@@ -219,8 +219,8 @@ struct ReportOptions {
 };
 
 /// The page, or the pictures: each a file, or all of it to standard output.
-int WritePage(const ReportOptions& options, const CompilationRequest& request) {
-  Compilation compilation = Compile(request);
+int WritePage(const ReportOptions& options, const compilation::CompilationRequest& request) {
+  compilation::Compilation compilation = compilation::Compile(request);
   if (compilation.ok() && !compilation.has_program) {
     PrintUsageError("the sources are data only: there is no program to report of");
     return kWrongUse;
@@ -259,14 +259,14 @@ int WritePage(const ReportOptions& options, const CompilationRequest& request) {
 }
 
 int RunReport(const ReportOptions& options) {
-  std::optional<CompilationRequest> request = MakeNamedRequest(options.common, options.output);
+  std::optional<compilation::CompilationRequest> request = MakeNamedRequest(options.common, options.output);
   if (!request) return kWrongUse;
   if (options.wants_table() && options.ladder) {
     PrintUsageError("--ladder writes pictures: not together with a table");
     return kWrongUse;
   }
   if (!options.wants_table()) return WritePage(options, *request);
-  const Compilation compilation = Compile(*request, Stage::kChecked);
+  const compilation::Compilation compilation = compilation::Compile(*request, compilation::Stage::kChecked);
   if (!compilation.ok()) {
     PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
     return ExitCodeOf(compilation);

@@ -13,7 +13,7 @@ namespace plcxx::driver {
 namespace {
 
 /// A budget among the options, in ns; 0: none.
-uint64_t LimitNs(const Compilation& compilation, const std::string& option, uint64_t ns_per_unit) {
+uint64_t LimitNs(const compilation::Compilation& compilation, const std::string& option, uint64_t ns_per_unit) {
   const auto found = compilation.options.find(option);
   if (found == compilation.options.end()) return 0;
   uint64_t limit = 0;
@@ -21,7 +21,7 @@ uint64_t LimitNs(const Compilation& compilation, const std::string& option, uint
   return limit * ns_per_unit;
 }
 
-void AddGenerated(const Compilation& compilation, report::ProgramInput& input) {
+void AddGenerated(const compilation::Compilation& compilation, report::ProgramInput& input) {
   emit::EmitOptions options;
   options.name = compilation.name;
   const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
@@ -34,7 +34,7 @@ void AddGenerated(const Compilation& compilation, report::ProgramInput& input) {
   }
 }
 
-void AddDocumented(const Compilation& compilation, report::ProgramInput& input) {
+void AddDocumented(const compilation::Compilation& compilation, report::ProgramInput& input) {
   for (const ir::Documentation& known : compilation.program.documentation) {
     const auto location = compilation.dialect->locate(compilation.program, known.address);
     const bool is_place = location && !location->absent && !location->text_input && !location->cell;
@@ -44,7 +44,7 @@ void AddDocumented(const Compilation& compilation, report::ProgramInput& input) 
 
 }  // namespace
 
-report::ProgramInput PageInput(const Compilation& compilation) {
+report::ProgramInput PageInput(const compilation::Compilation& compilation) {
   report::ProgramInput input;
   input.program = &compilation.program;
   input.sources = compilation.sources.get();
@@ -52,7 +52,7 @@ report::ProgramInput PageInput(const Compilation& compilation) {
   input.control = compilation.dialect->title;
   AddGenerated(compilation, input);
   AddDocumented(compilation, input);
-  for (const PartitionEstimate& partition : compilation.estimates.partitions) {
+  for (const compilation::PartitionEstimate& partition : compilation.estimates.partitions) {
     const bool fast = partition.kind == ir::RoutineKind::kFast;
     input.partitions.push_back(
         {partition.name, partition.time_ns, partition.code_bytes,

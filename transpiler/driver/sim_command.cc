@@ -57,11 +57,11 @@ void PrintOutcome(const SimSettings& settings, const SimPlan& plan, const SimOut
 }
 
 int RunSim(const SimSettings& settings) {
-  std::optional<CompilationRequest> request = MakeRequest(settings.common);
+  std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  const Compilation compilation = Compile(*request);
+  const compilation::Compilation compilation = compilation::Compile(*request);
   progress.Clear();
   PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
   if (!compilation.ok()) return ExitCodeOf(compilation);

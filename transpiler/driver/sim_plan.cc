@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "transpiler/driver/scenario_control.h"
-#include "transpiler/driver/scenario_plan.h"
+#include "transpiler/scenarios/control.h"
+#include "transpiler/scenarios/plan.h"
 
 namespace plcxx::driver {
 namespace {
@@ -31,7 +31,8 @@ std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"
 /// Fills a plan; the first problem ends it.
 class Planner {
  public:
-  Planner(const SimWords& words, const Compilation& compilation) : words_(words), compilation_(compilation) {}
+  Planner(const SimWords& words, const compilation::Compilation& compilation)
+      : words_(words), compilation_(compilation) {}
 
   std::variant<SimPlan, std::string> Make() {
     if (Length() && Watch() && At() && Forced() && Graph() && Disconnected()) return std::move(plan_);
@@ -56,7 +57,7 @@ class Planner {
   bool TakeLines(std::string_view text);
 
   const SimWords& words_;
-  const Compilation& compilation_;
+  const compilation::Compilation& compilation_;
   SimPlan plan_;
   std::string problem_;
 };
@@ -84,9 +85,10 @@ bool Planner::TakeAssignment(std::string_view text, SimValue& value) {
   value.text = written;
   if (location.text_input) return true;
   if (location.absent) return Fail(Quoted(text.substr(0, equals)) + " does not exist in this program");
-  const std::optional<uint64_t> parsed = ParseScenarioValue(written, location.place.type, *compilation_.dialect);
+  const std::optional<uint64_t> parsed =
+      scenarios::ParseScenarioValue(written, location.place.type, *compilation_.dialect);
   if (!parsed) return Fail(Quoted(written) + " is no value for " + std::string(text.substr(0, equals)));
-  value.value = FittingField(location, *parsed);
+  value.value = scenarios::FittingField(location, *parsed);
   return true;
 }
 
@@ -114,7 +116,7 @@ bool Planner::Watch() {
     if (!TakeLocation(name, location)) return false;
     if (location.text_input) return Fail(Quoted(name) + " cannot be read");
     if (location.absent) return Fail(Quoted(name) + " does not exist in this program");
-    plan_.watched.push_back(WatchLocation(compilation_.program, name, location));
+    plan_.watched.push_back(scenarios::WatchLocation(compilation_.program, name, location));
   }
   if (plan_.watched.size() > kMostWatched) return Fail("--watch takes up to 16 locations");
   return true;
@@ -166,7 +168,7 @@ bool Planner::Graph() {
   if (!words_.delay.empty() && !TakeDuration("--delay", words_.delay, delay_ms)) return false;
   if (!words_.sampling.empty() && !TakeDuration("--sampling", words_.sampling, sampling_ms)) return false;
   if (sampling_ms == 0) return Fail("--sampling takes a time above 0");
-  plan_.graph = sim::Graph::Options{.trigger = WatchLocation(compilation_.program, name, location),
+  plan_.graph = sim::Graph::Options{.trigger = scenarios::WatchLocation(compilation_.program, name, location),
                                     .edge = edge == "rising" ? sim::Edge::kRising : sim::Edge::kFalling,
                                     .sampling_ms = static_cast<uint32_t>(std::min<uint64_t>(sampling_ms, UINT32_MAX)),
                                     .delay_ms = static_cast<uint32_t>(std::min<uint64_t>(delay_ms, UINT32_MAX)),
@@ -234,7 +236,7 @@ std::optional<uint64_t> ParseDuration(std::string_view text) {
   return std::nullopt;
 }
 
-std::variant<SimPlan, std::string> PlanSimulation(const SimWords& words, const Compilation& compilation) {
+std::variant<SimPlan, std::string> PlanSimulation(const SimWords& words, const compilation::Compilation& compilation) {
   return Planner(words, compilation).Make();
 }
 

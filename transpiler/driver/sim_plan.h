@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/sim/trace.h"
 
 namespace plcxx::driver {
@@ -50,7 +50,7 @@ constexpr uint64_t kMostPeriods = 1'000'000;
 constexpr size_t kMostWatched = 16;
 
 /// The plan, or the first thing that is wrong.
-std::variant<SimPlan, std::string> PlanSimulation(const SimWords& words, const Compilation& compilation);
+std::variant<SimPlan, std::string> PlanSimulation(const SimWords& words, const compilation::Compilation& compilation);
 
 /// "3s", "100ms", "2min" in ms; none for anything else.
 std::optional<uint64_t> ParseDuration(std::string_view text);

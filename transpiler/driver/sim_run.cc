@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/driver/columns.h"
-#include "transpiler/driver/lockstep.h"
-#include "transpiler/driver/scenario_control.h"
+#include "transpiler/engines/lockstep.h"
+#include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
+#include "transpiler/support/columns.h"
 
 namespace plcxx::driver {
 namespace {
@@ -23,7 +23,7 @@ std::string MonitorText(const sim::Watched& watched, uint64_t value) {
   if (watched.place.type != ir::Type::kI8) return sim::ValueDigits(watched.place.type, value, watched.sign);
   std::string digits;
   for (size_t bit = kByteBits; bit-- > 0;) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
-  return digits + RightAligned(std::to_string(value), 4);
+  return digits + support::RightAligned(std::to_string(value), 4);
 }
 
 size_t ColumnWidth(const sim::Watched& watched) {
@@ -39,8 +39,8 @@ class Table {
   Table(std::vector<sim::Watched> watched, Rows rows, std::ostream& out)
       : watched_(std::move(watched)), rows_(rows), out_(out) {
     if (watched_.empty()) return;
-    out_ << RightAligned("time ms", kTimeWidth);
-    for (const sim::Watched& column : watched_) out_ << "  " << RightAligned(column.name, ColumnWidth(column));
+    out_ << support::RightAligned("time ms", kTimeWidth);
+    for (const sim::Watched& column : watched_) out_ << "  " << support::RightAligned(column.name, ColumnWidth(column));
     out_ << '\n';
   }
 
@@ -49,16 +49,16 @@ class Table {
     std::vector<uint64_t> values;
     for (const sim::Watched& column : watched_) values.push_back(read(column));
     if (rows_ == Rows::kChangesOnly && values == last_) return;
-    out_ << RightAligned(std::to_string(time_ms), kTimeWidth);
+    out_ << support::RightAligned(std::to_string(time_ms), kTimeWidth);
     for (size_t i = 0; i < values.size(); ++i) {
-      out_ << "  " << RightAligned(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
+      out_ << "  " << support::RightAligned(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
     }
     out_ << '\n';
     last_ = std::move(values);
   }
 
   void Event(uint64_t time_ms, const std::string& text) {
-    out_ << RightAligned(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
+    out_ << support::RightAligned(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
   }
 
  private:
@@ -68,14 +68,14 @@ class Table {
   std::vector<uint64_t> last_;
 };
 
-std::string MessageLine(const ShownMessage& message) {
+std::string MessageLine(const scenarios::ShownMessage& message) {
   return "message " + std::to_string(message.number) + (message.shown.empty() ? "" : ": " + message.shown);
 }
 
 /// Writes what --at asks for at its time, before the period.
 class TimedValues {
  public:
-  TimedValues(const std::vector<SimValue>& values, sim::Engine& engine, ScenarioControl& control)
+  TimedValues(const std::vector<SimValue>& values, sim::Engine& engine, scenarios::ScenarioControl& control)
       : values_(values), engine_(engine), control_(control) {}
 
   void Apply(uint64_t now_ms) {
@@ -92,17 +92,17 @@ class TimedValues {
  private:
   const std::vector<SimValue>& values_;
   sim::Engine& engine_;
-  ScenarioControl& control_;
+  scenarios::ScenarioControl& control_;
   size_t next_ = 0;
 };
 
 }  // namespace
 
-SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, const SimRunOptions& options,
+SimOutcome RunSimulation(const compilation::Compilation& compilation, const SimPlan& plan, const SimRunOptions& options,
                          std::unique_ptr<dialects::ControlStub> stub, std::ostream& out) {
   const ir::Program& program = compilation.program;
   sim::Simulator simulator(program);
-  ScenarioControl control(program, *compilation.dialect, simulator, std::move(stub));
+  scenarios::ScenarioControl control(program, *compilation.dialect, simulator, std::move(stub));
   const sim::ReadWatched read = control.Reader();
   TimedValues timed(plan.at, simulator, control);
   sim::Clock clock(program, {&simulator});
@@ -120,9 +120,10 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
     if (simulator.stopped()) return;  // a period half done has no row
     table.Row(clock.time_ms(), read);
     for (const sim::HostEvent& event : simulator.TakeEvents()) {
-      if (!event.exchange) table.Event(clock.time_ms(), "host call " + ToText(program, event));
+      if (!event.exchange) table.Event(clock.time_ms(), "host call " + engines::ToText(program, event));
     }
-    for (const ShownMessage& message : control.TakeMessages()) table.Event(clock.time_ms(), MessageLine(message));
+    for (const scenarios::ShownMessage& message : control.TakeMessages())
+      table.Event(clock.time_ms(), MessageLine(message));
     if (options.with_trace) outcome.trace.Record(clock.time_ms(), read);
     if (plan.graph) graph.Observe(clock.time_ms(), read);
     ++outcome.periods;
@@ -133,7 +134,7 @@ SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, co
   };
 
   for (const SimValue& forced : plan.forced) {
-    for (const auto& [place, value] : WritesTo(forced.location, forced.value)) simulator.Force(place, value);
+    for (const auto& [place, value] : scenarios::WritesTo(forced.location, forced.value)) simulator.Force(place, value);
   }
   for (const ir::StatementId statement : plan.disconnected) simulator.EnableStatement(statement, false);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(options.seconds);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "transpiler/driver/compilation.h"
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/sim/trace.h"
 
@@ -30,7 +30,7 @@ struct SimRunOptions {
 };
 
 /// `stub` may be none.
-SimOutcome RunSimulation(const Compilation& compilation, const SimPlan& plan, const SimRunOptions& options,
+SimOutcome RunSimulation(const compilation::Compilation& compilation, const SimPlan& plan, const SimRunOptions& options,
                          std::unique_ptr<dialects::ControlStub> stub, std::ostream& out);
 
 }  // namespace plcxx::driver

@@ -12,9 +12,10 @@
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/engine_choice.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/junit.h"
 #include "transpiler/driver/output_files.h"
-#include "transpiler/driver/scenario_suite.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/scenarios/suite.h"
 
 namespace plcxx::driver {
 namespace {
@@ -51,21 +52,21 @@ struct Totals {
 };
 
 /// Names and texts hold what scenarios and sources hold.
-void Report(const ScenarioResult& result, const TestSettings& settings, Totals& totals) {
-  const TestCase& test = result.test;
+void Report(const scenarios::ScenarioResult& result, const TestSettings& settings, Totals& totals) {
+  const scenarios::TestCase& test = result.test;
   const std::string name = diag::Escaped(test.name), text = diag::EscapedLines(test.text);
   switch (test.outcome) {
-    case TestOutcome::kPassed:
+    case scenarios::TestOutcome::kPassed:
       ++totals.passed;
       std::cout << "passed  " << name;
       if (settings.verbose && !result.ran.empty()) std::cout << "  (" << result.ran << ")";
       std::cout << "\n";
       break;
-    case TestOutcome::kFailed:
+    case scenarios::TestOutcome::kFailed:
       ++totals.failed;
       std::cout << "FAILED  " << name << "\n" << text << "\n";
       break;
-    case TestOutcome::kUnusable:
+    case scenarios::TestOutcome::kUnusable:
       ++totals.unusable;
       std::cout << "ERROR   " << name << "\n" << std::flush;
       std::cerr << text << "\n";
@@ -82,13 +83,13 @@ std::string Summary(const Totals& totals) {
 }
 
 /// kDone, or kWrongUse when a file cannot be written.
-int WriteFiles(const TestSettings& settings, const std::vector<ScenarioResult>& results,
+int WriteFiles(const TestSettings& settings, const std::vector<scenarios::ScenarioResult>& results,
                const std::vector<std::string>& paths) {
   OutputRequest output;
   output.protected_paths = paths;
   if (!settings.junit.empty()) {
-    std::vector<TestCase> cases;
-    for (const ScenarioResult& result : results) cases.push_back(result.test);
+    std::vector<scenarios::TestCase> cases;
+    for (const scenarios::ScenarioResult& result : results) cases.push_back(result.test);
     output.files.push_back({settings.junit, JunitXml(cases)});
   }
   if (!settings.waveform.empty() && !results.front().waveform.empty()) {
@@ -107,13 +108,13 @@ int WriteFiles(const TestSettings& settings, const std::vector<ScenarioResult>& 
 }
 
 /// None when the command line is wrong; reported.
-std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
-  const std::optional<CompilationRequest> request = MakeRequest(settings.common);
+std::optional<scenarios::SuiteOptions> MakeOptions(const TestSettings& settings) {
+  const std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return std::nullopt;
-  SuiteOptions options;
+  scenarios::SuiteOptions options;
   options.programs = {settings.sources, request->options, request->warnings};
-  options.reach = settings.common.allow_outside ? Reach::kAnywhere : Reach::kProject;
-  if (settings.checked) options.programs.options.emplace_back(kFactsOption, "checked");
+  options.reach = settings.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject;
+  if (settings.checked) options.programs.options.emplace_back(compilation::kFactsOption, "checked");
   options.jobs = settings.jobs;
   options.time_limit = settings.time_limit;
   options.waveform = !settings.waveform.empty();
@@ -122,7 +123,7 @@ std::optional<SuiteOptions> MakeOptions(const TestSettings& settings) {
 }
 
 int RunTest(const TestSettings& settings) {
-  const std::variant<std::vector<std::string>, std::string> found = FindScenarios(settings.paths);
+  const std::variant<std::vector<std::string>, std::string> found = scenarios::FindScenarios(settings.paths);
   if (const auto* why = std::get_if<std::string>(&found)) {
     PrintUsageError(*why);
     return kWrongUse;
@@ -132,11 +133,11 @@ int RunTest(const TestSettings& settings) {
     PrintUsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
     return kWrongUse;
   }
-  const std::optional<SuiteOptions> options = MakeOptions(settings);
+  const std::optional<scenarios::SuiteOptions> options = MakeOptions(settings);
   if (!options) return kWrongUse;
   Totals totals;
-  const std::vector<ScenarioResult> results =
-      TestScenarios(paths, *options, [&](const ScenarioResult& result) { Report(result, settings, totals); });
+  const std::vector<scenarios::ScenarioResult> results = scenarios::TestScenarios(
+      paths, *options, [&](const scenarios::ScenarioResult& result) { Report(result, settings, totals); });
   std::cout << Summary(totals) << "\n";
   const int written = WriteFiles(settings, results, paths);
   if (written != kDone) return written;

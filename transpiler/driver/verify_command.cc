@@ -16,8 +16,6 @@
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/driver/verify_certificate.h"
-#include "transpiler/driver/verify_facts.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
@@ -26,6 +24,8 @@
 #include "transpiler/prove/compiled/object_code.h"
 #include "transpiler/prove/compiled/verify.h"
 #include "transpiler/prove/front_end/front_end.h"
+#include "transpiler/review/verify/certificate.h"
+#include "transpiler/review/verify/facts.h"
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
 
@@ -127,8 +127,9 @@ std::string FrontEndText(const prove::front_end::FunctionProof& function) {
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
-  Verification(const VerifySettings& settings, const CompilationRequest& request, const compile::Target& target,
-               uint64_t routine_ms, Compilation& compilation, ProgressLine& progress)
+  Verification(const VerifySettings& settings, const compilation::CompilationRequest& request,
+               const compile::Target& target, uint64_t routine_ms, compilation::Compilation& compilation,
+               ProgressLine& progress)
       : settings_(settings),
         request_(request),
         target_(target),
@@ -155,10 +156,10 @@ class Verification {
   bool WriteCertificate();
 
   const VerifySettings& settings_;
-  const CompilationRequest& request_;
+  const compilation::CompilationRequest& request_;
   const compile::Target& target_;
   uint64_t routine_ms_;
-  Compilation& compilation_;
+  compilation::Compilation& compilation_;
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
   std::vector<emit::OutputFile> files_;
@@ -167,7 +168,7 @@ class Verification {
   std::vector<ir::RoutineId> routines_;
   std::vector<std::string> left_out_;
   std::vector<prove::compiled::RoutineProof> proofs_;
-  FactsReport facts_;
+  review::verify::FactsReport facts_;
   std::optional<prove::front_end::Comparison> front_end_;
   std::string text_;
 };
@@ -210,16 +211,17 @@ bool Verification::WriteCertificate() {
   std::vector<std::pair<std::string, std::string>> objects;
   for (size_t i = 0; i < objects_.size(); ++i) objects.emplace_back(settings_.objects[i], objects_[i]);
   OutputRequest output;
-  output.files.push_back({settings_.certificate, CertificateText({.compilation = &compilation_,
-                                                                  .files = &files_,
-                                                                  .toolchain = &toolchain_,
-                                                                  .target = &target_,
-                                                                  .bitcode = &bitcode_,
-                                                                  .objects = std::move(objects),
-                                                                  .proofs = &proofs_,
-                                                                  .facts = &facts_,
-                                                                  .left_out = left_out_,
-                                                                  .front_end = front_end_ ? &*front_end_ : nullptr})});
+  output.files.push_back(
+      {settings_.certificate, review::verify::CertificateText({.compilation = &compilation_,
+                                                               .files = &files_,
+                                                               .toolchain = &toolchain_,
+                                                               .target = &target_,
+                                                               .bitcode = &bitcode_,
+                                                               .objects = std::move(objects),
+                                                               .proofs = &proofs_,
+                                                               .facts = &facts_,
+                                                               .left_out = left_out_,
+                                                               .front_end = front_end_ ? &*front_end_ : nullptr})});
   output.protected_paths = PathsRead(compilation_);
   const auto failure = WriteAll(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
@@ -323,8 +325,9 @@ bool Verification::Run() {
   if (!all) text_ += causes;
   if (!CompareFrontEnd(emittable, limits)) all = false;
   for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
-  facts_ = VerifyFacts(request_, settings_.routines,
-                       {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
+  facts_ = review::verify::VerifyFacts(
+      request_, settings_.routines,
+      {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
   text_ += facts_.Text();
   const std::string what = std::string(!left_out_.empty()          ? "what was asked for"
                                        : settings_.objects.empty() ? "the compiled code"
@@ -348,11 +351,11 @@ int RunVerify(const VerifySettings& settings) {
   }
   OutputOptions names;
   names.name = settings.name;
-  std::optional<CompilationRequest> request = MakeNamedRequest(settings.common, names);
+  std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, names);
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  Compilation compilation = Compile(*request);
+  compilation::Compilation compilation = compilation::Compile(*request);
   Verification verification(settings, *request, *target, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "transpiler/support/exit_code.h"
+
 namespace plcxx::support {
 
 void InternalFault(const char* condition, const char* file, int line) {
@@ -14,7 +16,7 @@ void InternalFault(const char* condition, const char* file, int line) {
                "plcxx: this is a fault of plcxx, not of your program; please report it with the sources that show it\n",
                condition, name != nullptr ? name + 1 : file, line);
   std::fflush(stderr);
-  std::_Exit(3);
+  std::_Exit(kInternalFaultExit);
 }
 
 }  // namespace plcxx::support

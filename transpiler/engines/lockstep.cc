@@ -1,0 +1,219 @@
+#include "transpiler/engines/lockstep.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+
+#include "transpiler/engines/lockstep_snapshot.h"
+#include "transpiler/ir/facts.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::engines {
+namespace {
+
+std::string ByEngine(const sim::Engine& engine, const std::string& text) {
+  return std::string(engine.name()) + ": " + text;
+}
+
+/// Words without a sign; but nothing counts up to where small negative numbers are.
+std::string ArgumentText(ir::Type type, uint64_t value) {
+  constexpr uint64_t kSmallNegative = 0xFFFF'0000;
+  const bool negative = type == ir::Type::kI32 && value >= kSmallNegative;
+  return sim::ValueDigits(type, value, negative ? sim::Sign::kTwosComplement : sim::Sign::kNone);
+}
+
+/// One NaN is as good as another: which sign and payload an operation gives is the processor's matter.
+bool IsNaN(ir::Type type, uint64_t bits) {
+  constexpr uint64_t kInfinity32 = 0x7F80'0000, kInfinity64 = 0x7FF0'0000'0000'0000;
+  if (type == ir::Type::kF32) return (bits & 0x7FFF'FFFF) > kInfinity32;
+  return type == ir::Type::kF64 && (bits & 0x7FFF'FFFF'FFFF'FFFF) > kInfinity64;
+}
+
+}  // namespace
+
+Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines)
+    : program_(program), engines_(std::move(engines)), false_fact_function_(ir::FalseFactOf(program)) {
+  PLCXX_CHECK(!engines_.empty());
+}
+
+void Lockstep::Execute(uint32_t now_ms, const Change& piece) {
+  now_ms_ = now_ms;
+  calls_.clear();
+  for (const auto& engine : engines_) {
+    repeated_ = 0;
+    piece(*engine);
+    if (engine != engines_.front() && repeated_ < calls_.size()) {
+      CallsDiffer(*engine, ToText(program_, calls_[repeated_].call), "none");
+    }
+  }
+  Compare(now_ms);
+}
+
+void Lockstep::Each(Change change) {
+  if (answering_) {
+    change(*engines_.front());
+    calls_.back().changes.push_back(std::move(change));
+    return;
+  }
+  for (const auto& engine : engines_) change(*engine);
+}
+
+void Lockstep::AnswerHostCalls(sim::HostAnswers answers) {
+  answers_ = std::move(answers);
+  for (const auto& engine : engines_) {
+    if (!answers_) {
+      engine->AnswerHostCalls({});
+    } else if (engine == engines_.front()) {
+      engine->AnswerHostCalls([this](auto function, auto arguments) { return AnswerFirst(function, arguments); });
+    } else {
+      engine->AnswerHostCalls([this, other = engine.get()](auto function, auto arguments) {
+        return AnswerAgain(*other, function, arguments);
+      });
+    }
+  }
+}
+
+sim::HostAnswer Lockstep::AnswerFirst(ir::HostFunctionId function, std::span<const uint64_t> arguments) {
+  calls_.push_back({{function, {arguments.begin(), arguments.end()}}, {}, {}});
+  answering_ = true;
+  const sim::HostAnswer answer = answers_(function, arguments);
+  answering_ = false;
+  calls_.back().answer = answer;
+  return answer;
+}
+
+sim::HostAnswer Lockstep::AnswerAgain(sim::Engine& engine, ir::HostFunctionId function,
+                                      std::span<const uint64_t> arguments) {
+  const sim::HostEvent call{function, {arguments.begin(), arguments.end()}};
+  if (repeated_ >= calls_.size()) {
+    CallsDiffer(engine, "none", ToText(program_, call));
+    return {};
+  }
+  const AnsweredCall& before = calls_[repeated_++];
+  if (before.call != call) CallsDiffer(engine, ToText(program_, before.call), ToText(program_, call));
+  for (const Change& change : before.changes) change(engine);
+  return before.answer;
+}
+
+void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second) {
+  if (difference_) return;
+  difference_ = {"the host calls", std::nullopt, ByEngine(*engines_.front(), first), ByEngine(other, second), now_ms_};
+}
+
+void Lockstep::PowerOn() {
+  Execute(0, [](sim::Engine& engine) { engine.PowerOn(); });
+}
+
+void Lockstep::RunPeriod(uint32_t now_ms) {
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunPeriod(now_ms); });
+}
+
+void Lockstep::RunFastOnly(uint32_t now_ms) {
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunFastOnly(now_ms); });
+}
+
+void Lockstep::RunElapse(uint32_t now_ms) {
+  Execute(now_ms, [now_ms](sim::Engine& engine) { engine.RunElapse(now_ms); });
+}
+
+void Lockstep::Write(const ir::Place& place, uint64_t value) {
+  Each([place, value](sim::Engine& engine) { engine.Write(place, value); });
+}
+
+void Lockstep::Force(const ir::Place& place, uint64_t value) {
+  Each([place, value](sim::Engine& engine) { engine.Force(place, value); });
+}
+
+void Lockstep::Release(const ir::Place& place) {
+  Each([place](sim::Engine& engine) { engine.Release(place); });
+}
+
+void Lockstep::SendText(std::string_view text) {
+  Each([text = std::string(text)](sim::Engine& engine) { engine.SendText(text); });
+}
+
+void Lockstep::EnableStatement(ir::StatementId statement, bool enabled) {
+  Each([statement, enabled](sim::Engine& engine) { engine.EnableStatement(statement, enabled); });
+}
+
+void Lockstep::StoreRetentive() {
+  Each([](sim::Engine& engine) { engine.StoreRetentive(); });
+}
+
+std::vector<sim::HostEvent> Lockstep::TakeEvents() { return std::exchange(events_, {}); }
+
+void Lockstep::Compare(uint32_t now_ms) {
+  const std::vector<sim::HostEvent> events = engines_.front()->TakeEvents();
+  events_.insert(events_.end(), events.begin(), events.end());
+  const auto false_fact = std::ranges::find(events, false_fact_function_, &sim::HostEvent::function);
+  if (false_fact_function_.valid() && !false_fact_ && false_fact != events.end()) false_fact_ = *false_fact;
+  if (engines_.size() == 1) return;
+  const std::vector<uint8_t> state = engines_.front()->Snapshot();
+  for (size_t i = 1; i < engines_.size(); ++i) {
+    CompareStates(*engines_[i], state, now_ms);
+    CompareEvents(*engines_[i], events);
+  }
+}
+
+void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms) {
+  const std::vector<uint8_t> found = other.Snapshot();
+  if (difference_ || found == expected) return;
+  const sim::Engine& first = *engines_.front();
+  if (found.size() != expected.size()) {
+    difference_ = {"the size of the state", std::nullopt, ByEngine(first, std::to_string(expected.size()) + " bytes"),
+                   ByEngine(other, std::to_string(found.size()) + " bytes"), now_ms};
+    return;
+  }
+  for (size_t from = 0;;) {
+    const auto start = static_cast<std::ptrdiff_t>(from);
+    const auto differs = std::mismatch(expected.begin() + start, expected.end(), found.begin() + start).first;
+    if (differs == expected.end()) return;
+    const auto at = static_cast<size_t>(differs - expected.begin());
+    const SnapshotCell cell = CellAt(program_, at, static_cast<uint8_t>(expected[at] ^ found[at]));
+    const uint64_t left = CellValue(cell, expected), right = CellValue(cell, found);
+    from = at + 1;
+    if (IsNaN(cell.type, left) && IsNaN(cell.type, right)) continue;
+    difference_ = {cell.name, cell.place, ByEngine(first, ValueText(cell.type, left)),
+                   ByEngine(other, ValueText(cell.type, right)), now_ms};
+    return;
+  }
+}
+
+void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected) {
+  const std::vector<sim::HostEvent> found = other.TakeEvents();
+  if (found != expected) CallsDiffer(other, ToText(program_, expected), ToText(program_, found));
+}
+
+std::string ToText(const ir::Program& program, const sim::HostEvent& event) {
+  const ir::HostFunction& function = program.host_functions[event.function];
+  std::string text = function.name + "(";
+  for (size_t i = 0; i < event.arguments.size(); ++i) {
+    const uint64_t value = event.arguments[i];
+    if (i > 0) text += ", ";
+    if (i >= function.parameters.size()) {
+      text += std::to_string(value);
+      continue;
+    }
+    const ir::Parameter& parameter = function.parameters[i];
+    text += parameter.name + ": ";
+    text += value < parameter.enumerators.size() ? parameter.enumerators[value] : ArgumentText(parameter.type, value);
+  }
+  return text + ")";
+}
+
+std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>& events) {
+  if (events.empty()) return "none";
+  std::string text;
+  for (const sim::HostEvent& event : events) text += (text.empty() ? "" : ", ") + ToText(program, event);
+  return text;
+}
+
+std::string ValueText(ir::Type type, uint64_t value, sim::Sign sign) {
+  if (type == ir::Type::kBit) return std::to_string(value);
+  char hex[24];
+  std::snprintf(hex, sizeof hex, " (0x%02llX)", static_cast<unsigned long long>(value));
+  return sim::ValueDigits(type, value, sign) + hex;
+}
+
+}  // namespace plcxx::engines

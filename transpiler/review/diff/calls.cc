@@ -1,0 +1,81 @@
+#include "transpiler/review/diff/calls.h"
+
+#include <algorithm>
+
+#include "transpiler/engines/lockstep.h"
+#include "transpiler/sim/value_text.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+constexpr size_t kMostCalls = 100;
+
+std::string ArgumentText(const ir::Parameter& parameter, uint64_t value) {
+  if (value < parameter.enumerators.size()) return parameter.enumerators[value];
+  return sim::IsFloat(parameter.type) ? sim::ValueDigits(parameter.type, value) : std::to_string(value);
+}
+
+std::string CallText(const ir::HostFunction& function, const sim::HostEvent& event) {
+  std::string arguments;
+  for (size_t i = 0; i < event.arguments.size() && i < function.parameters.size(); ++i) {
+    // The number of a statement is another one in another version.
+    if (function.parameters[i].is_statement) continue;
+    arguments += (arguments.empty() ? "" : ", ") + function.parameters[i].name + ": " +
+                 ArgumentText(function.parameters[i], event.arguments[i]);
+  }
+  return "{" + function.name + ": {" + arguments + "}}";
+}
+
+std::vector<const sim::HostEvent*> CallsOf(const ir::Program& program, const std::vector<sim::HostEvent>& events,
+                                           const std::string& function) {
+  std::vector<const sim::HostEvent*> calls;
+  for (const sim::HostEvent& event : events) {
+    const ir::HostFunction& of = program.host_functions[event.function];
+    if (!event.exchange && (of.name == function || (function.empty() && !of.routine_exchange))) calls.push_back(&event);
+  }
+  return calls;
+}
+
+}  // namespace
+
+std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::vector<sim::HostEvent>& events,
+                                         const std::string& function) {
+  const auto called = std::ranges::find(program.host_functions, function, &ir::HostFunction::name);
+  const bool of_all = function.empty();
+  if (!of_all && (called == program.host_functions.end() || called->routine_exchange)) return std::nullopt;
+  // A polled function counts where it is named, and is named when it is not called, too.
+  const auto is_call = [&](const sim::HostEvent& event) {
+    return !event.exchange && program.host_functions[event.function].name == function;
+  };
+  std::string list;
+  if (!of_all && called->polled && std::ranges::none_of(events, is_call)) list = "{" + function + ": none}";
+  size_t count = 0;
+  for (const sim::HostEvent& event : events) {
+    const ir::HostFunction& of = program.host_functions[event.function];
+    if (event.exchange || of.routine_exchange || (of.polled && !of_all && of.name != function)) continue;
+    if (++count > kMostCalls) return std::nullopt;
+    list += (list.empty() ? "" : ", ") + CallText(of, event);
+  }
+  return "[" + list + "]";
+}
+
+FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::vector<sim::HostEvent>& old_events,
+                                     const ir::Program& new_program, const std::vector<sim::HostEvent>& new_events,
+                                     const std::string& function) {
+  const std::vector<const sim::HostEvent*> old_calls = CallsOf(old_program, old_events, function),
+                                           new_calls = CallsOf(new_program, new_events, function);
+  size_t at = 0;
+  const auto is_same = [&](const sim::HostEvent& one, const sim::HostEvent& other) {
+    return one.arguments == other.arguments &&
+           old_program.host_functions[one.function].name == new_program.host_functions[other.function].name;
+  };
+  while (at < old_calls.size() && at < new_calls.size() && is_same(*old_calls[at], *new_calls[at])) {
+    ++at;
+  }
+  const auto text = [at](const ir::Program& program, const std::vector<const sim::HostEvent*>& calls) {
+    return at < calls.size() ? engines::ToText(program, *calls[at]) : std::string("no call");
+  };
+  return {.old_text = text(old_program, old_calls), .new_text = text(new_program, new_calls)};
+}
+
+}  // namespace plcxx::review::diff

@@ -1,0 +1,165 @@
+#include "transpiler/review/diff/machine.h"
+
+#include "transpiler/review/diff/runs.h"
+#include "transpiler/scenarios/plan.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+constexpr uint32_t kNowhere = 0xFFFFFFFF;
+
+/// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
+std::vector<uint32_t> MakeBytesOf(const prove::compare::Version& version) {
+  const ir::Program& program = *version.program;
+  std::vector<uint32_t> bytes(version.cells.count, kNowhere);
+  uint32_t at = 0;
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    const ir::Space& space = program.spaces[ir::SpaceId(i)];
+    if (!space.host_visible) continue;
+    for (uint32_t offset = 0; offset < space.bytes; ++offset, ++at) {
+      for (uint8_t bit = 0; bit < 8; ++bit) bytes[version.cells.OfBit(ir::SpaceId(i), offset, bit).index] = at;
+    }
+  }
+  for (uint32_t i = 0; i < program.states.size(); ++i) {
+    uint32_t cell = version.cells.states[i];
+    for (const ir::FieldInfo& field : ir::Info(program.states[ir::StateId(i)].kind).fields) {
+      for (uint32_t element = 0; element < field.count; ++element, ++cell) {
+        bytes[cell] = at;
+        at += ir::Bytes(field.type);
+      }
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& version, Time end)
+    : side_(side),
+      program_(side.compilation.program),
+      version_(version),
+      simulator_(side.compilation.program),
+      control_(side.compilation.program, *side.compilation.dialect, simulator_,
+               side.compilation.dialect->make_stub(side.compilation.program, side.compilation.options)),
+      clock_(side.compilation.program, {&simulator_}),
+      end_(end),
+      byte_of_(MakeBytesOf(version)),
+      calls_(version.cells.CallCells()) {
+  clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+  clock_.after_period = [this](uint32_t now_ms) { control_.AfterPeriod(now_ms); };
+  if (end != Time::max()) clock_.interrupted = [this] { return std::chrono::steady_clock::now() >= end_; };
+  clock_.PowerOn();
+  control_.PowerOn();
+}
+
+void DiffMachine::SetCell(prove::execute::CellId id, uint64_t value) {
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  ir::Place place;
+  switch (cell.kind) {
+    case prove::execute::CellKind::kCalls:
+      return;
+    case prove::execute::CellKind::kField: {
+      const ir::FieldInfo& field = ir::Info(version_.program->states[cell.state].kind).fields[cell.field];
+      if (field.hidden || field.count != 1) return;  // no scenario can
+      place.type = field.type;
+      place.state = cell.state;
+      place.field = cell.field;
+      break;
+    }
+    case prove::execute::CellKind::kBit:
+      place.type = ir::Type::kBit;
+      place.space = cell.space;
+      place.offset = cell.offset;
+      place.bit = cell.bit;
+      break;
+  }
+  dialects::Location location;
+  location.place = place;
+  control_.Set(location, value);
+}
+
+void DiffMachine::SetWord(const std::string& text, const std::string& value) {
+  const std::optional<dialects::Location> location = side_.compilation.dialect->locate(program_, text);
+  if (!location || location->absent) return;
+  if (location->text_input) {
+    simulator_.SendText(value);
+    return;
+  }
+  const std::optional<uint64_t> bits =
+      scenarios::ParseScenarioValue(value, location->place.type, *side_.compilation.dialect);
+  if (bits) control_.Set(*location, *bits);
+}
+
+bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell) {
+  if (stimulus.power_cycle) {
+    control_.PowerOff();
+    clock_.PowerCycle();
+    control_.PowerOn();
+  }
+  for (const prove::compare::SetCell& input : stimulus.inputs) {
+    if ((input.*cell).valid()) SetCell(input.*cell, input.value);
+  }
+  for (const auto& [location, value] : stimulus.words) SetWord(location, value);
+  return Advance(stimulus);
+}
+
+bool DiffMachine::Advance(const Stimulus& stimulus) {
+  const sim::Step step = stimulus.slow != 0   ? clock_.RunSlow(stimulus.slow)
+                         : stimulus.fast != 0 ? clock_.RunFast(stimulus.fast)
+                         : stimulus.ms != 0   ? clock_.RunMs(stimulus.ms)
+                                              : sim::Step::kDone;
+  return step == sim::Step::kDone;
+}
+
+DiffMachine::Saved DiffMachine::Save() const {
+  return {.simulator = simulator_.Save(), .control = control_.Save(), .time_ms = clock_.time_ms(), .calls = calls_};
+}
+
+void DiffMachine::Restore(const Saved& saved) {
+  simulator_.Restore(saved.simulator);
+  control_.Restore(saved.control);
+  clock_.GoTo(saved.time_ms);
+  calls_ = saved.calls;
+  Look();
+}
+
+void DiffMachine::Look() {
+  picture_ = simulator_.Snapshot();
+  events_ = simulator_.TakeEvents();
+  for (const sim::HostEvent& event : events_) {
+    if (event.exchange) continue;
+    const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };
+    uint64_t& own = calls_[event.function.index];
+    for (const uint64_t argument : event.arguments) add(own, argument);
+    own = (own ^ (own >> 31)) + 1;
+    if (!version_.cells.is_ordered[event.function.index]) continue;
+    // By its name: two versions number their functions differently.
+    uint64_t& all = calls_.back();
+    for (const char c : program_.host_functions[event.function].name) add(all, static_cast<unsigned char>(c));
+    for (const uint64_t argument : event.arguments) add(all, argument);
+    all = (all ^ (all >> 31)) + 1;
+  }
+}
+
+uint64_t DiffMachine::Seen(prove::execute::CellId id) const {
+  if (id.index >= version_.cells.calls) return calls_[id.index - version_.cells.calls];
+  const uint32_t at = byte_of_[id.index];
+  if (at == kNowhere || at >= picture_.size()) return 0;
+  const bool is_bit = version_.cells.states.empty() || id.index < version_.cells.states.front();
+  if (is_bit) return picture_[at] >> ((id.index - version_.cells.spaces.front()) % 8) & 1;
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  uint64_t value = 0;
+  for (uint32_t i = 0; i < (prove::execute::CellWidth(*version_.program, cell) + 7U) / 8; ++i)
+    value |= uint64_t{picture_[at + i]} << (8 * i);
+  return value;
+}
+
+uint64_t DiffMachine::ValueOf(prove::execute::CellId id) const {
+  if (id.index >= version_.cells.calls) return 0;
+  if (byte_of_[id.index] != kNowhere) return Seen(id);
+  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  const std::span<const uint8_t> bytes = simulator_.Memory(cell.space);
+  return cell.offset < bytes.size() ? bytes[cell.offset] >> cell.bit & 1 : 0;
+}
+
+}  // namespace plcxx::review::diff

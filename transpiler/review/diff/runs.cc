@@ -1,0 +1,244 @@
+#include "transpiler/review/diff/runs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/terms/random.h"
+#include "transpiler/review/diff/machine.h"
+#include "transpiler/review/diff/search.h"
+#include "transpiler/review/diff/stimuli.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+using prove::execute::CellId;
+using prove::terms::Random;
+
+constexpr int kMostRuns = 20, kSteps = 60;
+constexpr int kSpareRuns = 6;
+constexpr uint64_t kRandomShare = 5, kQuickShare = 80;  // of the time: a fifth, an eightieth
+constexpr int kQuickRuns = 6, kHoldRuns = 64, kInputDepth = 6;
+constexpr uint32_t kLeastPulses = 20;
+constexpr uint64_t kWatchedMs = 30'000;  // from power-on
+
+/// The control does what it was asked for now and then: the requests are cleared before some of the steps.
+void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>& requests, Stimuli& stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    for (const prove::compare::SetCell& request : requests) {
+      if (random.OneIn(2)) stimulus.inputs.push_back(request);
+    }
+  }
+}
+
+/// Whether now and then nothing happens for a while, so that timers end.
+enum class Waits : uint8_t { kNone, kSome };
+
+/// Inputs change seldom in some runs and often in others.
+Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& inputs, int run, Waits waits,
+                    bool has_fast) {
+  const uint64_t one_in = uint64_t{2} << (run % 6);
+  const uint64_t density = 1 + static_cast<uint64_t>(run) % 3;  // of ones, in quarters
+  Stimuli stimuli;
+  for (int step = 0; step < kSteps; ++step) {
+    Stimulus stimulus;
+    for (prove::compare::SetCell input : inputs) {
+      if (step != 0 && !random.OneIn(one_in)) continue;
+      input.value = random.Next() % 4 < density ? 1 : 0;
+      stimulus.inputs.push_back(input);
+    }
+    if (waits == Waits::kSome && random.OneIn(8)) {
+      stimulus.ms = static_cast<uint32_t>(100 * (1 + random.Next() % 30));
+    } else if (has_fast && random.OneIn(6)) {
+      stimulus.fast = 1;
+    } else {
+      stimulus.slow = 1;
+    }
+    stimuli.push_back(std::move(stimulus));
+  }
+  return stimuli;
+}
+
+/// The inputs from which the cells are computed, over a few statements and scans.
+std::vector<prove::compare::SetCell> InputsBehind(const prove::compare::Version& version, std::vector<bool> wanted,
+                                                  const std::vector<prove::compare::SetCell>& inputs,
+                                                  CellId prove::compare::SetCell::* cell) {
+  const std::vector<StatementAccess> accesses = AccessesOf(version);
+  const auto touches = [&wanted](const StatementAccess& access) {
+    for (uint32_t i = access.begin; i < access.end; ++i) {
+      if (wanted[i]) return true;
+    }
+    return false;
+  };
+  for (int depth = 0; depth < kInputDepth; ++depth) {
+    std::set<ir::StatementId> writers;
+    for (const StatementAccess& access : accesses) {
+      if (access.writes && access.statement.valid() && touches(access)) writers.insert(access.statement);
+    }
+    for (const StatementAccess& access : accesses) {
+      if (access.writes || !writers.contains(access.statement)) continue;
+      std::fill(wanted.begin() + access.begin, wanted.begin() + access.end, true);
+    }
+  }
+  std::vector<prove::compare::SetCell> behind;
+  for (const prove::compare::SetCell& input : inputs) {
+    if (wanted[(input.*cell).index]) behind.push_back(input);
+  }
+  return behind;
+}
+
+/// Without memory that the host might write as well, such as data with presets: a random one there hides what differs.
+std::vector<prove::compare::SetCell> InputsOfTheMachine(const prove::compare::Version& version,
+                                                        std::vector<prove::compare::SetCell> inputs) {
+  std::erase_if(inputs, [&version](const prove::compare::SetCell& input) {
+    return prove::compare::DirectionOf(version, input.old_cell) != ir::Direction::kInput;
+  });
+  return inputs;
+}
+
+/// The inputs as they stand after so many steps of a run.
+std::vector<prove::compare::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
+  std::map<CellId, prove::compare::SetCell> level;
+  for (uint32_t step = 0; step < steps; ++step) {
+    for (const prove::compare::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
+  }
+  std::vector<prove::compare::SetCell> inputs;
+  for (const auto& [cell, input] : level) inputs.push_back(input);
+  return inputs;
+}
+
+}  // namespace
+
+std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
+                                              const prove::compare::Version& new_version,
+                                              const prove::compare::Match& match) {
+  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
+                             new_uses = prove::compare::UsesOf(new_version);
+  std::vector<prove::compare::SetCell> inputs;
+  for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
+    const CellId old_cell(i), new_cell = match.new_of_old[i];
+    if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
+    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+      inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
+    }
+  }
+  return inputs;
+}
+
+void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
+             RandomRuns& result) {
+  const prove::compare::Version& old_version = request.old_version;
+  const prove::compare::Version& new_version = request.new_version;
+  const bool quick = request.effort == prove::compare::Effort::kQuick;
+  if (!quick && request.cells.size() > kMostSought) return;  // the wake of a change that reaches everything
+  const std::vector<prove::compare::SetCell> inputs = InputsOf(old_version, new_version, request.match);
+  std::vector<prove::compare::SetCell> requests;
+  for (const CellId cell : prove::compare::MatchedRequests(old_version, new_version, request.match))
+    requests.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
+  std::vector<std::pair<CellId, CellId>> pairs;
+  for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto end =
+      std::min(request.end, begin + std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare)));
+  const uint32_t period_ms = std::max(1U, old_side.compilation.program.schedule.period_ms);
+  // Some more runs than needed: a shorter one may come.
+  int spare = kSpareRuns;
+  const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
+  const bool has_fast = prove::compare::HasFastPart(old_version) || prove::compare::HasFastPart(new_version);
+  Random random((quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03) + request.round);
+  const auto run_both = [&](Stimuli stimuli) {
+    AddDoneRequests(random, requests, stimuli);
+    DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
+    const auto run = static_cast<uint32_t>(result.runs.size());
+    result.runs.push_back(stimuli);
+    uint64_t periods = 0;
+    // Shorter runs are better ones.
+    const auto add = [&](CellId cell, const RandomRuns::Difference& difference) {
+      const auto [at, added] = result.difference_of.try_emplace(cell, difference);
+      if (!added && difference.periods < at->second.periods) at->second = difference;
+    };
+    for (uint32_t step = 0; step < stimuli.size() && !late(); ++step) {
+      const Stimulus& stimulus = stimuli[step];
+      uint32_t passed_ms = 0;
+      const auto apply = [&](const Stimulus& piece) {
+        if (!old_machine.Apply(piece, &prove::compare::SetCell::old_cell)) return false;
+        if (!new_machine.Apply(piece, &prove::compare::SetCell::new_cell)) return false;
+        old_machine.Look();
+        new_machine.Look();
+        periods += piece.slow + piece.ms / period_ms;
+        passed_ms += piece.ms;
+        return true;
+      };
+      // What differs for a moment only is seen by who looks after every period, as long as that does not take long.
+      const bool watches = !quick && periods * period_ms < kWatchedMs;
+      Stimulus piece = stimulus;
+      while (watches && passed_ms + period_ms < stimulus.ms && !late()) {
+        piece.ms = period_ms;
+        if (!apply(piece)) return;
+        piece = {.inputs = {}, .words = {}, .slow = 0, .ms = stimulus.ms - passed_ms};
+        std::optional<RandomRuns::Difference> here;
+        for (const auto& [old_cell, new_cell] : pairs) {
+          if (result.difference_of.contains(old_cell)) continue;
+          if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
+          if (!here) {
+            here = {.run = static_cast<uint32_t>(result.runs.size()), .steps = step + 1, .periods = periods};
+            result.runs.emplace_back(stimuli.begin(), stimuli.begin() + step + 1).back().ms = passed_ms;
+          }
+          add(old_cell, *here);
+        }
+      }
+      if (late() || !apply(piece)) break;
+      for (const auto& [old_cell, new_cell] : pairs) {
+        if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
+        add(old_cell, {.run = run, .steps = step + 1, .periods = periods});
+      }
+    }
+    if (quick) return;
+    const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
+    if (std::ranges::all_of(pairs, differs)) --spare;
+  };
+  std::vector<bool> wanted(new_version.cells.count);
+  for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
+  std::vector<prove::compare::SetCell> behind;
+  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::compare::SetCell::new_cell);
+  // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
+  const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
+  const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
+  const std::vector<prove::compare::SetCell> machines = InputsOfTheMachine(old_version, behind);
+  // Near the inputs with which something was seen there is more to be seen: what follows from it.
+  std::vector<prove::compare::SetCell> telling;
+  const auto run_and_learn = [&](const Stimuli& stimuli) {
+    const size_t seen = result.difference_of.size();
+    const auto first_run = static_cast<uint32_t>(result.runs.size());
+    run_both(stimuli);
+    if (result.difference_of.size() == seen) return;
+    for (const auto& [cell, difference] : result.difference_of) {
+      if (difference.run >= first_run) telling = InputsAfter(result.runs[difference.run], difference.steps);
+    }
+  };
+  const auto first_run = static_cast<int>(request.round) * kHoldRuns;
+  for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
+    if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
+    const std::vector<prove::compare::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
+    if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
+    const bool near = !telling.empty() && run % 2 == 0;
+    run_and_learn(
+        HoldStimuli(near ? AlmostTheSame(random, telling) : RandomInputs(random, set, run), run, changed.times_ms));
+    if (options.progress) options.progress("counting run " + std::to_string(run + 1));
+    run_and_learn(PulseStimuli(random, set, run, pulses));
+  }
+  const std::vector<prove::compare::SetCell> of_the_machine = InputsOfTheMachine(old_version, inputs);
+  const std::vector<prove::compare::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs : of_the_machine;
+  for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
+    if (options.progress) options.progress("random run " + std::to_string(run + 1));
+    // In a large program waiting costs much: the first runs show what differs without.
+    const Waits waits = quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome;
+    run_both(MakeStimuli(random, run % 3 == 2 ? inputs : all_of_the_machine, run, waits, has_fast));
+  }
+}
+
+}  // namespace plcxx::review::diff

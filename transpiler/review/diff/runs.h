@@ -1,0 +1,94 @@
+// Running both versions beside each other: what differs is found, shortened, and written as a scenario.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/prove/compare/compare.h"
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/review/diff/items.h"
+#include "transpiler/scenarios/program.h"
+
+namespace plcxx::review::diff {
+
+/// Power fails, perhaps; inputs are set; then time passes.
+struct Stimulus {
+  std::vector<prove::compare::SetCell> inputs;
+  std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
+  uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
+  uint32_t ms = 0;
+  uint32_t fast = 0;  // times the fast part alone; 0: `ms`
+  bool power_cycle = false;
+};
+using Stimuli = std::vector<Stimulus>;
+
+struct RandomRuns {
+  std::vector<Stimuli> runs;
+  struct Difference {
+    uint32_t run = 0, steps = 0;  // after so many stimuli of the run
+    uint64_t periods = 0;         // about so many of them passed until then
+  };
+  std::map<prove::execute::CellId, Difference> difference_of;  // by old cell: the first one
+};
+
+struct RunRequest {
+  const prove::compare::Version& old_version;
+  const prove::compare::Version& new_version;
+  const prove::compare::Match& match;
+  const std::vector<prove::execute::CellId>& cells;  // old ones: what is looked at
+  prove::compare::Effort effort{};
+  std::chrono::steady_clock::time_point end;
+  uint32_t round = 0;  // of thorough searches: each has other inputs
+};
+
+inline constexpr size_t kMostSought = 400;  // cells, of a search that is not quick; of more it does nothing
+
+/// Runs of both versions from power-on, in the simulator, with the same random inputs at the same time. A thorough
+/// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See diff_search.h
+/// for what begins with a machine at work.
+void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
+             RandomRuns& result);
+
+struct CounterexampleRequest {
+  const prove::compare::Version& old_version;
+  const prove::compare::Version& new_version;
+  const CellWords& old_words;
+  const CellWords& new_words;
+  std::string name;
+  ItemKind kind{};
+  std::vector<prove::execute::CellId> old_cells;
+  std::optional<prove::compare::Run> run;  // the solver's
+  const RandomRuns& runs;
+  const prove::compare::Match& match;
+};
+
+/// A run that was shown, with both versions at its end: other items may differ there, too.
+struct ShownRun;
+
+/// What all counterexamples of a comparison may cost together, and the programs that they are replayed on.
+struct ExampleBudget {
+  int left = 0;
+  std::chrono::steady_clock::time_point end;       // of the search for a shorter one
+  std::chrono::steady_clock::time_point last_end;  // of showing what is known
+  std::chrono::steady_clock::time_point all_end;   // of everything
+  scenarios::ScenarioProgram old_program, new_program;
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+};
+
+/// The shortest scenario that could be found.
+std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
+                                                 const CounterexampleRequest& request, const DiffOptions& options,
+                                                 ExampleBudget& budget);
+
+/// The same for an item that has no time of its own left: one of the runs that were shown for others, as it is.
+std::optional<Counterexample> FindAmongShown(DiffSide& old_side, DiffSide& new_side,
+                                             const CounterexampleRequest& request, const DiffOptions& options,
+                                             ExampleBudget& budget);
+
+}  // namespace plcxx::review::diff

@@ -1,0 +1,401 @@
+// From a difference to a scenario that shows it: shortened as far as it still does, and run on both versions.
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <variant>
+
+#include "transpiler/review/diff/calls.h"
+#include "transpiler/review/diff/machine.h"
+#include "transpiler/review/diff/runs.h"
+#include "transpiler/review/diff/shorten.h"
+#include "transpiler/scenarios/project_files.h"
+#include "transpiler/scenarios/scenario.h"
+#include "transpiler/scenarios/suite.h"
+#include "transpiler/scenarios/yaml_words.h"
+#include "transpiler/sim/value_text.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+using prove::execute::CellId;
+
+/// As the old version names the cell, or the new one where only that one does; the cells are the old version's.
+CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
+  CellWord word = request.old_words.WordOf(old_cell);
+  const CellId new_cell = request.match.new_of_old[old_cell.index];
+  if (word.place || !new_cell.valid()) return word;
+  CellWord other = request.new_words.WordOf(new_cell);
+  if (!other.place) return word;
+  for (CellId& cell : other.cells) {
+    cell = request.match.old_of_new[cell.index];
+    if (!cell.valid()) return word;
+  }
+  return other;
+}
+
+/// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
+std::vector<CellId> CellsNamed(const DiffSide& side, const prove::compare::Version& version, const std::string& name) {
+  const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.compilation.program, name);
+  if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
+  if (!prove::execute::IsInside(*version.program, location->place)) return {};
+  return prove::execute::CellsOf(*version.program, version.cells, location->place);
+}
+
+/// How a scenario names the word. Where a location has moved, its address is another one's in the new version: then by
+/// the symbol that moved with it, where there is one.
+std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                         const CellWord& word) {
+  if (!word.place) return word.name;
+  std::vector<std::string> names{word.name};
+  if (!word.place->name.empty() && word.place->name != word.name) names.push_back(word.place->name);
+  for (const std::string& name : names) {
+    std::vector<CellId> matched = CellsNamed(old_side, request.old_version, name);
+    if (matched.empty()) continue;
+    for (CellId& cell : matched) cell = request.match.new_of_old[cell.index];
+    if (matched == CellsNamed(new_side, request.new_version, name)) return name;
+  }
+  return word.name;
+}
+
+/// A part of a timer that is nobody else's, or the calls of a function: no location of a scenario.
+bool HasNoName(const CellWord& word) { return !word.place && word.cells.size() == 1; }
+
+/// A value as a scenario writes it.
+std::string WordText(const CellWord& word, uint64_t value) {
+  const bool is_float = word.place && sim::IsFloat(word.place->type);
+  return is_float ? sim::ValueDigits(word.place->type, value) : std::to_string(value);
+}
+
+using Sets = std::vector<std::pair<std::string, std::string>>;  // location, value
+
+/// Inputs as a scenario writes them: whole words where the program has no bit of that name, of which the other bits
+/// stay as they are in `machine`, the old version before this step. None: one of them has no name.
+std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                           const std::vector<prove::compare::SetCell>& inputs, DiffMachine& machine) {
+  std::vector<CellWord> words;
+  std::set<std::string> taken;
+  std::map<CellId, uint64_t> values;
+  for (const prove::compare::SetCell& input : inputs) {
+    values[input.old_cell] = input.value;
+    CellWord word = WordOfBoth(request, input.old_cell);
+    if (HasNoName(word)) return std::nullopt;
+    if (taken.insert(word.name).second) words.push_back(std::move(word));
+  }
+  machine.Look();
+  Sets sets;
+  for (const CellWord& word : words) {
+    uint64_t value = 0;
+    for (size_t i = 0; i < word.cells.size() && i < 64; ++i) {
+      const auto set = values.find(word.cells[i]);
+      value |= (set != values.end() ? set->second : machine.Seen(word.cells[i])) << i;
+    }
+    const std::string name = ScenarioName(old_side, new_side, request, word);
+    if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+    sets.emplace_back(name, WordText(word, value));
+  }
+  return sets;
+}
+
+std::string Quoted(const std::string& text) { return scenarios::YamlWord(text, "_.-"); }
+
+std::string RelativePath(const std::string& path, const std::string& directory) {
+  std::error_code error;
+  const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory, error);
+  const std::filesystem::path to = std::filesystem::absolute(path, error).lexically_normal();
+  const std::filesystem::path relative = to.lexically_relative(from.lexically_normal());
+  return relative.empty() ? path : relative.generic_string();
+}
+
+std::string Heading(const DiffSide& side, const DiffOptions& options) {
+  std::vector<std::string> sources;
+  std::string names, separator;
+  for (const std::string& source : side.request.sources) {
+    const std::string& name = side.file_name.empty() ? source : side.file_name;
+    sources.push_back(
+        RelativePath((std::filesystem::path(side.scenario_base) / name).string(), options.scenario_directory));
+    names += separator + Quoted(sources.back());
+    separator = ", ";
+  }
+  std::string text = scenarios::ReplayComment(options.scenario_directory, sources) +
+                     "dialect: " + std::string(side.compilation.dialect->name) + "\nsources: [" + names + "]\n";
+  if (!side.request.options.empty()) {
+    text += "options: {";
+    separator.clear();
+    for (const auto& [key, value] : side.request.options) {
+      // A value that is a file of the program is named from where the scenario stands.
+      std::error_code error;
+      const bool is_file =
+          std::filesystem::is_regular_file(std::filesystem::path(side.request.base_directory) / value, error);
+      const std::string written = is_file ? RelativePath((std::filesystem::path(side.scenario_base) / value).string(),
+                                                         options.scenario_directory)
+                                          : value;
+      text += separator + Quoted(key) + ": " + Quoted(written);
+      separator = ", ";
+    }
+    text += "}\n";
+  }
+  return text;
+}
+
+/// Run in the simulator; none: it is no scenario of this program.
+std::optional<scenarios::TestOutcome> OutcomeOf(const std::string& scenario, scenarios::ScenarioProgram& program,
+                                                const DiffOptions& options) {
+  const std::string path = (std::filesystem::path(options.scenario_directory) / "counterexample.yaml").string();
+  scenarios::ScenarioOrErrors read = scenarios::ParseScenario(path, scenario);
+  if (!std::holds_alternative<scenarios::Scenario>(read)) return std::nullopt;
+  scenarios::SuiteOptions suite;
+  suite.platforms.clear();
+  suite.simulator = false;  // then it is one that does not note who wrote what
+  return scenarios::TestScenario(std::get<scenarios::Scenario>(read), suite, program).test.outcome;
+}
+
+uint32_t PeriodMs(const DiffSide& side) { return side.compilation.program.schedule.period_ms; }
+
+struct Candidate {
+  Stimuli stimuli;
+  bool from_state = false;
+};
+/// The run without what no scenario has a name for.
+Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                 Stimuli stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    std::erase_if(stimulus.inputs, [&](const prove::compare::SetCell& input) {
+      const CellWord word = WordOfBoth(request, input.old_cell);
+      return HasNoName(word) || !old_side.compilation.dialect->locate(old_side.compilation.program,
+                                                                      ScenarioName(old_side, new_side, request, word));
+    });
+  }
+  return stimuli;
+}
+
+/// The runs that may show the difference, the best one first.
+std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_side,
+                                  const CounterexampleRequest& request) {
+  std::vector<Candidate> candidates;
+  if (request.run) {
+    // An arbitrary state is set before the first period; later inputs stay.
+    Stimuli by_pass, by_time;
+    for (const std::vector<prove::compare::SetCell>& inputs : request.run->periods) {
+      by_pass.push_back({.inputs = inputs, .words = {}, .slow = 1});
+      by_time.push_back({.inputs = inputs, .words = {}, .ms = PeriodMs(old_side)});
+    }
+    candidates.push_back({std::move(by_pass), request.run->from_state});
+    // The slow part may be in slices, or the fast part have a time of its own: what the proof takes for one period is
+    // seen in a part of the pass only, or when time passes.
+    candidates.push_back({std::move(by_time), request.run->from_state});
+  }
+  const RandomRuns::Difference* shortest = nullptr;
+  for (const CellId cell : request.old_cells) {
+    const auto found = request.runs.difference_of.find(cell);
+    if (found == request.runs.difference_of.end()) continue;
+    if (shortest == nullptr || found->second.periods < shortest->periods) shortest = &found->second;
+  }
+  if (shortest != nullptr) {
+    const Stimuli& run = request.runs.runs[shortest->run];
+    candidates.push_back({Stimuli(run.begin(), run.begin() + shortest->steps)});
+  }
+  // Better one that a scenario can say; else any.
+  const size_t count = candidates.size();
+  for (size_t i = 0; i < count; ++i) {
+    candidates.push_back(candidates[i]);
+    candidates[i].stimuli = Nameable(old_side, new_side, request, std::move(candidates[i].stimuli));
+  }
+  return candidates;
+}
+
+}  // namespace
+
+/// Both versions behind the last stimulus.
+struct Ends {
+  DiffMachine old_machine, new_machine;
+};
+
+struct ShownRun {
+  Stimuli stimuli;
+  bool from_state;
+  Ends ends;
+  std::chrono::steady_clock::duration cost;
+};
+
+namespace {
+
+constexpr size_t kMostRemembered = 16;  // runs; each holds two machines
+
+/// Where the item differs, and its values there.
+struct SeenDifference {
+  CellWord word;
+  uint64_t old_value = 0, new_value = 0;
+};
+SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) {
+  SeenDifference seen;
+  for (const CellId cell : request.old_cells) {
+    seen = {.word = WordOfBoth(request, cell)};
+    const std::vector<CellId> cells = seen.word.cells.empty() ? std::vector{cell} : seen.word.cells;
+    for (size_t i = 0; i < cells.size() && i < 64; ++i) {
+      const CellId new_cell = request.match.new_of_old[cells[i].index];
+      const uint32_t shift = cells.size() == 1 ? 0 : static_cast<uint32_t>(i);
+      seen.old_value |= ends.old_machine.Seen(cells[i]) << shift;
+      if (new_cell.valid()) seen.new_value |= ends.new_machine.Seen(new_cell) << shift;
+    }
+    if (seen.old_value != seen.new_value) break;
+  }
+  return seen;
+}
+
+/// The steps of a scenario, and the same in one line.
+struct WrittenSteps {
+  std::string scenario, line;
+};
+/// None: the run sets what a scenario has no name for.
+std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_side,
+                                  const CounterexampleRequest& request, const Stimuli& stimuli) {
+  WrittenSteps written;
+  DiffMachine machine(old_side, request.old_version);
+  const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  for (const Stimulus& stimulus : stimuli) {
+    Stimulus after_power = stimulus;
+    if (stimulus.power_cycle) {
+      machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::compare::SetCell::old_cell);
+      written.scenario += "- power_cycle: {}\n";
+      add(written.line, "power off and on");
+      after_power.power_cycle = false;
+    }
+    std::optional<Sets> sets = SetsOf(old_side, new_side, request, stimulus.inputs, machine);
+    if (!sets) return std::nullopt;
+    // A word of a scenario beside the program that the old version does not know sets nothing there.
+    std::ranges::copy_if(stimulus.words, std::back_inserter(*sets), [&old_side](const auto& set) {
+      return old_side.compilation.dialect->locate(old_side.compilation.program, set.first).has_value();
+    });
+    machine.Apply(after_power, &prove::compare::SetCell::old_cell);
+    std::string assignments;
+    for (const auto& [name, value] : *sets) {
+      add(assignments, Quoted(name) + ": " + Quoted(value));
+      add(written.line, name + "=" + value);
+    }
+    if (!sets->empty()) written.scenario += "- set: {" + assignments + "}\n";
+    if (stimulus.slow == 0 && stimulus.fast == 0 && stimulus.ms == 0) continue;
+    if (stimulus.slow == 0 && stimulus.fast == 0) {
+      const std::string ms = std::to_string(stimulus.ms);
+      written.scenario += "- run: {ms: " + ms + "}\n";
+      add(written.line, ms + " ms");
+      continue;
+    }
+    const std::string part = stimulus.slow != 0 ? "slow" : "fast";
+    const std::string count = std::to_string(stimulus.slow != 0 ? stimulus.slow : stimulus.fast);
+    written.scenario += "- run: {" + part + ": " + count + "}\n";
+    add(written.line, part + " " + count);
+  }
+  return written;
+}
+
+/// The last step of the scenario, with the values of both; none where no scenario can tell.
+std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide& new_side,
+                                       const CounterexampleRequest& request, const Ends& ends,
+                                       Counterexample& example) {
+  if (request.kind == ItemKind::kCalls) {
+    const ir::Program &old_program = old_side.compilation.program, &new_program = new_side.compilation.program;
+    const CellId told = request.old_cells.front();
+    const bool of_all = told == request.old_version.cells.OfOrder();
+    const std::string function =
+        of_all ? ""
+               : old_side.whole.host_functions[ir::HostFunctionId(told.index - request.old_version.cells.calls)].name;
+    const std::vector<sim::HostEvent>&old_events = ends.old_machine.events(), &new_events = ends.new_machine.events();
+    const FirstDifferentCall call = FindDifferentCall(old_program, old_events, new_program, new_events, function);
+    example.old_value = call.old_text;
+    example.new_value = call.new_text;
+    const std::optional<std::string> calls = ExpectedCalls(old_program, old_events, function);
+    if (!calls) return std::nullopt;
+    return "expect_calls: " + *calls;
+  }
+  const SeenDifference seen = FindSeen(request, ends);
+  example.old_value = WordText(seen.word, seen.old_value);
+  example.new_value = WordText(seen.word, seen.new_value);
+  // What the language has no name for is seen in the simulator, and in no scenario.
+  if (HasNoName(seen.word)) return std::nullopt;
+  const std::string name = ScenarioName(old_side, new_side, request, seen.word);
+  if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+  return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
+}
+
+std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& new_side,
+                                     const CounterexampleRequest& request, Stimuli stimuli, bool from_state) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::shared_ptr<ShownRun> run(
+      new ShownRun{.stimuli = std::move(stimuli),
+                   .from_state = from_state,
+                   .ends = {DiffMachine(old_side, request.old_version), DiffMachine(new_side, request.new_version)},
+                   .cost = {}});
+  for (const Stimulus& stimulus : run->stimuli) {
+    run->ends.old_machine.Apply(stimulus, &prove::compare::SetCell::old_cell);
+    run->ends.new_machine.Apply(stimulus, &prove::compare::SetCell::new_cell);
+  }
+  run->ends.old_machine.Look();
+  run->ends.new_machine.Look();
+  run->cost = std::chrono::steady_clock::now() - begin;
+  return run;
+}
+
+Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const CounterexampleRequest& request,
+                        const ShownRun& run, const DiffOptions& options, ExampleBudget& budget) {
+  Counterexample example{.from_state = run.from_state};
+  const std::optional<WrittenSteps> steps = Write(old_side, new_side, request, run.stimuli);
+  const std::optional<std::string> expectation = Expectation(old_side, new_side, request, run.ends, example);
+  if (!steps) return example;
+  example.steps = steps->line;
+  if (!expectation) return example;
+  const bool is_value = request.kind != ItemKind::kCalls;
+  const std::string heading =
+      is_value ? "# " + request.name + " is " + example.old_value + " in the old version and " + example.new_value
+               : "# " + request.name + ": " + example.old_value + " in the old version, " + example.new_value;
+  example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps->scenario + "- " +
+                     *expectation + "\n";
+  // To run it once more costs about the same.
+  if (std::chrono::steady_clock::now() + run.cost >= budget.all_end) {
+    example.scenario.clear();
+    return example;
+  }
+  // A new version that does not know a location does not show another value there.
+  const bool confirmed = OutcomeOf(example.scenario, budget.old_program, options) == scenarios::TestOutcome::kPassed &&
+                         OutcomeOf(example.scenario, budget.new_program, options) == scenarios::TestOutcome::kFailed;
+  example.replay = confirmed ? Replay::kSimulator : Replay::kRefuted;
+  return example;
+}
+
+}  // namespace
+
+std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& new_side,
+                                                 const CounterexampleRequest& request, const DiffOptions& options,
+                                                 ExampleBudget& budget) {
+  std::vector<CellId> new_cells;
+  for (const CellId cell : request.old_cells) new_cells.push_back(request.match.new_of_old[cell.index]);
+  Shortener shortener(old_side, new_side, request.old_version, request.new_version, request.old_cells, new_cells,
+                      budget.end);
+  for (Candidate& candidate : Candidates(old_side, new_side, request)) {
+    if (!shortener.Shows(candidate.stimuli, budget.last_end)) continue;
+    --budget.left;
+    Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
+    const std::shared_ptr<const ShownRun> run =
+        Show(old_side, new_side, request, std::move(shortened), candidate.from_state);
+    if (budget.shown.size() < kMostRemembered) budget.shown.push_back(run);
+    return Describe(old_side, new_side, request, *run, options, budget);
+  }
+  return std::nullopt;
+}
+
+std::optional<Counterexample> FindAmongShown(DiffSide& old_side, DiffSide& new_side,
+                                             const CounterexampleRequest& request, const DiffOptions& options,
+                                             ExampleBudget& budget) {
+  const auto differs_in = [&request](const std::shared_ptr<const ShownRun>& run) {
+    return std::ranges::any_of(request.old_cells, [&](CellId cell) {
+      const CellId new_cell = request.match.new_of_old[cell.index];
+      return run->ends.old_machine.Seen(cell) != run->ends.new_machine.Seen(new_cell);
+    });
+  };
+  const auto found = std::ranges::find_if(budget.shown, differs_in);
+  if (found == budget.shown.end()) return std::nullopt;
+  --budget.left;
+  return Describe(old_side, new_side, request, **found, options, budget);
+}
+
+}  // namespace plcxx::review::diff

@@ -1,0 +1,318 @@
+#include "transpiler/review/diff/search.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "transpiler/prove/compare/runs_from.h"
+#include "transpiler/prove/compare/transition.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+using prove::compare::SetCell;
+using prove::execute::CellId;
+
+constexpr size_t kMostSignatures = 4000;
+constexpr uint32_t kAimedPasses = 4;      // whole slow passes that the solver looks ahead
+constexpr uint32_t kWatchedPeriods = 60;  // of a wait, one by one; the rest in larger pieces
+
+uint64_t Mixed(uint64_t hash, uint64_t value) {
+  hash = (hash ^ value) * 0x9E3779B97F4A7C15;
+  return hash ^ (hash >> 29);
+}
+
+}  // namespace
+
+void DirectedSearch::GoTo(const Moment& moment) {
+  old_machine_.Restore(moment.old_saved);
+  new_machine_.Restore(moment.new_saved);
+  stimuli_ = moment.stimuli;
+  periods_ = moment.periods;
+  scenario_ = moment.scenario;
+  next_step_ = moment.next_step;
+}
+
+DirectedSearch::Moment DirectedSearch::Here() const {
+  return {.old_saved = old_machine_.Save(),
+          .new_saved = new_machine_.Save(),
+          .stimuli = stimuli_,
+          .periods = periods_,
+          .scenario = scenario_,
+          .next_step = next_step_};
+}
+
+void DirectedSearch::Keep(Kept why) {
+  std::vector<Moment>& kept = why == Kept::kDiffers ? differing_ : why == Kept::kNew ? new_ : between_;
+  Moment moment = Here();
+  if (kept.size() < most_moments_ / 3) {
+    kept.push_back(std::move(moment));
+  } else {
+    // The first one is power-on.
+    kept[1 + random_.Next() % (kept.size() - 1)] = std::move(moment);
+  }
+}
+
+void DirectedSearch::GoBack() {
+  const uint64_t which = random_.Next() % 8;
+  const std::vector<Moment>& kept = which < 3 && !differing_.empty() ? differing_
+                                    : which < 6 && !new_.empty()     ? new_
+                                                                     : between_;
+  // The last ones are the news.
+  const size_t count = random_.OneIn(2) ? kept.size() : std::min<size_t>(kept.size(), 8);
+  GoTo(kept[kept.size() - 1 - random_.Next() % count]);
+}
+
+void DirectedSearch::Compare(RandomRuns& result) {
+  std::vector<CellId> differ;
+  const std::vector<uint8_t>&old_picture = old_machine_.picture(), &new_picture = new_machine_.picture();
+  const auto add = [&](CellId cell) {
+    if (!result.difference_of.contains(cell)) differ.push_back(cell);
+  };
+  for (const Compared& compared : compared_) {
+    if (compared.bytes == 1) {
+      if (((old_picture[compared.old_at] ^ new_picture[compared.new_at]) & compared.mask) == 0) continue;
+    } else if (compared.bytes != 0 &&
+               std::equal(old_picture.begin() + compared.old_at, old_picture.begin() + compared.old_at + compared.bytes,
+                          new_picture.begin() + compared.new_at)) {
+      continue;
+    }
+    for (const CellId cell : compared.cells) {
+      if (old_machine_.Seen(cell) != new_machine_.Seen(match_.new_of_old[cell.index])) add(cell);
+    }
+  }
+  for (const CellId cell : compared_calls_) {
+    if (old_machine_.Seen(cell) != new_machine_.Seen(match_.new_of_old[cell.index])) add(cell);
+  }
+  if (differ.empty()) return;
+  const auto run = static_cast<uint32_t>(result.runs.size());
+  result.runs.push_back(stimuli_);
+  for (const CellId cell : differ) {
+    result.difference_of[cell] = {.run = run, .steps = static_cast<uint32_t>(stimuli_.size()), .periods = periods_};
+  }
+  has_new_difference_ = true;
+}
+
+uint64_t DirectedSearch::Signature() const {
+  uint64_t hash = 0;
+  for (const CellId cell : read_by_changed_) {
+    const uint64_t value = old_machine_.Seen(cell);
+    // Of a number its magnitude.
+    hash = Mixed(hash, value <= 1 ? value : 2 + static_cast<uint64_t>(std::bit_width(value)));
+    const uint64_t other = new_machine_.Seen(match_.new_of_old[cell.index]);
+    if (other != value) hash = Mixed(hash, 7);
+  }
+  return hash;
+}
+
+bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
+  const uint32_t period_ms = period_ms_;
+  const auto apply = [&](const Stimulus& piece) {
+    if (Late()) return false;
+    if (!old_machine_.Apply(piece, &SetCell::old_cell) || !new_machine_.Apply(piece, &SetCell::new_cell)) return false;
+    old_machine_.Look();
+    new_machine_.Look();
+    periods_ += piece.slow + piece.fast + piece.ms / period_ms;
+    return true;
+  };
+  // All but the first piece only let time pass.
+  stimuli_.push_back(stimulus);
+  Stimulus piece = stimulus;
+  const bool waits = stimulus.ms != 0;
+  const uint32_t count = waits ? stimulus.ms : stimulus.slow != 0 ? stimulus.slow : stimulus.fast;
+  const uint32_t least = waits ? period_ms : 1;
+  if (count == 0 && !apply(piece)) return false;
+  for (uint32_t done = 0, pieces = 0; done < count; ++pieces) {
+    const uint32_t length = pieces < kWatchedPeriods ? least : std::max(least, (count - done) / 8 / least * least);
+    const uint32_t now = std::min(length, count - done);
+    uint32_t& amount = waits ? piece.ms : stimulus.slow != 0 ? piece.slow : piece.fast;
+    amount = now;
+    if (!apply(piece)) return false;
+    done += now;
+    Stimulus& last = stimuli_.back();
+    (waits ? last.ms : stimulus.slow != 0 ? last.slow : last.fast) = done;
+    has_new_difference_ = false;
+    Compare(result);
+    if (has_new_difference_) Keep(Kept::kDiffers);
+    piece.inputs.clear();
+    piece.words.clear();
+    piece.power_cycle = false;
+  }
+  if (signatures_.size() < kMostSignatures && signatures_.insert(Signature()).second) Keep(Kept::kNew);
+  return true;
+}
+
+void DirectedSearch::Disturb(const Input& input, Stimulus& stimulus) {
+  uint64_t value = 0;
+  for (size_t i = 0; i < input.size() && i < 64; ++i) value |= old_machine_.Seen(input[i].old_cell) << i;
+  if (input.size() == 1) {
+    value ^= random_.OneIn(8) ? 0 : 1;
+  } else {
+    switch (random_.Next() % 6) {
+      case 0:
+        value = 0;
+        break;
+      case 1:
+        value = random_.Next() % 5;
+        break;
+      case 2:
+      case 3:
+        if (!constants_.empty()) value = constants_[random_.Next() % constants_.size()] + random_.Next() % 3 - 1;
+        break;
+      case 4:
+        value ^= uint64_t{1} << random_.Next() % std::min<size_t>(64, input.size());
+        break;
+      default:
+        value = random_.Next();
+    }
+  }
+  for (size_t i = 0; i < input.size(); ++i) {
+    stimulus.inputs.push_back(input[i]);
+    stimulus.inputs.back().value = i < 64 ? value >> i & 1 : 0;
+  }
+}
+
+Stimulus DirectedSearch::Unexpected() {
+  Stimulus stimulus;
+  const bool follows = scenario_ < known_.size() && next_step_ < known_[scenario_].size();
+  if (follows && random_.OneIn(3)) {
+    stimulus = known_[scenario_][next_step_++];
+    if (!random_.OneIn(4)) return stimulus;
+  } else if (!known_.empty() && random_.OneIn(6)) {
+    const Stimuli& other = known_[random_.Next() % known_.size()];
+    const Stimulus& step = other[random_.Next() % other.size()];
+    stimulus.words = step.words;
+    stimulus.inputs = step.inputs;
+  }
+  // The control has done what it was asked for.
+  for (const SetCell& request : requests_) {
+    if (random_.OneIn(4)) stimulus.inputs.push_back(request);
+  }
+  for (uint64_t i = random_.Next() % 4; i > 0; --i) {
+    const uint64_t which = random_.Next() % 8;
+    const std::vector<Input>& from = which < 4 && !near_.empty()     ? near_
+                                     : which < 7 && !behind_.empty() ? behind_
+                                                                     : inputs_;
+    if (!from.empty()) Disturb(from[random_.Next() % from.size()], stimulus);
+  }
+  if (stimulus.slow != 0 || stimulus.fast != 0 || stimulus.ms != 0) return stimulus;
+  const bool has_fast = prove::compare::HasFastPart(old_version_) || prove::compare::HasFastPart(new_version_);
+  stimulus.power_cycle = random_.OneIn(40);
+  const uint64_t what = random_.Next() % 16;
+  if (what == 0) {
+    stimulus.ms = waits_ms_[random_.Next() % waits_ms_.size()];
+  } else if (what < 3 && has_fast) {
+    stimulus.fast = 1;
+  } else if (what < 6) {
+    stimulus.ms = std::max(1U, old_side_.compilation.program.schedule.period_ms);
+  } else {
+    stimulus.slow = 1 + static_cast<uint32_t>(random_.OneIn(4) ? random_.Next() % 12 : 0);
+  }
+  return stimulus;
+}
+
+void DirectedSearch::RunScenarios(Time end, RandomRuns& result) {
+  end_ = end;
+  old_machine_.EndAt(end);
+  new_machine_.EndAt(end);
+  for (size_t scenario = 0; scenario < known_.size() && !Late(); ++scenario) {
+    GoTo(between_.front());
+    scenario_ = scenario;
+    for (const Stimulus& stimulus : known_[scenario]) {
+      ++next_step_;
+      if (!Step(stimulus, result)) break;
+      Keep(Kept::kBetweenSteps);
+    }
+  }
+}
+
+void DirectedSearch::Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result) {
+  end_ = end;
+  old_machine_.EndAt(end);
+  new_machine_.EndAt(end);
+  constexpr size_t kMostFollowed = 30;
+  for (; followed_ < std::min(computed.size(), kMostFollowed) && !Late(); ++followed_) {
+    // As whole passes, and as time: where the slow part is in slices they are not the same.
+    for (const bool by_time : {false, true}) {
+      GoTo(between_.front());
+      for (const std::vector<SetCell>& inputs : computed[followed_].periods) {
+        Stimulus stimulus{.inputs = inputs, .words = {}};
+        (by_time ? stimulus.ms : stimulus.slow) = by_time ? old_side_.compilation.program.schedule.period_ms : 1;
+        if (!Step(stimulus, result)) break;
+      }
+    }
+  }
+}
+
+DirectedSearch::Moment* DirectedSearch::NextToAsk() {
+  for (std::vector<Moment>* const kept : {&new_, &between_, &differing_}) {
+    const auto found = std::ranges::find(*kept, false, &Moment::is_asked);
+    if (found != kept->end()) return &*found;
+  }
+  return nullptr;
+}
+
+void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, RandomRuns& result) {
+  using Clock = std::chrono::steady_clock;
+  constexpr Clock::duration kMostForOne = std::chrono::milliseconds(400);
+  // A busy machine may need longer.
+  const Clock::time_point begin = Clock::now();
+  const Clock::time_point limit = std::min(end_, begin + std::max(kMostForOne, (end_ - begin) / 3));
+  moment.is_asked = true;
+  GoTo(moment);
+  const auto value = [this](prove::compare::Which which, CellId cell) {
+    return (which == prove::compare::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
+  };
+  const std::vector<prove::compare::Run> runs = prove::compare::RunsFrom(
+      {.old_version = old_version_,
+       .new_version = new_version_,
+       .match = match_,
+       .old_uses = old_uses_,
+       .new_uses = new_uses_,
+       .requests = {}},
+      {.value = value, .now_ms = old_machine_.time_ms()}, sought, kAimedPasses * pass_periods_, limit);
+  // Asked again when there is more time.
+  if (Late()) moment.is_asked = false;
+  // The moment may have gone when others are kept.
+  const Moment from = Here();
+  for (const prove::compare::Run& run : runs) {
+    GoTo(from);
+    // What is set, and as much time as passes until something is set again.
+    for (size_t period = 0; period < run.periods.size();) {
+      Stimulus stimulus{.inputs = run.periods[period], .words = {}};
+      do {
+        stimulus.ms += period_ms_;
+        ++period;
+      } while (period < run.periods.size() && run.periods[period].empty());
+      if (!Step(stimulus, result)) break;
+    }
+  }
+}
+
+void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
+  end_ = end;
+  old_machine_.EndAt(end);
+  new_machine_.EndAt(end);
+  const auto is_open = [&](CellId cell) { return !result.difference_of.contains(cell); };
+  size_t seen = result.difference_of.size();
+  using Clock = std::chrono::steady_clock;
+  while (!Late()) {
+    const Clock::time_point begin = Clock::now();
+    if (Moment* const moment = aimed_ <= searched_ ? NextToAsk() : nullptr) {
+      std::vector<CellId> open = sought;
+      std::erase_if(open, [&](CellId cell) { return !is_open(cell); });
+      Aim(*moment, open, result);
+      aimed_ += Clock::now() - begin;
+    } else {
+      GoBack();
+      for (uint64_t left = 1 + random_.Next() % 10; left > 0; --left) {
+        if (!Step(Unexpected(), result)) break;
+      }
+      searched_ += Clock::now() - begin;
+    }
+    if (result.difference_of.size() == seen) continue;
+    seen = result.difference_of.size();
+    if (std::ranges::none_of(sought, is_open)) return;
+  }
+}
+
+}  // namespace plcxx::review::diff

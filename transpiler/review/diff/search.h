@@ -1,0 +1,121 @@
+// The search for runs in which two versions differ, from the machine at work towards what was changed.
+//
+// Both versions run beside each other in the simulator. First come the scenarios that stand beside the old version, as
+// they are. Then it goes back again and again to a moment that was seen, and does something unexpected there. Moments
+// that are gone back to: those at which something differs already, for more follows from it; those at which what the
+// changed statements read was not seen like this before; those between two steps of a scenario. Of each such moment a
+// solver is asked what has to be set there so that a difference is seen within a few periods: that hits what has to be
+// set in one scan. In: two versions. Out: a run for each cell that was seen to differ. Not its job: making a run short,
+// proofs.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/prove/terms/random.h"
+#include "transpiler/review/diff/machine.h"
+#include "transpiler/review/diff/runs.h"
+
+namespace plcxx::review::diff {
+
+class DirectedSearch {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// `cells`: of the old version, what is looked at. All outlive the search.
+  DirectedSearch(const DiffSide& old_side, const DiffSide& new_side, const prove::compare::Version& old_version,
+                 const prove::compare::Version& new_version, const prove::compare::Match& match,
+                 const CellWords& old_words, const std::vector<prove::execute::CellId>& cells);
+
+  /// The scenarios, once; `end` is the time for that.
+  void RunScenarios(Time end, RandomRuns& result);
+  /// Runs that a solver computed, each once: from their ends there is more to be seen.
+  void Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result);
+  /// Until `end`, or until each of `sought` (old cells, those that matter most first) has differed.
+  void Run(const std::vector<prove::execute::CellId>& sought, Time end, RandomRuns& result);
+
+ private:
+  /// Bits that are set together: an input, or a word of inputs.
+  using Input = std::vector<prove::compare::SetCell>;
+  /// Of the watched pairs those that are in one byte of both pictures, or one field.
+  struct Compared {
+    uint32_t old_at = 0, new_at = 0, bytes = 1;
+    uint8_t mask = 0xFF;
+    std::vector<prove::execute::CellId> cells;
+  };
+  struct Moment {
+    DiffMachine::Saved old_saved, new_saved;
+    Stimuli stimuli;  // from power-on
+    uint64_t periods = 0;
+    size_t scenario = 0, next_step = 0;  // of the known runs, of which it is the continuation
+    bool is_asked = false;               // what has to be set there
+  };
+  /// Why a moment is kept.
+  enum class Kept : uint8_t { kDiffers, kNew, kBetweenSteps };
+
+  /// The scenarios beside the old version; what has another name in the new version is set by its cells.
+  void ReadScenarios();
+  void SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const;
+  void MakePlan(const std::vector<prove::execute::CellId>& cells);
+  void FindInputs();
+  bool Late() const { return std::chrono::steady_clock::now() >= end_; }
+  void GoTo(const Moment& moment);
+  Moment Here() const;
+  void Keep(Kept why);
+  /// Goes back to a moment.
+  void GoBack();
+  /// One step, in pieces so that what differs for a moment only is seen. false: it is late, or a version is stuck.
+  bool Step(const Stimulus& stimulus, RandomRuns& result);
+  /// Compares the pictures; notes what was not seen to differ before.
+  void Compare(RandomRuns& result);
+  /// A number for what the changed statements read.
+  uint64_t Signature() const;
+  Stimulus Unexpected();
+  /// The next moment of which the solver was not asked yet; null: there is none.
+  Moment* NextToAsk();
+  /// Asks the solver what has to be set at the moment, and does that.
+  void Aim(Moment& moment, const std::vector<prove::execute::CellId>& sought, RandomRuns& result);
+  void Disturb(const Input& input, Stimulus& stimulus);
+
+  const DiffSide& old_side_;
+  const DiffSide& new_side_;
+  const prove::compare::Version& old_version_;
+  const prove::compare::Version& new_version_;
+  const prove::compare::Match& match_;
+  const CellWords& old_words_;
+  Time end_ = Time::max();
+  DiffMachine old_machine_, new_machine_;
+  std::vector<Compared> compared_;
+  std::vector<prove::execute::CellId> compared_calls_;
+  std::vector<Input> inputs_, behind_, near_;      // all; those behind what was changed; those that it reads soon
+  std::vector<prove::compare::SetCell> requests_;  // that the control clears
+  std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
+  std::vector<prove::execute::CellId> read_by_changed_;
+  std::vector<uint64_t> constants_;
+  std::vector<uint32_t> waits_ms_;
+  std::vector<Stimuli> known_;
+  std::set<uint64_t> signatures_;
+  std::vector<Moment> differing_, new_, between_;
+  Stimuli stimuli_;  // from power-on until now
+  uint64_t periods_ = 0;
+  size_t scenario_ = 0, next_step_ = 0;
+  size_t most_moments_ = 0;
+  size_t followed_ = 0;  // computed runs
+  prove::compare::Uses old_uses_, new_uses_;
+  uint32_t period_ms_ = 1;
+  uint32_t pass_periods_ = 1;                                 // of a whole slow pass
+  std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
+  bool has_new_difference_ = false;
+  prove::terms::Random random_{0x8EBC6AF09C88C6E3};
+};
+
+/// The pairs that the host writes and a version reads.
+std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
+                                              const prove::compare::Version& new_version,
+                                              const prove::compare::Match& match);
+
+}  // namespace plcxx::review::diff

@@ -1,0 +1,179 @@
+#include "transpiler/review/diff/sources.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/scenarios/scenario.h"
+
+namespace plcxx::review::diff {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kGitSeconds = 60;
+constexpr const char* kNoFile = "/dev/null";
+
+/// The sources of a directory when the user names none: what its scenarios say, else what looks like a source.
+struct FoundSources {
+  std::vector<std::string> sources;
+  std::map<std::string, std::string> options;
+  std::string dialect, reason;
+};
+
+std::vector<fs::path> FilesOf(const std::string& directory) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, error)) {
+    if (entry.is_regular_file(error)) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+FoundSources FindSources(const std::string& directory) {
+  FoundSources found;
+  for (const fs::path& file : FilesOf(directory)) {
+    if (file.extension() != ".yaml") continue;
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
+    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
+    if (scenario == nullptr || scenario->sources.empty()) continue;
+    if (!found.sources.empty() && found.sources != scenario->sources) {
+      found.reason = "the scenarios of directory '" + directory + "' name different sources; name them with --sources";
+      return found;
+    }
+    found.sources = scenario->sources;
+    found.options = scenario->options;
+    found.dialect = scenario->dialect;
+  }
+  if (!found.sources.empty()) return found;
+  for (const fs::path& file : FilesOf(directory)) {
+    for (const dialects::Dialect* dialect : dialects::AllDialects()) {
+      if (std::ranges::find(dialect->extensions, file.extension().string()) == dialect->extensions.end()) continue;
+      found.sources.push_back(file.filename().string());
+      break;
+    }
+  }
+  if (found.sources.empty()) found.reason = "there is no source of a known dialect in directory '" + directory + "'";
+  return found;
+}
+
+std::optional<std::string> FillRequest(const std::string& path, const std::vector<std::string>& sources,
+                                       compilation::CompilationRequest& request) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    if (!sources.empty()) return "--sources names files of two directories, and '" + path + "' is none";
+    request.sources = {path};
+    return std::nullopt;
+  }
+  request.base_directory = path;
+  request.sources = sources;
+  if (!sources.empty()) return std::nullopt;
+  FoundSources found = FindSources(path);
+  if (!found.reason.empty()) return found.reason;
+  request.sources = std::move(found.sources);
+  for (const auto& option : found.options) {
+    const bool given = std::ranges::any_of(request.options, [&](const auto& own) { return own.first == option.first; });
+    if (!given) request.options.emplace_back(option);
+  }
+  if (request.dialect.empty()) request.dialect = found.dialect;
+  return std::nullopt;
+}
+
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+struct Git {
+  std::string top, prefix, reason;
+};
+
+Git FindGit() {
+  Git git;
+  const auto top = compile::RunProcess({"git", "rev-parse", "--show-toplevel"}, kGitSeconds);
+  const auto prefix = compile::RunProcess({"git", "rev-parse", "--show-prefix"}, kGitSeconds);
+  if (top.exit_code != 0) {
+    git.reason = "--git: " + FirstLine(top.output);
+  } else {
+    git.top = FirstLine(top.output);
+    git.prefix = FirstLine(prefix.output);
+  }
+  return git;
+}
+
+/// Copies a revision; gives why not.
+std::optional<std::string> CopyRevision(const Git& git, const std::string& revision, const std::string& directory) {
+  const std::string archive = directory + "/revision.tar";
+  const auto made =
+      compile::RunProcess({"git", "archive", "--format=tar", "-o", archive, "--", revision}, kGitSeconds, git.top);
+  if (made.exit_code != 0) return "--git: '" + revision + "': " + FirstLine(made.output);
+  const auto unpacked = compile::RunProcess({"tar", "-xf", archive, "-C", directory}, kGitSeconds);
+  std::error_code error;
+  fs::remove(archive, error);
+  if (unpacked.exit_code != 0) return "--git: cannot unpack '" + revision + "': " + FirstLine(unpacked.output);
+  return std::nullopt;
+}
+
+std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
+                                                         const compilation::CompilationRequest& common) {
+  const size_t dots = words.revisions.find("..");
+  if (dots == std::string::npos || dots == 0) {
+    return "--git takes two revisions, as in 'v1.2..HEAD', not '" + words.revisions + "'";
+  }
+  if (words.paths.empty()) return "name the sources of the program behind --git " + words.revisions;
+  const std::string old_revision = words.revisions.substr(0, dots);
+  std::string new_revision = words.revisions.substr(dots + 2);
+  const Git git = FindGit();
+  if (!git.reason.empty()) return git.reason;
+  DiffRequests requests;
+  for (const bool is_old : {true, false}) {
+    DiffRequest& side = is_old ? requests.old_side : requests.new_side;
+    side.compilation = common;
+    side.compilation.sources = words.paths;
+    side.label = is_old ? old_revision : new_revision;
+    if (!is_old && new_revision.empty()) {
+      side.label = "the work tree";  // "A.."
+      continue;
+    }
+    requests.copies.push_back(std::make_unique<compile::TemporaryDirectory>());
+    const std::string& copy = requests.copies.back()->path();
+    if (std::optional<std::string> failed = CopyRevision(git, side.label, copy)) return *failed;
+    side.compilation.base_directory = git.prefix.empty() ? copy : copy + "/" + git.prefix;
+    while (side.compilation.base_directory.ends_with('/')) side.compilation.base_directory.pop_back();
+    side.hidden_prefix = side.compilation.base_directory + "/";
+  }
+  return requests;
+}
+
+}  // namespace
+
+std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
+                                                    const compilation::CompilationRequest& common) {
+  if (!words.revisions.empty()) return ResolveRevisions(words, common);
+  DiffRequests requests;
+  std::vector<std::string> paths = words.paths;
+  std::vector<std::string> names;
+  if (words.external) {
+    // git's words: path old-file old-hex old-mode new-file new-hex new-mode; of a renamed file its new path and how
+    // much it is like the old one, too. A file that one side alone has is compared with the empty device.
+    if (paths.size() != 7 && paths.size() != 9) return "--git-external takes the words that git gives to a diff tool";
+    names = {paths[0], paths[paths.size() == 9 ? 7 : 0]};
+    paths = {paths[1], paths[4]};
+    if (paths[0] == kNoFile || paths[1] == kNoFile) {
+      requests.one_sided = names[0] + ": only in the " + (paths[0] == kNoFile ? "new" : "old") + " version";
+      return requests;
+    }
+  }
+  if (paths.size() != 2)
+    return "diff takes an old and a new program: two files, two directories, or --git A..B SOURCE...";
+  for (const bool is_old : {true, false}) {
+    DiffRequest& side = is_old ? requests.old_side : requests.new_side;
+    const size_t at = is_old ? 0 : 1;
+    side.compilation = common;
+    side.label = names.empty() ? paths[at] : names[at] + (is_old ? " (old)" : " (new)");
+    if (!names.empty()) side.file_name = names[at];
+    if (std::optional<std::string> wrong = FillRequest(paths[at], words.sources, side.compilation)) return *wrong;
+  }
+  return requests;
+}
+
+}  // namespace plcxx::review::diff

@@ -1,0 +1,298 @@
+#include "transpiler/review/properties/runs.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/properties/answers.h"
+#include "transpiler/prove/terms/random.h"
+#include "transpiler/scenarios/control.h"
+#include "transpiler/scenarios/plan.h"
+#include "transpiler/scenarios/property_monitor.h"
+#include "transpiler/sim/clock.h"
+#include "transpiler/sim/simulator.h"
+
+namespace plcxx::review::properties {
+namespace {
+
+using prove::execute::CellId;
+using prove::terms::Random;
+
+constexpr uint32_t kRunPeriods = 20'000;  // of one run
+constexpr uint32_t kRandomPeriods = 200;
+constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
+/// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
+constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
+/// The answer is there; a short one is read more easily.
+constexpr std::chrono::seconds kShorteningTime{2};
+
+uint32_t PeriodsOfMs(const scenarios::ProveMachine& machine, uint64_t ms) {
+  const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
+  return static_cast<uint32_t>(std::clamp<uint64_t>((ms + period_ms - 1) / period_ms, 1, kRunPeriods));
+}
+
+/// The program in the simulator, with the dialect's simulated control around it, watched period by period.
+class Watched {
+ public:
+  Watched(const scenarios::ProveMachine& machine, const prove::properties::Property& property)
+      : machine_(machine),
+        program_(machine.compilation.program),
+        simulator_(program_),
+        control_(program_, *machine.compilation.dialect, simulator_,
+                 machine.compilation.dialect->make_stub(program_, machine.compilation.options)),
+        clock_(program_, {&simulator_}),
+        monitor_(program_, machine.version.cells, {property}) {
+    clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+    clock_.after_period = [this](uint32_t now_ms) {
+      control_.AfterPeriod(now_ms);
+      monitor_.AfterPeriod(simulator_, now_ms);
+    };
+    clock_.PowerOn();
+    control_.PowerOn();
+  }
+
+  void Set(CellId id, bool value) {
+    const prove::execute::Cell cell = prove::execute::CellAt(program_, machine_.version.cells, id);
+    dialects::Location location;
+    location.place.type = ir::Type::kBit;
+    location.place.space = cell.space;
+    location.place.offset = cell.offset;
+    location.place.bit = cell.bit;
+    control_.Set(location, value ? 1 : 0);
+  }
+
+  /// false: the program got stuck.
+  bool RunPeriod() { return clock_.RunMs(std::max(1U, program_.schedule.period_ms)) != sim::Step::kStuck; }
+  bool violated() const { return monitor_.violation().has_value(); }
+
+ private:
+  const scenarios::ProveMachine& machine_;
+  const ir::Program& program_;
+  sim::Simulator simulator_;
+  scenarios::ScenarioControl control_;
+  sim::Clock clock_;
+  scenarios::PropertyMonitor monitor_;
+};
+
+}  // namespace
+
+PropertyRuns::PropertyRuns(const scenarios::ProveMachine& machine,
+                           const std::vector<std::vector<scenarios::KnownStep>>& known)
+    : machine_(machine),
+      inputs_(prove::properties::InputsOf(machine.version)),
+      can_be_set_(machine.version.cells.count) {
+  const std::vector<bool> requests = prove::compare::RequestCells(machine.version);
+  std::vector<CellId> cells;
+  for (uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i] || requests[i]) cells.emplace_back(i);
+  }
+  for (const scenarios::InputWord& word : scenarios::WordsOf(machine, cells)) {
+    if (word.name.empty()) continue;
+    for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs_[cell.index] || requests[cell.index];
+  }
+  for (const std::vector<scenarios::KnownStep>& steps : known) AddPlanOf(steps);
+}
+
+/// What the scenario sets beside inputs is left out: a proof is about power-on with all memory 0.
+void PropertyRuns::AddPlanOf(const std::vector<scenarios::KnownStep>& steps) {
+  const dialects::Dialect& dialect = *machine_.compilation.dialect;
+  const ir::Program& program = machine_.compilation.program;
+  const prove::properties::PropertyTiming& timing = machine_.timing;
+  Plan plan;
+  for (const scenarios::KnownStep& step : steps) {
+    if (step.power_cycle) break;
+    for (const auto& [word, text] : step.words) {
+      const std::optional<dialects::Location> location = dialect.locate(program, word);
+      if (!location || location->absent || location->text_input || location->cell) continue;
+      std::vector<CellId> cells;
+      if (!location->bits.empty()) {
+        for (const ir::Place& bit : location->bits)
+          cells.push_back(prove::execute::CellsOf(program, machine_.version.cells, bit).front());
+      } else if (prove::execute::IsInside(program, location->place)) {
+        cells = prove::execute::CellsOf(program, machine_.version.cells, location->place);
+      }
+      const std::optional<uint64_t> value = scenarios::ParseScenarioValue(text, location->place.type, dialect);
+      for (size_t i = 0; value && i < cells.size(); ++i) {
+        if (!can_be_set_[cells[i].index]) continue;
+        const bool on = (*value >> i & 1) != 0;
+        // Of a request the program alone decides when it begins.
+        if (inputs_[cells[i].index] || !on) plan.events.push_back({plan.periods + 1, cells[i], on});
+      }
+    }
+    const uint64_t fast =
+        (uint64_t{step.fast} * timing.fast_periods + timing.fast_per_period - 1) / std::max(1U, timing.fast_per_period);
+    const uint64_t periods =
+        uint64_t{step.slow} * timing.slow_periods + fast + (step.ms == 0 ? 0 : PeriodsOfMs(machine_, step.ms));
+    plan.periods = static_cast<uint32_t>(std::min<uint64_t>(kRunPeriods, plan.periods + periods));
+  }
+  if (plan.periods > 0) known_.push_back(std::move(plan));
+}
+
+uint32_t PropertyRuns::ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const {
+  Watched watched(machine_, property);
+  size_t next = 0;
+  for (uint32_t period = 1; period <= plan.periods; ++period) {
+    for (; next < plan.events.size() && plan.events[next].period <= period; ++next) {
+      watched.Set(plan.events[next].cell, plan.events[next].value);
+    }
+    if (!watched.RunPeriod()) return 0;
+    if (watched.violated()) return period;
+    if (Late()) return 0;
+  }
+  return 0;
+}
+
+std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties::RunSearch& search) const {
+  const prove::properties::Property& property = *search.property;
+  const auto violates = [&](Plan& plan) {
+    const uint32_t periods = ViolatedAfter(property, plan);
+    if (periods == 0) return false;
+    plan.periods = periods;
+    std::erase_if(plan.events, [periods](const RunEvent& event) { return event.period > periods; });
+    return true;
+  };
+  for (Plan plan : known_) {
+    if (Late()) return std::nullopt;
+    if (violates(plan)) return plan;
+  }
+  std::vector<CellId> inputs, of_machine;  // nearest first
+  for (const CellId cell : search.inputs) {
+    if (!can_be_set_[cell.index]) continue;
+    inputs.push_back(cell);
+    if (prove::compare::DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
+  }
+  std::vector<CellId> requests;
+  for (const CellId cell : search.requests) {
+    if (can_be_set_[cell.index]) requests.push_back(cell);
+  }
+  // In every other run the control does what it is asked for, after a while or at once.
+  const auto add_done_requests = [&](Random& chosen, int run, Plan& plan) {
+    if (requests.empty() || run % 2 == 0) return;
+    const uint64_t pause = uint64_t{1} << chosen.Next() % 6;
+    for (uint32_t period = 2; period <= plan.periods; period += static_cast<uint32_t>(1 + chosen.Next() % pause)) {
+      for (const CellId cell : requests) plan.events.push_back({period, cell, false});
+    }
+    std::ranges::stable_sort(plan.events, {}, &RunEvent::period);
+  };
+  Random random(0x9E3779B97F4A7C15);
+  const uint32_t hold = std::min(kRunPeriods, PeriodsOfMs(machine_, kHoldMs));
+  for (int run = 0; run < kShortHoldRuns + kLongHoldRuns && !Late(); ++run) {
+    const bool is_short = run < kShortHoldRuns;
+    Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
+    // Settings that the host might change say little about most machines.
+    for (const CellId cell : is_short ? of_machine : inputs) {
+      // First all at once.
+      const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
+      if (value) plan.events.push_back({1, cell, true});
+    }
+    add_done_requests(random, run, plan);
+    if (violates(plan)) return plan;
+  }
+  for (int run = 0; (run < kRandomRuns || search.thorough) && !Late(); ++run) {
+    // Inputs change seldom in some runs and often in others.
+    const uint64_t one_in = uint64_t{2} << (run % 6), density = 1 + static_cast<uint64_t>(run) % 3;
+    Plan plan{.events = {}, .periods = kRandomPeriods};
+    if (!known_.empty() && run % 2 == 1) {
+      // The machine at work, and then something unexpected.
+      plan = known_[random.Next() % known_.size()];
+      plan.periods = static_cast<uint32_t>(1 + random.Next() % plan.periods);
+      std::erase_if(plan.events, [&plan](const RunEvent& event) { return event.period > plan.periods; });
+      for (int i = 0; i < kDisturbedPeriods && !inputs.empty(); ++i) {
+        ++plan.periods;
+        for (uint64_t changes = 1 + random.Next() % 3; changes > 0; --changes)
+          plan.events.push_back({plan.periods, inputs[random.Next() % inputs.size()], (random.Next() >> 7 & 1) != 0});
+        if (random.OneIn(3)) plan.periods += static_cast<uint32_t>(random.Next() % kRandomPeriods);
+      }
+    } else {
+      for (uint32_t period = 1; period <= plan.periods; ++period) {
+        for (const CellId cell : run % 4 == 0 ? of_machine : inputs) {
+          if (period == 1 || random.OneIn(one_in)) plan.events.push_back({period, cell, random.Next() % 4 < density});
+        }
+        if (random.OneIn(8)) {
+          const auto wait = static_cast<uint32_t>(random.Next() % kRandomPeriods);
+          period += wait;
+          plan.periods = std::min(kRunPeriods, plan.periods + wait);
+        }
+      }
+    }
+    // Not the same runs in which the known ones are disturbed.
+    add_done_requests(random, run / 2, plan);
+    if (violates(plan)) return plan;
+  }
+  return std::nullopt;
+}
+
+bool PropertyRuns::Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const {
+  if (Late()) return false;
+  const uint32_t periods = ViolatedAfter(property, shorter);
+  if (periods == 0 || periods > plan.periods) return false;
+  shorter.periods = periods;
+  std::erase_if(shorter.events, [periods](const RunEvent& event) { return event.period > periods; });
+  plan = std::move(shorter);
+  return true;
+}
+
+/// Leaves out what need not be set, in halves and smaller pieces, and what need not be waited for.
+void PropertyRuns::Shorten(const prove::properties::Property& property, Plan& plan) const {
+  ShortenWaits(property, plan);  // first: a short run is soon tried
+  for (size_t piece = std::max<size_t>(1, plan.events.size() / 2); piece > 0; piece /= 2) {
+    for (size_t begin = 0; begin < plan.events.size() && !Late();) {
+      Plan shorter = plan;
+      const size_t end = std::min(begin + piece, shorter.events.size());
+      shorter.events.erase(shorter.events.begin() + static_cast<ptrdiff_t>(begin),
+                           shorter.events.begin() + static_cast<ptrdiff_t>(end));
+      if (!Try(property, plan, std::move(shorter))) begin += piece;
+    }
+  }
+  ShortenWaits(property, plan);
+}
+
+void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Plan& plan) const {
+  for (size_t i = 0; i < plan.events.size(); ++i) {
+    const uint32_t before = i == 0 ? 1 : plan.events[i - 1].period;
+    for (uint32_t cut = plan.events[i].period - before; cut > 0 && !Late();) {
+      Plan shorter = plan;
+      for (size_t later = i; later < shorter.events.size(); ++later) shorter.events[later].period -= cut;
+      if (Try(property, plan, std::move(shorter))) {
+        if (i >= plan.events.size()) return;
+        cut = std::min(cut, plan.events[i].period - before);
+      } else {
+        cut /= 2;
+      }
+    }
+  }
+}
+
+std::optional<prove::properties::PropertyRun> PropertyRuns::Find(const prove::properties::RunSearch& search) {
+  deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(search.milliseconds);
+  std::optional<Plan> plan = FindPlan(search);
+  if (!plan) return std::nullopt;
+  deadline_ = std::chrono::steady_clock::now() + kShorteningTime;
+  Shorten(*search.property, *plan);
+  prove::properties::PropertyRun run;
+  const uint32_t parts =
+      machine_.compilation.program.schedule.fast_ms == 0 ? 1 : std::max(1U, machine_.timing.fast_per_period);
+  run.periods.assign(plan->periods, std::vector<std::vector<prove::properties::InputValue>>(parts));
+  const std::vector<bool> handshakes = prove::properties::HandshakeCells(machine_.version);
+  std::map<CellId, bool> now;
+  for (const RunEvent& event : plan->events) {
+    const auto [at, added] = now.try_emplace(event.cell, false);
+    // What the program writes, too, may be something else by now.
+    const bool stays = inputs_[event.cell.index] && !handshakes[event.cell.index];
+    if (!added && at->second == event.value && stays) continue;
+    at->second = event.value;
+    std::vector<prove::properties::InputValue>& inputs = run.periods[event.period - 1].front();
+    const auto same = std::ranges::find(inputs, event.cell, &prove::properties::InputValue::cell);
+    if (same == inputs.end()) {
+      inputs.push_back({event.cell, event.value});
+    } else {
+      same->value = event.value;
+    }
+  }
+  return run;
+}
+
+bool PropertyRuns::Late() const { return std::chrono::steady_clock::now() >= deadline_; }
+
+}  // namespace plcxx::review::properties

@@ -1,0 +1,58 @@
+// Runs of a program in the simulator that violate a property: found by trying, then shortened.
+//
+// In: a program, a property, the inputs and requests that matter to it. Out: a run from power-on after which the
+// property is violated, also where that takes a long start-up or a timer of minutes, which a solver does not reach. Not
+// its job: showing that there is none (prove/properties/check.h).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "transpiler/prove/properties/check.h"
+#include "transpiler/scenarios/known_runs.h"
+#include "transpiler/scenarios/property_machine.h"
+
+namespace plcxx::review::properties {
+
+/// Inputs as they are set before a period, requests as they are taken back.
+struct RunEvent {
+  uint32_t period = 0;  // from 1
+  prove::execute::CellId cell;
+  bool value = false;
+};
+
+class PropertyRuns {
+ public:
+  /// `known`: what the scenarios beside the program do. The machine outlives it.
+  PropertyRuns(const scenarios::ProveMachine& machine, const std::vector<std::vector<scenarios::KnownStep>>& known);
+
+  /// Those of the scenarios; those in which the inputs are set once and then nothing happens; random ones; the
+  /// scenarios with something unexpected in the middle. Ends with the first violation, or the time.
+  std::optional<prove::properties::PropertyRun> Find(const prove::properties::RunSearch& search);
+
+ private:
+  using Events = std::vector<RunEvent>;  // ascending by period
+  struct Plan {
+    Events events;
+    uint32_t periods = 0;
+  };
+
+  void AddPlanOf(const std::vector<scenarios::KnownStep>& steps);
+  bool Late() const;
+  /// The period after which the property is violated in this run; 0: in none of its periods, or it is late.
+  uint32_t ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const;
+  std::optional<Plan> FindPlan(const prove::properties::RunSearch& search) const;
+  void Shorten(const prove::properties::Property& property, Plan& plan) const;
+  void ShortenWaits(const prove::properties::Property& property, Plan& plan) const;
+  bool Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const;
+
+  const scenarios::ProveMachine& machine_;
+  std::vector<Plan> known_;
+  std::vector<bool> inputs_;      // by cell
+  std::vector<bool> can_be_set_;  // by cell: it is an input or a request, and has a name in scenarios
+  std::chrono::steady_clock::time_point deadline_;
+};
+
+}  // namespace plcxx::review::properties

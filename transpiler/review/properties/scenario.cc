@@ -1,0 +1,178 @@
+#include "transpiler/review/properties/scenario.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+
+#include "transpiler/prove/compare/transition.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/project_files.h"
+#include "transpiler/scenarios/scenario.h"
+#include "transpiler/scenarios/suite.h"
+#include "transpiler/scenarios/yaml_words.h"
+
+namespace plcxx::review::properties {
+namespace {
+
+using prove::execute::CellId;
+
+std::string Scalar(const std::string& text) { return scenarios::YamlWord(text, "_./"); }
+
+/// `path`, which the request names, from `directory`.
+std::string PathFrom(const std::string& directory, const compilation::CompilationRequest& request,
+                     const std::string& path) {
+  const std::filesystem::path full = std::filesystem::absolute(std::filesystem::path(request.base_directory) / path);
+  const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory);
+  const std::filesystem::path relative = full.lexically_normal().lexically_relative((from / "").lexically_normal());
+  return relative.empty() ? full.generic_string() : relative.generic_string();
+}
+
+std::string Heading(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
+                    const prove::properties::Property& property, const std::string& directory) {
+  std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
+                         ? "# A run behind which no inputs move the output in time.\n"
+                         : "# A run that violates the property: it passes when the program has been repaired.\n";
+  std::vector<std::string> sources;
+  std::string names, separator;
+  for (const std::string& source : request.sources) {
+    sources.push_back(PathFrom(directory, request, source));
+    names += separator + Scalar(sources.back());
+    separator = ", ";
+  }
+  text += scenarios::ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
+          "\nsources: [" + names + "]\n";
+  separator.clear();
+  std::string options;
+  for (const auto& [key, value] : machine.compilation.options) {
+    std::string written = value;
+    // A file that the option names stands where the sources do.
+    const std::filesystem::path file = std::filesystem::path(request.base_directory) / value;
+    std::error_code none;
+    if (!value.empty() && std::filesystem::is_regular_file(file, none)) written = PathFrom(directory, request, value);
+    options += separator + Scalar(key) + ": " + Scalar(written);
+    separator = ", ";
+  }
+  if (request.encoding) options += separator + "encoding: " + std::string(source::Name(*request.encoding));
+  if (!options.empty()) text += "options: {" + options + "}\n";
+  return text + "properties:\n- " + Scalar(property.text) + "\n";
+}
+
+/// The steps of the run; false: an input has no name.
+bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
+                PropertyScenario& scenario) {
+  std::vector<CellId> cells;
+  for (const prove::properties::InputValue& stored : run.retentive) cells.push_back(stored.cell);
+  for (const auto& period : run.periods) {
+    for (const auto& part : period) {
+      for (const prove::properties::InputValue& input : part) {
+        if (std::ranges::find(cells, input.cell) == cells.end()) cells.push_back(input.cell);
+      }
+    }
+  }
+  std::ranges::sort(cells);
+  const std::vector<scenarios::InputWord> words = scenarios::WordsOf(machine, cells);
+  if (std::ranges::any_of(words, [](const scenarios::InputWord& word) { return word.name.empty(); })) return false;
+  const ir::Program& program = machine.compilation.program;
+  const ir::Schedule& schedule = program.schedule;
+  const std::string time = std::to_string(schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
+  const bool by_slow = machine.slices > 1;
+  // A scenario sets whole words: what the run does not name of them is as it was when power came.
+  std::map<CellId, bool> now;
+  for (const scenarios::InputWord& word : words) {
+    for (const CellId id : word.cells) {
+      const prove::execute::Cell cell = prove::execute::CellAt(program, machine.version.cells, id);
+      now[id] = cell.kind == prove::execute::CellKind::kBit &&
+                prove::compare::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
+    }
+  }
+  uint32_t runs = 0;  // parts without a change in between
+  std::string steps;
+  const auto add_line = [&](const std::string& part) { scenario.steps += (scenario.steps.empty() ? "" : ", ") + part; };
+  const auto flush = [&] {
+    if (runs == 0) return;
+    const std::string count = by_slow ? std::to_string(runs) : std::to_string(uint64_t{runs} * std::stoul(time));
+    steps += by_slow ? "- run: {slow: " + count + "}\n" : "- run: {ms: " + count + "}\n";
+    add_line(by_slow ? "slow " + count : count + " ms");
+    runs = 0;
+  };
+  const auto set = [&](const std::vector<prove::properties::InputValue>& part) {
+    for (const prove::properties::InputValue& input : part) now[input.cell] = input.value;
+    std::string sets;
+    for (const scenarios::InputWord& word : words) {
+      const bool changes = std::ranges::any_of(part, [&](const prove::properties::InputValue& input) {
+        return std::ranges::find(word.cells, input.cell) != word.cells.end();
+      });
+      if (!changes) continue;
+      uint64_t value = 0;
+      for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
+      sets += (sets.empty() ? "" : ", ") + Scalar(word.name) + ": " + std::to_string(value);
+      add_line(word.name + "=" + std::to_string(value));
+    }
+    if (!sets.empty()) steps += "- set: {" + sets + "}\n";
+  };
+  if (!run.retentive.empty()) {
+    set(run.retentive);
+    // Some controls keep the memory only when the program has asked for it.
+    const ir::PlaceId asked = schedule.retain_at_power_off;
+    if (asked.valid()) {
+      const std::vector<scenarios::InputWord> request =
+          scenarios::WordsOf(machine, prove::execute::CellsOf(program, machine.version.cells, program.places[asked]));
+      if (!request.front().name.empty()) {
+        steps += "- set: {" + Scalar(request.front().name) + ": 1}\n";
+        add_line(request.front().name + "=1");
+      }
+    }
+    steps += "- power_cycle: {}\n";
+    add_line("power cycle");
+  }
+  for (const auto& period : run.periods) {
+    for (const auto& part : period) {
+      if (!part.empty()) flush();
+      set(part);
+      ++runs;
+    }
+  }
+  flush();
+  scenario.yaml += "steps:\n" + steps;
+  return true;
+}
+
+}  // namespace
+
+PropertyScenario MakePropertyScenario(const scenarios::ProveMachine& machine,
+                                      const compilation::CompilationRequest& request,
+                                      const prove::properties::Property& property,
+                                      const prove::properties::PropertyResult& result, const ScenarioPlace& place) {
+  PropertyScenario scenario;
+  const bool is_stuck = property.kind == prove::properties::PropertyKind::kNeverStuck;
+  scenario.yaml = Heading(machine, request, property, place.directory);
+  if (!WriteSteps(machine, *result.run, scenario)) {
+    scenario.reason = "an input has no name that a scenario can set";
+    return scenario;
+  }
+  if (is_stuck) {
+    const uint64_t ms = uint64_t{property.periods} * machine.compilation.program.schedule.period_ms;
+    scenario.yaml +=
+        "- run: {" + (machine.slices > 1 ? "slow: " + std::to_string(property.periods) : "ms: " + std::to_string(ms)) +
+        "}\n- expect: {" + Scalar(property.operands.front().text) + ": " + (result.stuck_at ? "1" : "0") + "}\n";
+  }
+  const std::string path = (std::filesystem::path(place.directory) / place.name).generic_string();
+  scenarios::ScenarioOrErrors read = scenarios::ParseScenario(path, scenario.yaml);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    scenario.reason = ToText(errors->front());
+    return scenario;
+  }
+  // The program as it was asked for: the directory of the scenario need not be there yet.
+  scenarios::ScenarioProgram program(request);
+  const scenarios::ScenarioResult ran = scenarios::TestScenario(std::get<scenarios::Scenario>(read), {}, program);
+  const bool violates =
+      ran.test.outcome == scenarios::TestOutcome::kFailed && ran.test.text.find("property '") != std::string::npos;
+  if (is_stuck ? ran.test.outcome == scenarios::TestOutcome::kPassed : violates) return scenario;
+  scenario.reason = ran.test.outcome == scenarios::TestOutcome::kPassed
+                        ? "the simulation, with its slices and its simulated control, does not show it"
+                        : ran.test.text.substr(0, ran.test.text.find('\n'));
+  return scenario;
+}
+
+}  // namespace plcxx::review::properties

@@ -1,0 +1,169 @@
+#include "transpiler/scenarios/control.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace plcxx::scenarios {
+namespace {
+
+ir::Place ByteOf(ir::SpaceId space, uint32_t offset) {
+  ir::Place place;
+  place.type = ir::Type::kI8;
+  place.space = space;
+  place.offset = offset;
+  return place;
+}
+
+/// What a value of the type can hold.
+uint64_t Fitting(ir::Type type, uint64_t value) {
+  if (type == ir::Type::kNone) return 0;
+  if (type == ir::Type::kBit) return value != 0 ? 1 : 0;
+  const uint32_t bits = 8 * ir::Bytes(type);
+  return bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1);
+}
+
+std::string DeclaredText(const ir::Program& program, uint32_t number) {
+  for (const ir::MessageText& message : program.messages) {
+    if (message.number == number) return message.text;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string TextOf(const ShownMessage& message) {
+  return message.text.empty() ? "message " + std::to_string(message.number) : message.text;
+}
+
+ScenarioControl::ScenarioControl(const ir::Program& program, const dialects::Dialect& dialect, sim::Engine& engine,
+                                 std::unique_ptr<dialects::ControlStub> stub)
+    : program_(program), dialect_(dialect), engine_(engine), stub_(std::move(stub)), messages_(program) {
+  for (const ir::Space& space : program.spaces) set_bits_.emplace_back(space.bytes, uint8_t{0});
+  if (!stub_) return;
+  engine_.AnswerHostCalls(
+      [this](ir::HostFunctionId function, std::span<const uint64_t> arguments) { return Answer(function, arguments); });
+}
+
+sim::HostAnswer ScenarioControl::Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments) {
+  const ir::HostFunction& function = program_.host_functions[id];
+  sim::HostAnswer answer;
+  answer.result = Fitting(function.result, stub_->Call(function, arguments, *this, answer.out));
+  if (answer.out) answer.out = Fitting(function.out.type, *answer.out);
+  return answer;
+}
+
+void ScenarioControl::PowerOff() {
+  for (std::vector<uint8_t>& bits : set_bits_) std::fill(bits.begin(), bits.end(), uint8_t{0});
+  if (stub_) stub_->PowerOff();
+}
+
+void ScenarioControl::PowerOn() {
+  messages_.PowerOn();
+  if (stub_) stub_->PowerOn(*this);
+}
+
+void ScenarioControl::BeforePeriod(uint32_t now_ms) {
+  if (stub_) stub_->BeforePeriod(now_ms, *this);
+}
+
+void ScenarioControl::AfterPeriod(uint32_t now_ms) {
+  LookAtMessages();
+  if (!stub_) return;
+  const ir::PlaceId slow_done = program_.schedule.slow_done;
+  const uint64_t cycles = slow_done.valid() ? engine_.Read(program_.places[slow_done]) : 0;
+  stub_->AfterPeriod(now_ms, static_cast<uint32_t>(cycles), *this);
+}
+
+void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
+  if (location.cell) {
+    if (stub_) stub_->WriteCell(*location.cell, value);
+    return;
+  }
+  for (const auto& [place, part] : WritesTo(location, value)) SetPlace(place, part);
+}
+
+void ScenarioControl::SetPlace(const ir::Place& place, uint64_t value) {
+  if (stub_ && stub_->Takes(place, value)) return;
+  engine_.Write(place, value);
+  if (stub_ && stub_->Written(place, value, *this)) return;
+  NoteSet(place);
+}
+
+void ScenarioControl::NoteSet(const ir::Place& place) {
+  if (place.is_field() || !place.space.valid()) return;
+  std::vector<uint8_t>& bits = set_bits_[place.space.index];
+  for (uint32_t i = 0; i < ir::Bytes(place.type) && place.offset + i < bits.size(); ++i) {
+    uint8_t& mask = bits[place.offset + i];
+    mask = place.type == ir::Type::kBit ? static_cast<uint8_t>(mask | 1u << place.bit) : uint8_t{0xFF};
+  }
+}
+
+sim::ReadWatched ScenarioControl::Reader() {
+  return [this](const sim::Watched& watched) {
+    if (watched.cell) return ReadCell(*watched.cell);
+    dialects::Location location;
+    location.place = watched.place;
+    location.bits = watched.bits;
+    location.has_sign = watched.sign == sim::Sign::kTwosComplement;
+    return ReadLocation(engine_, location);
+  };
+}
+
+void ScenarioControl::LookAtMessages() {
+  messages_.Observe(engine_);
+  for (const uint32_t number : messages_.TakeEntered()) {
+    const std::string declared = DeclaredText(program_, number);
+    const std::string shown =
+        dialect_.message_text != nullptr ? dialect_.message_text(program_, number, *this) : declared;
+    shown_.push_back({number, declared.empty() ? shown : declared, shown});
+  }
+}
+
+std::vector<ShownMessage> ScenarioControl::TakeMessages() { return std::exchange(shown_, {}); }
+
+uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
+  if (const std::span<const uint8_t> bytes = engine_.Memory(space); offset < bytes.size()) return bytes[offset];
+  return static_cast<uint8_t>(engine_.Read(ByteOf(space, offset)));
+}
+
+void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
+  const uint8_t before = Get(space, offset);
+  const uint8_t kept = set_bits_[space.index][offset];
+  const auto after = static_cast<uint8_t>((before & kept) | (value & ~kept));
+  if (after != before) engine_.Write(ByteOf(space, offset), after);
+}
+
+std::vector<std::pair<ir::Place, uint64_t>> WritesTo(const dialects::Location& location, uint64_t value) {
+  if (location.bits.empty()) return {{location.place, value}};
+  std::vector<std::pair<ir::Place, uint64_t>> writes;
+  for (size_t i = 0; i < location.bits.size(); ++i) writes.emplace_back(location.bits[i], (value >> i) & 1);
+  return writes;
+}
+
+uint64_t FittingField(const dialects::Location& location, uint64_t value) {
+  if (location.bits.empty()) return value;
+  const uint64_t high = ~uint64_t{0} << location.bits.size();
+  const bool negative = location.has_sign && ((value >> (location.bits.size() - 1)) & 1) != 0;
+  return Fitting(location.place.type, negative ? value | high : value & ~high);
+}
+
+uint64_t ReadLocation(sim::Engine& engine, const dialects::Location& location) {
+  if (location.bits.empty()) return engine.Read(location.place);
+  uint64_t value = 0;
+  for (size_t i = 0; i < location.bits.size(); ++i) value |= engine.Read(location.bits[i]) << i;
+  return FittingField(location, value);
+}
+
+sim::Watched WatchLocation(const ir::Program& program, std::string name, const dialects::Location& location) {
+  sim::Watched watched;
+  if (location.cell) {
+    watched = {.name = std::move(name), .scope = "ports", .place = location.place, .cell = location.cell};
+  } else {
+    watched = sim::Watch(program, std::move(name), location.place);
+  }
+  watched.sign = SignOf(location);
+  watched.bits = location.bits;
+  return watched;
+}
+
+}  // namespace plcxx::scenarios

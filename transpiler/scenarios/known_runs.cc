@@ -1,0 +1,77 @@
+#include "transpiler/scenarios/known_runs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "transpiler/scenarios/scenario.h"
+
+namespace plcxx::scenarios {
+namespace {
+
+/// The scenario files of one directory, sorted; none when there are none.
+std::vector<std::string> FindScenariosIn(const std::string& directory) {
+  std::vector<std::string> found;
+  std::error_code error;
+  const std::string where = directory.empty() ? "." : directory;
+  for (const auto& entry : std::filesystem::directory_iterator(where, error)) {
+    if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<KnownStep> StepsOf(const std::vector<ScenarioStep>& steps) {
+  std::vector<KnownStep> known;
+  KnownStep next;
+  for (const ScenarioStep& step : steps) {
+    if (const auto* const set = std::get_if<SetStep>(&step.action)) {
+      for (const Assignment& assignment : set->assignments) {
+        next.words.emplace_back(assignment.location.text, assignment.value.text);
+      }
+    } else if (const auto* const run = std::get_if<RunStep>(&step.action)) {
+      for (const RunPart& part : run->parts) {
+        switch (part.unit) {
+          case RunUnit::kSlowCycles:
+            next.slow = part.count;
+            break;
+          case RunUnit::kFastTicks:
+            next.fast = part.count;
+            break;
+          case RunUnit::kMilliseconds:
+            next.ms = part.count;
+            break;
+        }
+        known.push_back(std::exchange(next, {}));
+      }
+    } else if (std::holds_alternative<PowerCycleStep>(step.action)) {
+      // What was set before holds while the power is off.
+      if (!next.words.empty()) known.push_back(std::exchange(next, {}));
+      next.power_cycle = true;
+    } else if (!std::holds_alternative<ExpectStep>(step.action) &&
+               !std::holds_alternative<ExpectCallsStep>(step.action) &&
+               !std::holds_alternative<ExpectMessagesStep>(step.action)) {
+      break;
+    }
+  }
+  return known;
+}
+
+}  // namespace
+
+std::vector<std::vector<KnownStep>> KnownRuns(const compilation::CompilationRequest& request) {
+  std::vector<std::vector<KnownStep>> runs;
+  const std::filesystem::path source = std::filesystem::path(request.base_directory) / request.sources.front();
+  for (const std::string& path : FindScenariosIn(source.parent_path().string())) {
+    const ScenarioOrErrors read = ReadScenario(path);
+    const auto* const scenario = std::get_if<Scenario>(&read);
+    if (scenario == nullptr || !scenario->steps) continue;
+    std::vector<KnownStep> steps = StepsOf(*scenario->steps);
+    if (!steps.empty()) runs.push_back(std::move(steps));
+  }
+  return runs;
+}
+
+}  // namespace plcxx::scenarios

@@ -1,0 +1,95 @@
+#include "transpiler/scenarios/program.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace plcxx::scenarios {
+
+std::string KeyOf(const compilation::CompilationRequest& request) {
+  std::string key;
+  const auto add = [&key](const std::string& word) { key += std::to_string(word.size()) + ":" + word; };
+  add(request.dialect);
+  add(request.base_directory);
+  for (const std::string& path : request.sources) add(path);
+  key += ";";
+  for (const auto& [name, value] : request.options) {
+    add(name);
+    add(value);
+  }
+  key += ";";
+  if (request.encoding) add(std::string(source::Name(*request.encoding)));
+  key += ";";
+  for (const std::string& directory : request.system_include_directories) add(directory);
+  key += ";";
+  for (const std::string& code : request.warnings.enabled) add(code);
+  return key;
+}
+
+compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
+  compilation::CompilationRequest request;
+  request.dialect = scenario.dialect;
+  request.base_directory = scenario.directory;
+  request.sources = scenario.sources;
+  if (!overrides.sources.empty()) {
+    // Named on the command line: relative to the current directory, not to the scenario.
+    request.sources.clear();
+    for (const std::string& path : overrides.sources)
+      request.sources.push_back(std::filesystem::absolute(path).string());
+  }
+  request.options = overrides.options;
+  for (const auto& [name, value] : scenario.options) {
+    // Options that are the tool's own and not the dialect's; a name that is none is refused as an option.
+    const std::optional<source::Encoding> encoding =
+        name == "encoding" ? source::EncodingByName(value) : std::optional<source::Encoding>();
+    if (encoding) {
+      request.encoding = encoding;
+    } else if (name == "system-include") {
+      request.system_include_directories.push_back((std::filesystem::path(scenario.directory) / value).string());
+    } else if (name != "encoding" || value != "auto") {
+      request.options.emplace_back(name, value);
+    }
+  }
+  request.warnings = overrides.warnings;
+  for (const ExpectedWarning& warning : scenario.warnings.value_or(std::vector<ExpectedWarning>())) {
+    request.warnings.enabled.insert(warning.code);
+  }
+  return request;
+}
+
+emit::Flavour FlavourFor(const Scenario& scenario) {
+  const bool forces =
+      scenario.steps && std::ranges::any_of(*scenario.steps, [](const ScenarioStep& step) {
+        return std::holds_alternative<ForceStep>(step.action) || std::holds_alternative<ReleaseStep>(step.action);
+      });
+  return forces ? emit::Flavour::kDebug : emit::Flavour::kRelease;
+}
+
+compilation::Compilation& ScenarioProgram::Compiled() {
+  if (compiled_ != nullptr) return *compiled_;
+  std::call_once(compile_once_, [this] { compilation_ = compilation::Compile(request_); });
+  return compilation_;
+}
+
+ScenarioProgram::Built& ScenarioProgram::BuiltOn(const engines::Platform& platform, emit::Flavour flavour) {
+  const std::lock_guard lock(built_mutex_);
+  return built_[{platform.name, flavour}];
+}
+
+engines::CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const engines::Platform>& platform,
+                                               emit::Flavour flavour) {
+  const compilation::Compilation& compilation = Compiled();
+  Built& built = BuiltOn(*platform, flavour);
+  std::call_once(built.once, [&] {
+    built.result = engines::CompileFor(platform, compilation.program, *compilation.sources, flavour);
+  });
+  return built.result;
+}
+
+void ScenarioProgram::Give(const engines::Platform& platform, emit::Flavour flavour,
+                           engines::CompiledOrFailure result) {
+  Built& built = BuiltOn(platform, flavour);
+  std::call_once(built.once, [&] { built.result = std::move(result); });
+}
+
+}  // namespace plcxx::scenarios

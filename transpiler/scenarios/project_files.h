@@ -1,0 +1,21 @@
+// The project that a file belongs to, and what is outside of it.
+//
+// Scenarios of strangers are run for merge requests: what they name must not be any file of the machine, whose lines
+// the messages would print.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace plcxx::scenarios {
+
+/// `named` is a path in `file`, relative to its folder. None when it is inside of the project of `file`, symbolic links
+/// followed; else the project's folder.
+std::optional<std::string> OutsideOfProject(const std::string& file, const std::string& named);
+
+/// A comment for a scenario that the tool writes into `directory`: how to run it when `sources`, relative to that
+/// folder, are in another project. Else nothing.
+std::string ReplayComment(const std::string& directory, std::span<const std::string> sources);
+
+}  // namespace plcxx::scenarios

@@ -1,0 +1,55 @@
+// Watches properties while a scenario runs: what a proof says about all runs is looked at in this one.
+//
+// In: properties and an engine after each period. Out: the first one that is violated. A program whose slow part is cut
+// into slices is looked at after its last slice. "is never stuck" cannot be seen in one run and is not watched.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/properties/property.h"
+#include "transpiler/prove/terms/terms.h"
+#include "transpiler/sim/engine.h"
+
+namespace plcxx::scenarios {
+
+class PropertyMonitor {
+ public:
+  /// `program` outlives it.
+  PropertyMonitor(const ir::Program& program, const prove::execute::Cells& cells,
+                  std::vector<prove::properties::Property> properties);
+
+  void PowerOn();
+  void AfterPeriod(sim::Engine& engine, uint32_t now_ms);
+  /// The first violation: "'never U4A8 and U4A9' does not hold"; stays.
+  const std::optional<std::string>& violation() const { return violation_; }
+
+ private:
+  struct Watched {
+    prove::execute::CellId cell;
+    ir::Place place;
+    uint8_t width;
+  };
+
+  bool IsEndOfPeriod(sim::Engine& engine, uint32_t now_ms);
+
+  const ir::Program& program_;
+  std::vector<prove::properties::Property> properties_;
+  std::vector<Watched> watched_;
+  uint32_t window_ = 1;
+  bool sliced_ = false;
+  uint64_t slow_done_ = 0;
+  std::optional<uint32_t> fast_seen_ms_;
+  uint32_t period_ = 0;
+  std::deque<std::map<prove::execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
+  prove::terms::Terms terms_;
+  std::optional<std::string> violation_;
+};
+
+}  // namespace plcxx::scenarios

@@ -1,0 +1,128 @@
+// A scenario file as it is written: what to compile, with which options, and the steps to run.
+//
+// In: YAML (section 6 of the design). Out: a Scenario, every word of it with its line and column, or all that is wrong
+// with the file. Not its job: what a location or a value means (scenario_plan.h) and running (scenario_run.h).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace plcxx::scenarios {
+
+/// A place in the scenario file, 1-based.
+struct ScenarioMark {
+  uint32_t line = 0;
+  uint32_t column = 0;
+};
+
+struct MarkedText {
+  std::string text;
+  ScenarioMark mark;
+};
+
+struct ScenarioError {
+  std::string path;
+  ScenarioMark mark;  // line 0: the file as a whole
+  std::string message;
+};
+
+/// "turret.yaml:3:7: message"
+std::string ToText(const ScenarioError& error);
+
+/// `I0A3: 1`
+struct Assignment {
+  MarkedText location;
+  MarkedText value;
+};
+
+struct SetStep {
+  std::vector<Assignment> assignments;
+};
+struct ExpectStep {
+  std::vector<Assignment> expectations;
+};
+struct ForceStep {
+  std::vector<Assignment> assignments;
+};
+struct ReleaseStep {
+  std::vector<MarkedText> locations;
+};
+
+enum class RunUnit : uint8_t { kSlowCycles, kFastTicks, kMilliseconds };
+struct RunPart {
+  RunUnit unit{};
+  uint32_t count = 0;
+};
+struct RunStep {
+  std::vector<RunPart> parts;  // in the order written
+};
+
+/// `axis_home: {axis: 1}`; `axis_home: none`: there is none.
+struct ExpectedCall {
+  MarkedText function;
+  std::vector<Assignment> arguments;
+  bool none = false;
+};
+struct ExpectCallsStep {
+  std::vector<ExpectedCall> calls;
+};
+/// Each by its number or its text.
+struct ExpectMessagesStep {
+  std::vector<std::string> messages;
+};
+struct PowerCycleStep {};
+
+using StepAction = std::variant<SetStep, RunStep, ExpectStep, ForceStep, ReleaseStep, ExpectCallsStep,
+                                ExpectMessagesStep, PowerCycleStep>;
+
+struct ScenarioStep {
+  uint32_t number = 0;  // 1-based
+  std::string name;     // "expect_calls"
+  ScenarioMark mark;
+  StepAction action;
+};
+
+struct ExpectedError {
+  ScenarioMark mark;
+  uint32_t line = 0;                  // 0: any
+  std::vector<std::string> contains;  // all of them
+  std::string file;                   // empty: whichever holds the error
+};
+
+struct ExpectedWarning {
+  ScenarioMark mark;
+  uint32_t line = 0;  // 0: any
+  std::string code;   // "W356" or "nc110-W356"
+  std::string file;
+};
+
+struct Scenario {
+  std::string path;       // as given
+  std::string directory;  // of `path`; sources and files of options stand relative to it
+  std::string name;
+  std::string dialect;  // empty: told by the sources
+  std::vector<std::string> sources;
+  std::map<std::string, std::string> options;
+  std::optional<ExpectedError> expect_error;
+  std::optional<std::vector<ExpectedWarning>> warnings;  // an empty list: no warning at all
+  std::optional<std::vector<ScenarioStep>> steps;
+  /// What `plcxx prove` proves of the program, and what is watched while the steps run.
+  std::vector<MarkedText> properties;
+};
+
+using ScenarioOrErrors = std::variant<Scenario, std::vector<ScenarioError>>;
+
+/// Which files a scenario may name: its project is the folder tree below the nearest folder that a version control
+/// system manages, else below the working directory or, when the scenario is not there, below its own folder.
+enum class Reach : uint8_t { kProject, kAnywhere };
+
+ScenarioOrErrors ReadScenario(const std::string& path, Reach reach = Reach::kProject);
+/// As ReadScenario, from a text in memory, which is the tool's own unless `reach` says something else.
+ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text, Reach reach = Reach::kAnywhere);
+
+}  // namespace plcxx::scenarios

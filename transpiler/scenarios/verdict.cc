@@ -1,0 +1,203 @@
+// One scenario from its program to its verdict.
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/diagnostics/render.h"
+#include "transpiler/engines/compiled_engine.h"
+#include "transpiler/engines/lockstep.h"
+#include "transpiler/scenarios/expected_diagnostics.h"
+#include "transpiler/scenarios/plan.h"
+#include "transpiler/scenarios/property_machine.h"
+#include "transpiler/scenarios/property_monitor.h"
+#include "transpiler/scenarios/property_places.h"
+#include "transpiler/scenarios/run.h"
+#include "transpiler/scenarios/suite.h"
+#include "transpiler/sim/simulator.h"
+#include "transpiler/sim/trace.h"
+
+namespace plcxx::scenarios {
+namespace {
+
+using Failure = std::optional<std::string>;
+
+struct Engines {
+  std::unique_ptr<engines::Lockstep> lockstep;
+  const sim::LastWrites* writes = nullptr;
+};
+
+/// FNV-1a: the same on every machine.
+uint32_t ContentHash(std::string_view text) {
+  uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+class Test {
+ public:
+  Test(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program)
+      : scenario_(scenario), options_(options), program_(program) {
+    result_.test = {scenario.path, scenario.directory, TestOutcome::kPassed, {}};
+  }
+
+  ScenarioResult Run() {
+    if (scenario_.sources.empty() && options_.programs.sources.empty()) {
+      return End(TestOutcome::kUnusable, scenario_.path + ": no 'sources': the scenario names no program");
+    }
+    const compilation::Compilation& compilation = program_.Compiled();
+    if (compilation.wrong_use && !scenario_.expect_error) {  // its options, its dialect
+      return End(TestOutcome::kUnusable,
+                 WithDiagnostics(scenario_.path + ": the program cannot be compiled as asked for", compilation));
+    }
+    if (const Failure failure = CheckCompilation(compilation)) return End(TestOutcome::kFailed, *failure);
+    if (!scenario_.steps) return std::move(result_);
+    const auto plan = PlanScenario(scenario_, *compilation.dialect, compilation.program);
+    if (const auto* errors = std::get_if<std::vector<ScenarioError>>(&plan)) {
+      return End(TestOutcome::kUnusable, ToText(*errors));
+    }
+    std::vector<ScenarioError> errors;
+    PlanMonitor(compilation, errors);
+    if (!errors.empty()) return End(TestOutcome::kUnusable, ToText(errors));
+    Failure failure;
+    try {
+      failure = RunSteps(compilation, std::get<ScenarioPlan>(plan));
+    } catch (const engines::EngineFault& fault) {
+      failure = scenario_.path + ": " + fault.message;
+    }
+    if (failure) return End(TestOutcome::kFailed, *failure);
+    return std::move(result_);
+  }
+
+ private:
+  static std::string ToText(const std::vector<ScenarioError>& errors) {
+    std::string text;
+    for (const ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + scenarios::ToText(error);
+    return text;
+  }
+
+  /// The scenario's properties are watched while its steps run.
+  void PlanMonitor(const compilation::Compilation& compilation, std::vector<ScenarioError>& errors) {
+    if (scenario_.properties.empty()) return;
+    const ir::Program& program = compilation.program;
+    const prove::execute::Cells cells = prove::execute::MakeCells(program);
+    const dialects::Dialect& dialect = *compilation.dialect;
+    monitor_ = std::make_unique<PropertyMonitor>(
+        program, cells,
+        WatchedProperties(scenario_, dialect.name, PropertyContextOf(dialect, program, cells, TimingOf(program)),
+                          errors));
+  }
+
+  ScenarioResult End(TestOutcome outcome, std::string text) {
+    result_.test.outcome = outcome;
+    result_.test.text = std::move(text);
+    return std::move(result_);
+  }
+
+  Failure CheckCompilation(const compilation::Compilation& compilation) {
+    const diag::Engine& diagnostics = compilation.diagnostics;
+    const source::SourceManager& sources = *compilation.sources;
+    Failure failure;
+    if (scenario_.expect_error) {
+      failure = CheckExpectedError(scenario_, diagnostics, sources);
+    } else if (!compilation.ok()) {
+      failure = scenario_.path + ": the program has errors";
+    }
+    if (!failure && scenario_.warnings) failure = CheckExpectedWarnings(scenario_, diagnostics, sources);
+    if (failure) failure = WithDiagnostics(*failure, compilation);
+    return failure;
+  }
+
+  static std::string WithDiagnostics(std::string text, const compilation::Compilation& compilation) {
+    const diag::Engine& diagnostics = compilation.diagnostics;
+    if (!diagnostics.all().empty()) text += "\n" + diag::RenderText(*compilation.sources, diagnostics.all(), {});
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+  }
+
+  /// Whether a call is one of the regular exchange cannot be told by the generated code where only the call says so.
+  static bool NeedsSimulator(const ir::Program& program) {
+    return std::any_of(program.calls.begin(), program.calls.end(), [&](const ir::Call& call) {
+      return call.exchange && call.host.valid() && !program.host_functions[call.host].routine_exchange;
+    });
+  }
+
+  /// The engines that were asked for, or why there are none.
+  std::variant<Engines, std::string> MakeEngines(const compilation::Compilation& compilation) {
+    Engines made;
+    std::vector<std::unique_ptr<sim::Engine>> engines;
+    if (options_.simulator || NeedsSimulator(compilation.program)) {
+      auto simulator = std::make_unique<sim::Simulator>(compilation.program);
+      simulator->RecordLastWrites();
+      made.writes = simulator->last_writes();
+      engines.push_back(std::move(simulator));
+    }
+    for (const PlatformUse& use : options_.platforms) {
+      if (!RunsOn(use, scenario_)) continue;
+      auto built = program_.On(use.platform, FlavourFor(scenario_));
+      if (const auto* failure = std::get_if<engines::CompileFailure>(&built)) return failure->message;
+      auto started = engines::StartCompiled(std::get<std::shared_ptr<engines::CompiledProgram>>(built));
+      if (const auto* failure = std::get_if<engines::CompileFailure>(&started)) return failure->message;
+      engines.push_back(std::move(std::get<std::unique_ptr<sim::Engine>>(started)));
+    }
+    if (engines.empty()) engines.push_back(std::make_unique<sim::Simulator>(compilation.program));
+    made.lockstep = std::make_unique<engines::Lockstep>(compilation.program, std::move(engines));
+    return made;
+  }
+
+  Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan) {
+    auto made = MakeEngines(compilation);
+    if (const auto* why = std::get_if<std::string>(&made)) return scenario_.path + ": " + *why;
+    Engines& engines = std::get<Engines>(made);
+    result_.ran = std::to_string(plan.steps.size()) + (plan.steps.size() == 1 ? " step in " : " steps in ");
+    for (const auto& engine : engines.lockstep->engines()) {
+      result_.ran += (result_.ran.back() == ' ' ? "" : " and ") + std::string(engine->name());
+    }
+    sim::Trace trace(WatchedLocations(plan, compilation.program));
+    Failure failure = RunScenario({.scenario = scenario_,
+                                   .plan = plan,
+                                   .dialect = *compilation.dialect,
+                                   .program = compilation.program,
+                                   .sources = *compilation.sources,
+                                   .engines = *engines.lockstep,
+                                   .writes = engines.writes,
+                                   .stub = MakeStub(compilation),
+                                   .trace = options_.waveform ? &trace : nullptr,
+                                   .monitor = monitor_.get()});
+    if (options_.waveform) result_.waveform = sim::WriteVcd(trace, compilation.program.name);
+    return failure;
+  }
+
+  static std::unique_ptr<dialects::ControlStub> MakeStub(const compilation::Compilation& compilation) {
+    if (compilation.dialect->make_stub == nullptr) return nullptr;
+    return compilation.dialect->make_stub(compilation.program, compilation.options);
+  }
+
+  const Scenario& scenario_;
+  const SuiteOptions& options_;
+  ScenarioProgram& program_;
+  std::unique_ptr<PropertyMonitor> monitor_;
+  ScenarioResult result_;
+};
+
+}  // namespace
+
+bool RunsOn(const PlatformUse& use, const Scenario& scenario) {
+  if (use.one_in == 1) return true;
+  std::ifstream file(scenario.path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return ContentHash(text) % use.one_in == 0;
+}
+
+ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {
+  return Test(scenario, options, program).Run();
+}
+
+}  // namespace plcxx::scenarios
