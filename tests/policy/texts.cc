@@ -1,5 +1,6 @@
 #include "tests/policy/texts.h"
 
+#include <filesystem>
 #include <regex>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,29 @@ Findings CheckPrivate(const std::string& root) {
   };
   Findings findings;
   for (const std::string& file : FilesBelow(root, "")) CheckLines(root, file, patterns, findings);
+  return findings;
+}
+
+Findings CheckNamedFiles(const std::string& root) {
+  // A name with a placeholder, `tests/golden/<d>`, stands for several.
+  const std::regex named("`((transpiler|tests|runtime_support|docs|samples|grammars|cmake|dev)/[A-Za-z0-9_./-]+)`");
+  Findings findings;
+  size_t found = 0;
+  for (const std::string& file : FilesBelow(root, "", {".md"})) {
+    if (file.starts_with("build") || file.find("/fixtures/") != std::string::npos) continue;
+    size_t number = 0;
+    for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
+      ++number;
+      if (line.size() > 4000) continue;
+      for (std::sregex_iterator at(line.begin(), line.end(), named), end; at != end; ++at) {
+        ++found;
+        if (!std::filesystem::exists(root + "/" + (*at)[1].str())) {
+          findings.push_back(Place(file, number) + "there is no '" + (*at)[1].str() + "'");
+        }
+      }
+    }
+  }
+  if (found == 0) findings.push_back("no document names a file");
   return findings;
 }
 

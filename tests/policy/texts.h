@@ -13,4 +13,7 @@ Findings CheckGenerated(const std::string& root);
 /// Paths of somebody's machine, e-mail addresses, hosts of package registries, in any text file.
 Findings CheckPrivate(const std::string& root);
 
+/// Files of the repository that a document names between backticks, and that are not there.
+Findings CheckNamedFiles(const std::string& root);
+
 }  // namespace plcxx::policy

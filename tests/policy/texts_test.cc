@@ -19,6 +19,17 @@ TEST(Generated, FixtureDoes) {
                           HasSubstr(":4: line number"), HasSubstr(":5: line number")));
 }
 
+TEST(NamedFiles, AreThere) { EXPECT_THAT(CheckNamedFiles(Root()), IsEmpty()); }
+
+TEST(NamedFiles, FixtureNamesOneThatIsNot) {
+  EXPECT_THAT(CheckNamedFiles(Fixture("named_files")),
+              ElementsAre(HasSubstr("page.md:3: there is no 'docs/missing.md'")));
+}
+
+TEST(NamedFiles, ARuleWithoutDocumentsFails) {
+  EXPECT_THAT(CheckNamedFiles(Fixture("generated")), ElementsAre("no document names a file"));
+}
+
 TEST(Private, NothingOfAMachineOrAPerson) { EXPECT_THAT(CheckPrivate(Root()), IsEmpty()); }
 
 TEST(Private, FixtureDoes) {
