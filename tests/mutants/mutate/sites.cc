@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "tests/mutants/mutate/needless_jumps.h"
+
 namespace plcxx::mutants {
 namespace {
 
@@ -96,6 +98,7 @@ class Finder : public RecursiveASTVisitor<Finder> {
     const auto* function = dyn_cast<FunctionDecl>(decl);
     if (function == nullptr) return Base::TraverseDecl(decl);
     if (function->isConsteval() || !function->doesThisDeclarationHaveABody()) return true;
+    if (function->getReturnType()->isVoidType()) AddNeedlessReturns(function->getBody(), needless_);
     functions_.push_back(function->getQualifiedNameAsString());
     const bool going_on = Base::TraverseDecl(decl);
     functions_.pop_back();
@@ -227,6 +230,10 @@ class Finder : public RecursiveASTVisitor<Finder> {
     return true;
   }
 
+  bool VisitLambdaExpr(LambdaExpr* lambda) {
+    if (lambda->getCallOperator()->getReturnType()->isVoidType()) AddNeedlessReturns(lambda->getBody(), needless_);
+    return true;
+  }
   bool VisitIfStmt(IfStmt* statement) {
     if (!statement->isConstexpr() && statement->getConditionVariable() == nullptr)
       NegateCondition(statement->getCond());
@@ -236,15 +243,23 @@ class Finder : public RecursiveASTVisitor<Finder> {
   }
   bool VisitWhileStmt(WhileStmt* statement) {
     if (statement->getConditionVariable() == nullptr) NegateCondition(statement->getCond());
-    OfferToDrop(statement->getBody());
+    VisitLoopBody(statement->getBody());
+    return true;
+  }
+  bool VisitDoStmt(DoStmt* statement) {
+    VisitLoopBody(statement->getBody());
     return true;
   }
   bool VisitForStmt(ForStmt* statement) {
-    OfferToDrop(statement->getBody());
+    VisitLoopBody(statement->getBody());
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt* statement) {
-    OfferToDrop(statement->getBody());
+    VisitLoopBody(statement->getBody());
+    return true;
+  }
+  bool VisitSwitchStmt(SwitchStmt* statement) {
+    AddNeedlessBreaks(statement->getBody(), needless_);
     return true;
   }
   bool VisitSwitchCase(SwitchCase* statement) {
@@ -377,8 +392,13 @@ class Finder : public RecursiveASTVisitor<Finder> {
     if (value.getType()->isBooleanType() && !IsCovered(value)) Negate(value, kind);
   }
 
+  void VisitLoopBody(Stmt* body) {
+    AddNeedlessContinues(body, needless_);
+    OfferToDrop(body);
+  }
+
   void OfferToDrop(Stmt* statement) {
-    if (statement == nullptr) return;
+    if (statement == nullptr || needless_.contains(statement)) return;
     if (const auto* expression = dyn_cast<Expr>(statement)) {
       DropExpression(*expression);
     } else if (isa<ContinueStmt, BreakStmt>(statement) ||
@@ -446,6 +466,7 @@ class Finder : public RecursiveASTVisitor<Finder> {
   std::vector<std::string> functions_;
   std::string current_, buffer_;  // file of the last range
   unsigned line_ = 0;
+  Jumps needless_;
   std::set<const Expr*> covered_;                               // enumerators: a mutant around them says the same
   std::set<const Expr*> skipped_;                               // numbers that are none: null pointers, truths
   std::map<const Expr*, QualType> types_;                       // what a number is converted to

@@ -2,7 +2,8 @@
 //
 // Left alone, by rule: what constant evaluation computes (constexpr variables, tables, template arguments, array
 // bounds, case labels), texts, what a macro wrote (PLCXX_CHECK among them), the arguments of calls that report
-// something, and room that is reserved (ExcludedCalls).
+// something, room that is reserved (ExcludedCalls), and jumps without which the program is the same one
+// (needless_jumps.h).
 #pragma once
 
 #include <clang/AST/ASTContext.h>
