@@ -73,4 +73,13 @@ inline std::string WithStatements(const std::string& statements) {
          statements + "}\nvoid init() { plc1_time = 16; plc2_time = 32; }\nvoid plc2() { }\n";
 }
 
+/// "3 E032" of each error of plc1() with these statements.
+inline std::vector<std::string> Errors(const std::string& statements) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements(statements));
+  std::vector<std::string> reported = lowered.Reported();
+  std::erase_if(reported, [](const std::string& line) { return line.find(" W") != std::string::npos; });
+  return reported;
+}
+
 }  // namespace plcxx::hnc

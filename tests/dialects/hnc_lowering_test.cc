@@ -15,15 +15,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// The errors of plc1() with these statements.
-std::vector<std::string> Errors(const std::string& statements) {
-  LoweredProgram lowered;
-  LowerInto(lowered, WithStatements(statements));
-  std::vector<std::string> reported = lowered.Reported();
-  std::erase_if(reported, [](const std::string& line) { return line.find(" W") != std::string::npos; });
-  return reported;
-}
-
 std::vector<std::string> Body(const std::string& statements) {
   LoweredProgram lowered;
   LowerInto(lowered, WithStatements(statements));
@@ -268,6 +259,12 @@ TEST(HncLowering, ASlipInARecordIsAnErrorAndNoCrash) {
   LoweredProgram lowered;
   LowerInto(lowered, std::string(kRecords));
   EXPECT_FALSE(lowered.diagnostics.HasErrors()) << testing::PrintToString(lowered.Reported());
+}
+
+// The comparison is refused as a whole, and assigns nothing: the pointer's own error is not one of its consequences.
+TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
+  EXPECT_THAT(Errors("int *p; if (p == nowhere) a = 1; a = *p;"), ElementsAre("3 E010", "3 E050"));
+  EXPECT_THAT(Errors("int *p; p = nowhere; a = *p;"), ElementsAre("3 E010"));
 }
 
 }  // namespace

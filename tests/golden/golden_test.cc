@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <string>
 #include <variant>
@@ -21,25 +23,47 @@ using testing::HasSubstr;
 
 const fs::path kRoot = PLCXX_ROOT;
 
-TEST(Golden, PrintedPhases) {
-  for (const PhaseGolden& golden : PhaseGoldens(kRoot / "tests/golden")) {
-    if (const auto problem = CheckPhase(golden, ChosenMode())) ADD_FAILURE() << *problem;
-  }
+/// A path below the project as the name of a test.
+std::string NameOf(const fs::path& path) {
+  std::string name = path.lexically_relative(kRoot).generic_string();
+  std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
+
+// A test each: dev/mutants runs them one by one.
+class PrintedPhases : public testing::TestWithParam<PhaseGolden> {};
+
+TEST_P(PrintedPhases, AreAsKept) {
+  if (const auto problem = CheckPhase(GetParam(), ChosenMode())) ADD_FAILURE() << *problem;
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, PrintedPhases, testing::ValuesIn(PhaseGoldens(kRoot / "tests/golden")),
+                         [](const auto& named) { return NameOf(named.param.file); });
 
 TEST(Golden, EachLanguageHasPhases) { EXPECT_THAT(MissingPhases(kRoot / "tests/golden", 12), ElementsAre()); }
 
-// The same sources give the same bytes. covers: TECHNOL-213
-TEST(Golden, GeneratedCodeOfTheSamples) {
+std::vector<fs::path> Machines() {
+  std::vector<fs::path> machines;
   for (const auto& dialect : fs::directory_iterator(kRoot / "samples")) {
     // samples/baremetal: boards that run a machine of another folder.
     if (!dialect.is_directory() || dialect.path().filename() == "baremetal") continue;
     for (const auto& machine : fs::directory_iterator(dialect.path())) {
-      if (!machine.is_directory()) continue;
-      for (const std::string& problem : CheckSample(machine.path(), ChosenMode())) ADD_FAILURE() << problem;
+      if (machine.is_directory()) machines.push_back(machine.path());
     }
   }
+  std::ranges::sort(machines);
+  return machines;
 }
+
+class Samples : public testing::TestWithParam<fs::path> {};
+
+// The same sources give the same bytes. covers: TECHNOL-213
+TEST_P(Samples, GeneratedCodeIsAsKept) {
+  for (const std::string& problem : CheckSample(GetParam(), ChosenMode())) ADD_FAILURE() << problem;
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Samples, testing::ValuesIn(Machines()),
+                         [](const auto& named) { return NameOf(named.param); });
 
 TEST(Golden, CasesThatMustFailAreNamedSo) {
   for (const fs::path& file : FilesBelow(kRoot / "tests/golden", ".yaml")) {

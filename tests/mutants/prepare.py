@@ -1,6 +1,7 @@
 """A copy of the sources with all mutants in it, build/mutants/source, its binaries, and the table of the mutants."""
 import filecmp
 import glob
+import hashlib
 import os
 import pathlib
 import re
@@ -11,6 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLACE = ROOT / "build" / "mutants"
 SOURCE, TABLE = PLACE / "source", PLACE / "table"
 BUILD = SOURCE / "build"  # as that of every checkout: what is not mutated comes from the compiler cache
+JUDGED = SOURCE / "judged"  # scenarios of hnc's other judge: random programs, and what they compute on an AVR
+JUDGED_PROGRAMS = 200       # as tests/judges/avr runs them
 
 # What is mutated: a folder's name here, patterns of its files.
 FOLDERS = {
@@ -132,4 +135,25 @@ def build(jobs):
     listed = subprocess.run(["ninja", "-C", BUILD, "-t", "targets", "all"], check=True, capture_output=True,
                             text=True).stdout
     targets = [name for name in re.findall(r"^(\w+_test): phony", listed, re.M) if name.startswith(TESTS)]
-    subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "plcxx", *targets], check=True)
+    runner = BUILD / "bin/plcxx_avr_runner"
+    has_judge = re.search(rf"^{runner.name}: phony", listed, re.M) is not None
+    subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "plcxx", *targets, *([runner.name] if has_judge else [])],
+                   check=True)
+    if has_judge:
+        write_judged(runner)
+    else:
+        print("without the programs that run on an AVR: install avr-gcc and libsimavr (dev/packages)", flush=True)
+
+
+def write_judged(runner):
+    """Written anew when their generator is another one."""
+    place = SOURCE / "tests/judges/avr"
+    now = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(place.iterdir()) if path.is_file())).hexdigest()
+    mark = PLACE / "judged"
+    if JUDGED.is_dir() and mark.exists() and mark.read_text() == now:
+        return
+    print(f"{JUDGED_PROGRAMS} programs on an AVR", flush=True)
+    # What it says of this build is not asked here: a scenario that fails without a mutant is left out, and reported.
+    subprocess.run(["python3", "-B", place / "run.py", BUILD / "bin/plcxx", runner, JUDGED, "--programs",
+                    str(JUDGED_PROGRAMS), "--keep"], check=False, stdout=subprocess.DEVNULL)
+    mark.write_text(now)

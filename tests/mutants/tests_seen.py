@@ -21,7 +21,8 @@ REACHED = re.compile(b"\x01")
 
 
 class Scenario:
-    """Of tests/golden or samples: runs in the simulator; as compiled C++ for what the emitter writes."""
+    """Of tests/golden, samples or the programs judged by an AVR: runs in the simulator; as compiled C++ for what the
+    emitter writes."""
 
     def __init__(self, path):
         self.name, self.seconds, self.text = path, 0.0, ""
@@ -142,7 +143,7 @@ def units():
 
 def scenarios():
     return [Scenario(str(path.relative_to(prepare.SOURCE)))
-            for place in ("tests/golden", "samples") for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
+            for place in ("tests/golden", "samples", prepare.JUDGED.name) for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
 
 
 class Seen:

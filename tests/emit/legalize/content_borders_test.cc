@@ -68,6 +68,25 @@ TEST(ContentBorders, AHeavyEntryMayExceedTheMost) {
   for (const uint32_t stretch : stretches) EXPECT_GE(stretch, kLimits.least);
 }
 
+/// With least 2 and most 5.
+std::vector<size_t> SmallBorders(const std::vector<uint32_t>& hashes) {
+  std::vector<BorderCandidate> entries;
+  for (const uint32_t hash : hashes) entries.push_back({1, hash, true});
+  return ContentBorders(entries, {.least = 2, .most = 5});
+}
+
+// Increasing: the first entry with two in front of it is the least around; the rest is cut at its least, and so on.
+TEST(ContentBorders, ALongStretchIsCutBehindItsLeastHash) {
+  EXPECT_EQ(SmallBorders({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}), (std::vector<size_t>{1, 3, 5, 7}));
+  EXPECT_EQ(SmallBorders({3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3}), (std::vector<size_t>{1, 3, 5, 7}));
+}
+
+// Decreasing: the last entry with two behind it; six in front of it are one too many.
+TEST(ContentBorders, TheFirstStretchIsLongWhereAnyOtherIs) {
+  EXPECT_EQ(SmallBorders({8, 7, 6, 5, 4, 3, 2, 1}), (std::vector<size_t>{3, 5}));
+  EXPECT_EQ(SmallBorders({7, 6, 5, 4, 3, 2, 1}), (std::vector<size_t>{4}));
+}
+
 // The reason for the rule. Borders by hash, so that positions do not matter.
 TEST(ContentBorders, AnEditMovesBordersNextToItOnly) {
   const std::vector<BorderCandidate> entries = Entries(3000);

@@ -23,6 +23,14 @@ TEST(CommentText, KeepsLettersAndDropsDirectionMarks) {
             "ab");  // right-to-left override
 }
 
+// Read as three bytes, the first of these would be a direction mark.
+TEST(CommentText, CharactersOfFourBytesStayWhole) {
+  for (const std::string text : {"\xF0\x98\x9C\x80", "\xF0\x9F\x98\x80", "\xF4\x8F\xBF\xBD"}) {
+    EXPECT_EQ(CommentText(text), text);
+    EXPECT_EQ(CommentText("a" + text + " b"), "a" + text + " b");
+  }
+}
+
 /// UTF-8, up to three bytes.
 std::string Utf8(unsigned code) {
   const auto byte = [](unsigned bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };

@@ -248,10 +248,10 @@ class Expressions:
             return spelled.unary(self.random.choice(("-", "~", "!", "+", "-", "~")), self.integer(depth - 1))
         if pick < 78:
             return spelled.cast(self.random.choice(INTEGERS), self.integer(depth - 1))
-        if pick < 85:
-            return spelled.choice(*(self.integer(depth - 1) for _ in range(3)))
         if pick < 81:
             return self.library(depth)
+        if pick < 85:
+            return spelled.choice(*(self.integer(depth - 1) for _ in range(3)))
         if pick < 89 and self.macros:
             return self.expanded(depth)
         if self.pure:

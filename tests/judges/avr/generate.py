@@ -171,6 +171,14 @@ class Generator(Statements):
         self.sink = f"sink_{self.mark}"
         for _ in range(self.random.randrange(5, 12)):
             self.variable()
+        for struct in self.structs:
+            # At least two, so that one is assigned to another.
+            for _ in range(2 if struct.word == "struct" and self.chance(60) else 0):
+                item = Object(self.fresh("g"), struct)
+                text = spelled.declared(struct, item.name)
+                self.text += Lines([text + ";"], [f"static {text};"])
+                self.objects.append(item)
+                self.observe(item)
 
     def initial(self, kind, count):
         if self.chance(50):
@@ -350,7 +358,12 @@ class Generator(Statements):
             operator = self.random.choice(("+=", "=", "^=", "-="))
             rows = [f"{word} {name}(long a, {word} s)", "{", f"s.{member} {operator} a;", "return s;", "}"]
             made += Lines(rows, ["static " + rows[0], *rows[1:]])
-            self.struct_functions.append((name, struct))
+            self.struct_functions.append((name, struct, 1))
+            if self.chance(50):
+                name = self.fresh("h")
+                rows = [f"{word} {name}({word} s, {word} t)", "{", f"s.{member} {operator} t.{member};", "return s;", "}"]
+                made += Lines(rows, ["static " + rows[0], *rows[1:]])
+                self.struct_functions.append((name, struct, 2))
         return made
 
     def parameter(self):
@@ -376,6 +389,8 @@ class Generator(Statements):
         inner = Lines()
         for _ in range(self.random.randrange(2, statements + 2)):
             inner += self.statement(3)
+            if self.chance(25):
+                inner += self.whole_struct() or Lines()
             if self.chance(6):
                 value = self.note(spelled.binary("&", self.integer(1), spelled.literal("3")))
                 period = self.random.choice(("plc1_time", "plc2_time"))

@@ -311,14 +311,29 @@ class Statements(Expressions):
                  and not a.constant]
         if not pairs:
             return None
-        one, other = self.random.choice(pairs)
-        self.note(Spelled("", "", reads=frozenset({other.name}), writes=frozenset({one.name})))
-        makers = [name for name, kind in self.struct_functions if kind is one.kind]
-        if makers and self.chance(60):
-            value = self.note(self.integer(1)).at(2)
-            name = self.random.choice(makers)
-            return Lines([f"{one.name} = {name}({value.plc}, {other.name});"], [f"{one.name} = {name}({value.avr}, {other.name});"])
-        return both(f"{one.name} = {other.name};")
+        one = self.random.choice(pairs)[0]
+        self.note(Spelled("", "", writes=frozenset({one.name})))
+        plc, avr = self.struct_value(one.kind, [o for o in usable if o.kind is one.kind], 2)
+        return Lines([f"{one.name} = {plc};"], [f"{one.name} = {avr};"])
+
+    def struct_value(self, kind, usable, depth):
+        """In both spellings: an object, what a function makes of one or two, one that a condition chooses."""
+        makers = [(name, values) for name, made, values in self.struct_functions if made is kind]
+        pick = self.random.randrange(10) if depth > 0 else 9
+        was, self.pure = self.pure, True
+        number = self.note(self.integer(1))
+        self.pure = was
+        if pick < 5 and makers:
+            name, values = self.random.choice(makers)
+            plc, avr = self.struct_value(kind, usable, depth - 1)
+            first = (number.at(2).plc, number.at(2).avr) if values == 1 else self.struct_value(kind, usable, depth - 1)
+            return f"{name}({first[0]}, {plc})", f"{name}({first[1]}, {avr})"
+        if pick < 8:
+            (yes, avr_yes), (no, avr_no) = (self.struct_value(kind, usable, depth - 1) for _ in range(2))
+            return f"({number.at(4).plc} ? {yes} : {no})", f"({number.at(4).avr} ? {avr_yes} : {avr_no})"
+        item = self.random.choice(usable)
+        self.note(Spelled("", "", reads=frozenset({item.name})))
+        return item.name, item.name
 
     def copied(self):
         """memset, memcpy and memmove: within one object, or from one into another."""

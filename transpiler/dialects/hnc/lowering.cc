@@ -21,7 +21,7 @@ Lowering::Lowering(Scope scope, const Unit& unit, const Settings& settings, cons
   if (!double_.valid()) {
     double_ = types_.Add({.kind = TypeKind::kReal,
                           .bits = 64,
-                          .is_signed = true,
+                          .is_signed = false,
                           .element = {},
                           .count = 0,
                           .record = {},
@@ -138,7 +138,7 @@ void Lowering::BeginLocals(const Function& function) {
       local_places_[id.index] = AddLocal(variable.name, IrType(variable.type));
       zero(local_places_[id.index], 0);
     } else if (!variable.initialised && objects_.OfVariable(id).valid()) {
-      ClearMemory(id);
+      ClearObject(objects_.OfVariable(id));
     }
     const bool scalar = IsArithmetic(type) || type.kind == TypeKind::kPointer;
     if (!scalar || facts_.IsInMemory(id)) {
@@ -169,7 +169,6 @@ void Lowering::LowerFunction(FunctionId id) {
   annotated_labels_.clear();
   rounds_around_ = 1;
   statement_id_ = 0;
-  statement_range_ = function.range;
   const Statement& body = unit_.statements[function.body];
   next_comment_ = static_cast<size_t>(
       std::ranges::lower_bound(unit_.comments, body.range.begin, {}, [](const Comment& c) { return c.range.begin; }) -
@@ -186,9 +185,9 @@ void Lowering::LowerFunction(FunctionId id) {
   const bool falls_off = flow_.reachable;
   if (falls_off) LeaveFunction();
   PlaceLabel(end_label_);
-  if (falls_off && result_.valid()) {
+  if (falls_off) {
     builder_.SetRegion(prologue);
-    builder_.Store(result_, builder_.Constant(program_.places[result_].type, 0));
+    StoreNoResult();
   }
   const bool entry = id == unit_.init || id == unit_.plc1 || id == unit_.plc2;
   const bool gives = TypeAt(function.result).kind != TypeKind::kVoid;

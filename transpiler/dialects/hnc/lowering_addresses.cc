@@ -9,12 +9,6 @@ namespace plcxx::hnc {
 using ir::OpKind;
 using ir::ValueId;
 
-namespace {
-
-constexpr Bounds kAnyOffset{-0x80000000LL, 0x7FFFFFFF};
-
-}  // namespace
-
 void Lowering::AddIndex(Address& address, const Value& index, uint32_t size, int64_t sign) {
   if (const std::optional<int64_t> known = KnownInteger(index)) {
     address.base += sign * *known * size;
@@ -161,11 +155,8 @@ Address Lowering::EvaluatePointer(ExprId id) {
     case ExprKind::kComma:
       Execute(expr.a);
       return EvaluatePointer(expr.b);
-    case ExprKind::kConditional: {
-      const ValueId condition = Condition(expr.a);
-      const Address then = EvaluatePointer(expr.b);
-      return SelectAddress(condition, then, EvaluatePointer(expr.c));
-    }
+    case ExprKind::kConditional:
+      return ConditionalAddress(expr, &Lowering::EvaluatePointer);
     case ExprKind::kCall: {
       const CallResult result = Call(id);
       return result.address ? *result.address : Address{};
@@ -275,16 +266,6 @@ ValueId Lowering::OffsetOf(const Address& address) {
 ValueId Lowering::ObjectOf(const Address& address) {
   if (address.object.valid()) return address.object;
   return Word(address.targets.objects.empty() ? 0 : NumberOf(address.targets.objects.front()));
-}
-
-Address Lowering::SelectAddress(ValueId condition, const Address& a, const Address& b) {
-  Address chosen;
-  chosen.targets = a.targets;
-  chosen.targets.Add(b.targets);
-  chosen.index = Pure(OpKind::kSelect32, {condition, OffsetOf(a), OffsetOf(b)});
-  chosen.index_bounds = kAnyOffset;
-  if (chosen.targets.objects.size() > 1) chosen.object = Pure(OpKind::kSelect16, {condition, ObjectOf(a), ObjectOf(b)});
-  return chosen;
 }
 
 ValueId Lowering::IsNotNull(const Address& address, ExprId id) {

@@ -29,6 +29,7 @@ Lowering::CallResult Lowering::CallFunction(const Expr& expr) {
   const bool callable = callee.is_defined && routines_[expr.function.index].valid();
   std::vector<Value> numbers(expr.arguments.size());
   std::vector<Address> addresses(expr.arguments.size());
+  std::vector<std::vector<ValueId>> records(expr.arguments.size());  // those that what is evaluated later may change
   for (size_t i = expr.arguments.size(); i-- > 0;) {
     if (i >= callee.parameters.size()) {
       Execute(expr.arguments[i]);
@@ -41,6 +42,10 @@ Lowering::CallResult Lowering::CallFunction(const Expr& expr) {
         break;
       case TypeKind::kRecord:
         addresses[i] = RecordAddress(expr.arguments[i]);
+        if (std::any_of(expr.arguments.begin(), expr.arguments.begin() + static_cast<std::ptrdiff_t>(i),
+                        [this](ExprId later) { return HasEffects(later); })) {
+          records[i] = LoadRecord(addresses[i], type);
+        }
         break;
       default:
         numbers[i] = Convert(Evaluate(expr.arguments[i]), type);
@@ -60,7 +65,11 @@ Lowering::CallResult Lowering::CallFunction(const Expr& expr) {
       case TypeKind::kRecord: {
         Address to;
         to.targets.Add(objects_.OfVariable(parameter));
-        AssignRecord(to, addresses[i], type);
+        if (records[i].empty()) {
+          AssignRecord(to, addresses[i], type);
+        } else {
+          StoreRecord(to, records[i], type);
+        }
         break;
       }
       default:

@@ -16,15 +16,22 @@ bool IsRecordType(const Type& type) { return type.kind == TypeKind::kRecord; }
 
 }  // namespace
 
+bool Lowering::HasEffects(ExprId id) const {
+  bool found = false;
+  ForEachExpr(unit_, id, [&](ExprId part) {
+    const ExprKind kind = ExprAt(part).kind;
+    found = found || kind == ExprKind::kAssign || kind == ExprKind::kCompoundAssign || kind == ExprKind::kIncrement ||
+            kind == ExprKind::kCall;
+  });
+  return found;
+}
+
 bool Lowering::IsSimple(ExprId id) const {
+  if (HasEffects(id)) return false;
   bool simple = true;
   ForEachExpr(unit_, id, [&](ExprId part) {
     const Expr& expr = ExprAt(part);
     switch (expr.kind) {
-      case ExprKind::kAssign:
-      case ExprKind::kCompoundAssign:
-      case ExprKind::kIncrement:
-      case ExprKind::kCall:
       case ExprKind::kComma:
         simple = false;
         break;
@@ -347,55 +354,6 @@ Value Lowering::Increment(ExprId id) {
   StoreBack(target, after);
   if (!returns_new) return before;
   return target.bit_field != nullptr ? InBitField(after, target) : after;
-}
-
-/// Bytes of a record, as far as possible in double words; large ones in a loop.
-void Lowering::AssignRecord(const Address& to, const Address& from, TypeId type) {
-  const uint32_t size = TypeAt(type).size;
-  for (uint32_t at = 0; at < size;) {
-    const ir::Type width = size - at >= 4 ? ir::Type::kI32 : size - at >= 2 ? ir::Type::kI16 : ir::Type::kI8;
-    Address source = from, target = to;
-    source.base += at;
-    target.base += at;
-    StoreAt(target, width, LoadAt(source, width, {}), {});
-    at += ir::Bytes(width);
-  }
-}
-
-Address Lowering::RecordAddress(ExprId id) {
-  const Expr& expr = ExprAt(id);
-  switch (expr.kind) {
-    case ExprKind::kLoad:
-      return RecordAddress(expr.a);
-    case ExprKind::kAssign: {
-      const Address from = RecordAddress(expr.b);
-      const Address to = EvaluateLvalue(expr.a).address;
-      AssignRecord(to, from, expr.type);
-      for (const ObjectId object : to.targets.objects) flow_.Forget(object);
-      return to;
-    }
-    case ExprKind::kComma:
-      Execute(expr.a);
-      return RecordAddress(expr.b);
-    case ExprKind::kCall: {
-      const CallResult result = Call(id);
-      return result.address ? *result.address : Address{};
-    }
-    case ExprKind::kConditional: {
-      const ValueId condition = Condition(expr.a);
-      return SelectAddress(condition, RecordAddress(expr.b), RecordAddress(expr.c));
-    }
-    case ExprKind::kVariable:
-    case ExprKind::kIndex:
-    case ExprKind::kDereference:
-    case ExprKind::kMember:
-      return EvaluateLvalue(id).address;
-    default: {
-      Address refused;
-      refused.reported = true;
-      return refused;
-    }
-  }
 }
 
 }  // namespace plcxx::hnc

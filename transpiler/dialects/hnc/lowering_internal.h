@@ -71,6 +71,7 @@ constexpr bool IsLoop(StatementKind kind) {
 constexpr bool IsCase(StatementKind kind) { return kind == StatementKind::kCase || kind == StatementKind::kDefault; }
 
 inline constexpr uint32_t kNullOffset = 0x80000000;
+inline constexpr Bounds kAnyOffset{-0x80000000LL, 0x7FFFFFFF};  // of a pointer, null among them
 inline constexpr uint32_t kMostTargets = 16;
 
 /// Names of run-time faults in the order of 6.9, from 1.
@@ -187,9 +188,19 @@ class Lowering {
   Value Increment(ExprId id);
   /// Whether evaluating it does nothing but compute, and cannot fault.
   bool IsSimple(ExprId id) const;
+  /// Whether evaluating it may change what another operand reads.
+  bool HasEffects(ExprId id) const;
+
+  // --- structures as values (lowering_records.cc) ---
   void AssignRecord(const Address& to, const Address& from, TypeId type);
+  /// The value as it is now; what is executed before it is stored does not change it.
+  std::vector<ir::ValueId> LoadRecord(const Address& from, TypeId type);
+  void StoreRecord(const Address& to, const std::vector<ir::ValueId>& pieces, TypeId type);
   /// The address of a record value.
   Address RecordAddress(ExprId id);
+  Address ConditionalAddress(const Expr& expr, Address (Lowering::*evaluate)(ExprId));
+  Address SelectAddress(ir::ValueId condition, const Address& a, const Address& b);
+  void StoreNoResult();
 
   // --- addresses (lowering_addresses.cc) ---
   Lvalue EvaluateLvalue(ExprId id);
@@ -198,7 +209,6 @@ class Lowering {
   void AddIndex(Address& address, const Value& index, uint32_t size, int64_t sign);
   Address PointerIn(VariableId id);
   void StorePointer(VariableId id, const Address& value);
-  Address SelectAddress(ir::ValueId condition, const Address& a, const Address& b);
   ir::ValueId OffsetOf(const Address& address);
   ir::ValueId ObjectOf(const Address& address);
   Value ComparePointers(const Expr& expr);
@@ -250,8 +260,8 @@ class Lowering {
   void Compound(const Statement& statement, bool last);
   void Declaration(const Statement& statement);
   void Initialise(VariableId id);
-  /// Zeros for all bytes of a variable in memory.
-  void ClearMemory(VariableId id);
+  /// Zeros for all bytes of an object in memory.
+  void ClearObject(ObjectId object);
   void If(StatementId id, const Statement& statement, bool last);
   void FlatIf(const Statement& statement);
   void Return(const Statement& statement, bool last);

@@ -102,7 +102,6 @@ void Lowering::LoopStatement(const Statement& statement) {
   if (once) {
     Lower(statement.then, false);
     PlaceLabel(on_continue);
-    if (flow_.reachable) Execute(statement.expression);  // only `do` gets there
   } else if (always == false && !is_do) {
     // Never entered.
     const Flow before = flow_;

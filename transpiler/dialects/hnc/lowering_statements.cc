@@ -237,8 +237,7 @@ void Lowering::Compound(const Statement& statement, bool last) {
   CommentsAtEnd(statement.close);
 }
 
-void Lowering::ClearMemory(VariableId id) {
-  const ObjectId object = objects_.OfVariable(id);
+void Lowering::ClearObject(ObjectId object) {
   const uint32_t size = objects_[object].size;
   if (size == 0) return;
   if (size <= 4 * kMostPlainStores) {
@@ -287,7 +286,7 @@ void Lowering::Initialise(VariableId id) {
   }
   uint32_t filled = 0;
   for (const InitialValue& initial : variable.initial) filled += TypeAt(initial.type).size;
-  if (filled < type.size) ClearMemory(id);
+  if (filled < type.size) ClearObject(objects_.OfVariable(id));
   for (const InitialValue& initial : variable.initial) {
     Lvalue target;
     target.address.targets.Add(objects_.OfVariable(id));
@@ -425,9 +424,9 @@ void Lowering::Return(const Statement& statement, bool last) {
     }
   } else if (statement.expression.valid()) {
     Execute(statement.expression);
-  } else if (result_.valid()) {
-    builder_.Store(result_, builder_.Constant(program_.places[result_].type, 0));
-    result_bounds_ = result_bounds_ ? Join(*result_bounds_, {0, 0}) : Bounds{0, 0};
+  } else {
+    StoreNoResult();
+    if (result_.valid()) result_bounds_ = result_bounds_ ? Join(*result_bounds_, {0, 0}) : Bounds{0, 0};
   }
   LeaveFunction();
   const bool entry = function_id_ == unit_.init || function_id_ == unit_.plc1 || function_id_ == unit_.plc2;

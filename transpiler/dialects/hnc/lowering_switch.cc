@@ -70,7 +70,7 @@ void Lowering::FindEntries(const Function& function) {
       for (StatementId at = id, part; at.valid(); part = at, at = ParentOf(at)) part_of.emplace(at.index, part);
       StatementId at = unit_.labels[statement.label].statement, part;
       for (; at.valid() && !part_of.contains(at.index); part = at, at = ParentOf(at)) entered_.insert(at.index);
-      if (at.valid() && part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
+      if (part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
     }
     if (!IsCase(statement.kind)) return;
     for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
@@ -79,18 +79,16 @@ void Lowering::FindEntries(const Function& function) {
   });
 }
 
-/// Whether parts of a list are executed in one arm where that is the body of a switch: behind the same labels, and not
-/// in front of the first ones.
+/// Whether parts of a list are executed in one arm where that is the body of a switch: no label of it between them.
 bool Lowering::AreInOneArm(StatementId list, StatementId a, StatementId b) const {
   const StatementId parent = ParentOf(list);
   if (!parent.valid() || unit_.statements[parent].kind != StatementKind::kSwitch) return true;
-  uint32_t arm = 0, arm_of_a = 0, arm_of_b = 0;
+  bool between = false;
   for (const StatementId part : unit_.statements[list].body) {
-    if (IsCase(unit_.statements[part].kind)) ++arm;
-    if (part == a) arm_of_a = arm;
-    if (part == b) arm_of_b = arm;
+    if (between && IsCase(unit_.statements[part].kind)) return false;
+    if (part == a || part == b) between = !between;
   }
-  return arm_of_a == arm_of_b && arm_of_a != 0;
+  return true;
 }
 
 StatementId Lowering::ParentOf(StatementId id) const {

@@ -129,7 +129,7 @@ void Builder::JoinSpans() {
         all[kept++] = all[i];
         continue;
       }
-      const bool same = last->begin == all[i].begin && last->end == all[i].end && last->type == all[i].type;
+      const bool same = last->end == all[i].end && last->type == all[i].type;  // of one type: of one size
       if (!same) last->type = Type::kNone;
       last->end = std::max(last->end, all[i].end);
     }

@@ -1,0 +1,92 @@
+// What the lowering of hnc knows of pointers, selectors and counters, where it decides on checks, bounds and periods.
+
+#include <string>
+#include <vector>
+
+#include "hnc_lowered.h"
+
+namespace plcxx::hnc {
+namespace {
+
+/// Whether an access of plc1() with these statements is checked when it is executed.
+bool IsChecked(const std::string& statements) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements(statements));
+  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << statements << testing::PrintToString(lowered.Reported());
+  const std::vector<std::string> lines = lowered.Routine("plc1");
+  return std::ranges::any_of(lines, [](const std::string& line) { return line.starts_with("call record_fault"); });
+}
+
+TEST(HncKnownBounds, APointerKeepsWhatIsKnownOfTheIndexInIt) {
+  const std::string inside = "int *p; if (b < 1 || b > 3) return; p = &table[b]; ";
+  EXPECT_FALSE(IsChecked(inside + "a = p[-1];"));
+  EXPECT_FALSE(IsChecked(inside + "a = p[4];"));
+  EXPECT_TRUE(IsChecked(inside + "a = p[-2];"));
+  EXPECT_TRUE(IsChecked(inside + "a = p[5];"));
+  const std::string around = "int *p; if (b < -2 || b > 2) return; p = table + 4 + b; ";
+  EXPECT_FALSE(IsChecked(around + "a = p[-2];"));
+  EXPECT_FALSE(IsChecked(around + "a = p[1];"));
+  EXPECT_TRUE(IsChecked(around + "a = p[-3];"));
+  EXPECT_TRUE(IsChecked(around + "a = p[2];"));
+}
+
+TEST(HncKnownBounds, OfAPointerThatMayBe0TheAccessIsChecked) {
+  EXPECT_TRUE(IsChecked("int *p; p = 0; if (b) p = &table[1]; a = *p;"));
+  EXPECT_TRUE(IsChecked("int *p; p = table; if (b) p = 0; a = *p;"));
+  EXPECT_FALSE(IsChecked("int *p; p = table; if (b) p = &table[1]; a = *p;"));
+}
+
+TEST(HncKnownBounds, ASelectorThatTheSwitchChangesIsNotItsLabel) {
+  EXPECT_FALSE(IsChecked("switch (b) { case 7: a = table[b]; break; }"));
+  EXPECT_TRUE(IsChecked("switch (b++) { case 7: a = table[b]; break; }"));  // 8 by then
+  EXPECT_TRUE(IsChecked("switch (b--) { case 0: a = table[b]; break; }"));
+  EXPECT_TRUE(IsChecked("switch (b += 1) { case 8: a = table[b]; break; }"));
+}
+
+TEST(HncKnownBounds, WhatIsKnownInFrontOfALabelWithAWayBackIsKnownAfterIt) {
+  const std::string known = "int k; k = 5; i = 0; ", access = "a = table[k];";
+  EXPECT_FALSE(IsChecked(known + "again: i++; if (i < 4) goto again; " + access));
+  // Entered behind the label as well: of i nothing is known there, of n it is.
+  EXPECT_FALSE(IsChecked(known + "if (X[0]) goto in; again: i++; in: if (i < 4) goto again; " + access));
+  EXPECT_TRUE(IsChecked(known + "again: i++; k = i; if (i < 4) goto again; k += 5; " + access));
+}
+
+/// The period of the fast part that a program with this text around it promises.
+uint32_t FastEvery(const std::string& more, const std::string& init = "plc1_time = 16; plc2_time = 32;") {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\n" + more + "void init() { " + init + " }\nvoid plc1() { }\nvoid plc2() { }\n");
+  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << testing::PrintToString(lowered.Reported());
+  return lowered.program().schedule.fast_every_ms;
+}
+
+TEST(HncKnownBounds, ThePeriodIsThatOfFunctionsThatAreCalled) {
+  EXPECT_EQ(FastEvery(""), 16U);
+  EXPECT_EQ(FastEvery("void set() { plc1_time = 48; }\n", "set(); plc2_time = 32;"), 48U);
+  EXPECT_EQ(FastEvery("void never() { plc1_time = 48; }\n"), 16U);
+  EXPECT_EQ(FastEvery("void never() { plc1_time = P[0]; }\n"), 16U);
+  EXPECT_EQ(FastEvery("void set() { plc1_time = P[0]; }\n", "set(); plc2_time = 32;"), 0U);
+}
+
+TEST(HncKnownBounds, TheAreasOfInputsAndOutputsAreWholeAreas) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements("Y[0] = X[0];"));
+  size_t areas = 0;
+  for (const ir::Space& space : lowered.program().spaces) {
+    if (space.name.size() != 1) continue;
+    ++areas;
+    ASSERT_EQ(space.zones.size(), 1U) << space.name;
+    EXPECT_EQ(space.zones.front().begin, 0U) << space.name;
+    EXPECT_EQ(space.zones.front().end, space.bytes) << space.name;
+    const bool input = space.name == "X" || space.name == "F" || space.name == "P";
+    const bool output = space.name == "Y" || space.name == "G";
+    EXPECT_EQ(space.zones.front().direction, input    ? ir::Direction::kInput
+                                             : output ? ir::Direction::kOutput
+                                                      : ir::Direction::kInternal)
+        << space.name;
+  }
+  EXPECT_EQ(areas, 7U);  // 5.1: X Y R F G P B
+}
+
+}  // namespace
+}  // namespace plcxx::hnc
