@@ -187,6 +187,18 @@ TEST(Nc110Lowering, CommentsStandWithTheirStatements) {
   EXPECT_THAT(comments(1), ElementsAre(HasSubstr("slow logic")));
 }
 
+TEST(Nc110Lowering, CommentsAtTheEndOfAFileStandInFrontOfTheNextOne) {
+  LoweredProgram lowered;
+  LowerInto(lowered, {"U4A0=1\n; end of the first\n", "; head of the second\nU4A1=1\n"});
+  const auto& statements = lowered.program().statements;
+  ASSERT_EQ(statements.size(), 2u);
+  Text texts;
+  for (const source::Range& range : statements[ir::StatementId(1)].comments) {
+    texts.emplace_back(lowered.sources.Text(range));
+  }
+  EXPECT_THAT(texts, ElementsAre(" end of the first", " head of the second"));
+}
+
 TEST(Nc110Lowering, NumbersOfStatementsComeFromTheirText) {
   LoweredProgram one, two;
   LowerInto(one, {"U4A0=I0A1 U4A1=I0A2 U4A1=I0A2"});

@@ -15,6 +15,7 @@ import tests_seen
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = prepare.PLACE / "results"
 SURVIVORS = HERE / "survivors.txt"
+OPEN = HERE / "open.txt"
 
 DESCRIPTION = """\
 Are the tests able to see a fault? Changes the lowerings, the passes, the emitter and the runtime in thousands of places,
@@ -30,6 +31,7 @@ a line (file | function | kind | text; ** stands for anything), its reason below
 
   dev/mutants --folder nc110                 every mutant of nc110's lowering
   dev/mutants --sample 200 --seed 7          200 of each folder
+  dev/mutants --folder hnc --open            those that open.txt has: do the tests kill them by now?
   dev/mutants --one 4711                     one, with what each test says
   dev/mutants --list survived                keys, files and lines of what survived; also: 'not reached', killed
 """
@@ -161,6 +163,7 @@ def main():
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="N mutants of each folder, chosen by the seed")
     parser.add_argument("--seed", type=int, default=1, help="of the sample (1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
+    parser.add_argument("--open", action="store_true", help="those of open.txt, which tests may kill by now")
     parser.add_argument("--one", metavar="ID", help="one mutant: its number or its key")
     parser.add_argument("--list", metavar="VERDICT", help="of the last runs: survived, 'not reached' or killed")
     parser.add_argument("--again", action="store_true", help="forget the verdicts of earlier runs")
@@ -183,7 +186,7 @@ def main():
     if wanted.again_survivors:
         results = {key: value for key, value in results.items() if value[0] == "killed"}
         RESULTS.write_text("".join(f"{key}\t{verdict}\t{killer}\n" for key, (verdict, killer) in results.items()))
-    judged = judge.Judge(tests_seen.record_all(wanted.jobs), wanted.seed)
+    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed)
     if wanted.one:
         found = [mutant for mutant in mutants if wanted.one in (str(mutant.id), mutant.key)]
         if not found:
@@ -192,6 +195,9 @@ def main():
         show_one(found[0], judged)
         return 0
     chosen = choose(mutants, folders, wanted.sample, wanted.seed)
+    if wanted.open:
+        waiting = set(OPEN.read_text().splitlines())
+        chosen = [mutant for mutant in chosen if mutant.key in waiting]
     todo = [mutant for mutant in chosen if mutant.key not in results]
     random.Random(wanted.seed).shuffle(todo)  # progress says something of all folders
     run_all(todo, judged, wanted.jobs)

@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLACE = ROOT / "build" / "mutants"
 SOURCE, TABLE = PLACE / "source", PLACE / "table"
 BUILD = SOURCE / "build"  # as that of every checkout: what is not mutated comes from the compiler cache
-JUDGED = SOURCE / "judged"  # scenarios of hnc's other judge: random programs, and what they compute on an AVR
+JUDGED = SOURCE / "judged/hnc"  # scenarios of hnc's other judge: random programs, and what they compute on an AVR
 JUDGED_PROGRAMS = 200       # as tests/judges/avr runs them
 
 # What is mutated: a folder's name here, patterns of its files.

@@ -20,6 +20,10 @@ LIMIT = 10  # seconds: a longer test is left out
 REACHED = re.compile(b"\x01")
 
 
+DIALECTS = ("nc110", "host50", "prostep", "technol", "hnc")
+SEEN_BY_ALL = ("passes", "runtime")  # folders of mutants that tests of every dialect reach
+
+
 class Scenario:
     """Of tests/golden, samples or the programs judged by an AVR: runs in the simulator; as compiled C++ for what the
     emitter writes."""
@@ -109,7 +113,7 @@ def record_scenario(scenario):
     with tempfile.TemporaryDirectory() as place:
         reached = os.path.join(place, "reached")
         scenario.reaches, passed, scenario.seconds = record(scenario_command([scenario.name]), reached)
-        if passed and zlib.crc32(scenario.name.encode()) % EMITTED == 0:
+        if passed and is_emitted(scenario):
             with open(reached, "wb"):
                 pass
             scenario.text = emitted_text(scenario.name, reached=reached)
@@ -125,7 +129,17 @@ def record_unit(unit):
     return unit if passed else None
 
 
-def units():
+def reaches_none(name, folders):
+    """Whether it is about dialects, and about none of them that is looked at."""
+    of = [dialect for dialect in DIALECTS if dialect in name.lower()]
+    return bool(of) and not set(folders).intersection([*of, *SEEN_BY_ALL])
+
+
+def is_emitted(scenario):
+    return zlib.crc32(scenario.name.encode()) % EMITTED == 0
+
+
+def units(folders):
     found = []
     for path in sorted((prepare.BUILD / "tests").glob("*_test")):
         if not path.name.startswith(prepare.TESTS):
@@ -137,13 +151,18 @@ def units():
             if not line.startswith(" "):
                 suite = word
             elif word and not LEFT_OUT.search(suite + word):
-                found.append(Unit(path.name, suite + word))
+                generates = "emit" in folders and path.name == "golden_test"
+                if generates or not reaches_none(suite + word, folders):
+                    found.append(Unit(path.name, suite + word))
     return found
 
 
-def scenarios():
-    return [Scenario(str(path.relative_to(prepare.SOURCE)))
-            for place in ("tests/golden", "samples", prepare.JUDGED.name) for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
+def scenarios(folders):
+    found = [Scenario(str(path.relative_to(prepare.SOURCE)))
+             for place in ("tests/golden", "samples", prepare.JUDGED.relative_to(prepare.SOURCE))
+             for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
+    return [scenario for scenario in found
+            if ("emit" in folders and is_emitted(scenario)) or not reaches_none(scenario.name, folders)]
 
 
 class Seen:
@@ -190,5 +209,7 @@ def recorded(name, tests, record_one, jobs):
     return [results[identity(test)] for test in tests if results[identity(test)] is not None]
 
 
-def record_all(jobs):
-    return Seen(recorded("scenarios", scenarios(), record_scenario, jobs), recorded("units", units(), record_unit, jobs))
+def record_all(jobs, folders):
+    """Of the tests that may reach mutants of the folders."""
+    return Seen(recorded("scenarios", scenarios(folders), record_scenario, jobs),
+                recorded("units", units(folders), record_unit, jobs))

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
@@ -101,6 +102,38 @@ TEST(Chunks, OfOneSubjectAreToldApartByTheirFirstStatement) {
 TEST(Chunks, AShortProgramIsOneFunction) {
   const ir::Program program = CoilProgram(Sequence(100));
   EXPECT_TRUE(Legalize(program, {.name = "coils"}).chunks.empty());
+}
+
+// What leaves the block stays in its function; a few statements between two such places stay with them.
+TEST(Chunks, AFewStatementsBetweenTwoExitsAreNoFunction) {
+  ir::Program program = CoilProgram(Sequence(130));
+  const ir::RegionId body = program.routines[ir::RoutineId(0)].body, inside = program.regions.Add({});
+  const std::vector<ir::InstId> coils = std::exchange(program.regions[body].insts, {});
+  ir::Builder builder(program);
+  builder.SetRegion(body);
+  const ir::InstId block = builder.Block(inside);
+  builder.SetRegion(inside);
+  uint32_t count = 0;
+  for (const ir::InstId id : coils) {
+    const bool begins = program[id].op == ir::OpKind::kStatement;
+    // In front of the 61st and of the 66th statement.
+    if (begins && (count == 60 || count == 65)) {
+      ir::Statement leaves;
+      leaves.subject = "leaves";
+      leaves.id = 7 + count;
+      builder.Statement(program.statements.Add(leaves));
+      builder.Exit(block, builder.Load(ir::PlaceId(count)));
+    }
+    count += begins ? 1 : 0;
+    program.regions[inside].insts.push_back(id);
+  }
+  uint32_t total = 0;
+  const Emittable emittable = Legalize(program, {.name = "coils"});
+  for (const Chunk& chunk : emittable.chunks) {
+    EXPECT_GE(chunk.statements, 25u) << chunk.name;
+    total += chunk.statements;
+  }
+  EXPECT_EQ(total, 125u);
 }
 
 TEST(Chunks, AnInsertedStatementChangesAtMostTwentyLines) {
