@@ -135,6 +135,13 @@ def reaches_none(name, folders):
     return bool(of) and not set(folders).intersection([*of, *SEEN_BY_ALL])
 
 
+def concerns(binary, folders):
+    """Whether a test's binary has code of the folders in it, directly or as the tool that it runs."""
+    lowers = binary.startswith(("dialects", "golden", "reference"))
+    emits = binary.startswith(("emit", "golden"))
+    return any(folder in SEEN_BY_ALL or (emits if folder == "emit" else lowers) for folder in folders)
+
+
 def is_emitted(scenario):
     return zlib.crc32(scenario.name.encode()) % EMITTED == 0
 
@@ -142,7 +149,7 @@ def is_emitted(scenario):
 def units(folders):
     found = []
     for path in sorted((prepare.BUILD / "tests").glob("*_test")):
-        if not path.name.startswith(prepare.TESTS):
+        if not path.name.startswith(prepare.TESTS) or not concerns(path.name, folders):
             continue
         lines = subprocess.run([path, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
         suite = ""
