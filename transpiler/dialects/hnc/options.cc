@@ -1,9 +1,9 @@
 #include "transpiler/dialects/hnc/options.h"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/common/option_values.h"
 
 namespace plcxx::hnc {
@@ -12,12 +12,7 @@ namespace {
 using dialects::Number;
 using dialects::OneOf;
 
-struct Row {
-  dialects::OptionInfo info;
-  bool (*apply)(std::string_view text, Settings& settings);
-};
-
-constexpr Row kRows[] = {
+constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"char", "signed or unsigned", "signed", "sign of plain char and of character constants"},
      [](std::string_view text, Settings& s) {
        return OneOf(text, "signed", CharOption::kSigned, "unsigned", CharOption::kUnsigned, s.plain_char);
@@ -59,48 +54,20 @@ constexpr Row kRows[] = {
      [](std::string_view text, Settings& s) { return Number(text, 1, 100, s.base_cycle_ms); }},
 };
 
-const Row* RowOf(std::string_view key) {
-  const auto same = [](char a, char b) { return a == b || (a == '-' && b == '_'); };
-  for (const Row& row : kRows) {
-    if (std::ranges::equal(row.info.key, key, same)) return &row;
-  }
-  return nullptr;
-}
-
-std::string Names() {
-  std::string names;
-  for (const Row& row : kRows) names += (names.empty() ? "" : ", ") + std::string(row.info.key);
-  return names;
-}
-
 }  // namespace
 
 std::span<const dialects::OptionInfo> Options() {
-  static const std::vector<dialects::OptionInfo> options = [] {
-    std::vector<dialects::OptionInfo> infos;
-    for (const Row& row : kRows) infos.push_back(row.info);
-    return infos;
-  }();
+  static const std::vector<dialects::OptionInfo> options = dialects::OptionInfos(kRows);
   return options;
 }
 
 void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
-  Settings scratch;
-  for (const auto& [key, value] : options) {
-    const Row* row = RowOf(key);
-    if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "hnc", Names());
-    } else if (!row->apply(value, scratch)) {
-      diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
-    }
-  }
+  dialects::CheckOptionRows<Settings>(kRows, options, "hnc", dialects::IsKeyWithUnderscores, diagnostics);
 }
 
 Settings ReadSettings(const std::map<std::string, std::string>& options) {
   Settings settings;
-  for (const auto& [key, value] : options) {
-    if (const Row* row = RowOf(key)) row->apply(value, settings);
-  }
+  dialects::ApplyOptionRows(kRows, options, dialects::IsKeyWithUnderscores, settings);
   return settings;
 }
 

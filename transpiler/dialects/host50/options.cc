@@ -1,15 +1,16 @@
 #include "transpiler/dialects/host50/options.h"
 
 #include <charconv>
-#include <optional>
+#include <ranges>
 #include <vector>
 
+#include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/host50/machine.h"
 
 namespace plcxx::host50 {
 namespace {
 
-struct Row {
+struct DirectiveOrOption {
   dialects::OptionInfo info;
   bool (*apply)(std::string_view text, Settings& settings);
   bool is_directive = false;  // of its own: no OPTION names it
@@ -37,7 +38,7 @@ bool Choose(std::string_view text, std::string_view first, std::string_view seco
   return true;
 }
 
-constexpr Row kRows[] = {
+constexpr DirectiveOrOption kRows[] = {
     {{"slowdiv", "1..1000", "8", "ticks of 1 ms in a slow cycle"},
      [](std::string_view text, Settings& s) { return Number(text, kMostSlowdiv, s.slowdiv); },
      true},
@@ -51,61 +52,40 @@ constexpr Row kRows[] = {
 #include "transpiler/dialects/host50/machine.def"
 };
 
-const Row* RowOf(std::string_view key) {
-  for (const Row& row : kRows) {
-    if (EqualIgnoringCase(row.info.key, key)) return &row;
-  }
-  return nullptr;
-}
+bool IsKey(std::string_view key, std::string_view written) { return EqualIgnoringCase(key, written); }
 
-std::string Names(bool with_directives) {
-  std::string names;
-  for (const Row& row : kRows) {
-    if (row.is_directive && !with_directives) continue;
-    if (!names.empty()) names += ", ";
-    names += row.info.key;
-  }
-  return names;
+const DirectiveOrOption* RowOf(std::string_view key) { return dialects::FindOptionRow(kRows, key, IsKey); }
+
+/// Without the directives of their own.
+std::string Names() {
+  return dialects::OptionKeys(kRows |
+                              std::views::filter([](const DirectiveOrOption& row) { return !row.is_directive; }));
 }
 
 }  // namespace
 
 std::span<const dialects::OptionInfo> Options() {
-  static const std::vector<dialects::OptionInfo> options = [] {
-    std::vector<dialects::OptionInfo> infos;
-    for (const Row& row : kRows) infos.push_back(row.info);
-    return infos;
-  }();
+  static const std::vector<dialects::OptionInfo> options = dialects::OptionInfos(kRows);
   return options;
 }
 
 void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
-  Settings scratch;
-  for (const auto& [key, value] : options) {
-    const Row* row = RowOf(key);
-    if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "host50", Names(true));
-    } else if (!row->apply(value, scratch)) {
-      diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
-    }
-  }
+  dialects::CheckOptionRows<Settings>(kRows, options, "host50", IsKey, diagnostics);
 }
 
 void ApplyOptions(const std::map<std::string, std::string>& options, Settings& settings) {
-  for (const auto& [key, value] : options) {
-    if (const Row* row = RowOf(key)) row->apply(value, settings);
-  }
+  dialects::ApplyOptionRows(kRows, options, IsKey, settings);
 }
 
 OptionFault ApplyOption(std::string_view name, std::string_view value, Settings& settings) {
-  const Row* row = RowOf(name);
+  const DirectiveOrOption* row = RowOf(name);
   if (row == nullptr || row->is_directive) return OptionFault::kName;
   return row->apply(value, settings) ? OptionFault::kNone : OptionFault::kValue;
 }
 
 std::string ExpectedOption(std::string_view name) {
-  const Row* row = RowOf(name);
-  return row == nullptr || row->is_directive ? Names(false) : std::string(row->info.values);
+  const DirectiveOrOption* row = RowOf(name);
+  return row == nullptr || row->is_directive ? Names() : std::string(row->info.values);
 }
 
 }  // namespace plcxx::host50

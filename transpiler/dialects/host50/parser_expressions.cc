@@ -1,4 +1,6 @@
 // The arguments of COMP and OPRT (specification 3, 6.6).
+#include <algorithm>
+
 #include "transpiler/dialects/host50/parser_internal.h"
 
 namespace plcxx::host50 {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/nc110/records.h"
 #include "transpiler/dialects/nc110/tokens.h"
 
@@ -11,14 +12,6 @@ namespace plcxx::nc110 {
 namespace {
 
 constexpr uint32_t kAny = 1'000'000'000;
-
-/// Takes the value into the settings; false when it does not fit.
-using Apply = bool (*)(std::string_view value, Settings& settings);
-
-struct Row {
-  dialects::OptionInfo info;
-  Apply apply;
-};
 
 std::optional<uint32_t> Plain(std::string_view text) {
   text = Trim(text);
@@ -120,7 +113,7 @@ bool NumberOnly(std::string_view text, Settings&) {
 }
 bool FileOnly(std::string_view text, Settings&) { return !text.empty(); }
 
-constexpr Row kRows[] = {
+constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"clo", "P,S in ms", "10,2", "period of the logic and time slot of its slow part"}, ApplyClo},
     {{"cycle_ms", "1..60000", "10", "P of clo alone"},
      [](std::string_view t, Settings& s) { return Number(t, 1, 60'000, s.period_ms); }},
@@ -164,22 +157,6 @@ constexpr Row kRows[] = {
      [](std::string_view t, Settings& s) { return Number(t, 0, kAny, s.stub_ms); }},
 };
 
-const Row* RowOf(std::string_view key) {
-  for (const Row& row : kRows) {
-    if (row.info.key == key) return &row;
-  }
-  return nullptr;
-}
-
-std::string AllKeys() {
-  std::string keys;
-  for (const Row& row : kRows) {
-    if (!keys.empty()) keys += ", ";
-    keys += row.info.key;
-  }
-  return keys;
-}
-
 /// The part of a t-init list that is out of range, when the list is well formed otherwise.
 bool IsInitialValueOutOfRange(std::string_view list) {
   return ForEachPart(list, [](std::string_view part) {
@@ -216,20 +193,16 @@ std::optional<InitialByteSetting> ParseInitialByte(std::string_view number, std:
 }
 
 std::span<const dialects::OptionInfo> Options() {
-  static const std::vector<dialects::OptionInfo> options = [] {
-    std::vector<dialects::OptionInfo> infos;
-    for (const Row& row : kRows) infos.push_back(row.info);
-    return infos;
-  }();
+  static const std::vector<dialects::OptionInfo> options = dialects::OptionInfos(kRows);
   return options;
 }
 
 void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
   Settings scratch;
   for (const auto& [key, value] : options) {
-    const Row* row = RowOf(key);
+    const auto* row = dialects::FindOptionRow(kRows, key, dialects::IsKey);
     if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "nc110", AllKeys());
+      diagnostics.Report({}, diag::UnknownOption, key, "nc110", dialects::OptionKeys(kRows));
     } else if (!row->apply(value, scratch)) {
       if (key == "t-init" && IsInitialValueOutOfRange(value)) {
         diagnostics.Report({}, diag::Nc110InitialValue, value);
@@ -241,7 +214,7 @@ void CheckOptions(const std::map<std::string, std::string>& options, diag::Engin
 }
 
 void ApplyOptions(const std::map<std::string, std::string>& options, Settings& settings) {
-  for (const Row& row : kRows) {  // in the table's order: cycle_ms and slice_ms come behind clo
+  for (const auto& row : kRows) {  // in the table's order: cycle_ms and slice_ms come behind clo
     const auto option = options.find(std::string(row.info.key));
     if (option != options.end()) row.apply(option->second, settings);
   }

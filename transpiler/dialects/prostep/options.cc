@@ -1,10 +1,9 @@
 #include "transpiler/dialects/prostep/options.h"
 
-#include <algorithm>
-#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/common/option_values.h"
 
 namespace plcxx::prostep {
@@ -13,14 +12,6 @@ namespace {
 using dialects::Number;
 using dialects::OneOf;
 using dialects::Switch;
-
-/// Takes the value into the settings; false when it does not fit.
-using Apply = bool (*)(std::string_view value, Settings& settings);
-
-struct Row {
-  dialects::OptionInfo info;
-  Apply apply;
-};
 
 bool ApplyRetentive(std::string_view text, Settings& s) {
   const size_t dash = text.find('-');
@@ -34,7 +25,7 @@ bool ApplyRetentive(std::string_view text, Settings& s) {
   return true;
 }
 
-constexpr Row kRows[] = {
+constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"text-encoding", "utf-8 or mazovia", "utf-8", "encoding of the generated tables of texts"},
      [](std::string_view t, Settings& s) {
        return OneOf(t, "utf-8", TextEncoding::kUtf8, "mazovia", TextEncoding::kMazovia, s.text_encoding);
@@ -66,45 +57,20 @@ constexpr Row kRows[] = {
      [](std::string_view t, Settings& s) { return Switch(t, s.strict); }},
 };
 
-const Row* RowOf(std::string_view key) {
-  const auto row = std::ranges::find(kRows, key, [](const Row& candidate) { return candidate.info.key; });
-  return row == std::end(kRows) ? nullptr : row;
-}
-
-std::string AllKeys() {
-  std::string keys;
-  for (const Row& row : kRows) keys += (keys.empty() ? "" : ", ") + std::string(row.info.key);
-  return keys;
-}
-
 }  // namespace
 
 std::span<const dialects::OptionInfo> Options() {
-  static const std::vector<dialects::OptionInfo> options = [] {
-    std::vector<dialects::OptionInfo> infos;
-    for (const Row& row : kRows) infos.push_back(row.info);
-    return infos;
-  }();
+  static const std::vector<dialects::OptionInfo> options = dialects::OptionInfos(kRows);
   return options;
 }
 
 void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
-  Settings scratch;
-  for (const auto& [key, value] : options) {
-    const Row* row = RowOf(key);
-    if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "prostep", AllKeys());
-    } else if (!row->apply(value, scratch)) {
-      diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
-    }
-  }
+  dialects::CheckOptionRows<Settings>(kRows, options, "prostep", dialects::IsKey, diagnostics);
 }
 
 Settings ReadSettings(const std::map<std::string, std::string>& options) {
   Settings settings;
-  for (const auto& [key, value] : options) {
-    if (const Row* row = RowOf(key)) row->apply(value, settings);
-  }
+  dialects::ApplyOptionRows(kRows, options, dialects::IsKey, settings);
   return settings;
 }
 

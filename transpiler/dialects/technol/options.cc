@@ -1,10 +1,9 @@
 #include "transpiler/dialects/technol/options.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/common/option_values.h"
 
 namespace plcxx::technol {
@@ -14,18 +13,10 @@ using dialects::Number;
 using dialects::OneOf;
 using dialects::Switch;
 
-/// Takes the value into the settings; false when it does not fit.
-using Apply = bool (*)(std::string_view value, Settings& settings);
-
-struct Row {
-  dialects::OptionInfo info;
-  Apply apply;
-};
-
 constexpr uint32_t kMostMilliseconds = 1000;
 constexpr uint32_t kMostLoops = 16'777'216;
 
-constexpr Row kRows[] = {
+constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"slow-ms", "1..1000, a multiple of fast-ms", "20", "period of the slow part in ms"},
      [](std::string_view t, Settings& s) { return Number(t, 1, kMostMilliseconds, s.slow_ms); }},
     {{"fast-ms", "1..1000", "1", "period of MODULE_FAST in ms"},
@@ -75,55 +66,27 @@ constexpr Row kRows[] = {
      }},
 };
 
-const Row* RowOf(std::string_view key) {
-  const auto same = [](char a, char b) { return a == b || (a == '-' && b == '_'); };
-  const auto row = std::ranges::find_if(
-      kRows, [&](const Row& candidate) { return std::ranges::equal(candidate.info.key, key, same); });
-  return row == std::end(kRows) ? nullptr : row;
-}
-
-std::string AllKeys() {
-  std::string keys;
-  for (const Row& row : kRows) keys += (keys.empty() ? "" : ", ") + std::string(row.info.key);
-  return keys;
-}
-
 }  // namespace
 
 std::span<const dialects::OptionInfo> Options() {
-  static const std::vector<dialects::OptionInfo> options = [] {
-    std::vector<dialects::OptionInfo> infos;
-    for (const Row& row : kRows) infos.push_back(row.info);
-    return infos;
-  }();
+  static const std::vector<dialects::OptionInfo> options = dialects::OptionInfos(kRows);
   return options;
 }
 
 void CheckOptions(const std::map<std::string, std::string>& options, diag::Engine& diagnostics) {
-  Settings scratch;
-  bool right = true;
-  for (const auto& [key, value] : options) {
-    const Row* row = RowOf(key);
-    if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "technol", AllKeys());
-      right = false;
-    } else if (!row->apply(value, scratch)) {
-      diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
-      right = false;
-    }
-  }
-  if (right && scratch.slow_ms % scratch.fast_ms != 0) {
+  const uint32_t before = diagnostics.error_count();
+  const auto settings =
+      dialects::CheckOptionRows<Settings>(kRows, options, "technol", dialects::IsKeyWithUnderscores, diagnostics);
+  if (diagnostics.error_count() == before && settings.slow_ms % settings.fast_ms != 0) {
     const std::string value =
-        std::to_string(scratch.slow_ms) + " is no multiple of fast-ms " + std::to_string(scratch.fast_ms);
+        std::to_string(settings.slow_ms) + " is no multiple of fast-ms " + std::to_string(settings.fast_ms);
     diagnostics.Report({}, diag::BadOptionValue, "slow-ms", value, "a multiple of fast-ms");
   }
 }
 
 Settings ReadSettings(const std::map<std::string, std::string>& options) {
   Settings settings;
-  for (const auto& [key, value] : options) {
-    if (const Row* row = RowOf(key)) row->apply(value, settings);
-  }
+  dialects::ApplyOptionRows(kRows, options, dialects::IsKeyWithUnderscores, settings);
   return settings;
 }
 
