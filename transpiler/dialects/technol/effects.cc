@@ -1,5 +1,7 @@
 #include "transpiler/dialects/technol/effects.h"
 
+#include <algorithm>
+
 #include "transpiler/support/check.h"
 
 namespace plcxx::technol {
@@ -17,41 +19,45 @@ Resources ReadsOf(const Operand& operand) {
   return operand.kind == OperandKind::kRegister ? PartsOf(operand.reg) : IndexOf(operand);
 }
 
-Resources FlagsReadBy(Op op) {
+/// How TECHNOL's own instructions use their operand and DR.
+enum class DrUse : uint8_t {
+  kNone,
+  kDelay,           // a timer's cell and a time
+  kLoadsDr,         // LOD
+  kStoresDr,        // STO
+  kComputes,        // DR and the operand in their width (6.1)
+  kMultipliesByte,  // the low 8 bits of DR
+  kMultipliesWord,  // the low 16 bits
+  kDividesByte,     // the low 16 bits; the rest is in DX
+  kDividesWord,
+  kRotates,   // DR by a count
+  kConverts,  // DR alone
+  kCompares   // DR with the operand; the result is RLO
+};
+
+struct EffectRow {
+  DrUse use;
+  Resources reads, writes, undefines;
+};
+
+EffectRow RowOf(Op op) {
+  // As the rows name them.
+  const Resources kAl = PartsOf(Register::kAl), kAx = PartsOf(Register::kAx), kEax = PartsOf(Register::kEax);
+  const Resources kCx = PartsOf(Register::kCx), kDx = PartsOf(Register::kDx), kEdx = PartsOf(Register::kEdx);
   switch (op) {
-    case Op::kJe:
-    case Op::kJne:
-      return kZf;
-    case Op::kJc:
-    case Op::kJnc:
-      return kCf;
-    case Op::kJa:
-    case Op::kJbe:
-      return kCf | kZf;
-    case Op::kJg:
-    case Op::kJle:
-      return kZf | kSf | kOf;
-    case Op::kJge:
-    case Op::kJl:
-      return kSf | kOf;
-    case Op::kJs:
-    case Op::kJns:
-      return kSf;
-    case Op::kJo:
-    case Op::kJno:
-      return kOf;
-    case Op::kAdc:
-    case Op::kSbb:
-    case Op::kRcl:
-    case Op::kRcr:
-    case Op::kCmc:
-      return kCf;
-    case Op::kDaa:
-    case Op::kDas:
-      return kCf | kAf;
-    default:  // all others read none
-      return 0;
+#define TECHNOL_EFFECT(Key, Use, Reads, Writes, Undefines) \
+  case Op::k##Key:                                         \
+    return {DrUse::k##Use, Reads, Writes, Undefines};
+#include "transpiler/dialects/technol/effects.def"
+    case Op::kMechanismBegin:
+    case Op::kMechanismEnd:
+    case Op::kModuleEnd:
+    case Op::kAreaEnd:
+      return {DrUse::kNone, 0, 0, kFlags};
+    case Op::kUnknown:
+      return {DrUse::kNone, 0, kAllResources, 0};
   }
+  PLCXX_UNREACHABLE();
 }
 
 /// The flags behind a shift or rotation.
@@ -75,7 +81,6 @@ void ShiftFlags(const Instruction& instruction, const Operand& count, Effects& e
 /// Of the assembler instructions; jumps and those without operands included.
 void AssemblerEffects(const Program& program, const Instruction& instruction, Effects& effects) {
   const InstructionInfo& info = Info(instruction.op);
-  effects.reads |= FlagsReadBy(instruction.op);
   const auto operand = [&](uint32_t index) -> const Operand& { return program.OperandOf(instruction, index); };
   const auto take_first = [&] {
     const Operand& first = operand(0);
@@ -84,7 +89,6 @@ void AssemblerEffects(const Program& program, const Instruction& instruction, Ef
     if (info.first != Access::kWrite) effects.reads |= PartsOf(first.reg);
     if (info.first != Access::kRead) effects.writes |= PartsOf(first.reg);
   };
-  constexpr Resources kArithmetic = kFlags;
   switch (info.form) {
     case Form::kTwo:
       if (IsClearing(program, instruction)) {
@@ -125,78 +129,23 @@ void AssemblerEffects(const Program& program, const Instruction& instruction, Ef
       const Register high = width == 8 ? Register::kAh : width == 16 ? Register::kDx : Register::kEdx;
       effects.reads |= PartsOf(low) | (divides ? PartsOf(high) : 0);
       effects.writes |= PartsOf(low) | PartsOf(high);
-      if (divides) {
-        effects.undefines |= kFlags;
-      } else {
-        effects.writes |= kCf | kOf;
-        effects.undefines |= kFlags & ~(kCf | kOf);
-      }
       return;
     }
-    default:
-      break;
-  }
-  switch (instruction.op) {
-    case Op::kAdd:
-    case Op::kAdc:
-    case Op::kSub:
-    case Op::kSbb:
-    case Op::kCmp:
-    case Op::kNeg:
-      effects.writes |= kArithmetic;
-      return;
-    case Op::kInc:
-    case Op::kDec:
-      effects.writes |= kArithmetic & ~kCf;
-      return;
-    case Op::kAsmAnd:
-    case Op::kAsmOr:
-    case Op::kAsmXor:
-    case Op::kTest:
-      effects.writes |= kArithmetic & ~kAf;
-      effects.undefines |= kAf;
-      return;
-    case Op::kCbw:
-      effects.reads |= PartsOf(Register::kAl);
-      effects.writes |= PartsOf(Register::kAx);
-      return;
-    case Op::kCwd:
-      effects.reads |= PartsOf(Register::kAx);
-      effects.writes |= PartsOf(Register::kDx);
-      return;
-    case Op::kCwde:
-      effects.reads |= PartsOf(Register::kAx);
-      effects.writes |= PartsOf(Register::kEax);
-      return;
-    case Op::kCdq:
-      effects.reads |= PartsOf(Register::kEax);
-      effects.writes |= PartsOf(Register::kEdx);
-      return;
-    case Op::kDaa:
-    case Op::kDas:
-      effects.reads |= PartsOf(Register::kAl);
-      effects.writes |= PartsOf(Register::kAl) | (kFlags & ~kOf);
-      effects.undefines |= kOf;
-      return;
-    case Op::kAam:
-    case Op::kAad:
-      effects.reads |= instruction.op == Op::kAam ? PartsOf(Register::kAl) : PartsOf(Register::kAx);
-      effects.writes |= PartsOf(Register::kAx) | kZf | kSf;
-      effects.undefines |= kCf | kOf | kAf;
-      return;
-    case Op::kClc:
-    case Op::kStc:
-    case Op::kCmc:
-      effects.writes |= kCf;
-      return;
-    case Op::kLoop:
-      effects.reads |= PartsOf(Register::kCx);
-      effects.writes |= PartsOf(Register::kCx);
-      return;
-    case Op::kJcxz:
-      effects.reads |= PartsOf(Register::kCx);
-      return;
-    default:  // moves and jumps leave the flags alone
+    case Form::kNone:
+    case Form::kBit:
+    case Form::kWriteBit:
+    case Form::kFlag:
+    case Form::kJump:
+    case Form::kCall:
+    case Form::kWaitLimit:
+    case Form::kDelay:
+    case Form::kMechanism:
+    case Form::kData:
+    case Form::kNarrowData:
+    case Form::kWideData:
+    case Form::kStore:
+    case Form::kRotation:
+    case Form::kError:
       return;
   }
 }
@@ -234,6 +183,15 @@ const char* NameOf(Resources resources) {
   return "";
 }
 
+bool ReadsRlo(Op op) { return (RowOf(op).reads & kRlo) != 0; }
+
+bool ReadsDr(Op op) {
+  const DrUse use = RowOf(op).use;
+  return use != DrUse::kNone && use != DrUse::kDelay && use != DrUse::kLoadsDr;
+}
+
+bool ComparesDr(Op op) { return RowOf(op).use == DrUse::kCompares; }
+
 bool IsWait(Op op) {
   return op == Op::kEx || op == Op::kEx0 || op == Op::kEx1 || op == Op::kTex0 || op == Op::kTex1 || op == Op::kTim;
 }
@@ -260,92 +218,51 @@ bool IsPure(const Program& program, const Instruction& instruction) {
 }
 
 Effects EffectsOf(const Program& program, const Instruction& instruction, uint32_t width) {
-  Effects effects;
-  if (instruction.faulty || instruction.op == Op::kUnknown) {
-    effects.writes = kAllResources;
-    return effects;
-  }
+  const EffectRow row = RowOf(instruction.faulty ? Op::kUnknown : instruction.op);
+  Effects effects{.reads = row.reads, .writes = row.writes, .undefines = row.undefines, .may_keep = 0};
+  if (instruction.faulty || instruction.op == Op::kUnknown) return effects;
   if (Info(instruction.op).assembler) {
     AssemblerEffects(program, instruction, effects);
     return effects;
   }
-  // CALL and RET hand the flags on (6.4).
-  if (instruction.op != Op::kCall && instruction.op != Op::kRet) effects.undefines = kFlags;
   const auto operand = [&](uint32_t index) -> const Operand& { return program.OperandOf(instruction, index); };
-  const auto reads_data = [&](uint32_t dr) {
-    effects.reads |= ReadsOf(operand(0)) | PartsOfDr(dr);
-    effects.writes |= kWholeDr;
-  };
-  switch (instruction.op) {
-    case Op::kLdr:
-      effects.writes |= kRlo;
+  switch (row.use) {
+    case DrUse::kNone:
       break;
-    case Op::kLa:
-    case Op::kLo:
-    case Op::kLx:
-      effects.reads |= kRlo;
-      effects.writes |= kRlo;
-      break;
-    case Op::kWr:
-    case Op::kFl1:
-    case Op::kFl0:
-    case Op::kJl1:
-    case Op::kJl0:
-    case Op::kEx0:
-    case Op::kEx1:
-      effects.reads |= kRlo;
-      break;
-    case Op::kTex0:
-    case Op::kTex1:
-      effects.reads |= kRlo | IndexOf(operand(0)) | ReadsOf(operand(1));
-      break;
-    case Op::kTim:
+    case DrUse::kDelay:
       effects.reads |= IndexOf(operand(0)) | ReadsOf(operand(1));
       break;
-    case Op::kLod:
+    case DrUse::kLoadsDr:
       effects.reads |= ReadsOf(operand(0));
       effects.writes |= kWholeDr;
       break;
-    case Op::kSto:
-      effects.reads |= IndexOf(operand(0)) | PartsOfDr(operand(0).width < width ? operand(0).width : width);
+    case DrUse::kStoresDr:
+      effects.reads |= IndexOf(operand(0)) | PartsOfDr(std::min(uint32_t{operand(0).width}, width));
       break;
-    case Op::kAd:
-    case Op::kSu:
-    case Op::kAnd:
-    case Op::kOr:
-    case Op::kXor:
-      reads_data(width);
+    case DrUse::kComputes:
+    case DrUse::kRotates:
+      effects.reads |= ReadsOf(operand(0)) | PartsOfDr(width);
+      effects.writes |= kWholeDr;
       break;
-    case Op::kMulb:
-      reads_data(8);
+    case DrUse::kMultipliesByte:
+      effects.reads |= ReadsOf(operand(0)) | PartsOfDr(8);
+      effects.writes |= kWholeDr;
       break;
-    case Op::kMulw:
-      reads_data(16);
+    case DrUse::kMultipliesWord:
+      effects.reads |= ReadsOf(operand(0)) | PartsOfDr(16);
+      effects.writes |= kWholeDr;
       break;
-    case Op::kDivb:
-    case Op::kDivw:
-      reads_data(instruction.op == Op::kDivb ? 16 : width);
-      effects.writes |= PartsOf(Register::kDx);
+    case DrUse::kDividesByte:
+    case DrUse::kDividesWord:
+      effects.reads |= ReadsOf(operand(0)) | PartsOfDr(row.use == DrUse::kDividesByte ? 16 : width);
+      effects.writes |= kWholeDr | PartsOf(Register::kDx);
       break;
-    case Op::kRl:
-    case Op::kRr:
-      reads_data(width);
-      break;
-    case Op::kBcd:
-    case Op::kBin:
+    case DrUse::kConverts:
       effects.reads |= PartsOfDr(width);
       effects.writes |= kWholeDr;
       break;
-    case Op::kEq:
-    case Op::kNe:
-    case Op::kLt:
-    case Op::kLe:
-    case Op::kGt:
-    case Op::kGe:
+    case DrUse::kCompares:
       effects.reads |= ReadsOf(operand(0)) | PartsOfDr(width);
-      effects.writes |= kRlo;
-      break;
-    default:  // nothing but its operand in memory
       break;
   }
   return effects;
@@ -354,22 +271,23 @@ Effects EffectsOf(const Program& program, const Instruction& instruction, uint32
 uint32_t WidthBehind(const Program& program, const Instruction& instruction, uint32_t width) {
   if (instruction.faulty || instruction.op == Op::kUnknown) return width;
   const auto operand = [&] { return uint32_t{program.OperandOf(instruction, 0).width}; };
-  switch (instruction.op) {
-    case Op::kLod:
+  switch (RowOf(instruction.op).use) {
+    case DrUse::kLoadsDr:
       return OperationWidth(16, operand());
-    case Op::kAd:
-    case Op::kSu:
-    case Op::kAnd:
-    case Op::kOr:
-    case Op::kXor:
+    case DrUse::kComputes:
       return OperationWidth(width, operand());
-    case Op::kMulb:
-    case Op::kDivb:
+    case DrUse::kMultipliesByte:
+    case DrUse::kDividesByte:
       return 16;
-    case Op::kMulw:
-    case Op::kDivw:
+    case DrUse::kMultipliesWord:
+    case DrUse::kDividesWord:
       return 32;
-    default:
+    case DrUse::kNone:
+    case DrUse::kDelay:
+    case DrUse::kStoresDr:
+    case DrUse::kRotates:
+    case DrUse::kConverts:
+    case DrUse::kCompares:
       break;
   }
   if (!Info(instruction.op).assembler) return width;

@@ -42,6 +42,11 @@ constexpr uint32_t OperationWidth(uint32_t width, uint32_t operand) { return wid
 
 /// Does it store into memory, or do anything else that a wait must not repeat (6.7)?
 bool IsPure(const Program& program, const Instruction& instruction);
+/// Of TECHNOL's own instructions: goes on with the RLO, or with DR, that the one before has left.
+bool ReadsRlo(Op op);
+bool ReadsDr(Op op);
+/// EQ to GE: sets the RLO from DR.
+bool ComparesDr(Op op);
 /// EX, EX0, EX1, TEX0, TEX1, TIM.
 bool IsWait(Op op);
 /// Goes to its label, or may: JUM to JCXZ; TEX0 and TEX1 are waits.

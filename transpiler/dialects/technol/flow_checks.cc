@@ -91,7 +91,7 @@ void WarnOfPaths(const Flow& flow, diag::Engine& diagnostics) {
     }
     was_reached = reached;
     if (!reached) continue;
-    const bool tests = (instruction.op >= Op::kEq && instruction.op <= Op::kGe) || instruction.op == Op::kLdr;
+    const bool tests = ComparesDr(instruction.op) || instruction.op == Op::kLdr;
     if (tests && (flow.LiveBehind(id) & kRlo) == 0) {
       Report(diagnostics, program, instruction, diag::TechnolResultUnused, ToText(program, instruction));
     }

@@ -105,11 +105,34 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kLoop:
     case Op::kJcxz:
       return LoopJump(instruction);
-    default: {
+    case Op::kJe:
+    case Op::kJne:
+    case Op::kJc:
+    case Op::kJnc:
+    case Op::kJa:
+    case Op::kJbe:
+    case Op::kJg:
+    case Op::kJge:
+    case Op::kJl:
+    case Op::kJle:
+    case Op::kJs:
+    case Op::kJns:
+    case Op::kJo:
+    case Op::kJno: {
       const ValueId condition = Condition(instruction.op);
       SpillAll();
       return Jump(TargetOf(instruction), condition);
     }
+    // TECHNOL's own instructions, and marks
+#define TECHNOL_ASSEMBLER(...)
+#define TECHNOL_INSTRUCTION(Key, ...) case Op::k##Key:
+#include "transpiler/dialects/technol/machine.def"
+    case Op::kMechanismBegin:
+    case Op::kMechanismEnd:
+    case Op::kModuleEnd:
+    case Op::kAreaEnd:
+    case Op::kUnknown:
+      PLCXX_UNREACHABLE();
   }
 }
 

@@ -39,32 +39,10 @@ bool EndsStatement(Op op) {
   }
 }
 
-bool UsesRloFirst(Op op) {
-  switch (op) {
-    case Op::kLa:
-    case Op::kLo:
-    case Op::kLx:
-    case Op::kWr:
-    case Op::kFl1:
-    case Op::kFl0:
-    case Op::kJl1:
-    case Op::kJl0:
-    case Op::kEx0:
-    case Op::kEx1:
-    case Op::kTex0:
-    case Op::kTex1:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool UsesDrFirst(Op op) { return (op >= Op::kSto && op <= Op::kGe); }
-
 bool BeginsStatement(const Instruction& instruction, const Sequence& sequence) {
   const Op op = instruction.op;
-  if (UsesRloFirst(op)) return !sequence.rlo;
-  if (UsesDrFirst(op)) return !sequence.dr;
+  if (ReadsRlo(op)) return !sequence.rlo;
+  if (ReadsDr(op)) return !sequence.dr;
   if (!Info(op).assembler) return true;  // loads, and what stands for itself
   if (IsJump(op)) return !sequence.assembler || sequence.acted;
   const bool continues = sequence.assembler || (sequence.dr && !sequence.rlo);
