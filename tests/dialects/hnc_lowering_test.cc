@@ -227,6 +227,29 @@ TEST(HncLowering, IndexedPlacesHaveNamesThatSayWhereTheyBegin) {
   EXPECT_THAT(names("*G_uc[a] = 1;"), Contains("G_uc_by_2"));
 }
 
+TEST(HncLowering, AMacroThatStandsForAWordOfATableNamesIt) {
+  const auto is_named = [](const std::string& text, std::string_view name) {
+    LoweredProgram lowered;
+    LowerInto(lowered,
+              "#include \"plc.h\"\n" + text + "}\nvoid init() { plc1_time = 16; plc2_time = 32; }\nvoid plc2() { }\n");
+    return std::ranges::any_of(lowered.program().places, [&](const ir::Place& place) { return place.name == name; });
+  };
+  EXPECT_TRUE(is_named("#define SPEED G_i[5]\nvoid plc1() { *SPEED = 3; ", "SPEED"));
+  EXPECT_TRUE(is_named("#define SPEED (*G_i[5])\nvoid plc1() { SPEED = 3; ", "SPEED"));
+  EXPECT_TRUE(is_named("#define LAMP Y[5]\nvoid plc1() { LAMP = 3; ", "LAMP"));
+  EXPECT_FALSE(is_named("#define LAMP 5\nvoid plc1() { Y[LAMP] = 3; ", "LAMP"));
+}
+
+TEST(HncLowering, CommentsAreLinesWithoutTheirEdges) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements("\n/* one\n * two **\n ** three */\n// * four\na = 1;"));
+  std::vector<std::string> lines;
+  for (const ir::Statement& statement : lowered.program().statements) {
+    for (const source::Range& range : statement.comments) lines.emplace_back(lowered.sources.Text(range));
+  }
+  EXPECT_THAT(lines, ElementsAre("one", "two", "three", "* four"));
+}
+
 // covers: HNC-344
 TEST(HncLowering, AVariableIsReportedOnceAsReadBeforeWritten) {
   LoweredProgram lowered;

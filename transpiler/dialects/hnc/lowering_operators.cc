@@ -168,9 +168,7 @@ Value Lowering::Shift(BinaryOp op, const Value& a, const Value& b, const Expr& a
   if (known) {
     count = builder_.Constant(count_type, static_cast<uint64_t>(*known & most));
   } else {
-    const Value narrow = ConvertInteger(
-        b, wide ? (TypeAt(b.type).is_signed ? long_ : unsigned_long_) : (TypeAt(b.type).is_signed ? int_ : unsigned_));
-    count = narrow.id;
+    count = ConvertInteger(b, wide ? unsigned_long_ : unsigned_).id;  // of its sign nothing is left
     if (!Bounds{0, most}.Holds(b.bounds.low) || !Bounds{0, most}.Holds(b.bounds.high)) {
       const ValueId mask = builder_.Constant(count_type, static_cast<uint64_t>(most));
       count = Pure(wide ? OpKind::kAnd32 : OpKind::kAnd16, {count, mask});
