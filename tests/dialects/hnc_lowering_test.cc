@@ -240,6 +240,17 @@ TEST(HncLowering, AMacroThatStandsForAWordOfATableNamesIt) {
   EXPECT_FALSE(is_named("#define LAMP 5\nvoid plc1() { Y[LAMP] = 3; ", "LAMP"));
 }
 
+// Also where no statement names its first byte.
+TEST(HncLowering, EachVariableIsDocumentedByItsName) {
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements("table[a] = b;"));
+  std::map<std::string, std::string> symbols;
+  for (const ir::Documentation& known : lowered.program().documentation) symbols[known.address] = known.symbols;
+  EXPECT_EQ(symbols["table"], "table");
+  EXPECT_EQ(symbols["a"], "a");
+  EXPECT_EQ(symbols["n"], "n");
+}
+
 TEST(HncLowering, CommentsAreLinesWithoutTheirEdges) {
   LoweredProgram lowered;
   LowerInto(lowered, WithStatements("\n/* one\n * two **\n ** three */\n// * four\na = 1;"));

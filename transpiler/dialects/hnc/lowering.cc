@@ -19,14 +19,7 @@ Lowering::Lowering(Scope scope, const Unit& unit, const Settings& settings, cons
     if (types_[TypeId(i)].kind == TypeKind::kReal && types_[TypeId(i)].bits == 64) double_ = TypeId(i);
   }
   if (!double_.valid()) {
-    double_ = types_.Add({.kind = TypeKind::kReal,
-                          .bits = 64,
-                          .is_signed = false,
-                          .element = {},
-                          .count = 0,
-                          .record = {},
-                          .size = 8,
-                          .text = "double"});
+    double_ = types_.Add({.kind = TypeKind::kReal, .bits = 64, .size = 8, .text = "double"});
   }
 }
 
