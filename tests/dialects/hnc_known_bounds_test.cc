@@ -51,6 +51,24 @@ TEST(HncKnownBounds, WhatIsKnownInFrontOfALabelWithAWayBackIsKnownAfterIt) {
   EXPECT_TRUE(IsChecked(known + "again: i++; k = i; if (i < 4) goto again; k += 5; " + access));
 }
 
+/// Whether table[f() - 1] is checked where f() is left in these ways.
+bool IsCheckedBehind(const std::string& ways) {
+  LoweredProgram lowered;
+  LowerInto(lowered, "#include \"plc.h\"\nint a, table[8];\nint f() { " + ways +
+                         " }\nvoid plc1() { a = table[f() - 1]; }\nvoid plc2() { }\n"
+                         "void init() { plc1_time = 16; plc2_time = 32; }\n");
+  const std::vector<std::string> lines = lowered.Routine("plc1");
+  return std::ranges::any_of(lines, [](const std::string& line) { return line.starts_with("call record_fault"); });
+}
+
+TEST(HncKnownBounds, AFunctionThatIsLeftWithoutAValueMayGive0) {
+  EXPECT_FALSE(IsCheckedBehind("if (X[0]) return 1; return 8;"));
+  EXPECT_TRUE(IsCheckedBehind("if (X[0]) return 1; return 9;"));
+  EXPECT_TRUE(IsCheckedBehind("if (X[0]) return; return 5;"));
+  EXPECT_TRUE(IsCheckedBehind("if (X[0]) return 5; return;"));
+  EXPECT_TRUE(IsCheckedBehind("if (X[0]) return 5;"));
+}
+
 /// The period of the fast part that a program with this text around it promises.
 uint32_t FastEvery(const std::string& more, const std::string& init = "plc1_time = 16; plc2_time = 32;") {
   LoweredProgram lowered;

@@ -279,6 +279,11 @@ ValueId Lowering::IsNotNull(const Address& address, ExprId id) {
   return Pure(OpKind::kNotEqual32, {OffsetOf(address), builder_.Constant(ir::Type::kI32, kNullOffset, 16)});
 }
 
+bool Lowering::MayBeNull(const Address& address) {
+  return address.index.valid() && address.base == 0 && address.stride == 1 &&
+         address.index_bounds.Holds(kAnyOffset.low);
+}
+
 Value Lowering::ComparePointers(const Expr& expr) {
   const Address a = EvaluatePointer(expr.a), b = EvaluatePointer(expr.b);
   const bool equality = expr.binary == BinaryOp::kEqual || expr.binary == BinaryOp::kNotEqual;
@@ -293,7 +298,12 @@ Value Lowering::ComparePointers(const Expr& expr) {
     diagnostics_.Report(expr.range, diag::HncIncompatible, "pointers into different objects are compared");
     return FromBit(builder_.Bit(0));
   }
-  if (apart) return outcome(builder_.Bit(0));
+  const auto is_null = [&](ValueId offset) {
+    return Pure(OpKind::kEqual32, {offset, builder_.Constant(ir::Type::kI32, kNullOffset, 16)});
+  };
+  // Two null pointers are equal, whatever else they may refer to.
+  const bool nulls = MayBeNull(a) && MayBeNull(b);
+  if (apart) return outcome(nulls ? Pure(OpKind::kBitAnd, {is_null(x), is_null(y)}) : builder_.Bit(0));
   const bool several = a.object.valid() || b.object.valid() || a.targets.objects != b.targets.objects;
   ValueId same;
   if (several) same = Pure(OpKind::kEqual16, {ObjectOf(a), ObjectOf(b)});
@@ -308,6 +318,7 @@ Value Lowering::ComparePointers(const Expr& expr) {
     case BinaryOp::kGreaterEqual:
       return FromBit(with_same(Pure(OpKind::kSignedGreaterEqual32, {x, y})));
     default:
+      if (several && nulls) same = Pure(OpKind::kBitOr, {same, is_null(x)});
       return outcome(with_same(Pure(OpKind::kEqual32, {x, y})));
   }
 }

@@ -211,6 +211,8 @@ class Lowering {
   void StorePointer(VariableId id, const Address& value);
   ir::ValueId OffsetOf(const Address& address);
   ir::ValueId ObjectOf(const Address& address);
+  /// Null is the least offset.
+  static bool MayBeNull(const Address& address);
   Value ComparePointers(const Expr& expr);
   ir::ValueId IsNotNull(const Address& address, ExprId id);
   Value PointerDifference(const Expr& expr);
