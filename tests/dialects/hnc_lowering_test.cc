@@ -251,6 +251,18 @@ TEST(HncLowering, EachVariableIsDocumentedByItsName) {
   EXPECT_EQ(symbols["n"], "n");
 }
 
+TEST(HncLowering, OfAnIntegerTheInitialValueIsDocumented) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\nfloat f = 2.5; int k = 7; int n;\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+            "void plc1() { f = k; n = f; }\nvoid plc2() { }\n");
+  std::map<std::string, std::string> meanings;
+  for (const ir::Documentation& known : lowered.program().documentation) meanings[known.address] = known.meaning;
+  EXPECT_EQ(meanings["f"], "float");
+  EXPECT_EQ(meanings["k"], "int = 7");
+  EXPECT_EQ(meanings["n"], "int");
+}
+
 TEST(HncLowering, CommentsAreLinesWithoutTheirEdges) {
   LoweredProgram lowered;
   LowerInto(lowered, WithStatements("\n/* one\n * two **\n ** three */\n// * four\na = 1;"));
