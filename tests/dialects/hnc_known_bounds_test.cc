@@ -48,6 +48,8 @@ TEST(HncKnownBounds, WhatIsKnownInFrontOfALabelWithAWayBackIsKnownAfterIt) {
   EXPECT_FALSE(IsChecked(known + "again: i++; if (i < 4) goto again; " + access));
   // Entered behind the label as well: of i nothing is known there, of n it is.
   EXPECT_FALSE(IsChecked(known + "if (X[0]) goto in; again: i++; in: if (i < 4) goto again; " + access));
+  // What changes it further down is not repeated.
+  EXPECT_FALSE(IsChecked(known + "again: i++; if (i < 4) goto again; " + access + " for (n = 0; n < 3; n++) k += 9;"));
   EXPECT_TRUE(IsChecked(known + "again: i++; k = i; if (i < 4) goto again; k += 5; " + access));
 }
 

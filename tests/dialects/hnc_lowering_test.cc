@@ -140,6 +140,20 @@ TEST(HncLowering, PointersToOneObjectAreOffsets) {
 }
 
 // covers: HNC-263
+TEST(HncLowering, APointerToOneObjectHasNoRoomForWhichItIs) {
+  const auto bytes = [](const std::string& text) {
+    LoweredProgram lowered;
+    LowerInto(lowered,
+              "#include \"plc.h\"\nint table[8], other, *p;\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+              "void plc1() { " +
+                  text + " *p = 1; }\nvoid plc2() { }\n");
+    const auto pointers = std::ranges::find(lowered.program().spaces, "pointers", &ir::Space::name);
+    return pointers == lowered.program().spaces.end() ? 0U : pointers->bytes;
+  };
+  EXPECT_EQ(bytes("p = table + X[0];"), 4U);
+  EXPECT_EQ(bytes("p = table + X[0]; if (X[1]) p = &other;"), 6U);
+}
+
 TEST(HncLowering, PointersToSeveralObjectsChoose) {
   EXPECT_TRUE(HasLine(Body("int *p; if (a) p = table; else p = R_i; *p = 5;"), "switch"));
 }

@@ -80,13 +80,13 @@ void Lowering::AddFaultRoutine() {
 }
 
 void Lowering::RecordFault(Fault fault) {
-  if (index_is_checked_ && fault == Fault::kIndex) return;
+  if (index_is_checked_) return;
   builder_.CallRoutine(fault_, {builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(fault)),
                                 builder_.Constant(ir::Type::kI32, statement_id_, 16)});
 }
 
 void Lowering::FaultWhen(ValueId condition, Fault fault) {
-  if (index_is_checked_ && fault == Fault::kIndex) return;
+  if (index_is_checked_) return;
   const ir::Inst& inst = program_[condition];
   if (inst.op == ir::OpKind::kConst && inst.a == 0) return;
   When(condition, [&] { RecordFault(fault); });
