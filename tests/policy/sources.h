@@ -13,6 +13,11 @@ Findings CheckSizes(const std::string& root, Findings& to_question);
 /// Files and identifiers that call themselves utils, helper or manager.
 Findings CheckNames(const std::string& root);
 
+/// `default:` in a switch over an enum of ours (its labels are `case Name::kName`): an enumerator that is forgotten
+/// there compiles. `known` has a line "path count" for each file that still has some: more, fewer or unlisted ones are
+/// findings.
+Findings CheckDefaults(const std::string& root, const std::string& known);
+
 /// What clang-format would change.
 Findings CheckFormat(const std::string& root);
 
