@@ -57,9 +57,9 @@ ExprId Converter::String(const clang::StringLiteral* expr, TypeId type) {
   return unit_.expressions.Add(std::move(result));
 }
 
-ExprId Converter::Convert(const clang::Expr* expr) {
+ExprId Converter::AnyExpression(const clang::Expr* expr) {
   if (const auto* whole = llvm::dyn_cast<clang::ParenExpr>(expr)) return Parenthesised(whole);
-  if (const auto* constant = llvm::dyn_cast<clang::ConstantExpr>(expr)) return Convert(constant->getSubExpr());
+  if (const auto* constant = llvm::dyn_cast<clang::ConstantExpr>(expr)) return Operand(constant->getSubExpr());
   if (const auto* integer = llvm::dyn_cast<clang::IntegerLiteral>(expr)) {
     const bool is_signed = expr->getType()->isSignedIntegerType();
     const llvm::APInt& value = integer->getValue();
@@ -92,7 +92,7 @@ ExprId Converter::Convert(const clang::Expr* expr) {
 }
 
 ExprId Converter::Parenthesised(const clang::ParenExpr* expr) {
-  const ExprId id = Convert(expr->getSubExpr());
+  const ExprId id = Operand(expr->getSubExpr());
   Expr& inner = unit_.expressions[id];
   inner.parenthesized = true;
   inner.range = RangeOf(expr);
@@ -129,7 +129,7 @@ ExprId Converter::Cast(const clang::CastExpr* expr) {
   const clang::Expr* operand = expr->getSubExpr();
   const bool implicit = llvm::isa<clang::ImplicitCastExpr>(expr);
   const auto wrap = [&](ExprKind kind) {
-    const ExprId inner = Convert(operand);
+    const ExprId inner = kind == ExprKind::kConvert ? Operand(operand) : Convert(operand);
     if (unit_.expressions[inner].kind == ExprKind::kPoison) return inner;
     Expr result = Start(kind, expr);
     result.is_implicit = implicit;
@@ -198,8 +198,10 @@ ExprId Converter::Unary(const clang::UnaryOperator* expr) {
   if (expr->isIncrementDecrementOp() && ReportTableStore(operand)) return Poison(expr);
   Expr result = Start(ExprKind::kUnary, expr);
   result.op = session_.places.OfToken(expr->getOperatorLoc());
-  result.a = Convert(operand);
+  const bool promotes = kind == clang::UO_Plus || kind == clang::UO_Minus || kind == clang::UO_Not;
+  result.a = promotes ? Operand(operand) : Convert(operand);
   if (unit_.expressions[result.a].kind == ExprKind::kPoison) return Poison(expr);
+  if (promotes && IsPromoted(result.a, operand)) result.type = unit_.expressions[result.a].type;
   switch (kind) {
     case clang::UO_Plus:
       result.unary = UnaryOp::kPlus;
@@ -278,8 +280,10 @@ ExprId Converter::Conditional(const clang::ConditionalOperator* expr) {
   Expr result = Start(ExprKind::kConditional, expr);
   result.op = session_.places.OfToken(expr->getQuestionLoc());
   result.a = Convert(expr->getCond());
-  result.b = Convert(expr->getTrueExpr());
-  result.c = Convert(expr->getFalseExpr());
+  result.b = Operand(expr->getTrueExpr());
+  result.c = Operand(expr->getFalseExpr());
+  const TypeId common = CommonType(result.b, expr->getTrueExpr(), result.c, expr->getFalseExpr());
+  if (common.valid()) result.type = common;
   return Add(std::move(result));
 }
 

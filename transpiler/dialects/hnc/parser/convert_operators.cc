@@ -102,8 +102,9 @@ ExprId Converter::Binary(const clang::BinaryOperator* expr) {
   if (ReportComparedAddress(expr)) return Poison(expr);
   Expr result = Start(ExprKind::kBinary, expr);
   result.op = session_.places.OfToken(expr->getOperatorLoc());
-  result.a = Convert(expr->getLHS());
-  result.b = Convert(expr->getRHS());
+  const bool promotes = !expr->isLogicalOp() && !expr->isCommaOp();
+  result.a = promotes ? Operand(expr->getLHS()) : Convert(expr->getLHS());
+  result.b = expr->isLogicalOp() ? Convert(expr->getRHS()) : Operand(expr->getRHS());
   const bool poison =
       unit_.expressions[result.a].kind == ExprKind::kPoison || unit_.expressions[result.b].kind == ExprKind::kPoison;
   if (poison) return Poison(expr);
@@ -116,6 +117,7 @@ ExprId Converter::Binary(const clang::BinaryOperator* expr) {
       return Add(std::move(result));
     case clang::BO_Comma:
       result.kind = ExprKind::kComma;
+      if (IsPromoted(result.b, expr->getRHS())) result.type = unit_.expressions[result.b].type;
       return unit_.expressions.Add(std::move(result));
     case clang::BO_Add:
     case clang::BO_Sub:
@@ -127,6 +129,12 @@ ExprId Converter::Binary(const clang::BinaryOperator* expr) {
       break;
   }
   result.binary = OperatorOf(expr->getOpcode());
+  if (expr->isShiftOp()) {
+    if (IsPromoted(result.a, expr->getLHS())) result.type = unit_.expressions[result.a].type;
+  } else {
+    const TypeId common = CommonType(result.a, expr->getLHS(), result.b, expr->getRHS());
+    if (common.valid() && !expr->isComparisonOp()) result.type = common;
+  }
   const bool divides = result.binary == BinaryOp::kDivide || result.binary == BinaryOp::kRemainder;
   const Expr& divisor = unit_.expressions[result.b];
   if (divides && divisor.constant && IsInteger(unit_.types[divisor.type]) && divisor.constant->integer == 0) {
@@ -162,9 +170,12 @@ ExprId Converter::CompoundAssignment(const clang::CompoundAssignOperator* expr) 
   Expr result = Start(ExprKind::kCompoundAssign, expr);
   result.is_lvalue = false;
   result.op = session_.places.OfToken(expr->getOperatorLoc());
-  result.b = Convert(expr->getRHS());
+  result.b = Operand(expr->getRHS());
   result.a = Convert(expr->getLHS());
   result.computation = TypeOf(expr->getComputationLHSType());
+  if (IsPromoted(result.b, expr->getRHS()) && !expr->isShiftAssignOp()) {
+    CommonTypeOfAssignment(expr, result);
+  }
   result.binary = OperatorOf(expr->getOpcode());
   if (expr->getLHS()->getType()->isPointerType()) {
     result.binary = expr->getOpcode() == clang::BO_AddAssign ? BinaryOp::kPointerAdd : BinaryOp::kPointerSubtract;

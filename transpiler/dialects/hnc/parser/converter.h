@@ -68,7 +68,16 @@ class Converter {
   void CheckEntries();
 
   // convert_expressions.cc
+  /// In the type that Clang gives it.
   ExprId Convert(const clang::Expr* expr);
+  /// The operand of an operator that promotes. Behind a postfix ++ or -- Clang forgets that the value is that of a
+  /// bit-field: where it has `unsigned int` then, this gives `int` as 6.1 says (promote_bit_fields.cc).
+  ExprId Operand(const clang::Expr* expr);
+  ExprId AnyExpression(const clang::Expr* expr);
+  bool IsPromoted(ExprId operand, const clang::Expr* expr) const;
+  ExprId InType(ExprId operand, TypeId type);
+  void CommonTypeOfAssignment(const clang::CompoundAssignOperator* expr, Expr& result);
+  TypeId CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, const clang::Expr* of_b);
   Expr Start(ExprKind kind, const clang::Expr* expr);
   ExprId Add(Expr expr);
   ExprId Poison(const clang::Expr* expr);

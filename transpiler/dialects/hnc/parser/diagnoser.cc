@@ -179,7 +179,7 @@ const Rule kRules[] = {
     {cd::err_initializer_string_for_char_array_too_long, &diag::HncIncompatible, kWords,
      "the string is longer than the array"},
     {cd::err_array_init_not_init_list, &diag::HncIncompatible, kWords, "an array is initialised with { } or a string"},
-    {cd::ext_typecheck_convert_discards_qualifiers, &diag::HncIncompatible, kWords, "const is lost"},
+    {cd::ext_typecheck_convert_discards_qualifiers, &diag::HncIncompatible, kWords, "const or volatile is lost"},
     {cd::ext_typecheck_comparison_of_distinct_pointers, &diag::HncIncompatible, kWords,
      "pointers to different types are compared"},
     {cd::ext_typecheck_cond_incompatible_pointers, &diag::HncIncompatible, kWords,
