@@ -1,6 +1,7 @@
 """C through avr-gcc and libsimavr: the bytes that a program shows, in the order of showing."""
 import pathlib
-import subprocess
+
+import children
 
 HERE = pathlib.Path(__file__).resolve().parent
 # The data memory is 64 KiB (runner.cc), of which crt and linker must know.
@@ -16,11 +17,10 @@ class NotRun(Exception):
 def run(source, runner, compiler="avr-gcc", level="-Os"):
     """Compiles the file and runs it; the shown blocks of bytes."""
     binary = source.with_suffix(".elf")
-    made = subprocess.run([compiler, *FLAGS, level, str(source), "-o", str(binary)], capture_output=True, text=True,
-                          check=False)
+    made = children.run([compiler, *FLAGS, level, source, "-o", binary], 600)
     if made.returncode != 0:
         raise NotRun(f"{source}: {made.stderr[:3000]}")
-    result = subprocess.run([str(runner), str(binary)], capture_output=True, text=True, check=False, timeout=600)
+    result = children.run([runner, binary], 600)
     if result.returncode != 0:
         raise NotRun(f"{binary}: the simulated program ended with {result.returncode} {result.stderr[:500]}")
     return [bytes.fromhex(line) for line in result.stdout.split()]

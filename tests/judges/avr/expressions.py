@@ -35,6 +35,7 @@ class Object:
     pointer: frozenset = NOTHING
     constant: bool = False
     plc: str = ""  # where it hides another one's name
+    is_volatile: bool = False  # or has no address
 
     def spelled(self):
         return Spelled(self.plc or self.name, self.name, self.kind, reads=frozenset({self.name}), target=frozenset({self.name}))
@@ -143,6 +144,8 @@ class Expressions:
         area = self.random.choice("YRBGYRG" if writable else "XYRFGPBXR")
         if area in "FG":
             return self.word(area, depth, writable, sure)
+        if area == "R" and self.structs and self.chance(15):
+            return self.register_struct(depth)
         view = self.random.choice(list(VIEWS) + [""] * 6)
         used = view or ("ui" if area in "PB" else "uc")
         kind = VIEWS[used]
@@ -154,6 +157,27 @@ class Expressions:
                 return Spelled(f"{name.plc}[{inner.plc}]", f"AT({name.avr}, {inner.avr})", kind, POSTFIX, name.reads | inner.reads,
                                inner.writes | FAULT, target=name.target, faulty=True)
         return self.element(name, kind, WINDOWS[area] // spelled.SIZES[kind], depth, True)
+
+    def register_struct(self, depth):
+        """Registers as a struct, at any address."""
+        struct = self.random.choice(self.structs)
+        if struct.size() > WINDOWS["R"]:
+            return Spelled("R[0]", "R.uc[0]", "unsigned char", reads=frozenset({"R"}), target=frozenset({"R"}))
+        at = self.random.randrange(WINDOWS["R"] - struct.size() + 1)
+        head = f"(({struct.word} {struct.tag} *) "
+        base = Spelled(f"{head}&R[{at}])->", f"{head}&R.uc[{at}])->", reads=frozenset({"R"}), target=frozenset({"R"}))
+        return self.member(base, struct, depth, True)
+
+    def bytes_of(self, item):
+        """A byte of a variable, or a part of an array's bytes in another type."""
+        kind = self.random.choice(("unsigned char", "char", "unsigned", "int"))
+        size = spelled.SIZES[item.kind] * max(1, item.count)
+        if size < spelled.SIZES[kind]:
+            kind = "unsigned char"
+        at = self.random.randrange(size // spelled.SIZES[kind])
+        base = item.spelled()
+        cast = f"(({kind} *) {'' if item.count else '&'}{{}})[{at}]"
+        return dataclasses.replace(base, plc=cast.format(base.plc), avr=cast.format(base.avr), kind=kind, level=POSTFIX)
 
     def word(self, area, depth, writable, sure):
         """*F_T[k] and F_T[k][n] of the tables of pointers, and the names that the header has for some."""
@@ -191,6 +215,8 @@ class Expressions:
             avr = f"{base.avr}[{index.avr}]" if form else f"*({base.avr} + {index.at(13).avr})"
             return dataclasses.replace(base, plc=plc, avr=avr, level=POSTFIX if form else UNARY, reads=base.reads | index.reads,
                                        writes=base.writes | index.writes)
+        if item.kind in spelled.INTEGERS and not (item.second or item.constant or item.is_volatile) and self.chance(5):
+            return self.bytes_of(item)
         if item.second:
             row = self.element(base, item.kind, item.count, depth, True)
             return self.element(row, item.kind, item.second, depth, True)
@@ -262,7 +288,8 @@ class Expressions:
             return self.assigned(depth).at(POSTFIX)
         if pick < 96:
             return spelled.comma(self.effect(depth - 1), self.integer(depth - 1)).at(POSTFIX)
-        return self.called(depth) or self.operation(depth)
+        made = self.member_of_result(depth) if self.chance(25) else None
+        return made or self.called(depth) or self.operation(depth)
 
     def operation(self, depth):
         operator = self.random.choice(BINARY)
@@ -308,6 +335,36 @@ class Expressions:
             value = spelled.literal(str(self.random.randrange(8))) if value.constant else value
         return spelled.assignment(operator, target, value)
 
+    def member_of_result(self, depth):
+        """f(a, s).m, and (c ? s : t).m"""
+        usable = [o for o in self.objects if isinstance(o.kind, Struct) and not (o.count or o.pointer or o.constant)]
+        if not usable:
+            return None
+        item = self.random.choice(usable)
+        makers = [name for name, kind, values in self.struct_functions if kind is item.kind and values == 1]
+        others = [o for o in usable if o.kind is item.kind]
+        if makers and self.chance(70):
+            value, name = self.integer(depth - 1).at(2), self.random.choice(makers)
+            if value.writes & {item.name}:
+                value = spelled.literal("3")
+            base = dataclasses.replace(value, plc=f"{name}({value.plc}, {item.name})", avr=f"{name}({value.avr}, {item.name})",
+                                       reads=value.reads | {item.name}, level=POSTFIX, constant=False, target=NOTHING)
+        elif len(others) > 1:
+            other, test = self.random.choice(others), self.integer(depth - 1).at(4)
+            base = dataclasses.replace(test, plc=f"({test.plc} ? {item.name} : {other.name})", level=POSTFIX, constant=False,
+                                       avr=f"({test.avr} ? {item.name} : {other.name})",
+                                       reads=test.reads | {item.name, other.name}, target=NOTHING)
+        else:
+            return None
+        # An array in a value cannot be indexed in the C of either compiler.
+        members = [m for m in item.kind.members if m.name and not m.count and not isinstance(m.kind, Struct)]
+        if not members:
+            return None
+        member = self.random.choice(members)
+        kind = "int" if member.bits and member.bits < 8 * spelled.SIZES[member.kind] else member.kind
+        return dataclasses.replace(base, plc=f"{base.plc}.{member.name}", avr=f"{base.avr}.{member.name}", kind=kind, faulty=False,
+                                   field=bool(member.bits))
+
     def effect(self, depth):
         return self.stepped(depth) if self.chance(40) else self.assigned(depth)
 
@@ -324,11 +381,18 @@ class Expressions:
             arguments.append(value)
         through = frozenset().union(*(a.target for f, a in zip(function.parameters, arguments) if f.pointer))
         made = spelled.call(function, arguments)
-        return dataclasses.replace(made, reads=made.reads | through)
+        return dataclasses.replace(made, reads=made.reads | through, writes=made.writes | through)
 
     def pointed(self, parameter):
         """The argument for a pointer parameter: one of the objects that it was made for."""
-        name = self.random.choice(sorted(parameter.pointer))
+        own = [o for o in self.objects if o.name[0] in "vs" and o.kind == parameter.kind and max(1, o.count) >= parameter.count
+               and not (o.second or o.pointer or o.constant or o.plc or o.is_volatile) and o.name not in self.protected]
+        if own and self.chance(30):  # of the calling function
+            item = self.random.choice(own)
+            text = item.name if item.count else f"&{item.name}"
+            return Spelled(text, text, "pointer", 2 if item.count else UNARY, NOTHING, target=frozenset({item.name}))
+        hidden = {o.plc for o in self.objects}  # the address would be that of the local with this name
+        name = self.random.choice(sorted(parameter.pointer - hidden))
         plc, avr = parameter.addresses[name]
         return Spelled(plc, avr, "pointer", 2, NOTHING, target=frozenset({name}))
 

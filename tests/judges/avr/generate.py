@@ -188,8 +188,11 @@ class Generator(Statements):
         return f" = {self.random.choice(('0', '1', '-1', '100', '0x7FFF', '3 * 7', '1000', '~5', '-300'))}"
 
     def variable(self):
-        pick = self.random.randrange(20)
+        pick = self.random.randrange(22)
         name = self.fresh("g")
+        if pick >= 20:
+            self.table(name)
+            return
         if pick < 9:
             item = Object(name, self.random.choice(INTEGERS))
         elif pick < 12:
@@ -239,8 +242,36 @@ class Generator(Statements):
             plc = f"enum {self.enum}{text[3:]}"
         word = self.random.choice(("", "", "static ", "" if item.count or isinstance(item.kind, Struct) else "volatile "))
         self.text += Lines([f"{word}{plc};"], [f"static {text};"])
+        item.is_volatile = word == "volatile "
         self.objects.append(item)
         self.observe(item)
+
+    def table(self, name):
+        """A constant table of texts or of structs."""
+        structs = [s for s in self.structs
+                   if s.word == "struct" and not any(m.count or isinstance(m.kind, Struct) for m in s.members)]
+        count = self.random.choice((2, 3, 4))
+        values = lambda least, most, number: ", ".join(str(self.random.randrange(least, most)) for _ in range(number))
+        if structs and self.chance(60):
+            kind = self.random.choice(structs)
+            named = sum(1 for member in kind.members if member.name)
+            rows = ", ".join(f"{{{values(-3, 120, self.random.randrange(1, named + 1))}}}" for _ in range(count))
+            text = f"const {spelled.declared(kind, name)}[{self.random.choice(('', count))}] = {{{rows}}};"
+            item = Object(name, kind, count, constant=True)
+        else:
+            rows = [[self.random.choice(("a", "B", "7", " ", "\\n", "\\201")) for _ in range(self.random.randrange(5))] for _ in range(count)]
+            texts = [f'"{"".join(row)}"' for row in rows]
+            text = f"const char {name}[{count}][4] = {{{', '.join(texts)}}};"
+            item = Object(name, "char", count, 4, constant=True)
+            if self.chance(50):  # one text, which the program may change; with or without room for its end
+                item = Object(name, self.random.choice(("char", "unsigned char")), max(1, len(rows[0])) + self.random.randrange(3))
+                text = f"{item.kind} {name}[{item.count}] = {texts[0]};"
+                self.text += Lines([text], ["static " + text])
+                self.objects.append(item)
+                self.observe(item)
+                return
+        self.text += Lines([text], ["static " + text])
+        self.objects.append(item)
 
     def pointer(self, name):
         """A global pointer to one of two objects; functions leave it alone."""
@@ -318,7 +349,23 @@ class Generator(Statements):
         items = list(parameters)
         for _ in range(self.random.randrange(0, 3)):
             item = Object(self.fresh("s"), self.random.choice(INTEGERS))
-            statics += both(f"static {item.kind} {item.name} = {self.random.randrange(-50, 50)};")
+            if self.chance(25):
+                item.count = self.random.choice((2, 4))
+                values = ", ".join(str(self.random.randrange(-50, 200)) for _ in range(self.random.randrange(1, item.count + 1)))
+                statics += both(f"static {item.kind} {item.name}[{item.count}] = {{{values}}};")
+            else:
+                statics += both(f"static {item.kind} {item.name} = {self.random.randrange(-50, 50)};")
+            items.append(item)
+        if self.structs and self.chance(30):
+            struct = self.random.choice(self.structs)
+            same = [o for o in self.objects if o.kind is struct and not (o.count or o.pointer or o.constant)]
+            item = Object(self.fresh("v"), struct)
+            if same and self.chance(60):
+                other = self.random.choice(same)
+                body.reads |= {other.name}
+                statics += both(f"{spelled.declared(struct, item.name)} = {other.name};")
+            else:
+                statics += self.local(item)
             items.append(item)
         for _ in range(self.random.randrange(0, 3)):
             item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 4)))
@@ -335,12 +382,13 @@ class Generator(Statements):
         made = Function(name, kind, parameters, body.reads, body.writes, body.rounds * 2)
         made.old = old
         self.functions.append(made)
-        texts = [spelled.declared(p.kind, ("*" if p.pointer else "") + p.name) for p in parameters]
+        texts = [f"{p.kind} {p.name}{self.random.choice(('[]', '[3]'))}" if p.pointer and not isinstance(p.kind, Struct) and self.chance(20)
+                 else spelled.declared(p.kind, ("*" if p.pointer else "") + p.name) for p in parameters]
         head = f"{kind} {name}({', '.join(texts) or 'void'})"
         plc_head = [f"{kind} {name}({', '.join(p.name for p in parameters)})", *(t + ";" for t in texts)] if old else [head]
         plc_head[0] = (self.random.choice(("static ", "")) if not old else "") + plc_head[0]
         if not old and self.chance(30):
-            names = [t.rsplit(p.name, 1)[0].strip() if self.chance(50) else t for t, p in zip(texts, parameters)]
+            names = [t.rsplit(p.name, 1)[0].strip() if self.chance(50) and not t.endswith("]") else t for t, p in zip(texts, parameters)]
             self.text.plc.append(plc_head[0].partition("(")[0] + f"({', '.join(names) or 'void'});")
         # for avr-gcc the locals and the function's own static variables first
         return Lines(plc_head + ["{", *self.function_locals, *statics.plc, *inner.plc, *tail.plc, "}"],
@@ -368,8 +416,10 @@ class Generator(Statements):
 
     def parameter(self):
         name = self.fresh("a")
-        if self.chance(70):
+        if self.chance(60):
             return Object(name, self.random.choice(INTEGERS))
+        if self.chance(25) and (found := self.struct_parameter(name)):
+            return found
         kind = self.random.choice(POINTED)
         at = self.random.randrange(16)
         view = next(v for v, k in VIEWS.items() if k == kind)
@@ -379,7 +429,35 @@ class Generator(Statements):
             if item.kind == kind and item.count >= 2 and not item.second and not item.pointer and not item.constant and self.chance(60):
                 addresses[item.name] = (item.name, item.name)
                 count = min(count, item.count)
+        if self.chance(40):
+            # One value only: a variable, an element, a member.
+            count = 1
+            for item in self.objects:
+                if item.second or item.pointer or item.constant or item.plc or item.is_volatile:
+                    continue
+                text = f"&{item.name}" if not item.count else f"&{item.name}[{self.random.randrange(item.count)}]"
+                if isinstance(item.kind, Struct):
+                    members = [m for m in item.kind.members if m.kind == kind and m.name and not m.bits]
+                    if members and self.chance(50):
+                        member = self.random.choice(members)
+                        addresses[item.name] = (f"{text}.{member.name}" + ("[0]" if member.count else ""),) * 2
+                elif item.kind == kind and self.chance(50):
+                    addresses[item.name] = (text, text)
         made = Object(name, kind, count, pointer=frozenset(addresses))
+        made.addresses = addresses
+        return made
+
+    def struct_parameter(self, name):
+        usable = [o for o in self.objects if isinstance(o.kind, Struct) and not (o.pointer or o.constant)]
+        if not usable:
+            return None
+        kind = self.random.choice(usable).kind
+        addresses = {}
+        for item in usable:
+            if item.kind is kind:
+                text = f"&{item.name}[{self.random.randrange(item.count)}]" if item.count else f"&{item.name}"
+                addresses[item.name] = (text, text)
+        made = Object(name, kind, 1, pointer=frozenset(addresses))
         made.addresses = addresses
         return made
 
@@ -400,6 +478,8 @@ class Generator(Statements):
                 test = self.condition(1)
                 inner += Lines([f"if ({test.plc}) mod_{KINDS[kind]}_code({channel}) = -1;"],
                                [f"if ({test.avr}) G.i[{170 + 20 * channel + kind}] = -1;"])
+        if name == "plc2" and self.chance(10):
+            inner += Lines(["plc1();"], [f"plc1_{self.mark}();"])
         if name == "plc1":
             # a function that no part reaches is not the judge's business
             for function in self.functions:

@@ -21,7 +21,8 @@ static struct {
   unsigned char x[100];
   unsigned f[256], p[100];
 } host;
-static int fault_code, fault_count;
+static int fault_code;
+static long fault_count;
 // What the control keeps (4.2, 7.3).
 enum { IDLE, ACTIVE, DONE };
 static unsigned char request[4][4], asked[4];
@@ -150,7 +151,8 @@ static void power_on(void) {
   memset(&host, 0, sizeof host);
   for (c = 0; c < 4; ++c)
     for (k = 0; k < 4; ++k) G.i[170 + 20 * c + k] = -1;
-  fault_code = fault_count = 0;
+  fault_code = 0;
+  fault_count = 0;
   memset(asked, 0, sizeof asked);
   memset(request, 0, sizeof request);
   memset(handler, 0, sizeof handler);

@@ -2,9 +2,9 @@
 import dataclasses
 import json
 import struct
-import subprocess
 
 import avr
+import children
 
 # The letters of struct for the types of the language.
 LETTERS = {"char": "b", "signed char": "b", "unsigned char": "B", "short": "h", "unsigned short": "H", "int": "h",
@@ -58,7 +58,7 @@ class Program:
             # The first run step begins with init(), to which the parameters are there.
             rows += step.statements + (["memcpy(P.uc, host.p, 200);", f"init_{self.name}();"] if number == 0 else [])
             rows += [f"cycle(plc1_{self.name}, plc2_{self.name});"] * step.cycles
-            rows += [o.show() for o in self.observed] + ["show(&fault_code, 2);", "show(&fault_count, 2);"]
+            rows += [o.show() for o in self.observed] + ["show(&fault_code, 2);", "show(&fault_count, 4);"]
         return "\n".join(rows + ["}", ""])
 
     def read(self, blocks):
@@ -66,7 +66,7 @@ class Program:
         result = []
         for _ in self.steps:
             values = [pair for o in self.observed for pair in o.decode(next(blocks))]
-            code, count = (struct.unpack("<h", next(blocks))[0] for _ in range(2))
+            code, count = (struct.unpack(form, next(blocks))[0] for form in ("<h", "<i"))
             if self.faults:
                 values += [("FAULT.code", code), ("FAULT.count", count)]
             result.append(values)
@@ -105,8 +105,7 @@ def run_on_avr(programs, directory, name, runner, level="-Os"):
 
 def messages(plcxx, path):
     """What `plcxx check` says of a program, as (code, line, text); errors only."""
-    result = subprocess.run([str(plcxx), "check", "--diagnostics", "json", str(path)], capture_output=True, text=True,
-                            check=False, timeout=300)
+    result = children.run([plcxx, "check", "--diagnostics", "json", path], 300)
     if result.returncode > 1:
         return [("crash", 0, f"exit {result.returncode}: {result.stderr[-500:]}")]
     return [(m["code"], m["line"], m["message"]) for m in json.loads(result.stdout) if m["severity"] == "error"]
@@ -114,8 +113,7 @@ def messages(plcxx, path):
 
 def test(plcxx, paths, engine, jobs=2):
     """Runs the scenarios in one call: those that failed, and all that was said."""
-    result = subprocess.run([str(plcxx), "test", "--engine", engine, "--jobs", str(jobs), *map(str, paths)],
-                            capture_output=True, text=True, check=False, timeout=3600)
+    result = children.run([plcxx, "test", "--engine", engine, "--jobs", jobs, *paths], 3600)
     output = result.stdout + result.stderr
     failed = [line.split()[1] for line in output.splitlines() if line.startswith("FAILED")]
     if result.returncode not in (0, 1) or (result.returncode == 1) != bool(failed):

@@ -6,11 +6,12 @@ run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--programs N] [--hours H] [--seed 
 --loops runs each THIN-th loop of the matrix (1: all), --programs so many random programs, --hours programs for so long.
 What failed stays in DIRECTORY. With --soak (the executable of tests/reference) a part of the programs is also run as
 generated C++ by GCC and Clang, on emulated machines, and proved by plcxx verify; --compiled-every 50 is two of 100
-programs, in batches. The row at the end is one of dev/soak's table.
+programs, in batches. The row at the end is one of dev/soak's table; SIGTERM or Ctrl-C prints it for what was judged.
 """
 import argparse
 import pathlib
 import shutil
+import signal
 import sys
 import time
 
@@ -40,6 +41,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep", action="store_true")
     arguments = parser.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C
     shutil.rmtree(arguments.directory, ignore_errors=True)
     arguments.directory.mkdir(parents=True)
     findings = 0

@@ -2,8 +2,9 @@
 plcxx verify. Whole batches are chosen, by their number, for their programs are compiled together."""
 import collections
 import re
-import subprocess
 import time
+
+import children
 
 NAMES = ("compiled", "emulated", "verified")
 PLATFORMS = {"compiled": ("g++ -O0", "g++ -O2", "g++ -O3", "clang++-19 -O2"), "emulated": ("cortex-m", "riscv")}
@@ -32,8 +33,7 @@ class Shares:
 
     def run(self, share, paths):
         words = [word for platform in PLATFORMS[share] for word in ("--compiler", platform)]
-        result = subprocess.run([str(self.soak), "--judge", share, *words, *map(str, paths)], capture_output=True, text=True,
-                                check=False, timeout=3600)
+        result = children.run([self.soak, "--judge", share, *words, *paths], 3600)
         found = [part.partition("\n") for part in result.stdout.split("FAILED ")[1:]]
         if result.returncode != 0 and not found:
             return [(paths[0], "the judge itself: " + result.stdout + result.stderr)]
@@ -41,8 +41,7 @@ class Shares:
 
     def verified(self, paths):
         for path in paths:
-            result = subprocess.run([str(self.plcxx), "verify", "--time", "4s", str(path.with_suffix(".cld"))],
-                                    capture_output=True, text=True, check=False, timeout=3600)
+            result = children.run([self.plcxx, "verify", "--time", "4s", path.with_suffix(".cld")], 3600)
             verdicts = [verdict for _, verdict in VERDICT.findall(result.stdout)]
             self.verdicts.update(verdicts)
             if result.returncode not in (0, 1) or not verdicts or "different" in verdicts:

@@ -43,6 +43,8 @@ class Statements(Expressions):
         self.struct_functions = []
         self.function_locals = []
         self.mark, self.serial, self.body = mark, 0, None
+        self.used_exits = set()
+        self.exits = []  # labels behind the loops around
         self.loops = []  # around: for, loop, switch, switch for, goto; what break and continue may be written in
 
     def fresh(self, letter):
@@ -68,8 +70,10 @@ class Statements(Expressions):
         pick = self.random.randrange(100)
         if depth <= 0 or pick < 42:
             return self.simple(self.assigned(3, sure=self.chance(60)))
-        if pick < 48:
+        if pick < 46:
             return self.simple(self.stepped(2))
+        if pick < 48:
+            return self.expression_statement()
         if pick < 58:
             return self.conditional(depth)
         if pick < 66:
@@ -77,9 +81,11 @@ class Statements(Expressions):
         if pick < 82:
             return self.loop(depth)
         if pick < 86:
+            if self.exits and self.chance(50):
+                return self.leave()
             return self.jump_forward(depth)
         if pick < 90:
-            return self.inner_block(depth)
+            return self.once(depth) if self.chance(25) else self.inner_block(depth)
         if pick < 93:
             return self.floating()
         if pick < 95 and self.loops:
@@ -99,6 +105,25 @@ class Statements(Expressions):
         if self.chance(30) and not self.loops:
             return self.early_return()
         return self.walk()
+
+    def expression_statement(self):
+        """A value of which only the effects count: x && y++; c ? (a = 1) : (b = 2);"""
+        for _ in range(10):
+            value = self.integer(3)
+            if value.writes - {"FAULT"}:
+                return self.simple(value)
+        return self.simple(self.stepped(2))
+
+    def once(self, depth):
+        """A loop whose first round is the last one."""
+        head, tail = self.random.choice((("do {", "} while (0);"), ("for (;;) {", "break; }"), ("while (1) {", "break; }")))
+        self.loops.append("loop")
+        inner = self.several(depth - 1, 3)
+        if self.chance(50):
+            test = self.condition(1)
+            inner += Lines([f"if ({test.plc}) break;"], [f"if ({test.avr}) break;"]) + self.several(depth - 1, 3)
+        self.loops.pop()
+        return both(head) + inner + both(tail)
 
     def several(self, depth, most=4):
         made = Lines()
@@ -153,6 +178,7 @@ class Statements(Expressions):
         text = spelled.declared(item.kind, item.name, item.count)
         self.body.hoisted.append(f"{text} = {{0}};" if item.count or isinstance(item.kind, Struct) else f"{text} = 0;")
         word = "" if item.count or isinstance(item.kind, Struct) or self.chance(85) else self.random.choice(("register ", "auto ", "volatile "))
+        item.is_volatile = word in ("register ", "volatile ")  # has no address that a pointer takes
         return Lines([word + text.replace(item.name, item.plc or item.name) + ";"])
 
     def loop(self, depth):
@@ -163,31 +189,49 @@ class Statements(Expressions):
         if self.rounds * most > MOST_ROUNDS:
             return both(";")
         step = self.random.choice((1, 1, 1, 2, 3))
-        form = self.random.choice(("up", "up", "up", "down", "while", "do", "countdown", "noted", "goto"))
+        form = self.random.choice(("up", "up", "up", "down", "while", "do", "countdown", "plain", "noted", "goto"))
         start = self.random.randrange(3)
         self.protected.add(name)
         self.rounds *= most + 1
         self.body.rounds = max(self.body.rounds, self.rounds)
-        self.loops.append("for" if form in ("up", "down") else "goto" if form == "goto" else "loop")
+        self.loops.append("for" if form in ("up", "down", "countdown") else "goto" if form == "goto" else "loop")
+        label_behind = self.fresh("out")
+        self.exits.append(label_behind)
         self.objects.append(counter) if declaration.plc else None
         body = self.several(depth - 1, 4)
         self.loops.pop()
+        self.exits.pop()
         self.rounds //= most + 1
+        behind = both(f"{label_behind}:") + self.simple(self.stepped(1)) if label_behind in self.used_exits else Lines()
+        further = self.further_test() if form in ("up", "down", "while") else ("", "")
         add = f"{name}++" if step == 1 else self.random.choice((f"{name} += {step}", f"{name} = {name} + {step}"))
         relation = self.random.choice(("<", "<="))
         before, head, tail = Lines(), None, both("}")
         if form == "up":
-            head = (f"for ({name} = {start}; {name} {relation} {{}}; {add}) {{{{", text, avr)
+            head = (f"for ({name} = {start}; {name} {relation} {{}}; {add}) {{{{", text + further[0], avr + further[1])
+            if self.chance(25):  # the parts of the head elsewhere
+                before, head = both(f"{name} = {start};"), (f"for (; {name} {relation} {{}}; {add}) {{{{", *head[1:])
+            elif self.chance(25):
+                second = Object(self.fresh("j"), self.random.choice(("int", "long", "unsigned char")))
+                self.function_locals.append(f"{second.kind} {second.name};")
+                self.body.hoisted.append(f"{second.kind} {second.name} = 0;")
+                head = (f"for ({name} = {start}, {second.name} = {most}; {name} {relation} {{}}; {add}, {second.name}--) {{{{", *head[1:])
+                place = self.lvalue(1, True)
+                self.note(dataclasses.replace(place, writes=place.writes | place.target))
+                body = Lines([f"{place.plc} = {second.name};"], [f"{place.avr} = {second.name};"]) + body
         elif form == "down":
-            head = (f"for ({name} = {most}; {name} {self.random.choice(('>', '!='))} 0; {name}--) {{{{", "", "")
+            head = (f"for ({name} = {most}; {name} {self.random.choice(('>', '!='))} 0{{}}; {name}--) {{{{", *further)
         elif form == "while":
-            before, head = both(f"{name} = {start};"), (f"while ({name} < {{}}) {{{{", text, avr)
+            before, head = both(f"{name} = {start};"), (f"while ({name} < {{}}) {{{{", text + further[0], avr + further[1])
             tail = both(f"{add};") + tail
         elif form == "do":
             before, tail = both(f"{name} = {most + 1};"), both(f"{name} -= 1;") + both(f"}} while ({name} > 0);")
             head = ("do {{", "", "")
         elif form == "countdown":
             before, head = both(f"{name} = {most};"), (f"while ({self.random.choice((f'{name}--', f'--{name} > 0'))}) {{{{", "", "")
+        elif form == "plain":
+            before, head = both(f"{name} = {most};"), (f"while ({name}) {{{{", "", "")
+            tail = both(self.random.choice((f"{name}--;", f"{name} -= 1;"))) + tail
         elif form == "noted":
             test = self.condition()
             bound = self.random.randrange(1, 6)
@@ -198,14 +242,20 @@ class Statements(Expressions):
             self.body.writes |= {"FAULT"}
             result = made + body + both("}")
             self.protected -= {name}
-            return self.wrapped(declaration, limit_rows + result, counter)
+            return self.wrapped(declaration, limit_rows + result + behind, counter)
         else:
             label = self.fresh("again")
             before, head = both(f"{name} = {start};") + both(f"{label}:"), ("{{", "", "") if GOTO_BODY_IN_BRACES else ("", "", "")
             tail = both(add + ";") + Lines([f"if ({name} < {text}) goto {label};"], [f"if ({name} < {avr}) goto {label};"]) + (tail if GOTO_BODY_IN_BRACES else Lines())
         made = before + Lines([head[0].format(head[1])], [head[0].format(head[2])]) + body + tail
         self.protected -= {name}
-        return self.wrapped(declaration, limit_rows + made, counter)
+        return self.wrapped(declaration, limit_rows + made + behind, counter)
+
+    def further_test(self):
+        if self.chance(80):
+            return "", ""
+        test = self.condition(1).at(5)
+        return f" && {test.plc}", f" && {test.avr}"
 
     def wrapped(self, declaration, made, counter):
         if declaration.plc:
@@ -225,6 +275,13 @@ class Statements(Expressions):
         rows = Lines([f"{item.name} = {value.plc};"], [f"{item.name} = {value.avr};"])
         self.function_locals.append(f"{item.kind} {item.name};")
         return (mask + 1, item.name, item.name), rows
+
+    def leave(self):
+        """goto out of the loops around."""
+        label = self.random.choice(self.exits)
+        self.used_exits.add(label)
+        test = self.condition(1)
+        return Lines([f"if ({test.plc}) goto {label};"], [f"if ({test.avr}) goto {label};"])
 
     def jump_forward(self, depth):
         label = self.fresh("skip")
@@ -311,9 +368,17 @@ class Statements(Expressions):
                  and not a.constant]
         if not pairs:
             return None
-        one = self.random.choice(pairs)[0]
+        one, other = self.random.choice(pairs)
         self.note(Spelled("", "", writes=frozenset({one.name})))
         plc, avr = self.struct_value(one.kind, [o for o in usable if o.kind is one.kind], 2)
+        if self.chance(15) and other.name not in self.protected and not other.constant:
+            self.note(Spelled("", "", writes=frozenset({other.name})))
+            return Lines([f"{one.name} = {other.name} = {plc};"], [f"{one.name} = {other.name} = {avr};"])
+        if self.chance(15):
+            step = self.stepped(1)
+            if not step.writes & {o.name for o in usable}:
+                self.note(step)
+                return Lines([f"{one.name} = ({step.plc}, {plc});"], [f"{one.name} = ({step.avr}, {avr});"])
         return Lines([f"{one.name} = {plc};"], [f"{one.name} = {avr};"])
 
     def struct_value(self, kind, usable, depth):
@@ -386,7 +451,10 @@ class Statements(Expressions):
         self.body.hoisted.append(f"{kind} *{name} = 0; unsigned char {i} = 0;")
         if value.writes & {target} or target in value.reads:
             value = spelled.literal("5")
-        body = self.random.choice(("*{p}++ {op} {v};", "{p}[0] {op} {v}; {p} = {p} + 1;", "*{p} {op} {v}; ++{p};"))
+        body = self.random.choice(("*{p}++ {op} {v};", "{p}[0] {op} {v}; {p} = {p} + 1;", "*{p} {op} {v}; ++{p};", "*{p} {op} {v}; {p} += 1;",
+                                   "*++{p} {op} {v}; {p}[0] ^= 1;", "{p}++; {p}[-1] {op} {v};"))
+        if body.startswith("*++"):
+            size -= 1  # begins with the second element
         operator = self.random.choice(("=", "+=", "^=", "-="))
         make = lambda v: body.format(p=name, op=operator, v=v)
         rows = Lines([f"{name} = {plc};"], [f"{name} = {avr};"])
