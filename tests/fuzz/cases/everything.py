@@ -18,9 +18,14 @@ import corpus
 import invoke
 
 
-def chosen(case, words, share):
-    digest = hashlib.sha256(repr((sorted(case.files.items()), words)).encode()).digest()
-    return int.from_bytes(digest[:4], "big") % share == 0
+def chosen(case, share):
+    """Of the commands of the case."""
+    files = hashlib.sha256(repr(sorted(case.files.items())).encode()).digest()
+
+    def is_chosen(words):
+        digest = hashlib.sha256(files + repr(words).encode()).digest()
+        return int.from_bytes(digest[:4], "big") % share == 0
+    return [command for command in (*commands.of(case), *commands.dear(case)) if is_chosen(command[0])]
 
 
 def properties(folder, case):
@@ -65,10 +70,8 @@ def main():
     ran = faults = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         futures = []
-        for case in corpus.cases(args.root):
-            picked = [command for command in (*commands.of(case), *commands.dear(case))
-                      if chosen(case, command[0], args.share)]
-            if picked and case.dialect in args.dialects.split(","):
+        for case in corpus.cases(args.root, args.dialects.split(",")):
+            if picked := chosen(case, args.share):
                 futures.append(pool.submit(attempt, args.plcxx, case, picked))
         for future in futures:
             case, count, found = future.result()

@@ -36,9 +36,12 @@ COMMANDS = {
     "syntax": lambda words: ["print", "syntax", *words],
     "ir": lambda words: ["print", "ir", *words],
     "cpp": lambda words: ["print", "cpp", *words],
+    "diff": lambda words: ["diff", words[0], *words, "--time", "60s"],
+    "verify": lambda words: ["verify", *words, "--time", "60s"],
     "json": lambda words: ["check", *words, "--diagnostics", "json", "--max-messages", "0"],
 }
 ANSWERS = (0, 1, 2)
+OPEN = ("diff", "verify")  # these answer 1 where something is not decided, 2 for a program that is refused
 
 
 def seconds(plcxx, words, folder, tries, answers=ANSWERS):
@@ -84,7 +87,7 @@ def jobs(args):
         shown, _ = ([], None) if args.picked else kinds.kinds(args.root, dialect)
         for command in args.commands.split(","):
             for name, program in picked.items():
-                answers = (0, 1) if name.startswith("wrong-") else (0,)
+                answers = ANSWERS[:1 + name.startswith("wrong-") + (command in OPEN)]
                 yield (f"{dialect}.{name}", command, {}, f"p{suffix}", lambda n, program=program: program(n).encode(),
                        [f"p{suffix}", "--dialect", dialect], answers)
             of_errors = kinds.errors(args.root, dialect) if command in ("check", "json") and not args.picked else []

@@ -109,7 +109,7 @@ def main():
     invoke.sanitized = args.sanitized
     names = ("check", "emit", "print", "report", "sim", "test", "diff", "prove", "verify", "build", "explain")
     args.table = {"options": {name: words.options(args.plcxx, name) for name in names}, "keys": words.keys(args.plcxx)}
-    cases = [case for case in corpus.cases(args.root) if case.dialect in args.dialects.split(",")]
+    cases = list(corpus.cases(args.root, args.dialects.split(",")))
     pool = {dialect: [data for case in cases if case.dialect == dialect for data in case.files.values()] or [b""]
             for dialect in corpus.DIALECTS}
     end = time.monotonic() + args.seconds
