@@ -1,5 +1,6 @@
 // If, switch, loops, blocks, and the ways out of them.
 
+#include <algorithm>
 #include <optional>
 
 #include "transpiler/emit/print/part_printer.h"
@@ -85,9 +86,15 @@ void PartPrinter::If(ir::InstId id) {
 
 void PartPrinter::SwitchOver(ir::InstId id) {
   const ir::Inst& inst = program_[id];
-  Line(Spelled("switch (" + Value(inst.a) + ") {", id));
-  ++indent_;
   const std::vector<ir::SwitchCase>& arms = program_.switches[ir::SwitchId(inst.payload)].cases;
+  // A label must be a value of the type in which C++ computes what it compares.
+  constexpr uint64_t kMostOfInt = 0x7FFF'FFFF;
+  const bool has_large = std::ranges::any_of(arms, [](const ir::SwitchCase& arm) {
+    return std::ranges::any_of(arm.values, [](uint64_t value) { return value > kMostOfInt; });
+  });
+  const ir::ValueId selector(inst.a);
+  Line(Spelled("switch (" + (has_large ? SpellInItsType(emittable_, selector) : Value(inst.a)) + ") {", id));
+  ++indent_;
   for (size_t arm_index = 0; arm_index < arms.size(); ++arm_index) {
     const ir::SwitchCase& arm = arms[arm_index];
     const ArmEnd arm_end = emittable_.arm_ends[inst.payload][arm_index];

@@ -259,6 +259,18 @@ Spelling Spell(const Emittable& emittable, ir::ValueId value) {
   return SpellDefinition(emittable, value);
 }
 
+Text SpellInItsType(const Emittable& emittable, ir::ValueId value) {
+  const ir::Inst& inst = (*emittable.program)[value];
+  const ir::OpInfo& info = ir::Info(inst.op);
+  const Text text = Spell(emittable, value).text;
+  // Names, loads and calls of functions have it.
+  const bool is_function =
+      info.precedence == Precedence::kPrimary && info.spelling != "{0}" && !info.spelling.starts_with(kChoice);
+  const bool is_computed = info.shape == ir::Shape::kConst || (info.shape == ir::Shape::kPure && !is_function);
+  if (inst.type != ir::Type::kI32 || emittable.forms[value.index] == Form::kLocal || !is_computed) return text;
+  return Text("static_cast<" + std::string(ir::CppName(inst.type)) + ">(") + text + ")";
+}
+
 Spelling SpellDefinition(const Emittable& emittable, ir::ValueId value) {
   const ir::Program& program = *emittable.program;
   const ir::Inst& inst = program[value];

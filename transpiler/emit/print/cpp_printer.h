@@ -56,6 +56,8 @@ struct Spelling {
 /// Where a long expression may be broken; the statement printer replaces it by a blank or a line end.
 constexpr char kBreak = '\x01';
 Spelling Spell(const Emittable& emittable, ir::ValueId value);
+/// As Spell, but a double word that C++ would compute in int says its type: "static_cast<uint32_t>(a & b)".
+Text SpellInItsType(const Emittable& emittable, ir::ValueId value);
 /// A place as it is read and written: "m[U4A8]", "s"; of an indexed one, its element `index`.
 Spelling SpellPlace(const Emittable& emittable, ir::PlaceId place, ir::ValueId index);
 /// The raw bits of a value as a decimal constant: "true", "40000u", "1.5F".
