@@ -43,13 +43,14 @@ constexpr std::string_view kAsking = R"(
 )";
 
 struct Bench {
-  ir::Program program = ir::ReadOrDie(kAsking);
+  ir::Program program;
   ir::Program other;
   std::vector<std::unique_ptr<sim::Engine>> engines;
   std::unique_ptr<engines::Lockstep> lockstep;
   std::vector<std::string> asked;
 
-  explicit Bench(std::string_view text = kAsking) : other(ir::ReadOrDie(text)) {
+  explicit Bench(std::string_view text = kAsking, std::string_view first = kAsking)
+      : program(ir::ReadOrDie(first)), other(ir::ReadOrDie(text)) {
     engines.push_back(std::make_unique<sim::Simulator>(program));
     engines.push_back(std::make_unique<OtherEngine>(other));
     lockstep = std::make_unique<engines::Lockstep>(program, std::move(engines));
@@ -91,6 +92,34 @@ TEST(Lockstep, OneNaNIsAsGoodAsAnother) {
   bench.lockstep->engines()[1]->Write(number, 0x7F800000);
   bench.lockstep->RunPeriod(20);
   EXPECT_EQ(bench.Difference(), "NUMBER");
+}
+
+TEST(Lockstep, OneNaNAsAnArgumentIsAsGoodAsAnother) {
+  constexpr std::string_view kWeighing = R"(
+  space M 8 volatile little host_visible
+  place NUMBER f32 M[4]
+  host weigh (mass : f32)
+  routine init init {
+  }
+  routine period schedule {
+    %number = load NUMBER
+    host weigh (%number)
+  }
+  schedule init init
+  schedule period period
+)";
+  for (const bool answers : {true, false}) {
+    Bench bench(kWeighing, kWeighing);
+    if (!answers) bench.lockstep->AnswerHostCalls({});
+    const ir::Place number = bench.program.places[ir::PlaceId(0)];
+    bench.lockstep->engines()[0]->Write(number, 0xFFC00000);
+    bench.lockstep->engines()[1]->Write(number, 0x7FC00001);
+    bench.lockstep->RunPeriod(10);
+    EXPECT_EQ(bench.Difference(), "none") << answers;
+    bench.lockstep->engines()[1]->Write(number, 0x7F800000);
+    bench.lockstep->RunPeriod(20);
+    EXPECT_NE(bench.Difference(), "none") << answers;
+  }
 }
 
 TEST(Lockstep, CallsThatDifferAreTold) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/engines/lockstep.h"
+#include "transpiler/sim/same_arguments.h"
 #include "transpiler/sim/value_text.h"
 
 namespace plcxx::review::diff {
@@ -66,8 +67,9 @@ FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::
                                            new_calls = CallsOf(new_program, new_events, function);
   size_t at = 0;
   const auto is_same = [&](const sim::HostEvent& one, const sim::HostEvent& other) {
-    return one.arguments == other.arguments &&
-           old_program.host_functions[one.function].name == new_program.host_functions[other.function].name;
+    const ir::HostFunction& function = old_program.host_functions[one.function];
+    return function.name == new_program.host_functions[other.function].name &&
+           sim::SameArguments(function, one.arguments, other.arguments);
   };
   while (at < old_calls.size() && at < new_calls.size() && is_same(*old_calls[at], *new_calls[at])) {
     ++at;
