@@ -31,7 +31,8 @@ void Verify(size_t number, const JudgedProgram& program, const Judges& judges, S
     command.push_back(key + "=" + value);
   }
   for (std::string& source : SourcesOf(program)) command.push_back(std::move(source));
-  const compile::ProcessResult result = compile::RunProcess(command, 10 * kSecondsForAProgram, program.folder);
+  const compile::ProcessResult result =
+      compile::RunProcessGroup(command, 10 * kSecondsForAProgram, program.folder, judges.stops);
   bool is_different = result.exit_code != 0 && result.exit_code != 1;
   bool any = false;
   std::istringstream lines(result.output);
@@ -55,7 +56,7 @@ std::vector<Disagreement> Judge(Share share, const std::vector<JudgedProgram>& p
   std::vector<Disagreement> found;
   counts.programs += programs.size();
   if (share == Share::kVerified) {
-    for (size_t i = 0; i < programs.size(); ++i) Verify(i, programs[i], judges, counts, found);
+    for (size_t i = 0; i < programs.size() && !judges.stops(); ++i) Verify(i, programs[i], judges, counts, found);
     return found;
   }
   std::vector<std::string> command = {judges.soak, "--judge", std::string(kShareNames[static_cast<size_t>(share)])};
@@ -66,7 +67,7 @@ std::vector<Disagreement> Judge(Share share, const std::vector<JudgedProgram>& p
   }
   for (const JudgedProgram& program : programs) command.push_back(program.folder + "/scenario.yaml");
   const auto seconds = static_cast<int>(kSecondsForAProgram * (programs.size() + 2));
-  const compile::ProcessResult result = compile::RunProcess(command, seconds);
+  const compile::ProcessResult result = compile::RunProcessGroup(command, seconds, {}, judges.stops);
   std::istringstream lines(result.output);
   Disagreement* now = nullptr;
   for (std::string line; std::getline(lines, line);) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,8 @@ struct Judges {
   std::string plcxx;  // for kVerified
   std::vector<std::string> compilers = {"g++ -O0", "g++ -O2", "g++ -O3", "clang++-19 -O2"};
   std::vector<std::string> machines = {"cortex-m", "riscv"};
+  /// Asked while they run: true ends them at once, and what Judge gives then says nothing.
+  std::function<bool()> stops = [] { return false; };
 };
 
 std::vector<Disagreement> Judge(Share share, const std::vector<JudgedProgram>& programs, const Judges& judges,

@@ -1,18 +1,22 @@
 // plcxx_soak: random programs in the simulator and in the reference, a part of them also as generated C++, for as long
-// as it is told. What disagrees is made small and saved with its scenario; the exit code is 1 then.
+// as it is told. What disagrees is made small and saved with its scenario; the exit code is 1 then. It says each minute
+// how far it is; a signal ends the judges under way, and the table is of what was judged before.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <variant>
@@ -29,8 +33,11 @@ namespace {
 using namespace plcxx::reference;
 using Clock = std::chrono::steady_clock;
 
-/// Ctrl-C: the programs under way are ended, and the table is printed.
+constexpr std::chrono::minutes kBetweenLines(1);
+
+/// Ctrl-C and SIGTERM: what is under way is ended, and the table is printed.
 volatile std::sig_atomic_t stopped = 0;
+bool IsStopped() { return stopped != 0; }
 
 struct Wanted {
   std::vector<std::string> dialects;
@@ -66,19 +73,24 @@ class Soak {
     }
     if (dialects_.empty()) throw std::invalid_argument("no such dialect has a reference");
     tallies_.resize(dialects_.size());
+    wanted_.judges.stops = IsStopped;
   }
 
   int Run() {
     std::vector<std::thread> threads;
     for (unsigned i = 0; i < wanted_.jobs; ++i) threads.emplace_back([this] { Work(); });
+    std::jthread line([this](const std::stop_token& ended) { SayHowFar(ended); });
     for (std::thread& thread : threads) thread.join();
+    line.request_stop();
+    line.join();
+    if (IsStopped()) std::printf("stopped before its end\n");
     Print();
     return failed_ ? 1 : 0;
   }
 
  private:
   bool TimeIsOver() const {
-    if (stopped != 0) return true;
+    if (IsStopped()) return true;
     const std::chrono::duration<double, std::ratio<3600>> hours = Clock::now() - begun_;
     return wanted_.hours > 0 && hours.count() >= wanted_.hours;
   }
@@ -119,12 +131,35 @@ class Soak {
     }
   }
 
+  /// One line a minute, of what was judged so far.
+  void SayHowFar(const std::stop_token& ended) {
+    std::mutex alone;
+    std::condition_variable_any woken;
+    std::unique_lock waiting(alone);
+    for (;;) {
+      woken.wait_for(waiting, ended, kBetweenLines, [] { return false; });
+      if (ended.stop_requested()) return;
+      const std::lock_guard lock(mutex_);
+      uint64_t programs = 0, disagreements = 0;
+      std::array<uint64_t, 3> shares = {};
+      for (const Tally& tally : tallies_) {
+        programs += tally.programs;
+        disagreements += tally.disagreements;
+        for (size_t share = 0; share < shares.size(); ++share) shares[share] += tally.shares[share].programs;
+      }
+      const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(Clock::now() - begun_).count();
+      std::cout << minutes << " min: " << programs << " programs, " << shares[0] << " compiled, " << shares[1]
+                << " emulated, " << shares[2] << " verified, " << disagreements << " disagreements" << std::endl;
+    }
+  }
+
   void Flush(Share share, std::vector<Waiting>& queue) {
     std::vector<JudgedProgram> programs;
     for (const Waiting& waiting : queue) programs.push_back(waiting.judged);
     ShareCounts counts;
     const std::vector<Disagreement> found =
-        programs.empty() ? std::vector<Disagreement>() : Judge(share, programs, wanted_.judges, counts);
+        programs.empty() || IsStopped() ? std::vector<Disagreement>() : Judge(share, programs, wanted_.judges, counts);
+    if (IsStopped()) return queue.clear();  // the judge, if there was one, was ended in the middle
     {
       const std::lock_guard lock(mutex_);
       for (const Waiting& waiting : queue) ++tallies_[waiting.dialect].shares[static_cast<size_t>(share)].programs;
@@ -137,6 +172,7 @@ class Soak {
       const ReferenceDialect& dialect = *dialects_[waiting.dialect];
       const std::string folder = waiting.judged.folder + "_smaller";
       const auto fails = [&](const RandomProgram& less) {
+        if (IsStopped()) return false;
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
         if (RunRandom(less, dialect, folder).outcome != Outcome::kAgrees) return false;
@@ -176,7 +212,7 @@ class Soak {
     if (!difference.empty()) SaveSpellings(dialect, seed, texts, difference);
     if (agrees) return program;
     const auto fails = [&](const RandomProgram& less) {
-      return RunRandom(less, dialect, directory).outcome == result.outcome;
+      return !IsStopped() && RunRandom(less, dialect, directory).outcome == result.outcome;
     };
     // A program with errors would be made one without anything.
     const bool runs = result.outcome == Outcome::kDisagrees;
@@ -210,9 +246,9 @@ class Soak {
     for (size_t i = 0; i < dialects_.size(); ++i) {
       const Tally& tally = tallies_[i];
       if (tally.refused != 0 || tally.unsupported != 0) failed_ = true;
-      std::printf("%-8s %9ju %7ju %8ju %9ju %9ju %9ju %16ju %14ju %8ju %12ju\n", dialects_[i]->name.data(),
-                  uintmax_t{tally.programs}, uintmax_t{tally.large}, uintmax_t{tally.spelled},
-                  uintmax_t{tally.shares[0].programs}, uintmax_t{tally.shares[1].programs},
+      std::printf("%-8s %9ju %7ju %8ju %9ju %9ju %9ju %16ju %14ju %8ju %12ju\n",
+                  std::string(dialects_[i]->name).c_str(), uintmax_t{tally.programs}, uintmax_t{tally.large},
+                  uintmax_t{tally.spelled}, uintmax_t{tally.shares[0].programs}, uintmax_t{tally.shares[1].programs},
                   uintmax_t{tally.shares[2].programs}, uintmax_t{tally.compared}, uintmax_t{tally.disagreements},
                   uintmax_t{tally.refused}, uintmax_t{tally.unsupported});
     }
@@ -272,8 +308,6 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"compiled", "emulated"}));
   std::vector<std::string> scenarios;
   app.add_option("scenarios", scenarios, "these instead of random programs");
-  std::signal(SIGINT, [](int) { stopped = 1; });
-  std::signal(SIGTERM, [](int) { stopped = 1; });
   CLI11_PARSE(app, argc, argv);
   if (wanted.programs == 0 && wanted.hours == 0) wanted.programs = 200;
   std::error_code error;
@@ -285,7 +319,13 @@ int main(int argc, char** argv) {
     if (!judged.empty()) {
       return RunJudge(judged == "emulated" ? Share::kEmulated : Share::kCompiled, compilers, scenarios);
     }
-    return scenarios.empty() ? Soak(wanted).Run() : RunScenarios(scenarios);
+    if (!scenarios.empty()) return RunScenarios(scenarios);
+    std::signal(SIGINT, [](int) { stopped = 1; });
+    std::signal(SIGTERM, [](int) { stopped = 1; });
+    // What the judges leave when they are ended goes with it.
+    const plcxx::testing_support::TemporaryDirectory directory;
+    setenv("TMPDIR", directory.path().c_str(), 1);
+    return Soak(wanted).Run();
   } catch (const std::exception& fault) {
     std::cerr << fault.what() << "\n";
     return 2;

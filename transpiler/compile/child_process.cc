@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -19,12 +21,65 @@ namespace plcxx::compile {
 namespace {
 
 constexpr int kAnswerMilliseconds = 10'000;
+constexpr int64_t kAskMilliseconds = 200;
 
 std::vector<char*> Pointers(const std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   return pointers;
+}
+
+/// With `stops`, the child is the first of a process group of its own, which is killed whole.
+ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
+                  const std::function<bool()>* stops) {
+  ProcessResult result;
+  int fds[2];
+  if (pipe2(fds, O_CLOEXEC) != 0) return result;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, fds[1], 1);
+  posix_spawn_file_actions_adddup2(&actions, fds[1], 2);
+  if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  if (stops != nullptr) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  pid_t pid = -1;
+  const std::vector<char*> pointers = Pointers(arguments);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  close(fds[1]);
+  if (failed != 0) {
+    close(fds[0]);
+    return result;
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  char buffer[4096];
+  for (;;) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    pollfd poll_fd{fds[0], POLLIN, 0};
+    const auto wait = static_cast<int>(stops == nullptr ? left : std::min<int64_t>(left, kAskMilliseconds));
+    const int ready = left <= 0 ? 0 : poll(&poll_fd, 1, wait);
+    const bool is_interrupted = ready < 0 && errno == EINTR;
+    const bool goes_on = is_interrupted || (ready == 0 && left > wait);
+    if (left <= 0 || (ready <= 0 && !goes_on) || (stops != nullptr && (*stops)())) {
+      kill(stops == nullptr ? pid : -pid, SIGKILL);
+      break;
+    }
+    if (ready <= 0) continue;
+    const ssize_t count = read(fds[0], buffer, sizeof buffer);
+    if (count <= 0) break;
+    result.output.append(buffer, static_cast<size_t>(count));
+  }
+  close(fds[0]);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  return result;
 }
 
 }  // namespace
@@ -48,43 +103,12 @@ bool TemporaryDirectory::Write(const std::string& name, std::string_view text) c
 }
 
 ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds, const std::string& directory) {
-  ProcessResult result;
-  int fds[2];
-  if (pipe2(fds, O_CLOEXEC) != 0) return result;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fds[1], 1);
-  posix_spawn_file_actions_adddup2(&actions, fds[1], 2);
-  if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
-  pid_t pid = -1;
-  const std::vector<char*> pointers = Pointers(arguments);
-  const int failed = posix_spawnp(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(fds[1]);
-  if (failed != 0) {
-    close(fds[0]);
-    return result;
-  }
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-  char buffer[4096];
-  for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
-    pollfd poll_fd{fds[0], POLLIN, 0};
-    if (left <= 0 || poll(&poll_fd, 1, static_cast<int>(left)) <= 0) {
-      kill(pid, SIGKILL);
-      break;
-    }
-    const ssize_t count = read(fds[0], buffer, sizeof buffer);
-    if (count <= 0) break;
-    result.output.append(buffer, static_cast<size_t>(count));
-  }
-  close(fds[0]);
-  int status = 0;
-  waitpid(pid, &status, 0);
-  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
-  return result;
+  return Run(arguments, seconds, directory, nullptr);
+}
+
+ProcessResult RunProcessGroup(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
+                              const std::function<bool()>& stops) {
+  return Run(arguments, seconds, directory, &stops);
 }
 
 ChildProcess::~ChildProcess() {

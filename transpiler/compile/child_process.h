@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,10 @@ struct ProcessResult {
 
 /// Runs a program to its end in `directory` (empty: the current one); it is killed after `seconds`.
 ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds, const std::string& directory = {});
+/// The same; it is killed together with all that it started when its time is over or `stops` says so, which is asked
+/// several times a second.
+ProcessResult RunProcessGroup(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
+                              const std::function<bool()>& stops);
 
 /// A running program whose standard input and output are ours.
 class ChildProcess {
