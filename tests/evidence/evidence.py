@@ -53,6 +53,9 @@ PROMISES = [
      "subcommands", "tests/fuzz/cases/run.py", "cases"),
     ("each subcommand takes each program", "every form of every subcommand over goldens and samples",
      "tests/fuzz/cases/everything.py", "everything"),
+    ("the tool reads and writes only what is its own, does nothing undefined, and leaks nothing", "the tool with the "
+     "sanitizers of Clang, in every form of every subcommand over goldens and samples, and over mutated cases",
+     "dev/sanitize", "sanitize"),
     ("each option of each dialect changes something", "a row with a program for each option", "tests/options", None),
     ("the tests see a fault in the lowerings, passes, emitter and runtime", "mutants: one change at a time, and the tests that "
      "execute it (`dev/mutants`); survivors are listed with reasons", "tests/mutants", "mutants"),

@@ -12,6 +12,7 @@ import pathlib
 import re
 import sys
 import tempfile
+import time
 
 import commands
 import corpus
@@ -73,9 +74,13 @@ def main():
         for case in corpus.cases(args.root, args.dialects.split(",")):
             if picked := chosen(case, args.share):
                 futures.append(pool.submit(attempt, args.plcxx, case, picked))
-        for future in futures:
+        said = time.monotonic()
+        for number, future in enumerate(futures):
             case, count, found = future.result()
             ran += count
+            if args.sanitized and time.monotonic() - said > 60:  # it takes an hour
+                said = time.monotonic()
+                print(f"{number} of {len(futures)} cases, {ran} runs", flush=True)
             for problem, words in found:
                 faults += 1
                 print(f"{case.scenario}: plcxx {' '.join(words)}\n    {problem}", flush=True)
