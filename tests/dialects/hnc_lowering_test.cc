@@ -325,6 +325,7 @@ TEST(HncLowering, ASlipInARecordIsAnErrorAndNoCrash) {
 TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
   EXPECT_THAT(Errors("int *p; if (p == nowhere) a = 1; a = *p;"), ElementsAre("3 E010", "3 E050"));
   EXPECT_THAT(Errors("int *p; p = nowhere; a = *p;"), ElementsAre("3 E010"));
+  EXPECT_THAT(Errors("a = *(int *)0x1234; *(char *)16 = 1;"), ElementsAre("3 E048", "3 E048"));
 }
 
 }  // namespace

@@ -8,10 +8,10 @@ import threading
 import prepare
 import tests_seen
 
-BATCHES = (3, 12, 48, 160)  # scenarios in one process: most mutants are killed by the first
+BATCHES = (3, 12, 100, 1000)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
-MOST = 150                  # scenarios: of what nearly all of them execute, some say nothing new
+MOST = 1000                 # scenarios: what nearly all of them execute is often seen by one alone
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):

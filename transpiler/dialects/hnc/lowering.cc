@@ -161,7 +161,6 @@ void Lowering::LowerFunction(FunctionId id) {
   placed_labels_.clear();
   annotated_labels_.clear();
   rounds_around_ = 1;
-  statement_id_ = 0;
   const Statement& body = unit_.statements[function.body];
   next_comment_ = static_cast<size_t>(
       std::ranges::lower_bound(unit_.comments, body.range.begin, {}, [](const Comment& c) { return c.range.begin; }) -
