@@ -31,8 +31,9 @@ void plc2() { }
 
 class Subject {
  public:
-  explicit Subject(std::string_view body) {
-    directory_.Write("mill.cld", std::string(kVariables) + "void plc1() {\n" + std::string(body) + "\n}\n");
+  explicit Subject(std::string_view body, std::string_view functions = "") {
+    directory_.Write(
+        "mill.cld", std::string(kVariables) + std::string(functions) + "void plc1() {\n" + std::string(body) + "\n}\n");
     compilation::CompilationRequest request;
     request.sources = {directory_.File("mill.cld")};
     compilation_ = compilation::Compile(request);
@@ -41,14 +42,15 @@ class Subject {
   bool ok() const { return compilation_.ok(); }
   ir::Program& program() { return compilation_.program; }
 
-  compiled::RoutineProof Compare() {
+  compiled::RoutineProof Compare() { return Compare("plc1"); }
+  compiled::RoutineProof Compare(std::string_view name) {
     dialects::Request request = compilation_.MakeRequest();
     const ir::Reference reference = dialects::ReferenceOf(*compilation_.dialect)(request);
     const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = "mill"});
     const front_end::Comparison comparison = front_end::Compare(emittable, reference, compiled::VerifyLimits());
     EXPECT_EQ(comparison.reason, "");
     for (const front_end::FunctionProof& function : comparison.functions) {
-      if (function.proof.routine != "plc1") continue;
+      if (function.proof.routine != name) continue;
       compiled::RoutineProof proof = function.proof;
       if (!function.not_compared.empty()) proof.reason = "not compared: " + function.not_compared;
       return proof;
@@ -56,12 +58,12 @@ class Subject {
     return {};
   }
 
-  /// The instructions of plc1, in the order of the program.
+  /// The instructions of a function, in the order of the program.
   template <class Change>
-  bool ChangeFirst(Change&& change) {
+  bool ChangeFirst(Change&& change, std::string_view name = "plc1") {
     bool changed = false;
     for (const ir::Routine& routine : program().routines) {
-      if (routine.name != "plc1") continue;
+      if (routine.name != name) continue;
       ir::ForEachInst(program(), routine.body, [&](ir::InstId id) { changed = changed || change(program()[id]); });
     }
     return changed;
@@ -164,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(All, FrontEndMutation, ::testing::ValuesIn(kMutations),
 
 struct Program {
   std::string_view name, body;
+  std::string_view functions = "";
 };
 constexpr Program kProved[] = {
     {"what_faults", "n = m / u; t[n] = l % m; n = t[u];"},
@@ -176,12 +179,21 @@ constexpr Program kProved[] = {
     {"annotated_loop", "/*@loop_bound 9@*/\nwhile (n != X[0]) n++;"},
     {"control", "set_axis_home(1, n); l = get_axis_pos(2);"},
     {"order_of_arguments", "n = two(n++, n++);"},
+    {"pointers_as_parameters", "swap(&n, &m); swap(&t[n & 3], n > 5 ? &m : &n);",
+     "void swap(int *a, int *b) { int c = *a; *a = *b; *b = c; }\n"},
+    {"structures_as_parameters_and_results", "p = turned(turned(p)); n = turned(p).y;",
+     "struct pair { int x, y; } p;\n"
+     "struct pair turned(struct pair a) { struct pair b; b.x = a.y; b.y = a.x; a.x = 0; return b; }\n"},
+    {"promoted_parameters", "n = low(m, f);", "int low(k, r) unsigned char k; float r; { return k + (r > 1.5); }\n"},
+    {"floats_to_integers", "n = d; u = f * 2.5; l = n - 0.5; c = d; ul = f; uc = d;"},
+    {"integers_to_floats", "f = l; d = ul; f--; ++f; n = f;"},
+    {"constant_shift_counts", "n = m << 16; u = u >> 17; l = l >> 40; ul = ul << 32;"},
 };
 
 class FrontEndProgram : public ::testing::TestWithParam<Program> {};
 
 TEST_P(FrontEndProgram, IsProved) {
-  Subject subject(GetParam().body);
+  Subject subject(GetParam().body, GetParam().functions);
   ASSERT_TRUE(subject.ok());
   const compiled::RoutineProof proof = subject.Compare();
   EXPECT_EQ(proof.result, ProofResult::kProved) << proof.reason;
@@ -189,6 +201,23 @@ TEST_P(FrontEndProgram, IsProved) {
 
 INSTANTIATE_TEST_SUITE_P(All, FrontEndProgram, ::testing::ValuesIn(kProved),
                          [](const auto& program) { return std::string(program.param.name); });
+
+/// A function with pointers is compared in its callers, and what it does wrong is different there.
+TEST(FrontEnd, ComparesInCallers) {
+  Subject subject("add(&n, m); add(&m, 3);", "void add(int *a, int b) { *a += b; }\n");
+  ASSERT_TRUE(subject.ok());
+  EXPECT_EQ(subject.Compare("add").result, ProofResult::kProved);
+  bool changed = false;
+  ASSERT_TRUE(subject.ChangeFirst(
+      [&](ir::Inst& inst) {
+        if (inst.op != Op::kAdd16 || changed) return false;
+        inst.op = Op::kSub16;
+        return changed = true;
+      },
+      "add"));
+  EXPECT_EQ(subject.Compare().result, ProofResult::kDifferent);
+  EXPECT_EQ(subject.Compare("add").result, ProofResult::kNotDecided);
+}
 
 /// What cannot be compared is named, never passed over.
 TEST(FrontEnd, SaysWhatIsNotCompared) {

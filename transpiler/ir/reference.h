@@ -2,7 +2,7 @@
 // against (prove/front_end).
 //
 // In: LLVM's bitcode, and which of its functions and variables are which routines and bytes of the program. What a
-// function has that cannot be told apart from here is named with it: it is not compared. Not its job: comparing.
+// function has in another form than its routine is named with it. Not its job: comparing.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,11 @@ struct ReferenceLocal {
 struct ReferenceFunction {
   std::string name;  // in the bitcode
   RoutineId routine;
-  std::vector<ReferenceLocal> locals;     // in the order of their declarations
-  std::vector<std::string> not_compared;  // what in it is not: "a structure as a parameter"
+  std::vector<ReferenceLocal> locals;    // in the order of their declarations
+  std::optional<ReferenceBytes> result;  // where the program has a result that is no number
+  /// Why its parameters or its result are not those of the routine: "a structure as a parameter". It is compared in
+  /// each of its calls, and not by itself.
+  std::string in_callers;
 };
 
 /// A function that the sources only call, for the control has it: in the program it is a routine or a host function.

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Which programs of tests/golden `plcxx verify` proves, and why it does not prove the others.
 
-run.py PLCXX DIALECT... [--target T] [--time 20s] [--only TEXT] [--loops] [--every N] [--jobs N] [--expect TABLE]
+run.py PLCXX DIALECT... [--target T] [--time 20s] [--only TEXT] [--loops] [--every N] [--jobs N] [--expect TABLE | --all]
 
-Each scenario of tests/golden/DIALECT is one program with its options; those whose program is refused are left out.
---loops takes those alone whose generated C++ has a loop; --every each N-th of them. With a table of expectations, the
-programs of the table are verified (and no others), and the exit code is 1 where one is not as the table says.
+Each scenario of tests/golden/DIALECT is one program with its options; those whose program is refused are left out, and
+scenarios of one program with the same options count once. --loops takes those alone whose generated C++ has a loop;
+--every each N-th of them. With a table of expectations, the programs of the table are verified (and no others), and the
+exit code is 1 where one is not as the table says. With --all it is 1 where a program is different, refused or not
+decided, but those that not_decided.txt names, and those for which the time was too short. At its end it prints a table
+by dialect and reason.
 """
 import argparse
 import collections
@@ -18,6 +21,7 @@ import tempfile
 import time
 
 GOLDEN = pathlib.Path(__file__).resolve().parent.parent.parent / "golden"
+KNOWN = pathlib.Path(__file__).resolve().parent / "not_decided.txt"
 LOOP = re.compile(r"^\s*(for|while|do)\b", re.MULTILINE)
 
 
@@ -38,8 +42,8 @@ def program_of(scenario):
     if dialect:
         words += ["--dialect", dialect.group(1)]
     for option in field(text, "options", "{}"):
-        key, value = option.split(":", 1)
-        words += ["--set", f"{key.strip()}={value.strip().strip(chr(34)).strip(chr(39))}"]
+        key, value = (part.strip().strip("'\"") for part in option.split(":", 1))
+        words += ["--encoding", value] if key == "encoding" else ["--set", f"{key}={value}"]
     sources = field(text, "sources", "[]")
     return words + sources if sources else None
 
@@ -55,6 +59,18 @@ def proofs_of(said):
     """Without the warnings in front and what is proved."""
     lines = said[max(0, said.find(": not proved")) :].splitlines()
     return "\n".join(line for line in lines[1:] if ": proved (" not in line) if len(lines) > 1 else said
+
+
+def reason_of(said):
+    """Why a program is not proved, without what is its own: names and numbers."""
+    lines = [line for line in said.splitlines() if re.search(r": (not decided: |different$|not verified: )", line)]
+    causes = [line for line in lines if "all is proved but" not in line] or lines or said.splitlines()[-1:]
+    text = re.sub(r"^.*?: (not decided|not verified): ", "", causes[0]) if causes else ""
+    text = re.sub(r"\bloop \d+ \([^)]*\)", "a loop", text)
+    text = re.sub(r"not within the time: .*", "not within the time", text)
+    text = re.sub(r"(no numbers show a difference, and no proof that there are none): .*", r"\1", text)
+    text = re.sub(r"\bloop \d+ ", "a loop ", re.sub(r"(?<=: )[\w:]*::\w+, [\w.]+|\d{6,}", "...", text))
+    return text.strip()
 
 
 def has_loop(plcxx, words, folder):
@@ -80,9 +96,23 @@ def verify(plcxx, scenario, options):
     said = ran.stdout + ran.stderr
     if ran.returncode == 0:
         return "proved", "", took
+    if ran.returncode not in (0, 1):
+        return "broken", f"exit code {ran.returncode}\n" + said.strip()[-2000:], took
     if "not decided" in said:
         return "not decided", said.strip(), took
-    return ("different" if "differ" in said else "refused"), said.strip(), took
+    return ("different" if re.search(r": different$", said, re.MULTILINE) else "refused"), said.strip(), took
+
+
+def table(reasons):
+    """Of how many programs of a dialect what is so."""
+    dialects = sorted({dialect for dialect, _, _ in reasons})
+    rows = collections.Counter()
+    for (_, result, reason), count in reasons.items():
+        rows[result, reason] += count
+    print("\n| result | reason | " + " | ".join(dialects) + " |\n|---|---|" + "---|" * len(dialects))
+    for result, reason in sorted(rows, key=lambda row: (row[0] != "proved", -rows[row])):
+        counts = [str(reasons.get((dialect, result, reason), "")) for dialect in dialects]
+        print(f"| {result} | {reason} | " + " | ".join(counts) + " |")
 
 
 def main():
@@ -96,6 +126,7 @@ def main():
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--expect", type=pathlib.Path)
+    parser.add_argument("--all", action="store_true")
     options = parser.parse_args()
     expected = {}
     if options.expect:
@@ -106,8 +137,12 @@ def main():
         scenarios = [GOLDEN / f"{name}.yaml" for name in expected]
     else:
         scenarios = [path for dialect in options.dialects for path in sorted((GOLDEN / dialect).rglob("*.yaml"))]
-        scenarios = [path for path in scenarios if options.only in str(path)][:: options.every]
-    counts, wrong = collections.Counter(), []
+        programs = {}
+        for path in scenarios:
+            programs.setdefault((path.parent, tuple(program_of(path) or [])), path)
+        scenarios = [path for path in programs.values() if options.only in str(path)][:: options.every]
+    known = set(KNOWN.read_text().split()) if options.all and KNOWN.exists() else set()
+    counts, reasons, wrong = collections.Counter(), collections.Counter(), []
     plcxx = str(pathlib.Path(options.plcxx).resolve())
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for scenario, got in zip(scenarios, pool.map(lambda path: verify(plcxx, path, options), scenarios)):
@@ -118,6 +153,10 @@ def main():
                 continue
             result, detail, took = got
             counts[result] += 1
+            reason = "" if result in ("proved", "different", "broken") else reason_of(detail)
+            reasons[name.split("/")[0], result, reason] += 1
+            if options.all and result != "proved" and name not in known and reason != "not within the time":
+                wrong.append(f"{name}: {result}\n{detail}")
             if name in expected and result != expected[name]:
                 wrong.append(f"{name}: {result}, not {expected[name]}\n{detail}")
             if not options.expect and result != "proved":
@@ -126,6 +165,10 @@ def main():
                 print(f"== {name}: {result} ({took:.1f} s)", flush=True)
     for result in sorted(counts):
         print(f"{result}: {counts[result]}")
+    if not options.expect:
+        table(reasons)
+    if not counts["proved"]:
+        wrong.append("nothing was proved")
     for text in wrong:
         print("WRONG", text)
     return 1 if wrong else 0

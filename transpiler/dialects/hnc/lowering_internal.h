@@ -113,7 +113,7 @@ class Lowering {
   void DescribeEffects(const ir::Program& program, ir::Reference& reference) const;
   ir::ReferenceBytes BytesOf(ObjectId object) const;
   /// What its head has that has no equal in the reference; empty: nothing.
-  std::string WhyNotCompared(const Function& function) const;
+  std::string WhyInCallers(const Function& function) const;
 
   // --- functions (lowering.cc) ---
   void AddRoutines();

@@ -48,15 +48,18 @@ void Lowering::DescribeVariables(ir::Reference& reference) const {
   }
 }
 
-std::string Lowering::WhyNotCompared(const Function& function) const {
-  if (function.system) return {};
+std::string Lowering::WhyInCallers(const Function& function) const {
   const auto what = [this](TypeId type) {
     const TypeKind kind = TypeAt(type).kind;
     return kind == TypeKind::kRecord ? "a structure" : kind == TypeKind::kPointer ? "a pointer" : "";
   };
   for (const VariableId parameter : function.parameters) {
-    const std::string kind = what(unit_.variables[parameter].type);
+    const TypeId type = unit_.variables[parameter].type;
+    const std::string kind = what(type);
     if (!kind.empty()) return kind + " as a parameter";
+    const bool is_promoted =
+        TypeAt(type).bits == 8 || (TypeAt(type).kind == TypeKind::kReal && TypeAt(type).bits == 32);
+    if (!function.has_prototype && is_promoted) return "a promoted parameter";
   }
   const std::string kind = what(function.result);
   return kind.empty() ? kind : kind + " as a result";
@@ -65,7 +68,7 @@ std::string Lowering::WhyNotCompared(const Function& function) const {
 void Lowering::DescribeFunction(FunctionId id, ir::Reference& reference) const {
   const Function& function = unit_.functions[id];
   ir::ReferenceFunction described{
-      .name = function.name, .routine = routines_[id.index], .locals = {}, .not_compared = {}};
+      .name = function.name, .routine = routines_[id.index], .locals = {}, .result = {}, .in_callers = {}};
   const auto type_of = [this](VariableId variable) { return TypeAt(unit_.variables[variable].type).kind; };
   const auto add = [&](VariableId variable, bool is_parameter) {
     const ObjectId object = objects_.OfVariable(variable);
@@ -74,12 +77,8 @@ void Lowering::DescribeFunction(FunctionId id, ir::Reference& reference) const {
         {.name = unit_.variables[variable].name, .at = BytesOf(object), .is_parameter = is_parameter});
   };
   for (const VariableId parameter : function.parameters) add(parameter, true);
-  if (std::string reason = WhyNotCompared(function); !reason.empty())
-    described.not_compared.push_back(std::move(reason));
-  for (const FunctionId callee : facts_.CalleesOf(id)) {
-    const std::string reason = WhyNotCompared(unit_.functions[callee]);
-    if (!reason.empty()) described.not_compared.push_back("a call of " + unit_.functions[callee].name + ", " + reason);
-  }
+  described.in_callers = WhyInCallers(function);
+  if (TypeAt(function.result).kind == TypeKind::kRecord) described.result = BytesOf(objects_.OfResult(id));
   for (const VariableId local : function.locals) {
     if (unit_.variables[local].storage == Storage::kAutomatic) add(local, false);
   }

@@ -357,7 +357,8 @@ void Rewriter::String() {
         Put('?');
       } else {
         std::string bytes = CharacterBytes(length);
-        if (bytes.ends_with('\\')) bytes.back() = kBackslashOfCharacter;
+        // The second byte of a GBK character may be a backslash, which is no escape.
+        if (bytes.ends_with('\\')) bytes.replace(bytes.size() - 1, 1, "\\134");
         out_.text += bytes;
       }
       at_ += length;

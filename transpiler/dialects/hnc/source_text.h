@@ -15,9 +15,6 @@
 
 namespace plcxx::hnc {
 
-/// In a literal: stands for the second byte 5C of a GBK character, which the parser must not take for a backslash.
-inline constexpr char kBackslashOfCharacter = '\x1A';
-
 struct SourceText {
   struct Stretch {
     uint32_t at = 0;        // in `text`
@@ -59,8 +56,5 @@ void ApplyLineDirectives(source::SourceManager& sources, SourceText& text);
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file);
 /// A header of the product: nothing to rewrite, no places.
 SourceText ProductText(std::string name, std::string text);
-
-/// The bytes of a literal as the parser has read it: kBackslashOfCharacter becomes what it stands for.
-std::string LiteralBytes(std::string_view bytes);
 
 }  // namespace plcxx::hnc

@@ -21,12 +21,4 @@ source::Offset SourceText::Shown(source::Offset place) const {
   return next == moved.begin() ? place : std::prev(next)->to + (place - std::prev(next)->from);
 }
 
-std::string LiteralBytes(std::string_view bytes) {
-  std::string literal(bytes);
-  for (size_t i = 1; i < literal.size(); ++i) {
-    if (literal[i] == kBackslashOfCharacter && static_cast<unsigned char>(literal[i - 1]) >= 0x80) literal[i] = '\\';
-  }
-  return literal;
-}
-
 }  // namespace plcxx::hnc

@@ -176,6 +176,9 @@ void Verification::Prove(UnitId id) {
   visited_[id.index] = true;
   const Unit& unit = program_.units[id];
   for (const UnitId callee : unit.callees) Prove(callee);
+  if (!unit.part.region.valid() &&
+      std::ranges::find(program_.shape.in_callers, unit.part.routine) != program_.shape.in_callers.end())
+    return;
   const bool inner = unit.part.region.valid() || emit::SharesLocals(program_.ir.routines[unit.part.routine].kind);
   auto parameters = program_.code.Parameters(program_.CppName(unit));
   // Nothing has been left out of code that is not optimized.

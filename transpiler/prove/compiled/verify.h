@@ -64,6 +64,8 @@ struct CodeShape {
   std::vector<uint64_t> open_faults;  // numbers of those that are recorded only where the code's language is open, too
   std::vector<ir::RoutineId>
       unknown;  // that the code only declares: on both sides anything, the same when called alike
+  /// That are compared in each of their calls alone: their parameters are others in the code.
+  std::vector<ir::RoutineId> in_callers;
   /// Calls of the code that are calls of a host function, by the name in the code.
   std::vector<std::pair<std::string, ir::HostFunctionId>> hosts;
   /// By RoutineId: bytes of State that nothing reads behind the routine, [begin, end).

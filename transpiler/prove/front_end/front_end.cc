@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "transpiler/ir/accesses.h"
+#include "transpiler/ir/builder.h"
 #include "transpiler/prove/compiled/compiled_code.h"
 
 namespace plcxx::prove::front_end {
@@ -28,6 +30,19 @@ emit::layout::Layout PlainLayout(const ir::Program& program) {
   return layout;
 }
 
+bool Calls(const ir::Program& program, ir::RoutineId caller, ir::RoutineId callee) {
+  bool calls = false;
+  const ir::Routine& routine = program.routines[caller];
+  for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+    if (!region.valid()) continue;
+    ir::ForEachInst(program, region, [&](ir::InstId id) {
+      const ir::Inst& inst = program[id];
+      calls = calls || (inst.op == ir::OpKind::kCall && program.calls[ir::CallId(inst.payload)].routine == callee);
+    });
+  }
+  return calls;
+}
+
 class Comparer {
  public:
   Comparer(const emit::Emittable& emittable, const ir::Reference& reference)
@@ -48,6 +63,8 @@ class Comparer {
   void FindConstants();
   compiled::RoutineProof CompareInitialValues(const compiled::CompiledCode& code) const;
   void AddLocals(const ir::ReferenceFunction& function);
+  void AddInCallers(const ir::ReferenceFunction& function);
+  FunctionProof ProofInCallers(const ir::ReferenceFunction& function, std::span<const FunctionProof> functions) const;
   uint32_t SlotOf(const ir::ReferenceBytes& at) const {
     return plain_.layout.bytes[at.space.index][at.offset].whole.offset;
   }
@@ -111,6 +128,51 @@ void Comparer::AddLocals(const ir::ReferenceFunction& function) {
   }
 }
 
+/// Executed as a part of its callers: what it keeps where only it works is nothing that they leave.
+void Comparer::AddInCallers(const ir::ReferenceFunction& function) {
+  shape_.in_callers.push_back(function.routine);
+  const auto is_gone = [this](const ir::ReferenceBytes& at) {
+    if (at.bytes == 0) return;
+    const uint32_t slot = SlotOf(at);
+    for (auto& dead : shape_.dead_behind) dead.emplace_back(slot, slot + at.bytes);
+  };
+  for (const ir::ReferenceLocal& local : function.locals) is_gone(local.at);
+  if (function.result) is_gone(*function.result);
+}
+
+/// Proved where all that call it are, and calls of others that are executed in their callers are looked through.
+FunctionProof Comparer::ProofInCallers(const ir::ReferenceFunction& function,
+                                       std::span<const FunctionProof> functions) const {
+  FunctionProof found{.proof = {}, .not_compared = {}, .in_callers = {}};
+  found.proof.routine = function.name;
+  std::vector<ir::RoutineId> open = {function.routine};
+  for (size_t i = 0; i < open.size(); ++i) {
+    for (uint32_t r = 0; r < program_.routines.size(); ++r) {
+      const ir::RoutineId caller(r);
+      if (!Calls(program_, caller, open[i])) continue;
+      if (std::ranges::find(shape_.in_callers, caller) == shape_.in_callers.end()) {
+        found.in_callers.push_back(plain_.routine_names[r]);
+      } else if (std::ranges::find(open, caller) == open.end()) {
+        open.push_back(caller);
+      }
+    }
+  }
+  if (found.in_callers.empty()) {
+    found.not_compared = function.in_callers + ", and nothing calls it";
+    return found;
+  }
+  found.proof.result = compiled::ProofResult::kProved;
+  for (const std::string& caller : found.in_callers) {
+    const auto proof = std::ranges::find(functions, caller, [](const FunctionProof& one) { return one.proof.routine; });
+    if (proof != functions.end() && proof->not_compared.empty() &&
+        proof->proof.result == compiled::ProofResult::kProved)
+      continue;
+    found.proof.result = compiled::ProofResult::kNotDecided;
+    found.proof.reason = function.in_callers + ", and so with its callers: " + caller;
+  }
+  return found;
+}
+
 void Comparer::AddEffects() {
   for (const ir::ReferenceEffect& effect : reference_.effects) {
     compiled::SourceCode::Effect& added = source_.effects.emplace_back();
@@ -146,7 +208,10 @@ void Comparer::MakeShape() {
          .bytes = variable.at.bytes,
          .kind = variable.is_table ? compiled::CodeGlobal::Kind::kTable : compiled::CodeGlobal::Kind::kBytes});
   }
-  for (const ir::ReferenceFunction& function : reference_.functions) AddLocals(function);
+  for (const ir::ReferenceFunction& function : reference_.functions) {
+    AddLocals(function);
+    if (!function.in_callers.empty()) AddInCallers(function);
+  }
   for (const ir::ReferenceCallee& callee : reference_.callees) {
     if (callee.routine.valid()) shape_.unknown.push_back(callee.routine);
     if (callee.host.valid()) shape_.hosts.emplace_back(callee.name, callee.host);
@@ -184,22 +249,21 @@ Comparison Comparer::Run(const compiled::VerifyLimits& limits) {
   const compiled::LoadedCode loaded = compiled::LoadSourceCode(source_);
   comparison.reason = loaded.reason;
   if (loaded.code == nullptr) return comparison;
-  comparison.functions.push_back({.proof = CompareInitialValues(*loaded.code), .not_compared = {}});
+  comparison.functions.push_back({.proof = CompareInitialValues(*loaded.code), .not_compared = {}, .in_callers = {}});
   std::vector<ir::RoutineId> routines;
   for (const ir::ReferenceFunction& function : reference_.functions) {
-    if (function.not_compared.empty()) {
-      routines.push_back(function.routine);
-      continue;
-    }
-    compiled::RoutineProof proof;
-    proof.routine = function.name;
-    comparison.functions.push_back({.proof = std::move(proof), .not_compared = function.not_compared.front()});
+    if (function.in_callers.empty()) routines.push_back(function.routine);
   }
   for (compiled::RoutineProof& proof : compiled::Verify(plain_, *loaded.code, routines, limits, shape_)) {
     const bool known = std::ranges::any_of(
         comparison.functions, [&](const FunctionProof& one) { return one.proof.routine == proof.routine; });
-    if (!known) comparison.functions.push_back({.proof = std::move(proof), .not_compared = {}});
+    if (!known) comparison.functions.push_back({.proof = std::move(proof), .not_compared = {}, .in_callers = {}});
   }
+  std::vector<FunctionProof> in_callers;
+  for (const ir::ReferenceFunction& function : reference_.functions) {
+    if (!function.in_callers.empty()) in_callers.push_back(ProofInCallers(function, comparison.functions));
+  }
+  for (FunctionProof& function : in_callers) comparison.functions.push_back(std::move(function));
   return comparison;
 }
 

@@ -20,6 +20,8 @@ namespace plcxx::prove::front_end {
 struct FunctionProof {
   compiled::RoutineProof proof;  // its routine is the function's name in the sources
   std::string not_compared;      // what in it cannot be; empty: it was compared
+  /// Those in whose proofs it is executed, for every call; empty: it was compared by itself.
+  std::vector<std::string> in_callers;
 };
 
 struct Comparison {

@@ -35,7 +35,7 @@ terms::TermId LibraryResult(terms::Terms& terms, std::string_view name, std::spa
   constexpr auto kRight = [](terms::Terms& t, Arguments a) { return Rotated(t, a[0], a[1], false); };
   static constexpr Row kRows[] = {
       {"abs", 1, kMagnitude},
-      {"?abs@@$$J0YAFF@Z", 1, kMagnitude},  // of two, one for each type
+      {"?abs@@$$J0YAHH@Z", 1, kMagnitude},  // of two, one for each type
       {"?abs@@$$J0YAJJ@Z", 1, kMagnitude},
       {"labs", 1, kMagnitude},
       {"_rotl", 2, kLeft},

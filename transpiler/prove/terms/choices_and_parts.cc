@@ -217,6 +217,12 @@ TermId Terms::Concat(TermId high, TermId low) {
   const TermId next = nested ? TermId(rest.a) : low;  // the part right below `high`
   const auto join = [&](TermId joined) { return nested ? Concat(joined, TermId(rest.b)) : joined; };
   if (nested && IsConst(high) && IsConst(next)) return join(Concat(high, next));
+  // Signs above signs: a number that was widened twice is one that was widened once.
+  if (const Term below = terms_[next.index]; top.kind == TermKind::kIte && below.kind == TermKind::kIte &&
+                                             top.a == below.a && IsConst(TermId(top.b)) && IsConst(TermId(top.c)) &&
+                                             IsConst(TermId(below.b)) && IsConst(TermId(below.c))) {
+    return join(Ite(TermId(top.a), Concat(TermId(top.b), TermId(below.b)), Concat(TermId(top.c), TermId(below.c))));
+  }
   if (const Term below = terms_[next.index]; top.kind == TermKind::kExtract && below.kind == TermKind::kExtract &&
                                              top.a == below.a && below.b + below.width == top.b) {
     return join(Extract(TermId(top.a), static_cast<uint8_t>(below.b), static_cast<uint8_t>(top.width + below.width)));

@@ -104,7 +104,8 @@ TermId Apply(Terms& terms, Format format, std::string_view operation, uint8_t re
 }
 
 TermId ApplyCommutative(Terms& terms, std::string_view operation, Evaluations evaluate, TermId a, TermId b) {
-  if (b < a) std::swap(a, b);
+  // Numbers last: the order of others depends on which side has made them first.
+  if (terms.IsConst(a) || (!terms.IsConst(b) && b < a)) std::swap(a, b);
   const Format format = FormatOf(terms, a);
   PLCXX_CHECK(terms.Width(b) == format.width);
   const std::array operands{a, b};

@@ -51,7 +51,7 @@ ExprId Converter::String(const clang::StringLiteral* expr, TypeId type) {
   Expr result = Start(ExprKind::kString, expr);
   result.type = type;
   result.string = static_cast<uint32_t>(unit_.strings.size());
-  std::string bytes = LiteralBytes(expr->getBytes());
+  std::string bytes = expr->getBytes().str();
   bytes += '\0';
   unit_.strings.push_back(std::move(bytes));
   return unit_.expressions.Add(std::move(result));

@@ -48,7 +48,7 @@ FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
     }
   }
   result.result = TypeOf(described->getReturnType());
-  result.has_prototype = described->getType()->isFunctionProtoType();
+  result.has_prototype = described->hasWrittenPrototype();
   for (const clang::ParmVarDecl* parameter : described->parameters()) {
     result.parameter_types.push_back(TypeOf(parameter->getType()));
   }

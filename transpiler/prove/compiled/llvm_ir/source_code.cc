@@ -44,7 +44,7 @@ class Adapter {
  private:
   void Adapt(llvm::Function& function) {
     llvm::removeUnreachableBlocks(function);
-    std::vector<llvm::Instruction*> shifts;
+    std::vector<llvm::Instruction*> shifts, conversions, to_float, sums;
     std::vector<llvm::CallInst*> calls;
     for (llvm::Instruction& inst : llvm::instructions(function)) {
       inst.dropPoisonGeneratingFlags();
@@ -57,19 +57,51 @@ class Adapter {
       } else if (auto* transfer = llvm::dyn_cast<llvm::MemIntrinsic>(&inst)) {
         transfer->setDestAlignment(llvm::Align(1));
         if (auto* copy = llvm::dyn_cast<llvm::MemTransferInst>(transfer)) copy->setSourceAlignment(llvm::Align(1));
-      } else if (inst.isShift() && !llvm::isa<llvm::ConstantInt>(inst.getOperand(1))) {
+      } else if (inst.isShift() && !IsShiftInside(inst)) {
         shifts.push_back(&inst);
+      } else if (inst.getType()->isFloatTy() &&
+                 (llvm::isa<llvm::SIToFPInst>(inst) || llvm::isa<llvm::UIToFPInst>(inst))) {
+        to_float.push_back(&inst);
+      } else if (inst.getType()->isFloatTy() && llvm::isa<llvm::BinaryOperator>(inst)) {
+        sums.push_back(&inst);
+      } else if (llvm::isa<llvm::FPToSIInst>(inst) || llvm::isa<llvm::FPToUIInst>(inst)) {
+        conversions.push_back(&inst);
       } else if (auto* call = llvm::dyn_cast<llvm::CallInst>(&inst)) {
         calls.push_back(call);
       }
     }
     for (llvm::Instruction* shift : shifts) DefineShift(*shift);
+    for (llvm::Instruction* conversion : conversions) DefineConversion(*conversion);
+    for (llvm::Instruction* conversion : to_float) ConvertByDouble(*conversion);
+    for (llvm::Instruction* sum : sums) ComputeInDouble(*sum);
     for (llvm::CallInst* call : calls) {
       if (!ReplaceEffect(*call)) ReplaceTransfer(*call);
     }
     DefineVariables(function);
+    CopyArguments(function);
     // Parameters are known by their order; those of the program may have got other names.
     for (llvm::Argument& parameter : function.args()) parameter.setName("");
+  }
+
+  /// A structure that is passed is the function's own: Clang leaves the copy to what it makes of the call.
+  void CopyArguments(llvm::Function& function) {
+    std::vector<llvm::CallInst*> calls;
+    for (llvm::Instruction& inst : llvm::instructions(function)) {
+      if (auto* call = llvm::dyn_cast<llvm::CallInst>(&inst)) calls.push_back(call);
+    }
+    for (llvm::CallInst* call : calls) {
+      for (unsigned i = 0; i < call->arg_size(); ++i) {
+        if (!call->isByValArgument(i)) continue;
+        llvm::Type* type = call->getParamByValType(i);
+        llvm::IRBuilder<> entry(&*function.getEntryBlock().getFirstNonPHIOrDbgOrAlloca());
+        llvm::AllocaInst* copy = entry.CreateAlloca(type);
+        llvm::IRBuilder<> builder(call);
+        builder.CreateMemMove(copy, llvm::Align(1), call->getArgOperand(i), llvm::Align(1),
+                              module_.getDataLayout().getTypeAllocSize(type).getFixedValue());
+        call->setArgOperand(i, copy);
+        call->removeParamAttr(i, llvm::Attribute::ByVal);
+      }
+    }
   }
 
   static std::string TextOf(const llvm::Value& argument) {
@@ -118,6 +150,46 @@ class Adapter {
     }
     call.replaceAllUsesWith(to);
     call.eraseFromParent();
+  }
+
+  static bool IsShiftInside(const llvm::Instruction& shift) {
+    const auto* count = llvm::dyn_cast<llvm::ConstantInt>(shift.getOperand(1));
+    return count != nullptr && count->getValue().ult(shift.getType()->getIntegerBitWidth());
+  }
+
+  /// Toward zero to 64 bits, of which the low ones are kept; of what has no place there, 0.
+  static void DefineConversion(llvm::Instruction& conversion) {
+    llvm::IRBuilder<> builder(&conversion);
+    llvm::Value* number = builder.CreateFPExt(conversion.getOperand(0), builder.getDoubleTy());
+    llvm::Value* limit = llvm::ConstantFP::get(number->getType(), 0x1p63);
+    llvm::Value* below = builder.CreateFCmpOLT(number, limit);
+    llvm::Value* above = builder.CreateFCmpOLT(builder.CreateFNeg(limit), number);
+    llvm::Value* inside =
+        builder.CreateSelect(builder.CreateAnd(below, above), number, llvm::Constant::getNullValue(number->getType()));
+    llvm::Value* whole = builder.CreateFPToSI(inside, builder.getInt64Ty());
+    conversion.replaceAllUsesWith(builder.CreateTrunc(whole, conversion.getType()));
+    conversion.eraseFromParent();
+  }
+
+  /// The step of ++ and --; in all other expressions Clang has widened its operands.
+  static void ComputeInDouble(llvm::Instruction& sum) {
+    llvm::IRBuilder<> builder(&sum);
+    llvm::Value* a = builder.CreateFPExt(sum.getOperand(0), builder.getDoubleTy());
+    llvm::Value* b = builder.CreateFPExt(sum.getOperand(1), builder.getDoubleTy());
+    llvm::Value* wide = builder.CreateBinOp(llvm::cast<llvm::BinaryOperator>(sum).getOpcode(), a, b);
+    sum.replaceAllUsesWith(builder.CreateFPTrunc(wide, sum.getType()));
+    sum.eraseFromParent();
+  }
+
+  /// A double has a place for each integer of the language, so the float is the same.
+  static void ConvertByDouble(llvm::Instruction& conversion) {
+    llvm::IRBuilder<> builder(&conversion);
+    llvm::Value* integer = conversion.getOperand(0);
+    llvm::Value* number = llvm::isa<llvm::SIToFPInst>(conversion)
+                              ? builder.CreateSIToFP(integer, builder.getDoubleTy())
+                              : builder.CreateUIToFP(integer, builder.getDoubleTy());
+    conversion.replaceAllUsesWith(builder.CreateFPTrunc(number, conversion.getType()));
+    conversion.eraseFromParent();
   }
 
   /// The low 8 bits of the count; of 16 bits they count modulo 32, and what is shifted out is gone.
