@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -48,6 +49,7 @@ are compiled as such: what the compiler puts into one another in plcxx build is 
 compiled: the instructions of that object or library are what is proved, for cortex-m4 and rv32imac.
 Of C (dialect hnc) Clang's own compilation of the sources is proved equal, too, function by function, for executions
 without a run-time fault: --front-end=only does nothing else, --front-end=off leaves it out, and so does --routine.
+What is decided is printed when it is, the verdict last.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
 Then the facts that plcxx has decided from, ranges and bounds that test --checked executes: each is proved for every
 state, or listed with its statement; one that does not hold with a state from which the simulator shows it.
@@ -112,7 +114,11 @@ std::string FrontEndText(const prove::front_end::FunctionProof& function) {
   if (!function.not_compared.empty()) return text + "not compared: " + function.not_compared + "\n";
   switch (function.proof.result) {
     case prove::compiled::ProofResult::kProved:
-      return text + "proved equal to Clang's own compilation\n";
+      if (function.in_callers.empty()) return text + "proved equal to Clang's own compilation\n";
+      text += "proved where it is called, in ";
+      for (const std::string& caller : function.in_callers)
+        text += (caller == function.in_callers.front() ? "" : ", ") + caller;
+      return text + "\n";
     case prove::compiled::ProofResult::kNotDecided:
       return text + "not decided: " + function.proof.reason + "\n";
     case prove::compiled::ProofResult::kDifferent:
@@ -137,11 +143,14 @@ class Verification {
         compilation_(compilation),
         progress_(progress) {}
 
-  /// Whether all is proved.
+  /// Whether all is proved. What is decided is printed when it is; `said` is all of it.
   bool Run();
-  const std::string& text() const { return text_; }
+  const std::string& said() const { return said_; }
+  /// The whole, in one line.
+  const std::string& verdict() const { return verdict_; }
 
  private:
+  void Say(const std::string& text);
   bool FindCompiler();
   bool Refuse(const std::string& reason);
   /// Those that were asked for, all when none was; false when the program has no such routine.
@@ -170,11 +179,18 @@ class Verification {
   std::vector<prove::compiled::RoutineProof> proofs_;
   review::verify::FactsReport facts_;
   std::optional<prove::front_end::Comparison> front_end_;
-  std::string text_;
+  std::string said_, verdict_;
 };
 
+void Verification::Say(const std::string& text) {
+  said_ += text;
+  if (settings_.quiet) return;
+  progress_.Clear();
+  std::cerr << text << std::flush;
+}
+
 bool Verification::Refuse(const std::string& reason) {
-  text_ = compilation_.name + ": not verified: " + reason + "\n";
+  verdict_ = compilation_.name + ": not verified: " + reason + "\n";
   return false;
 }
 
@@ -232,16 +248,22 @@ bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove
   const dialects::MakeReference reference = dialects::ReferenceOf(*compilation_.dialect);
   if (reference == nullptr || settings_.front_end == "off") return true;
   if (!settings_.routines.empty()) {
-    text_ += "  front end: left out\n";
+    Say("  front end: left out\n");
     return true;
   }
   progress_.Show("compiling the sources");
   dialects::Request request = compilation_.MakeRequest();
-  front_end_ = prove::front_end::Compare(emittable, reference(request), limits);
-  if (!front_end_->reason.empty()) text_ += "  front end: not compared: " + front_end_->reason + "\n";
+  std::set<std::string> said;
+  prove::compiled::VerifyLimits saying = limits;
+  saying.is_decided = [&](const prove::compiled::RoutineProof& proof) {
+    said.insert(proof.routine);
+    Say(FrontEndText({.proof = proof, .not_compared = {}, .in_callers = {}}));
+  };
+  front_end_ = prove::front_end::Compare(emittable, reference(request), saying);
+  if (!front_end_->reason.empty()) Say("  front end: not compared: " + front_end_->reason + "\n");
   bool same = true;
   for (const prove::front_end::FunctionProof& function : front_end_->functions) {
-    text_ += FrontEndText(function);
+    if (!said.contains(function.proof.routine)) Say(FrontEndText(function));
     same = same && function.proof.result != prove::compiled::ProofResult::kDifferent;
   }
   return same;
@@ -253,7 +275,7 @@ bool Verification::RunFrontEndAlone() {
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
   const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
   const bool same = CompareFrontEnd(emittable, limits);
-  text_ = compilation_.name + ": " + (same ? "nothing is different\n" : "different\n") + text_;
+  verdict_ = compilation_.name + ": " + (same ? "nothing is different\n" : "different\n");
   return same;
 }
 
@@ -310,30 +332,32 @@ bool Verification::Run() {
   prove::compiled::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
-  proofs_ = prove::compiled::Verify(emittable, *code, routines_, limits);
   bool all = true;
   std::string causes;
-  for (const prove::compiled::RoutineProof& proof : proofs_) {
+  prove::compiled::VerifyLimits saying = limits;
+  saying.is_decided = [&](const prove::compiled::RoutineProof& proof) {
+    const bool proved = proof.result == prove::compiled::ProofResult::kProved;
     // A function that only others call matters where it is why these are not proved.
-    if (!proof.exported) {
-      if (proof.result != prove::compiled::ProofResult::kProved) causes += ProofText(proof);
-      continue;
+    if (proof.exported) {
+      Say(ProofText(proof));
+      all = all && proved;
+    } else if (!proved) {
+      causes += ProofText(proof);
     }
-    text_ += ProofText(proof);
-    all = all && proof.result == prove::compiled::ProofResult::kProved;
-  }
-  if (!all) text_ += causes;
+  };
+  proofs_ = prove::compiled::Verify(emittable, *code, routines_, saying);
+  if (!all && !causes.empty()) Say(causes);
   if (!CompareFrontEnd(emittable, limits)) all = false;
-  for (const std::string& name : left_out_) text_ += "  " + name + ": left out\n";
+  for (const std::string& name : left_out_) Say("  " + name + ": left out\n");
   facts_ = review::verify::VerifyFacts(
       request_, settings_.routines,
       {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
-  text_ += facts_.Text();
+  Say(facts_.Text());
   const std::string what = std::string(!left_out_.empty()          ? "what was asked for"
                                        : settings_.objects.empty() ? "the compiled code"
                                                                    : "the machine code") +
                            (settings_.target == "host" ? "" : " for " + settings_.target) + " is";
-  text_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n") + text_;
+  verdict_ = compilation_.name + ": " + (all ? what + " proved equal to the program\n" : "not proved\n");
   if (!settings_.certificate.empty() && !WriteCertificate()) return false;
   return all && facts_.all_proved();
 }
@@ -360,7 +384,8 @@ int RunVerify(const VerifySettings& settings) {
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(settings.common));
-  if (!settings.quiet || !proved) std::cerr << verification.text();
+  if (settings.quiet && !proved) std::cerr << verification.said();
+  if (!settings.quiet || !proved) std::cerr << verification.verdict();
   const int code = ExitCodeOf(compilation);
   return code == kDone && !proved ? static_cast<int>(kProgramHasErrors) : code;
 }

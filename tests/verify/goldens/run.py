@@ -6,9 +6,8 @@ run.py PLCXX DIALECT... [--target T] [--time 20s] [--only TEXT] [--loops] [--eve
 Each scenario of tests/golden/DIALECT is one program with its options; those whose program is refused are left out, and
 scenarios of one program with the same options count once. --loops takes those alone whose generated C++ has a loop;
 --every each N-th of them. With a table of expectations, the programs of the table are verified (and no others), and the
-exit code is 1 where one is not as the table says. With --all it is 1 where a program is different, refused or not
-decided, but those that not_decided.txt names, and those for which the time was too short. At its end it prints a table
-by dialect and reason.
+exit code is 1 where one is not as the table says. With --all it is 1 where a program is different, where plcxx ends
+with a fault of its own, and where fewer than nine in ten are proved. At its end it prints a table by dialect and reason.
 """
 import argparse
 import collections
@@ -21,7 +20,7 @@ import tempfile
 import time
 
 GOLDEN = pathlib.Path(__file__).resolve().parent.parent.parent / "golden"
-KNOWN = pathlib.Path(__file__).resolve().parent / "not_decided.txt"
+LEAST_PROVED = 0.9
 LOOP = re.compile(r"^\s*(for|while|do)\b", re.MULTILINE)
 
 
@@ -141,7 +140,6 @@ def main():
         for path in scenarios:
             programs.setdefault((path.parent, tuple(program_of(path) or [])), path)
         scenarios = [path for path in programs.values() if options.only in str(path)][:: options.every]
-    known = set(KNOWN.read_text().split()) if options.all and KNOWN.exists() else set()
     counts, reasons, wrong = collections.Counter(), collections.Counter(), []
     plcxx = str(pathlib.Path(options.plcxx).resolve())
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -155,7 +153,7 @@ def main():
             counts[result] += 1
             reason = "" if result in ("proved", "different", "broken") else reason_of(detail)
             reasons[name.split("/")[0], result, reason] += 1
-            if options.all and result != "proved" and name not in known and reason != "not within the time":
+            if options.all and result in ("different", "broken"):
                 wrong.append(f"{name}: {result}\n{detail}")
             if name in expected and result != expected[name]:
                 wrong.append(f"{name}: {result}, not {expected[name]}\n{detail}")
@@ -167,8 +165,8 @@ def main():
         print(f"{result}: {counts[result]}")
     if not options.expect:
         table(reasons)
-    if not counts["proved"]:
-        wrong.append("nothing was proved")
+    if options.all and counts["proved"] < LEAST_PROVED * max(1, sum(counts.values())):
+        wrong.append(f"only {counts['proved']} of {sum(counts.values())} are proved")
     for text in wrong:
         print("WRONG", text)
     return 1 if wrong else 0

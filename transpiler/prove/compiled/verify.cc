@@ -215,6 +215,7 @@ void Verification::Prove(UnitId id) {
       proof.result != ProofResult::kDifferent && (tried.gave_up || proof.reason.empty() || tried.but_for_open);
   const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
   if (takes_over && !init && parameters) Replace(id, *parameters, std::move(granted.open));
+  if (program_.limits.is_decided) program_.limits.is_decided(proof);
   proofs_.push_back(std::move(proof));
 }
 

@@ -82,7 +82,8 @@ struct CodeShape {
 struct VerifyLimits {
   uint32_t question_ms = 10'000;
   uint64_t routine_ms = 60'000;
-  std::function<void(const std::string& text)> progress;  // may be empty
+  std::function<void(const std::string& text)> progress;      // may be empty
+  std::function<void(const RoutineProof& proof)> is_decided;  // each when it is; may be empty
 };
 
 /// The routines that the generated header declares, in its order.

@@ -102,6 +102,8 @@ Json FrontEndJson(const prove::front_end::Comparison& comparison) {
   for (const prove::front_end::FunctionProof& function : comparison.functions) {
     if (function.not_compared.empty()) {
       json["functions"].push_back(RoutineJson(function.proof));
+      // Of its calls alone, in the proofs of these.
+      if (!function.in_callers.empty()) json["functions"].back()["in_callers"] = function.in_callers;
       continue;
     }
     json["functions"].push_back({{"routine", function.proof.routine}, {"not_compared", function.not_compared}});
