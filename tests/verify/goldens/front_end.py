@@ -26,6 +26,7 @@ def reason_of(text):
     text = re.sub(r"\(plcxx::[^)]*\)|\([a-z_0-9]+, [^)]*\)", "", text)
     text = re.sub(r"^a call of \w+, ", "a call of a function with ", text)
     text = re.sub(r"\bloop \d+ ", "a loop ", text)
+    text = re.sub(r"(not within the time|not constant|no loop|is not found|goes round|behind its loops): .*", r"\1", text)
     text = re.sub(r"^(all is proved but) .*", r"\1 what it calls", text)
     return re.sub(r"\s+", " ", text).strip()
 
