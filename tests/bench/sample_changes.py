@@ -45,7 +45,8 @@ CHANGES = [
     Change("hnc if inverted", XK, "spindle.h", "if (HIT_SP_STOP)\n        start_spindle(SPINDLE_STOPPED);",
            "if (!HIT_SP_STOP)\n        return;\n    start_spindle(SPINDLE_STOPPED);", "alike"),
     Change("prostep text of a message", FND, "texts.plc", "DM 5 .NISKI POZIOM OLEJU", "DM 5 .NISKI STAN OLEJU", "text"),
-    Change("nc110 contactor interlock", LATHE, "turret.plc", "[C20W=1]*!TPERM*/!TURREV", "[C20W=1]*!TPERM", "output"),
+    # The step counter alone keeps the contactors apart: the other contactor is on in step 3 only.
+    Change("nc110 contactor interlock", LATHE, "turret.plc", "[C20W=1]*!TPERM*/!TURREV", "[C20W=1]*!TPERM", "alike"),
     Change("nc110 T24 3 s to 5 s", LATHE, "turret.plc", "T24I(30)", "T24I(50)", "output"),
     Change("nc110 T50 1 s to 9.9 s", LATHE, "turret.plc", "T50I(10)", "T50I(99)", "output"),
     Change("host50 brake 2 s to 3 s", CK, "spindle.il", "TOFS T_BRAKE, 2", "TOFS T_BRAKE, 3", "output"),

@@ -97,13 +97,13 @@ Sought SoughtOf(const Comparison& comparison) {
 }
 
 /// Gives how many open pairs differ.
-uint32_t MarkDifferent(Comparison& comparison, const FindDifferent& find_different, Effort effort,
-                       uint64_t most_ms = 0) {
+uint32_t MarkDifferent(Comparison& comparison, Effort effort, uint64_t most_ms = 0) {
+  if (!comparison.runs.find_different) return 0;
   const Sought sought = SoughtOf(comparison);
   if (sought.open.empty()) return 0;
   comparison.Report("running both");
   uint32_t added = 0;
-  for (const execute::CellId cell : find_different(sought, effort, most_ms)) {
+  for (const execute::CellId cell : comparison.runs.find_different(sought, effort, most_ms)) {
     PairResult& result = comparison.results[comparison.result_of_old[cell.index]];
     added += result.verdict == PairVerdict::kUndecided ? 1 : 0;
     result.verdict = PairVerdict::kDifferent;
@@ -163,10 +163,11 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
 }  // namespace
 
 Comparison::Comparison(const Version& old_side, const Version& new_side, const Match& matching,
-                       const CompareLimits& compare_limits)
+                       const SimulatedRuns& simulated_runs, const CompareLimits& compare_limits)
     : old_version(old_side),
       new_version(new_side),
       match(matching),
+      runs(simulated_runs),
       limits(compare_limits),
       pairing(terms, old_side, new_side, matching),
       old_uses(UsesOf(old_side)),
@@ -209,17 +210,17 @@ terms::TermId Comparison::NextNew(execute::CellId cell) {
 }
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
-                              const FindDifferent& find_different, const CompareLimits& limits) {
-  Comparison comparison(old_version, new_version, match, limits);
+                              const SimulatedRuns& runs, const CompareLimits& limits) {
+  Comparison comparison(old_version, new_version, match, runs, limits);
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
   // What a scenario shows needs no proof, and scenarios are there however large the program is.
-  if (find_different)
-    comparison.before_questions = [&] { find_different(SoughtOf(comparison), Effort::kScenarios, 0); };
+  if (runs.find_different)
+    comparison.before_questions = [&] { runs.find_different(SoughtOf(comparison), Effort::kScenarios, 0); };
   // What is not executed to its end in time is not decided, but what runs have shown is known.
   const auto finish_early = [&] {
     for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
-    if (find_different && comparison.refusal.empty()) MarkDifferent(comparison, find_different, Effort::kScenarios);
+    if (comparison.refusal.empty()) MarkDifferent(comparison, Effort::kScenarios);
     return Finish(comparison, 0);
   };
   // With everything taken for equal: which functions differ by themselves.
@@ -238,7 +239,7 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (!SeparateWake(comparison)) return finish_early();
   comparison.changes_are_found = true;
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
-  if (find_different) MarkDifferent(comparison, find_different, Effort::kQuick);
+  MarkDifferent(comparison, Effort::kQuick);
   uint32_t beyond_reach = 0;
   if (reaches_much) {
     for (const execute::CellId cell : reach) comparison.pairing.Separate(cell);
@@ -261,9 +262,10 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   };
   const auto try_invariants = [&](uint64_t most_ms) {
     JoinAllButDifferent(comparison);
+    const size_t before = comparison.InvariantCount();
     const bool any = AddInvariants(comparison, most_ms);
-    invariants = static_cast<uint32_t>(comparison.old_invariants.size() + comparison.new_invariants.size());
-    if (any && invariants != 0) {
+    invariants = static_cast<uint32_t>(comparison.InvariantCount());
+    if (any && invariants != before) {
       try_reachable();
     } else {
       SeparateUndecided(comparison);
@@ -274,21 +276,25 @@ CompareResult CompareVersions(const Version& old_version, const Version& new_ver
   if (is_tried()) try_invariants(limits.total_ms / 40);
   comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();
-  if (find_different) MarkDifferent(comparison, find_different, Effort::kThorough);
-  const bool without_some = comparison.old_invariants.empty() || comparison.new_invariants.empty();
-  if (is_tried() && without_some) {
-    try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 6));
+  MarkDifferent(comparison, Effort::kThorough);
+  const auto lacks_invariants = [&] {
+    return !comparison.old_finder || !comparison.old_finder->is_done() || !comparison.new_finder->is_done();
+  };
+  if (is_tried() && lacks_invariants()) {
+    try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 10));
   } else if (is_tried() && comparison.UndecidedCount() < undecided) {
     try_reachable();
   }
   // What is left of the time is used while something is open.
   constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
-  while (find_different && comparison.UndecidedCount() > 0 &&
+  while (runs.find_different && comparison.UndecidedCount() > 0 &&
          comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
-    const uint64_t rest_ms = comparison.RestMs() - limits.total_ms / kStatesShare;
-    const uint32_t added = MarkDifferent(comparison, find_different, Effort::kLasting,
-                                         std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare)));
-    if (added != 0 && is_tried()) try_reachable();
+    const auto share_ms = [&] {
+      const uint64_t rest_ms = comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kStatesShare);
+      return std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare));
+    };
+    if (is_tried() && lacks_invariants()) try_invariants(share_ms() / 2);
+    if (MarkDifferent(comparison, Effort::kLasting, share_ms()) != 0 && is_tried()) try_reachable();
   }
   SearchStates(comparison);
   return Finish(comparison, invariants);

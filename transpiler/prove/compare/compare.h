@@ -14,7 +14,9 @@
 #include <string_view>
 #include <vector>
 
+#include "transpiler/prove/compare/invariants.h"
 #include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/compare/pairing.h"
 #include "transpiler/prove/solver/solver.h"
 
 namespace plcxx::prove::compare {
@@ -72,12 +74,17 @@ struct Sought {
   std::vector<execute::CellId> all, open;
   std::vector<Run> runs;
 };
-/// Gives those of all pairs of which running both versions shows a difference. `most_ms` is for a lasting search; the
-/// others know what they may cost.
-using FindDifferent =
-    std::function<std::vector<execute::CellId>(const Sought& sought, Effort effort, uint64_t most_ms)>;
+/// What running both versions beside each other tells; nothing where a function is empty.
+struct SimulatedRuns {
+  /// Gives those of all pairs of which running both versions shows a difference. `most_ms` is for a lasting search; the
+  /// others know what they may cost.
+  std::function<std::vector<execute::CellId>(const Sought& sought, Effort effort, uint64_t most_ms)> find_different;
+  /// Calls `visit` with states that find_different has come by, after a period or a fast part.
+  std::function<void(Which which, const std::function<void(const CellValues&, uint64_t now_ms)>& visit)>
+      for_each_seen_state;
+};
 
 CompareResult CompareVersions(const Version& old_version, const Version& new_version, const Match& match,
-                              const FindDifferent& find_different, const CompareLimits& limits);
+                              const SimulatedRuns& runs, const CompareLimits& limits);
 
 }  // namespace plcxx::prove::compare

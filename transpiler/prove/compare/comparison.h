@@ -16,11 +16,13 @@
 namespace plcxx::prove::compare {
 
 struct Comparison {
-  Comparison(const Version& old_version, const Version& new_version, const Match& match, const CompareLimits& limits);
+  Comparison(const Version& old_version, const Version& new_version, const Match& match, const SimulatedRuns& runs,
+             const CompareLimits& limits);
 
   const Version& old_version;
   const Version& new_version;
   const Match& match;
+  const SimulatedRuns& runs;
   const CompareLimits& limits;
   terms::Terms terms;
   std::unique_ptr<solver::Solver> solver;
@@ -37,7 +39,7 @@ struct Comparison {
   std::vector<uint32_t> result_of_old;  // by old cell; kNone: it is none
   Transition old_next, new_next;        // of the last period, over the pairing's variables
   uint64_t execution_ms = 0;            // that the last execution of a part took
-  std::vector<Invariant> old_invariants, new_invariants;
+  std::unique_ptr<InvariantFinder> old_finder, new_finder;
   std::chrono::steady_clock::time_point deadline;
   std::function<void()> before_questions;  // called once, before the solver is asked anything
 
@@ -53,6 +55,9 @@ struct Comparison {
   /// See IsInputPair.
   bool IsInput(execute::CellId old_cell) const;
 
+  size_t InvariantCount() const {
+    return old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0;
+  }
   /// The solver assumes the invariants, over the pairing's variables, until its Pop.
   void PushInvariants();
 
@@ -103,7 +108,8 @@ void SearchRuns(Comparison& comparison);
 /// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.
 void SearchStates(Comparison& comparison);
 /// Finds and proves invariants of both versions around the pairs that are undecided, in up to `most_ms` for each
-/// version; questions assume them from then on. False as above.
+/// version; questions assume them from then on. Where that was not enough it goes on when it is called again. False as
+/// above.
 bool AddInvariants(Comparison& comparison, uint64_t most_ms);
 
 }  // namespace plcxx::prove::compare

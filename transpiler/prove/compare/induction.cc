@@ -13,7 +13,7 @@ namespace {
 solver::SweepLimits LimitsOf(const Comparison& comparison) {
   return {.pair_ms = comparison.limits.question_ms,
           .total_ms = std::min(comparison.RestMs(), comparison.round_ms),
-          .any_values_count = comparison.old_invariants.empty() && comparison.new_invariants.empty(),
+          .any_values_count = comparison.InvariantCount() == 0,
           .progress = {}};
 }
 
@@ -95,7 +95,9 @@ std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which wh
 void Comparison::PushInvariants() {
   solver->Push();
   for (const Which which : {Which::kOld, Which::kNew}) {
-    for (const Invariant& invariant : which == Which::kOld ? old_invariants : new_invariants) {
+    const std::unique_ptr<InvariantFinder>& finder = which == Which::kOld ? old_finder : new_finder;
+    if (!finder) continue;
+    for (const Invariant& invariant : finder->invariants()) {
       const auto value = [&](execute::CellId cell) { return pairing.Initial(which, cell); };
       solver->Assume(ConditionOf(terms, invariant, value));
     }
@@ -129,7 +131,10 @@ void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
   }
 }
 
-bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
+namespace {
+
+/// Begins the search for invariants; false: comparison.refusal says why not.
+bool MakeFinders(Comparison& comparison) {
   std::vector<terms::TermId> next;
   for (const Part part : PartsOf(comparison)) {
     if (!ExecutePart(comparison, part)) return false;
@@ -137,18 +142,34 @@ bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
     next.insert(next.end(), more.begin(), more.end());
   }
   const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, next);
-  comparison.Report("invariants");
   for (const Which which : {Which::kOld, Which::kNew}) {
     const bool is_old = which == Which::kOld;
-    const auto is_input = [&](execute::CellId cell) {
-      const execute::CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
-      return old_cell.valid() && comparison.IsInput(old_cell);
-    };
-    const std::vector<execute::CellId> cells = SupportOfUndecided(comparison, which, cone);
-    (is_old ? comparison.old_invariants : comparison.new_invariants) =
-        FindInvariants(comparison.terms, *comparison.solver, is_old ? comparison.old_version : comparison.new_version,
-                       cells, is_input, std::min(comparison.RestMs(), most_ms));
+    InvariantSearch search{.version = is_old ? comparison.old_version : comparison.new_version,
+                           .cells = SupportOfUndecided(comparison, which, cone),
+                           .is_input =
+                               [&comparison, is_old](execute::CellId cell) {
+                                 const execute::CellId old_cell =
+                                     is_old ? cell : comparison.match.old_of_new[cell.index];
+                                 return old_cell.valid() && comparison.IsInput(old_cell);
+                               },
+                           .seen_states = {}};
+    if (comparison.runs.for_each_seen_state)
+      search.seen_states = [&comparison, which](const auto& visit) {
+        comparison.runs.for_each_seen_state(which, visit);
+      };
+    (is_old ? comparison.old_finder : comparison.new_finder) =
+        std::make_unique<InvariantFinder>(comparison.terms, *comparison.solver, std::move(search));
   }
+  return true;
+}
+
+}  // namespace
+
+bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
+  if (!comparison.old_finder && !MakeFinders(comparison)) return false;
+  comparison.Report("invariants");
+  for (InvariantFinder* const finder : {comparison.old_finder.get(), comparison.new_finder.get()})
+    finder->Find(std::min(comparison.RestMs(), most_ms));
   return true;
 }
 

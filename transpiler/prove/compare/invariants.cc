@@ -1,92 +1,92 @@
 #include "transpiler/prove/compare/invariants.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
-#include "transpiler/ir/op.h"
+#include "transpiler/prove/compare/concrete_run.h"
+#include "transpiler/prove/compare/guesses.h"
 #include "transpiler/prove/compare/transition.h"
-#include "transpiler/prove/meaning/meaning.h"
-#include "transpiler/prove/terms/cone.h"
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/solver/bit_solver.h"
 #include "transpiler/prove/terms/random.h"
 
 namespace plcxx::prove::compare {
 namespace {
 
-constexpr size_t kMostBits = 96;        // that are looked at two by two
-constexpr size_t kMostValues = 12;      // of a byte or field that is said to take few
-constexpr size_t kMostLimits = 6;       // that a number is guessed to stay below
-constexpr size_t kMostConstants = 100;  // of a program that limits are guessed from
 constexpr int kRuns = 12, kPeriods = 150;
+constexpr int kPeriodsFromSeen = 12, kPeriodsFromModel = 40;
 constexpr uint32_t kMostFast = 4;  // fast parts in a simulated period
+constexpr int kDisturbedStates = 250;
+constexpr uint32_t kPowerOnMs = 1000, kAloneMs = 150;  // for one question
 
-/// The constants of the program: a term may have them bit by bit only.
-std::set<uint64_t> ConstantsOf(const ir::Program& program) {
-  std::set<uint64_t> constants;
-  for (const ir::Region& region : program.regions) {
-    for (const ir::InstId id : region.insts) {
-      const ir::Inst& inst = program[id];
-      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ConstantValue(inst));
-    }
-  }
-  return constants;
-}
+}  // namespace
 
-class Finder {
+class InvariantFinder::Finder {
  public:
-  Finder(terms::Terms& terms, solver::Solver& solver, const Version& version,
-         std::function<bool(execute::CellId)> is_input)
-      : terms_(terms), solver_(solver), version_(version), is_input_(std::move(is_input)) {}
+  Finder(terms::Terms& terms, solver::Solver& solver, InvariantSearch search)
+      : terms_(terms), solver_(solver), search_(std::move(search)), version_(search_.version) {}
 
-  std::vector<Invariant> Find(std::span<const execute::CellId> cells, uint64_t milliseconds);
+  void Find(uint64_t milliseconds);
+  const std::vector<Invariant>& proved() const { return proved_; }
+  bool is_done() const { return is_done_; }
 
  private:
+  /// Not yet dropped.
+  struct Guess {
+    Invariant invariant;
+    terms::TermId holds, fails;  // before a part, and behind any
+  };
+
+  bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
   terms::TermId Current(execute::CellId cell);
   terms::TermId Next(const Transition& part, execute::CellId cell);
-  /// The state cells on which the next values of `cells` depend; all of them at last, closed under this.
-  void CloseOver(std::span<const execute::CellId> cells);
-  /// The values of all terms behind the next state of one part, or of power-on.
-  struct Step {
-    const Transition* transition;
-    std::vector<terms::TermId> cone;
-  };
-  Step StepOf(const Transition& transition);
-  static void AddLimit(std::set<uint64_t>& limits, uint64_t constant) {
-    limits.insert({constant - 1, constant, constant + 1});
-  }
-  void Simulate();
-  void RecordSample(const std::map<execute::CellId, uint64_t>& state);
-  void Guess();
-  /// The number may have a limit that the program has as a constant, though no run came near it.
-  void GuessLimits(const std::vector<execute::CellId>& cells, uint64_t greatest);
-  void DropWrongAtPowerOn();
+  /// false: it cannot be executed, or not in time.
+  bool ExecuteParts();
+  /// The state cells on which the next values of those of interest depend; all of them at last, closed under this.
+  void CloseOver();
+  void Prepare();
+  ConcreteRun::Step StepOf(const Transition& transition);
+  void Take(const CellValues& state, uint64_t now_ms);
+  /// Periods with random inputs from the present state of the run on; `after` each part.
+  void RunOn(int periods, uint64_t one_in, const std::function<void()>& after);
+  bool HoldsAtPowerOn(const Invariant& guess);
+  void MakeGuesses();
+  void DropWrongIn(const CellValues& state, std::vector<Guess>& guesses);
+  /// What fails in the solver's model, or a little later: a state from which all guesses hold leads there.
+  void DropByModel();
+  void Keep(Guess guess);
+  /// Most guesses that need other ones are found out by states that are like seen ones, and cannot be reached.
+  void SetAsideByDisturbedStates();
+  /// Guesses that need no other ones; most of what a statement sees to is one.
+  void ProveAlone();
+  /// All that are left of `guesses_`, together; false: it is late.
   bool Prove();
 
   terms::Terms& terms_;
   solver::Solver& solver_;
+  const InvariantSearch search_;
   const Version& version_;
-  std::function<bool(execute::CellId)> is_input_;
   std::map<execute::CellId, terms::TermId> current_;
   std::vector<Transition> parts_;  // the fast part alone, then the period
   Transition init_;
   terms::TermId now_;
-  std::vector<execute::CellId> state_;          // closed: what the cells of interest depend on in any number of periods
-  std::vector<execute::CellId> inputs_;         // that these depend on
-  std::vector<execute::CellId> bits_, fields_;  // of interest
-  std::vector<std::vector<execute::CellId>> bytes_;  // of interest, from bit 7 down
-  std::vector<uint8_t> seen_pairs_;                  // by two bits of interest: which of the four combinations occurred
-  std::vector<std::set<uint64_t>> seen_fields_, seen_bytes_;
-  std::vector<uint64_t> greatest_fields_, greatest_bytes_;  // that occurred
-  std::set<uint64_t> limits_;                               // constants of the functions, and their neighbours
-  std::set<uint64_t> program_limits_;                       // the same of the whole program
-  std::vector<Invariant> guesses_;
+  std::vector<execute::CellId> state_;   // closed: what the cells of interest depend on in any number of periods
+  std::vector<execute::CellId> inputs_;  // that these depend on
+  std::optional<ConcreteRun> run_;
+  std::vector<ConcreteRun::Step> steps_;  // by part
+  std::unique_ptr<solver::BitSolver> bits_;
+  std::vector<Guess> untried_, guesses_, pairs_;  // not yet tried alone; tried; these come last
+  std::vector<Invariant> proved_;
+  bool is_prepared_ = false, is_done_ = false;
   terms::Random random_{0x2545F4914F6CDD1D};
   std::chrono::steady_clock::time_point deadline_;
 };
 
-terms::TermId Finder::Current(execute::CellId cell) {
+terms::TermId InvariantFinder::Finder::Current(execute::CellId cell) {
   terms::TermId& term = current_[cell];
   if (!term.valid()) {
     const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
@@ -96,14 +96,34 @@ terms::TermId Finder::Current(execute::CellId cell) {
   return term;
 }
 
-terms::TermId Finder::Next(const Transition& part, execute::CellId cell) {
+terms::TermId InvariantFinder::Finder::Next(const Transition& part, execute::CellId cell) {
   const terms::TermId next = part.next[cell.index];
   return next.valid() ? next : Current(cell);
 }
 
-void Finder::CloseOver(std::span<const execute::CellId> cells) {
+bool InvariantFinder::Finder::ExecuteParts() {
+  parts_.clear();
+  if (!now_.valid()) now_ = terms_.Variable("alone now", 32);
+  const PartEnvironment environment{.initial = [this](execute::CellId cell) { return Current(cell); },
+                                    .now = now_,
+                                    .outputs = {},
+                                    .is_late = [this] { return Late(); }};
+  const auto is_executed = [this](const Transition& transition) {
+    is_done_ = is_done_ || (!transition.refusal.empty() && !Late());
+    return transition.refusal.empty();
+  };
+  for (const Part part : {Part::kFast, Part::kPeriod}) {
+    if (part == Part::kFast && !HasFastPart(version_)) continue;
+    parts_.push_back(RunPart(terms_, version_, part, environment));
+    if (!is_executed(parts_.back())) return false;
+  }
+  init_ = RunInit(terms_, version_, environment);
+  return is_executed(init_);
+}
+
+void InvariantFinder::Finder::CloseOver() {
   std::vector<bool> seen_terms(terms_.size());
-  std::set<execute::CellId> closed(cells.begin(), cells.end());
+  std::set<execute::CellId> closed(search_.cells.begin(), search_.cells.end());
   std::map<uint32_t, execute::CellId> cell_of;  // by variable term
   for (const auto& [cell, term] : current_) cell_of[term.index] = cell;
   std::vector<execute::CellId> open(closed.begin(), closed.end());
@@ -123,223 +143,209 @@ void Finder::CloseOver(std::span<const execute::CellId> cells) {
       terms_.ForEachOperand(terms_[id], [&terms](terms::TermId operand) { terms.push_back(operand); });
     }
   }
-  for (const execute::CellId cell : closed) (is_input_(cell) ? inputs_ : state_).push_back(cell);
+  for (const execute::CellId cell : closed) (search_.is_input(cell) ? inputs_ : state_).push_back(cell);
 }
 
-void Finder::RecordSample(const std::map<execute::CellId, uint64_t>& state) {
-  const auto bit = [&state](execute::CellId cell) { return state.at(cell) & 1; };
-  for (size_t i = 0; i < bits_.size(); ++i) {
-    for (size_t j = i; j < bits_.size(); ++j) {
-      seen_pairs_[i * bits_.size() + j] |= static_cast<uint8_t>(1U << (2 * bit(bits_[i]) + bit(bits_[j])));
-    }
-  }
-  for (size_t i = 0; i < fields_.size(); ++i) {
-    greatest_fields_[i] = std::max(greatest_fields_[i], state.at(fields_[i]));
-    if (seen_fields_[i].size() <= kMostValues) seen_fields_[i].insert(state.at(fields_[i]));
-  }
-  for (size_t i = 0; i < bytes_.size(); ++i) {
-    uint64_t value = 0;
-    for (const execute::CellId cell : bytes_[i]) value = value << 1 | bit(cell);
-    greatest_bytes_[i] = std::max(greatest_bytes_[i], value);
-    if (seen_bytes_[i].size() <= kMostValues) seen_bytes_[i].insert(value);
-  }
+ConcreteRun::Step InvariantFinder::Finder::StepOf(const Transition& transition) {
+  std::vector<terms::TermId> next;
+  for (const execute::CellId cell : state_) next.push_back(Next(transition, cell));
+  return run_->StepOf(std::move(next));
 }
 
-Finder::Step Finder::StepOf(const Transition& transition) {
-  std::vector<terms::TermId> roots;
-  for (const execute::CellId cell : state_) roots.push_back(Next(transition, cell));
-  Step step{.transition = &transition, .cone = terms::ConeOf(terms_, roots)};
-  for (const terms::TermId id : step.cone) {
-    if (terms_[id].kind == terms::TermKind::kConst) AddLimit(limits_, terms_.Value(id));
+void InvariantFinder::Finder::Take(const CellValues& state, uint64_t now_ms) {
+  for (const std::vector<execute::CellId>* const cells : {&state_, &inputs_}) {
+    for (const execute::CellId cell : *cells) run_->Set(cell, state(cell));
   }
-  return step;
+  run_->now_ms = now_ms;
 }
 
-void Finder::Simulate() {
-  const Step init = StepOf(init_);
-  std::vector<Step> steps;
-  for (const Transition& part : parts_) steps.push_back(StepOf(part));
-  // In a large program most of them belong to something else.
-  const std::set<uint64_t> constants = ConstantsOf(*version_.program);
-  for (const uint64_t constant : constants) {
-    if (constants.size() <= kMostConstants) AddLimit(program_limits_, constant);
-  }
-  std::vector<uint64_t> values(terms_.size());
-  std::map<uint32_t, execute::CellId> cell_of;  // by variable
-  for (const auto& [cell, term] : current_) cell_of[terms_[term].a] = cell;
+void InvariantFinder::Finder::RunOn(int periods, uint64_t one_in, const std::function<void()>& after) {
   const ir::Schedule& schedule = version_.program->schedule;
   // Of the fast parts between two periods a few are enough to guess from.
   const uint32_t fast_parts =
       HasTimedFastPart(version_) ? std::clamp(schedule.period_ms / schedule.fast_ms, 1U, kMostFast) : 0;
-  const bool may_be_alone = steps.size() > 1 && fast_parts == 0;  // the fast part, in some periods
-  for (int run = 0; run < kRuns && std::chrono::steady_clock::now() < deadline_; ++run) {
-    std::map<execute::CellId, uint64_t> state, inputs;
-    uint64_t now = 0;
-    const auto execute = [&](const Step& step) {
-      for (const terms::TermId id : step.cone) {
-        values[id.index] = terms::EvaluateTerm(
-            terms_, terms_[id], [&values](terms::TermId operand) { return values[operand.index]; },
-            [&](uint32_t variable) -> uint64_t {
-              if (variable == terms_[now_].a) return now;
-              const auto cell = cell_of.find(variable);
-              if (cell == cell_of.end()) return 0;
-              const auto of_state = state.find(cell->second);
-              if (of_state != state.end()) return of_state->second;
-              const auto of_input = inputs.find(cell->second);
-              return of_input != inputs.end() ? of_input->second : 0;
-            });
-      }
-      for (const execute::CellId cell : state_) state[cell] = values[Next(*step.transition, cell).index];
-      RecordSample(state);
-    };
-    execute(init);
+  const bool may_be_alone = steps_.size() > 1 && fast_parts == 0;  // the fast part, in some periods
+  for (int period = 0; period < periods && !Late(); ++period) {
+    for (const execute::CellId cell : inputs_) {
+      if (random_.Next() % one_in == 0) run_->Set(cell, random_.Next() & 1);
+    }
+    for (uint32_t part = 0; part < fast_parts; ++part) {
+      run_->Execute(steps_.front());
+      run_->now_ms += schedule.period_ms / fast_parts;
+      after();
+    }
+    run_->Execute(may_be_alone && random_.OneIn(4) ? steps_.front() : steps_.back());
+    if (fast_parts == 0) run_->now_ms += schedule.period_ms;
+    after();
+  }
+}
+
+bool InvariantFinder::Finder::HoldsAtPowerOn(const Invariant& guess) {
+  const terms::TermId wrong =
+      terms_.Not(ConditionOf(terms_, guess, [this](execute::CellId cell) { return init_.next[cell.index]; }));
+  return terms_.IsFalse(wrong) || (!Late() && solver_.Check({&wrong, 1}, kPowerOnMs) == solver::Answer::kNever);
+}
+
+void InvariantFinder::Finder::MakeGuesses() {
+  std::vector<execute::CellId> cells;
+  std::ranges::copy_if(search_.cells, std::back_inserter(cells),
+                       [this](execute::CellId cell) { return !search_.is_input(cell); });
+  Guesses guesses(version_, cells, [this](execute::CellId cell) { return std::ranges::binary_search(state_, cell); });
+  const auto add_state = [&] { guesses.AddState([this](execute::CellId cell) { return run_->ValueOf(cell); }); };
+  const ConcreteRun::Step init = StepOf(init_);
+  for (const ConcreteRun::Step& step : steps_) {
+    for (const terms::TermId id : step.cone) {
+      if (terms_.IsConst(id)) guesses.AddConstant(terms_.Value(id));
+    }
+  }
+  guesses.AddConstantsOf(*version_.program);
+  for (int run = 0; run < kRuns && !Late(); ++run) {
+    Take([](execute::CellId) { return uint64_t{0}; }, 0);
+    for (const execute::CellId cell : inputs_) run_->Set(cell, random_.Next() & 1);
+    run_->Execute(init);
+    add_state();
     // Inputs change seldom in some runs and often in others, as a machine's do.
-    const uint64_t one_in = uint64_t{2} << (run % 5);
-    for (int period = 0; period < kPeriods && std::chrono::steady_clock::now() < deadline_; ++period) {
-      for (const execute::CellId cell : inputs_) {
-        if (period == 0 || random_.Next() % one_in == 0) inputs[cell] = random_.Next() & 1;
-      }
-      for (uint32_t part = 0; part < fast_parts; ++part) {
-        execute(steps.front());
-        now += schedule.period_ms / fast_parts;
-      }
-      execute(may_be_alone && random_.OneIn(4) ? steps.front() : steps.back());
-      if (fast_parts == 0) now += schedule.period_ms;
+    RunOn(kPeriods, uint64_t{2} << (run % 5), add_state);
+  }
+  if (search_.seen_states) {
+    search_.seen_states([&](const CellValues& state, uint64_t now_ms) {
+      Take(state, now_ms);
+      add_state();
+      RunOn(kPeriodsFromSeen, 8, add_state);
+    });
+  }
+  const auto current = [this](execute::CellId cell) { return Current(cell); };
+  for (Invariant& guess : guesses.Make()) {
+    if (!HoldsAtPowerOn(guess)) continue;
+    // They have to outlive each part, in whatever order the parts come.
+    terms::TermId fails = terms_.Bit(false);
+    for (const Transition& part : parts_) {
+      const terms::TermId holds = ConditionOf(terms_, guess, [&](execute::CellId cell) { return Next(part, cell); });
+      fails = terms_.Or(fails, terms_.Not(holds));
+    }
+    const terms::TermId holds = ConditionOf(terms_, guess, current);
+    (guess.kind == Invariant::Kind::kNoneOf ? pairs_ : untried_)
+        .push_back({.invariant = std::move(guess), .holds = holds, .fails = fails});
+  }
+}
+
+void InvariantFinder::Finder::Prepare() {
+  if (!ExecuteParts()) return;
+  CloseOver();
+  for (const execute::CellId cell : state_) Current(cell);
+  run_.emplace(terms_, version_, state_, current_, now_);
+  for (const Transition& part : parts_) steps_.push_back(StepOf(part));
+  MakeGuesses();
+  SetAsideByDisturbedStates();
+  bits_ = solver::LoadBitSolver(terms_);
+  is_done_ = bits_ == nullptr;
+  is_prepared_ = true;
+}
+
+void InvariantFinder::Finder::DropWrongIn(const CellValues& state, std::vector<Guess>& guesses) {
+  std::erase_if(guesses, [&state](const Guess& guess) { return !HoldsIn(guess.invariant, state); });
+}
+
+void InvariantFinder::Finder::DropByModel() {
+  Take([this](execute::CellId cell) { return bits_->ValueOf(Current(cell)); }, bits_->ValueOf(now_));
+  std::erase_if(guesses_, [this](const Guess& guess) { return bits_->ValueOf(guess.fails) != 0; });
+  RunOn(kPeriodsFromModel, 4,
+        [this] { DropWrongIn([this](execute::CellId cell) { return run_->ValueOf(cell); }, guesses_); });
+}
+
+void InvariantFinder::Finder::Keep(Guess guess) {
+  bits_->Assume(guess.holds);
+  proved_.push_back(std::move(guess.invariant));
+}
+
+void InvariantFinder::Finder::SetAsideByDisturbedStates() {
+  const CellValues value = [this](execute::CellId cell) { return run_->ValueOf(cell); };
+  for (int i = 0; i < kDisturbedStates && !Late(); ++i) {
+    for (const execute::CellId cell : state_) {
+      if (!random_.OneIn(6)) continue;
+      run_->Set(cell, random_.OneIn(2) ? random_.Next() & 1 : random_.Next() % 8);
+      const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+      if (execute::CellWidth(*version_.program, what) == 1) run_->Set(cell, run_->ValueOf(cell) & 1);
+    }
+    for (const execute::CellId cell : inputs_) run_->Set(cell, random_.Next() & 1);
+    std::vector<bool> held;
+    for (const Guess& guess : untried_) held.push_back(HoldsIn(guess.invariant, value));
+    run_->Execute(steps_[random_.Next() % steps_.size()]);
+    run_->now_ms += version_.program->schedule.period_ms;
+    size_t index = 0;
+    std::erase_if(untried_, [&](Guess& guess) {
+      if (!held[index++] || HoldsIn(guess.invariant, value)) return false;
+      guesses_.push_back(std::move(guess));
+      return true;
+    });
+  }
+}
+
+void InvariantFinder::Finder::ProveAlone() {
+  while (!untried_.empty() && !Late()) {
+    Guess guess = std::move(untried_.back());
+    untried_.pop_back();
+    const std::array question{guess.holds, guess.fails};
+    if (terms_.IsFalse(guess.fails) || solver_.Check(question, kAloneMs) == solver::Answer::kNever) {
+      Keep(std::move(guess));
+    } else {
+      guesses_.push_back(std::move(guess));
     }
   }
 }
 
-void Finder::GuessLimits(const std::vector<execute::CellId>& cells, uint64_t greatest) {
-  const uint64_t width =
-      cells.size() > 1
-          ? cells.size()
-          : execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cells.front()));
-  const uint64_t most = width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1;
-  std::set<uint64_t> nearest;
-  for (const std::set<uint64_t>* limits : {&limits_, &program_limits_}) {
-    size_t count = 0;
-    for (auto limit = limits->lower_bound(greatest); limit != limits->end() && *limit < most && count < kMostLimits;
-         ++limit, ++count) {
-      nearest.insert(*limit);
-    }
-  }
-  for (const uint64_t limit : nearest) {
-    guesses_.push_back({.cells = cells, .values = {limit}, .kind = Invariant::Kind::kAtMost});
-  }
-}
-
-void Finder::Guess() {
-  for (size_t i = 0; i < bits_.size(); ++i) {
-    const uint8_t own = seen_pairs_[i * bits_.size() + i];  // combination 0 and 3 only
-    if (own == 1 || own == 8) {
-      guesses_.push_back({.cells = {bits_[i]}, .values = {own == 1 ? uint64_t{0} : uint64_t{1}}});
-      continue;
-    }
-    for (size_t j = i + 1; j < bits_.size(); ++j) {
-      const uint8_t other = seen_pairs_[j * bits_.size() + j];
-      if (other == 1 || other == 8) continue;
-      for (uint64_t combination = 0; combination < 4; ++combination) {
-        if ((seen_pairs_[i * bits_.size() + j] >> combination & 1) != 0) continue;
-        guesses_.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .kind = Invariant::Kind::kNoneOf});
-      }
-    }
-  }
-  for (size_t i = 0; i < fields_.size(); ++i) {
-    GuessLimits({fields_[i]}, greatest_fields_[i]);
-    if (seen_fields_[i].size() > kMostValues) continue;
-    guesses_.push_back({.cells = {fields_[i]}, .values = {seen_fields_[i].begin(), seen_fields_[i].end()}});
-  }
-  for (size_t i = 0; i < bytes_.size(); ++i) {
-    GuessLimits(bytes_[i], greatest_bytes_[i]);
-    if (seen_bytes_[i].size() > kMostValues) continue;
-    guesses_.push_back({.cells = bytes_[i], .values = {seen_bytes_[i].begin(), seen_bytes_[i].end()}});
-  }
-}
-
-void Finder::DropWrongAtPowerOn() {
-  std::erase_if(guesses_, [this](const Invariant& guess) {
-    if (std::chrono::steady_clock::now() >= deadline_) return true;
-    const terms::TermId wrong =
-        terms_.Not(ConditionOf(terms_, guess, [this](execute::CellId cell) { return init_.next[cell.index]; }));
-    if (terms_.IsFalse(wrong)) return false;
-    return solver_.Check({&wrong, 1}, 1000) != solver::Answer::kNever;
-  });
-}
-
-bool Finder::Prove() {
+bool InvariantFinder::Finder::Prove() {
+  if (!untried_.empty()) return false;
   for (;;) {
-    if (guesses_.empty()) return true;
+    // All questions are about the same terms, under ever fewer conditions.
+    std::vector<terms::TermId> question;
+    terms::TermId any = terms_.Bit(false);
+    for (const Guess& guess : guesses_) {
+      question.push_back(guess.holds);
+      any = terms_.Or(any, guess.fails);
+    }
+    if (terms_.IsFalse(any)) return true;
+    question.push_back(any);
     const auto rest =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
     if (rest.count() <= 0) return false;
-    // They have to outlive each part, in whatever order the parts come.
-    std::vector<terms::TermId> conditions, fails;
-    terms::TermId any = terms_.Bit(false);
-    for (const Invariant& guess : guesses_) {
-      conditions.push_back(ConditionOf(terms_, guess, [this](execute::CellId cell) { return Current(cell); }));
-      terms::TermId fails_somewhere = terms_.Bit(false);
-      for (const Transition& part : parts_) {
-        const terms::TermId holds = ConditionOf(terms_, guess, [&](execute::CellId cell) { return Next(part, cell); });
-        fails_somewhere = terms_.Or(fails_somewhere, terms_.Not(holds));
-      }
-      fails.push_back(fails_somewhere);
-      any = terms_.Or(any, fails_somewhere);
+    switch (bits_->Check(question, static_cast<uint32_t>(rest.count()))) {
+      case solver::Answer::kNever:
+        return true;
+      case solver::Answer::kUnknown:
+        return false;
+      case solver::Answer::kPossible:
+        break;
     }
-    if (terms_.IsFalse(any)) return true;
-    conditions.push_back(any);
-    const solver::Answer answer = solver_.Check(conditions, static_cast<uint32_t>(rest.count()));
-    if (answer == solver::Answer::kNever) return true;
-    if (answer == solver::Answer::kUnknown) return false;
-    std::vector<Invariant> kept;
-    for (size_t i = 0; i < guesses_.size(); ++i) {
-      if (solver_.ValueOf(fails[i]) == 0) kept.push_back(std::move(guesses_[i]));
-    }
-    guesses_ = std::move(kept);
+    DropByModel();
   }
 }
 
-std::vector<Invariant> Finder::Find(std::span<const execute::CellId> cells, uint64_t milliseconds) {
+void InvariantFinder::Finder::Find(uint64_t milliseconds) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
-  now_ = terms_.Variable("alone now", 32);
-  const auto initial = [this](execute::CellId cell) { return Current(cell); };
-  for (const Part part : {Part::kFast, Part::kPeriod}) {
-    if (part == Part::kFast && !HasFastPart(version_)) continue;
-    parts_.push_back(RunPart(terms_, version_, part, {.initial = initial, .now = now_, .outputs = {}}));
-    if (!parts_.back().refusal.empty()) return {};
+  const bool goes_on = is_prepared_;
+  if (!is_prepared_) Prepare();
+  if (!is_prepared_ || is_done_) return;
+  // More has been seen since.
+  if (goes_on && search_.seen_states) {
+    search_.seen_states([this](const CellValues& state, uint64_t) {
+      for (std::vector<Guess>* const guesses : {&untried_, &guesses_, &pairs_}) DropWrongIn(state, *guesses);
+    });
   }
-  init_ = RunInit(terms_, version_, {.initial = initial, .now = now_, .outputs = {}});
-  if (!init_.refusal.empty()) return {};
-  CloseOver(cells);
-  const std::set<execute::CellId> interesting(cells.begin(), cells.end());
-  std::set<uint32_t> bytes_taken;
-  for (const execute::CellId id : interesting) {
-    const execute::Cell cell = execute::CellAt(*version_.program, version_.cells, id);
-    if (is_input_(id) || cell.kind == execute::CellKind::kCalls) continue;
-    if (cell.kind == execute::CellKind::kField && execute::CellWidth(*version_.program, cell) > 1) {
-      fields_.push_back(id);
-      continue;
-    }
-    if (bits_.size() < kMostBits) bits_.push_back(id);
-    if (cell.kind != execute::CellKind::kBit || !bytes_taken.insert(id.index - cell.bit).second) continue;
-    std::vector<execute::CellId> byte;
-    for (uint32_t bit = 8; bit-- > 0;) byte.emplace_back(id.index - cell.bit + bit);
-    if (std::ranges::all_of(byte, [&](execute::CellId bit) { return std::ranges::binary_search(state_, bit); })) {
-      bytes_.push_back(byte);
-    }
+  ProveAlone();
+  while (!is_done_ && Prove()) {
+    for (Guess& guess : guesses_) Keep(std::move(guess));
+    guesses_ = std::exchange(pairs_, {});
+    is_done_ = guesses_.empty();
   }
-  seen_pairs_.assign(bits_.size() * bits_.size(), 0);
-  seen_fields_.resize(fields_.size());
-  seen_bytes_.resize(bytes_.size());
-  greatest_fields_.resize(fields_.size());
-  greatest_bytes_.resize(bytes_.size());
-  Simulate();
-  Guess();
-  DropWrongAtPowerOn();
-  if (!Prove()) guesses_.clear();
-  return std::move(guesses_);
 }
 
-}  // namespace
+uint64_t NumberOf(std::span<const execute::CellId> cells, const CellValues& state) {
+  if (cells.size() == 1) return state(cells.front());
+  uint64_t number = 0;
+  for (const execute::CellId cell : cells) number = number << 1 | (state(cell) & 1);
+  return number;
+}
 
 terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
                           const std::function<terms::TermId(execute::CellId)>& value) {
@@ -348,19 +354,42 @@ terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
     const terms::TermId part = value(cell);
     number = number.valid() ? terms.Concat(number, part) : part;
   }
+  terms::TermId holds = terms.Bit(false);
   if (invariant.kind == Invariant::Kind::kAtMost) {
-    return terms.Ule(number, terms.Const(invariant.values.front(), terms.Width(number)));
+    holds = terms.Ule(number, terms.Const(invariant.values.front(), terms.Width(number)));
+  } else {
+    for (const uint64_t one : invariant.values)
+      holds = terms.Or(holds, terms.Eq(number, terms.Const(one, terms.Width(number))));
+    if (invariant.kind == Invariant::Kind::kNoneOf) holds = terms.Not(holds);
   }
-  terms::TermId any = terms.Bit(false);
-  for (const uint64_t one : invariant.values)
-    any = terms.Or(any, terms.Eq(number, terms.Const(one, terms.Width(number))));
-  return invariant.kind == Invariant::Kind::kNoneOf ? terms.Not(any) : any;
+  if (!invariant.while_bit.valid()) return holds;
+  const terms::TermId bit = value(invariant.while_bit);
+  return terms.Or(invariant.while_set ? terms.Not(bit) : bit, holds);
 }
 
-std::vector<Invariant> FindInvariants(terms::Terms& terms, solver::Solver& solver, const Version& version,
-                                      std::span<const execute::CellId> cells,
-                                      const std::function<bool(execute::CellId)>& is_input, uint64_t milliseconds) {
-  return Finder(terms, solver, version, is_input).Find(cells, milliseconds);
+bool HoldsIn(const Invariant& invariant, const CellValues& state) {
+  if (invariant.while_bit.valid() && (state(invariant.while_bit) != 0) != invariant.while_set) return true;
+  const uint64_t number = NumberOf(invariant.cells, state);
+  const bool is_among = std::ranges::find(invariant.values, number) != invariant.values.end();
+  switch (invariant.kind) {
+    case Invariant::Kind::kOneOf:
+      return is_among;
+    case Invariant::Kind::kNoneOf:
+      return !is_among;
+    case Invariant::Kind::kAtMost:
+      return number <= invariant.values.front();
+  }
+  return false;
 }
+
+InvariantFinder::InvariantFinder(terms::Terms& terms, solver::Solver& solver, InvariantSearch search)
+    : finder_(std::make_unique<Finder>(terms, solver, std::move(search))) {}
+InvariantFinder::~InvariantFinder() = default;
+
+void InvariantFinder::Find(uint64_t milliseconds) {
+  if (!is_done()) finder_->Find(milliseconds);
+}
+const std::vector<Invariant>& InvariantFinder::invariants() const { return finder_->proved(); }
+bool InvariantFinder::is_done() const { return finder_->is_done(); }
 
 }  // namespace plcxx::prove::compare

@@ -224,7 +224,7 @@ void SearchStates(Comparison& comparison) {
   const StateVariables variables(comparison);
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
   const uint64_t end_ms = many ? EndMs(comparison, 90) : 0;
-  const bool any_state = comparison.old_invariants.empty() && comparison.new_invariants.empty();
+  const bool any_state = comparison.InvariantCount() == 0;
   if (any_state && many) TryRandomStates(comparison, pairs, variables, end_ms);
   comparison.PushInvariants();
   for (const OpenPair& pair : pairs) {

@@ -341,9 +341,14 @@ void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& c
   }
   if (terms::ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
-  invariants_ = compare::FindInvariants(
-      terms_, *solver_, version_, cells, [this](execute::CellId cell) { return bool{new_each_time_[cell.index]}; },
-      RestMs() / 3);
+  compare::InvariantFinder finder(
+      terms_, *solver_,
+      {.version = version_,
+       .cells = cells,
+       .is_input = [this](execute::CellId cell) { return bool{new_each_time_[cell.index]}; },
+       .seen_states = {}});
+  finder.Find(RestMs() / 3);
+  invariants_ = finder.invariants();
 }
 
 /// What the host has loaded at power-on, where that matters.

@@ -282,7 +282,13 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     return different;
   };
   const prove::compare::CompareResult result =
-      prove::compare::CompareVersions(old_version, new_version, match, find_different, limits);
+      prove::compare::CompareVersions(old_version, new_version, match,
+                                      {.find_different = find_different,
+                                       .for_each_seen_state =
+                                           [&search](prove::compare::Which which, const auto& visit) {
+                                             if (search) search->ForEachSeenState(which, visit);
+                                           }},
+                                      limits);
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),

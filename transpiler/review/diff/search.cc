@@ -243,6 +243,18 @@ void DirectedSearch::Follow(const std::vector<prove::compare::Run>& computed, Ti
   }
 }
 
+void DirectedSearch::ForEachSeenState(
+    prove::compare::Which which, const std::function<void(const prove::compare::CellValues&, uint64_t now_ms)>& visit) {
+  const bool is_old = which == prove::compare::Which::kOld;
+  DiffMachine& machine = is_old ? old_machine_ : new_machine_;
+  for (const std::vector<Moment>* const kept : {&between_, &new_, &differing_}) {
+    for (const Moment& moment : *kept) {
+      machine.Restore(is_old ? moment.old_saved : moment.new_saved);
+      visit([&machine](CellId cell) { return machine.ValueOf(cell); }, machine.time_ms());
+    }
+  }
+}
+
 DirectedSearch::Moment* DirectedSearch::NextToAsk() {
   for (std::vector<Moment>* const kept : {&new_, &between_, &differing_}) {
     const auto found = std::ranges::find(*kept, false, &Moment::is_asked);

@@ -37,6 +37,9 @@ class DirectedSearch {
   void Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result);
   /// Until `end`, or until each of `sought` (old cells, those that matter most first) has differed.
   void Run(const std::vector<prove::execute::CellId>& sought, Time end, RandomRuns& result);
+  /// The moments that are kept, as one version saw them.
+  void ForEachSeenState(prove::compare::Which which,
+                        const std::function<void(const prove::compare::CellValues&, uint64_t now_ms)>& visit);
 
  private:
   /// Bits that are set together: an input, or a word of inputs.
