@@ -36,6 +36,25 @@ TEST(ProveRuns, AViolationAfterALongTimeIsFoundAndShortened) {
   ExpectShown(work);
 }
 
+// A proof is about whole periods. With a fast part alone no time of a property passes, and what is violated later may
+// come from it.
+TEST(ProveRuns, AFastPartAloneIsNoStepOfAProperty) {
+  const Workplace work;
+  const std::string source = "U100K0=I0A0\n$\nU4A1=U100K1\nU100K1=I0A0\n";
+  const Ran proved = Prove(work, "m.plc", source, "I0A0 implies U4A1 within 2 slow\n");
+  EXPECT_EQ(proved.code, 0) << proved;
+  const std::string scenario =
+      "sources: [m.plc]\nproperties: [I0A0 implies U4A1 within 2 slow, never U100K0 and I0A7]\nsteps:\n"
+      "- set: {I0A0: 1}\n- run: {fast: 9}\n- run: {slow: 3}\n";
+  work.Write("s.yaml", scenario);
+  EXPECT_EQ(work.Run("test --engine sim s.yaml").code, 0);
+  work.Write("s.yaml", scenario + "- set: {I0A7: 1}\n- run: {fast: 1}\n- run: {slow: 1}\n");
+  const Ran violated = work.Run("test --engine sim s.yaml");
+  EXPECT_EQ(violated.code, 1) << violated;
+  EXPECT_THAT(violated.out + violated.errors,
+              HasSubstr("does not hold; the fast part ran alone before, and a proof is about whole periods"));
+}
+
 // Three codes in this order, with two seconds between them: nobody guesses that, a scenario knows it.
 TEST(ProveRuns, AViolationBehindAStartUpIsFoundByItsScenario) {
   constexpr std::string_view kSource =

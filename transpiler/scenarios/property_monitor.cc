@@ -48,26 +48,24 @@ PropertyMonitor::PropertyMonitor(const ir::Program& program, const prove::execut
 void PropertyMonitor::PowerOn() {
   period_ = 0;
   slow_done_ = 0;
-  fast_seen_ms_.reset();
+  fast_ran_alone_ = false;
   history_.clear();
 }
 
-bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, uint32_t now_ms) {
-  const ir::Schedule& schedule = program_.schedule;
-  if (schedule.fast_ms != 0) {
-    // At the time of a slow part a fast one comes first.
-    if (now_ms % std::max(1U, schedule.period_ms) != 0) return false;
-    if (std::exchange(fast_seen_ms_, now_ms) != now_ms) return false;
-    fast_seen_ms_.reset();
-    return true;
+bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) {
+  // With a time of its own it runs between the slow parts anyway.
+  const bool is_timed = program_.schedule.fast_ms != 0;
+  if (part == sim::Clock::Part::kFastOnly) {
+    fast_ran_alone_ = fast_ran_alone_ || !is_timed;
+    return false;
   }
-  if (!sliced_) return true;
-  const uint64_t before = std::exchange(slow_done_, engine.Read(program_.places[schedule.slow_done]));
+  if (is_timed || !sliced_) return true;
+  const uint64_t before = std::exchange(slow_done_, engine.Read(program_.places[program_.schedule.slow_done]));
   return slow_done_ != before;
 }
 
-void PropertyMonitor::AfterPeriod(sim::Engine& engine, uint32_t now_ms) {
-  if (properties_.empty() || violation_ || !IsEndOfPeriod(engine, now_ms)) return;
+void PropertyMonitor::AfterPart(sim::Engine& engine, sim::Clock::Part part) {
+  if (properties_.empty() || violation_ || !IsEndOfPeriod(engine, part)) return;
   ++period_;
   history_.emplace_front();
   for (const Watched& watched : watched_) history_.front()[watched.cell] = engine.Read(watched.place);
@@ -79,6 +77,7 @@ void PropertyMonitor::AfterPeriod(sim::Engine& engine, uint32_t now_ms) {
   for (const prove::properties::Property& property : properties_) {
     if (terms_.IsTrue(prove::properties::HoldsAfter(terms_, property, period_, value))) continue;
     violation_ = "property '" + property.text + "' does not hold";
+    if (fast_ran_alone_) *violation_ += "; the fast part ran alone before, and a proof is about whole periods";
     return;
   }
 }

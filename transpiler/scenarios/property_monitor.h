@@ -1,7 +1,8 @@
 // Watches properties while a scenario runs: what a proof says about all runs is looked at in this one.
 //
-// In: properties and an engine after each period. Out: the first one that is violated. A program whose slow part is cut
-// into slices is looked at after its last slice. "is never stuck" cannot be seen in one run and is not watched.
+// In: properties and an engine after each part. Out: the first one that is violated. A proof is about whole periods: a
+// fast part alone is not looked at, and is no step of a time; a program whose slow part is cut into slices is looked at
+// after its last slice. "is never stuck" cannot be seen in one run and is not watched.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include "transpiler/prove/compare/match.h"
 #include "transpiler/prove/properties/property.h"
 #include "transpiler/prove/terms/terms.h"
+#include "transpiler/sim/clock.h"
 #include "transpiler/sim/engine.h"
 
 namespace plcxx::scenarios {
@@ -26,7 +28,8 @@ class PropertyMonitor {
                   std::vector<prove::properties::Property> properties);
 
   void PowerOn();
-  void AfterPeriod(sim::Engine& engine, uint32_t now_ms);
+  /// `part` has been executed.
+  void AfterPart(sim::Engine& engine, sim::Clock::Part part);
   /// The first violation: "'never U4A8 and U4A9' does not hold"; stays.
   const std::optional<std::string>& violation() const { return violation_; }
 
@@ -37,7 +40,7 @@ class PropertyMonitor {
     uint8_t width;
   };
 
-  bool IsEndOfPeriod(sim::Engine& engine, uint32_t now_ms);
+  bool IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part);
 
   const ir::Program& program_;
   std::vector<prove::properties::Property> properties_;
@@ -45,7 +48,7 @@ class PropertyMonitor {
   uint32_t window_ = 1;
   bool sliced_ = false;
   uint64_t slow_done_ = 0;
-  std::optional<uint32_t> fast_seen_ms_;
+  bool fast_ran_alone_ = false;
   uint32_t period_ = 0;
   std::deque<std::map<prove::execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
   prove::terms::Terms terms_;

@@ -61,7 +61,7 @@ class Runner {
   void AfterPeriod(uint32_t now_ms) {
     if (run_.trace != nullptr) run_.trace->Record(before_power_cycles_ms_ + clock_.time_ms(), control_.Reader());
     control_.AfterPeriod(now_ms);
-    if (run_.monitor != nullptr) run_.monitor->AfterPeriod(run_.engines, now_ms);
+    if (run_.monitor != nullptr) run_.monitor->AfterPart(run_.engines, clock_.last_part());
   }
 
   /// Of a property; none: there is none so far.

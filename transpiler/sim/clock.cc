@@ -34,6 +34,7 @@ uint64_t Clock::NextPeriod() const {
 
 Step Clock::RunPart(Part part) {
   const auto now = static_cast<uint32_t>(time_ms_);  // a control's clock wraps, too
+  last_part_ = part;
   if (before_period) before_period(now);
   for (Engine* engine : engines_) {
     switch (part) {

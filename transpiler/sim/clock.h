@@ -30,6 +30,10 @@ class Clock {
   /// Asked after each period: true ends the step there.
   std::function<bool()> interrupted;
 
+  enum class Part : uint8_t { kWholePeriod, kFastOnly };  // with Schedule::fast_ms a whole period is the slow part
+  /// What was executed last.
+  Part last_part() const { return last_part_; }
+
   /// The time t of the simulation: during a period that of the period, between two what has passed since power-on.
   uint64_t time_ms() const { return time_ms_; }
   /// Goes back to a moment, as the engines do.
@@ -49,8 +53,6 @@ class Clock {
   Step RunFast(uint32_t count);
 
  private:
-  enum class Part : uint8_t { kWholePeriod, kFastOnly };
-
   /// The part at the time t as it is, t stays.
   Step RunPart(Part part);
   Step RunParts(Part part, uint32_t count);
@@ -69,6 +71,7 @@ class Clock {
   std::vector<Engine*> engines_;
   uint64_t period_ms_;
   uint64_t time_ms_ = 0;
+  Part last_part_ = Part::kWholePeriod;
 };
 
 }  // namespace plcxx::sim

@@ -46,7 +46,7 @@ class Watched {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) {
       control_.AfterPeriod(now_ms);
-      monitor_.AfterPeriod(simulator_, now_ms);
+      monitor_.AfterPart(simulator_, clock_.last_part());
     };
     clock_.PowerOn();
     control_.PowerOn();
