@@ -2,11 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "tests/driver/run_plcxx.h"
 
 namespace plcxx::driver {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -48,6 +52,83 @@ TEST_F(DiffCommand, RevisionsOfGit) {
   const Ran wrong = place_.Run("diff --git nowhere.. door.plc");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.errors, HasSubstr("--git: 'nowhere'"));
+}
+
+/// What a version does depends on the options with which its scenarios run it, whoever names its sources.
+TEST_F(DiffCommand, OptionsOfTheScenariosBesideTheProgram) {
+  const auto scenario = [](const std::string& options) {
+    return "sources: [door.plc]\noptions: {" + options + "}\nsteps:\n- run: {slow: 1}\n";
+  };
+  const std::string slow = "$\nU4A0=I0A0\nU4A1=I0A1\nU4A2=I0A2\nU4A3=I0A3\n";
+  place_.Write("old/door.plc", slow);
+  place_.Write("new/door.plc", slow);
+  place_.Write("old/a.yaml", scenario("slices: 2"));
+  // A version without scenarios is run as the other one.
+  EXPECT_EQ(place_.Run("diff old new --sources door.plc").code, 0);
+  place_.Write("new/a.yaml", scenario("slices: 4"));
+  for (const std::string words : {"old new", "old new --sources door.plc", "old/door.plc new/door.plc"}) {
+    const Ran ran = place_.Run("diff " + words);
+    EXPECT_EQ(ran.code, 1) << ran;
+    EXPECT_THAT(ran.out, HasSubstr("slices"));
+  }
+  EXPECT_EQ(place_.Run("diff old new --sources door.plc --set slices=2").code, 0);
+  place_.Write("new/b.yaml", scenario("slices: 2"));
+  const Ran unclear = place_.Run("diff old new");
+  EXPECT_THAT(unclear.out, HasSubstr("not looked at: the program with options that only some of its scenarios have "
+                                     "(slices); give them with --set"));
+}
+
+TEST_F(DiffCommand, RevisionsTakeTheOptionsOfTheirScenarios) {
+  place_.Write("old/a.yaml", "sources: [door.plc]\noptions: {slices: 2}\nsteps:\n- run: {slow: 1}\n");
+  const std::string commands =
+      "cd '" + place_.Path(".") +
+      "' && git init -q . && git add old && git -c user.name=a -c user.email=none commit -q -m one && sed -i "
+      "'s/slices: 2/slices: 4/' old/a.yaml";
+  ASSERT_EQ(std::system(commands.c_str()), 0);
+  place_.Write("old/door.plc", "$\nU4A0=I0A0*/I0A1\nU4A1=I0A1\nU4A2=I0A2\nU4A3=I0A3\n");
+  const Ran ran = place_.Run("diff --git HEAD.. old/door.plc");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("slices"));
+}
+
+/// For who reads a page in a browser, a merge request or a viewer of SARIF: the same verdict, change and run.
+TEST_F(DiffCommand, EachFormIsWellFormedAndSaysTheSame) {
+  place_.Write("old/do or.plc", "$\nU4A0=I0A0*/I0A1 ; <b>|`\n");
+  place_.Write("new/do or.plc", "$\nU4A0=I0A0 ; <script>alert(1)</script> |`\n");
+  const auto form = [this](const std::string& name) {
+    const Ran ran = place_.Run("diff 'old/do or.plc' 'new/do or.plc' --format " + name);
+    EXPECT_EQ(ran.code, 1) << ran;
+    return ran.out;
+  };
+  const std::string verdict = "1 output differs; ", shown = "I0A0=1, I0A1=1, slow 1";
+  EXPECT_THAT(form("text"), AllOf(HasSubstr(verdict), HasSubstr(shown)));
+  const std::string markdown = form("markdown");
+  EXPECT_THAT(markdown, AllOf(HasSubstr(verdict), HasSubstr(shown), Not(HasSubstr("<script"))));
+  std::istringstream rows(markdown);
+  for (std::string row; std::getline(rows, row);) {
+    if (row.starts_with('|')) EXPECT_TRUE(row.ends_with('|')) << row;
+  }
+  const std::string html = form("html");
+  EXPECT_THAT(html, AllOf(HasSubstr(verdict), HasSubstr(shown), Not(HasSubstr("<script>alert")),
+                          Not(HasSubstr("src=\"http")), Not(HasSubstr("href=\"http")), Not(HasSubstr("@import"))));
+  const nlohmann::json json = nlohmann::json::parse(form("json"));
+  EXPECT_THAT(json["summary"].get<std::string>(), HasSubstr(verdict));
+  EXPECT_EQ(json["items"][0]["counterexample"]["steps"], shown);
+  const nlohmann::json sarif = nlohmann::json::parse(form("sarif"));
+  EXPECT_EQ(sarif["version"], "2.1.0");
+  const nlohmann::json& run = sarif["runs"][0];
+  EXPECT_EQ(run["tool"]["driver"]["name"], "plcxx diff");
+  EXPECT_THAT(run["properties"]["summary"].get<std::string>(), HasSubstr(verdict));
+  EXPECT_EQ(run["properties"]["newStatements"].size(), 1U);
+  ASSERT_EQ(run["results"].size(), 1U);
+  const nlohmann::json& result = run["results"][0];
+  EXPECT_THAT(result["message"]["text"].get<std::string>(), HasSubstr(shown));
+  EXPECT_EQ(result["ruleId"], run["tool"]["driver"]["rules"][0]["id"]);
+  EXPECT_EQ(result["level"], "warning");
+  const nlohmann::json& place = result["locations"][0]["physicalLocation"];
+  EXPECT_EQ(place["artifactLocation"]["uri"], "new/do%20or.plc");
+  EXPECT_EQ(place["region"]["startLine"], 2);
+  EXPECT_GE(place["region"]["startColumn"].get<int>(), 1);
 }
 
 TEST_F(DiffCommand, AsAToolOfGitItIsNeverBroken) {

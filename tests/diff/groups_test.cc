@@ -6,6 +6,7 @@
 
 #include "tests/diff/compared_texts.h"
 #include "transpiler/driver/diff_output.h"
+#include "transpiler/driver/diff_told_runs.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -95,6 +96,46 @@ TEST(Groups, ManyUndecidedOnesOfOneKindAreOneGroup) {
   groups = GroupsOf(diff);
   EXPECT_EQ(NamesOf(groups[0]), "U_a, U_b, U_c");
   EXPECT_THAT(groups[0].causes, testing::IsEmpty());
+}
+
+/// A reader reads a run once, and then what another one adds to it.
+TEST(Groups, EachRunIsToldOnce) {
+  const std::string start = "W0A0=7FH, W0A1=7FH, I6K21=1, slow 1, !KEYON=0, 1500 ms, I0K2=1, slow 1";
+  DiffGroup group;
+  std::vector<DiffItem> items;
+  const auto add = [&](const std::string& name, const std::string& steps, const std::string& value) {
+    items.push_back(Item(name, ItemKind::kOutput, ItemVerdict::kDifferent, {"a"}));
+    items.back().counterexample = Counterexample{
+        .scenario = "x", .steps = steps, .old_value = value, .new_value = "0", .replay = Replay::kSimulator};
+  };
+  add("U4A1", start, "1");
+  add("U4A2", start + ", 500 ms", "1");
+  add("U4A3", start + ", 500 ms", "1");
+  add("U4A4", start + ", 500 ms", "1");
+  add("W4K0", start + ", 500 ms", "12");
+  add("U4A9", "I0A0=1, slow 1", "1");
+  for (const DiffItem& item : items) group.items.push_back(&item);
+  driver::ToldRuns runs;
+  EXPECT_THAT(runs.Of(group),
+              ElementsAre("U4A1: " + start + ": 1 in the old version, 0 in the new one",
+                          "U4A2..4: after the run of U4A1, then 500 ms: 1 in the old version, 0 in the new one",
+                          "W4K0: after the same run: 12 in the old version, 0 in the new one",
+                          "U4A9: I0A0=1, slow 1: 1 in the old version, 0 in the new one"));
+  group.items = {&items.front()};
+  EXPECT_THAT(runs.Of(group), ElementsAre("after the run of U4A1: 1 in the old version, 0 in the new one"));
+}
+
+TEST(Groups, TheChangesStandInFrontWhereTheFirstDifferenceDoesNotShowThem) {
+  Diff diff = Pump();
+  diff.old_statements = diff.items.back().old_statements;
+  const driver::DiffNames names{"a", "b"};
+  EXPECT_THAT(driver::DiffText(diff, names, diag::Colour::kOff),
+              HasSubstr("\n\nChanged\n      old * p.plc:7  U100K0 = 1\n\nOutputs\n"));
+  EXPECT_THAT(driver::DiffMarkdown(diff, names), HasSubstr("```diff\n- p.plc:7  U100K0 = 1\n```\n"));
+  EXPECT_EQ(driver::ChangesAsPatch(diff), "- p.plc:7  U100K0 = 1\n");
+  std::ranges::rotate(diff.items, diff.items.end() - 1);
+  diff.items.front().kind = ItemKind::kOutput;
+  EXPECT_EQ(driver::ChangesAsPatch(diff), "");
 }
 
 TEST(Groups, EachFormSaysThem) {

@@ -184,6 +184,33 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
   }
 }
 
+/// Two contactors; in step 3 of a counter the second one is on. Steps begin behind a code that nobody guesses.
+std::string Contactors(const std::string& interlock, const std::string& also) {
+  return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\nC20I(5) = U100K1*I0A0*/C20I\n"
+         "U4A10 = [C20W=1]*I0A1" +
+         interlock + "\nU4A11 = [C20W=3]*I0A1*/U4A10" + also + "\n";
+}
+constexpr const char* kStepsOfContactors =
+    "- set: {W0A0: 157}\n- run: {slow: 1}\n- set: {W0A0: 46}\n- run: {slow: 1}\n- set: {I0A0: 1, I0A1: 1}\n"
+    "- run: {slow: 12}\n- set: {I0A1: 0}\n- run: {slow: 11}\n";
+
+/// What the counter is while the second contactor is on is seen in the scenario alone, and proved.
+TEST(Search, WhatAMachineAtWorkIsSeenToDoIsAnInvariant) {
+  const WithScenario pair(Contactors("*/U4A11", ""), Contactors("", ""), kStepsOfContactors);
+  const Diff diff = pair.Compared(30'000);
+  EXPECT_TRUE(diff.items.empty()) << NamesIn(diff);
+  EXPECT_GT(diff.invariants, 0U);
+}
+
+/// It looks alike in the scenario, and is not.
+TEST(Search, WhatIsOnlySeenIsNoInvariant) {
+  const std::string also = " + [C20W=1]*[W0A1=77]";
+  const WithScenario pair(Contactors("*/U4A11", also), Contactors("", also), kStepsOfContactors);
+  const Diff diff = pair.Compared(3000);
+  const DiffItem* const first = ItemNamed(diff, "U4A10");
+  ASSERT_NE(first, nullptr) << NamesIn(diff);
+}
+
 TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
   // Equal for all numbers, and far beyond what is proved of products in two seconds.
   const auto program = [](const std::string& value) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -7,6 +6,7 @@
 #include "transpiler/diagnostics/places.h"
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/diagnostics/uri.h"
 
 namespace plcxx::diag {
 namespace {
@@ -14,26 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "https://json.schemastore.org/sarif-2.1.0.json";
-
-/// RFC 3986: what a path segment may hold as it is, and the slash. ':' would make a relative path look like a scheme.
-bool IsUriCharacter(unsigned char c) {
-  constexpr std::string_view kAllowed = "-._~/!$&'()*+,;=@";
-  return (c < 0x80 && std::isalnum(c) != 0) || kAllowed.find(static_cast<char>(c)) != std::string_view::npos;
-}
-
-std::string UriOf(std::string_view path) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string uri = path.starts_with('/') ? "file://" : "";
-  for (const char character : path) {
-    const auto c = static_cast<unsigned char>(character);
-    if (IsUriCharacter(c)) {
-      uri += character;
-    } else {
-      uri += {'%', kDigits[c >> 4], kDigits[c & 15]};
-    }
-  }
-  return uri;
-}
 
 Json RegionOf(const Place& place) {
   return {{"startLine", place.begin.line},

@@ -1,6 +1,8 @@
 // plcxx diff: which outputs behave differently, and when.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <variant>
@@ -148,7 +150,8 @@ int RunDiff(const DiffSettings& settings) {
                     " and " + std::string(new_side.compilation.dialect->name));
     return not_compared;
   }
-  const review::diff::Diff diff = review::diff::CompareSides(old_side, new_side, options);
+  review::diff::Diff diff = review::diff::CompareSides(old_side, new_side, options);
+  std::ranges::copy(requests.not_looked_at, std::back_inserter(diff.not_looked_at));
   progress.Clear();
   if (!diff.refusal.empty()) {
     PrintUsageError("cannot compare: " + diff.refusal);

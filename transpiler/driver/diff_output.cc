@@ -5,10 +5,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/diagnostics/uri.h"
+#include "transpiler/driver/diff_told_runs.h"
 #include "transpiler/review/diff/groups.h"
 
 namespace plcxx::driver {
@@ -92,13 +93,6 @@ std::string Heading(const review::diff::DiffGroup& group) {
 
 namespace {
 
-/// Runs of one group that are shown; each location has one in JSON and among the written scenarios.
-constexpr size_t kMostRunsTold = 8;
-
-std::string RestOfRuns(size_t count) {
-  return "and " + std::to_string(count) + " more, each with a run of its own in --format json and --counterexamples";
-}
-
 constexpr size_t kMostStatements = 6;  // of one location
 constexpr size_t kMostChanges = 20;    // of all
 
@@ -128,17 +122,6 @@ void AddChanges(std::string& text, std::string_view sign, const std::vector<revi
 
 const char* CodeOf(review::diff::ItemVerdict verdict) {
   return verdict == review::diff::ItemVerdict::kDifferent ? "1;31" : "1;33";
-}
-
-std::string ExampleText(const review::diff::Counterexample& example) {
-  std::string text = (example.steps.empty() ? "a run that no scenario can say" : example.steps) + ": ";
-  text += example.old_value == example.new_value
-              ? "the calls differ"
-              : example.old_value + " in the old version, " + example.new_value + " in the new one";
-  if (example.from_state) text += " (from this state; no run from power-on to it is known)";
-  if (example.replay == review::diff::Replay::kSideBySide)
-    text += " (both versions beside each other; not as a scenario)";
-  return text;
 }
 
 Json ToJson(const std::vector<review::diff::ItemStatement>& statements) {
@@ -185,45 +168,20 @@ std::string DiffSummary(const review::diff::Diff& diff) {
   return text;
 }
 
-std::vector<std::string> RunsOf(const review::diff::DiffGroup& group) {
-  std::vector<std::string> lines;
-  size_t more = 0;
-  std::string steps;
-  for (const review::diff::DiffItem* const item : group.items) {
-    if (!item->counterexample) continue;
-    if (lines.size() == kMostRunsTold) {
-      ++more;
-      continue;
-    }
-    review::diff::Counterexample example = *item->counterexample;
-    const bool is_same = !lines.empty() && !example.steps.empty() && example.steps == steps;
-    steps = example.steps;
-    if (is_same) example.steps = "after the same run";
-    lines.push_back((group.items.size() == 1 ? std::string() : item->name + ": ") + ExampleText(example));
-  }
-  if (more != 0) lines.push_back(RestOfRuns(more));
-  return lines;
-}
-
 namespace {
 
-/// The changed statements, when they are not all told with one difference.
+/// The changed statements, when what comes first does not show them all.
 bool TellsChanges(const review::diff::Diff& diff, const std::vector<review::diff::DiffGroup>& groups) {
-  if (diff.old_statements.empty() && diff.new_statements.empty()) return false;
-  std::set<std::pair<bool, uint32_t>> open;
-  for (const review::diff::ItemStatement& statement : diff.old_statements)
-    open.emplace(true, statement.statement.index);
-  for (const review::diff::ItemStatement& statement : diff.new_statements)
-    open.emplace(false, statement.statement.index);
-  for (const review::diff::DiffGroup& group : groups) {
-    if (!group.first().changed_itself) continue;
-    for (const review::diff::ItemStatement& statement : group.first().old_statements)
-      open.erase({true, statement.statement.index});
-    for (const review::diff::ItemStatement& statement : group.first().new_statements)
-      open.erase({false, statement.statement.index});
-    return !open.empty();
-  }
-  return !groups.empty();
+  if (groups.empty() || (diff.old_statements.empty() && diff.new_statements.empty())) return false;
+  const review::diff::DiffItem& first = groups.front().first();
+  if (!first.changed_itself) return true;
+  const auto are_among = [](const std::vector<review::diff::ItemStatement>& statements,
+                            const std::vector<review::diff::ItemStatement>& told) {
+    return std::ranges::all_of(statements, [&told](const review::diff::ItemStatement& statement) {
+      return std::ranges::find(told, statement.statement, &review::diff::ItemStatement::statement) != told.end();
+    });
+  };
+  return !are_among(diff.old_statements, first.old_statements) || !are_among(diff.new_statements, first.new_statements);
 }
 
 /// Of statements that nobody changed the first ones are enough.
@@ -235,6 +193,14 @@ std::vector<review::diff::ItemStatement> Telling(const std::vector<review::diff:
 
 }  // namespace
 
+std::string ChangesAsPatch(const review::diff::Diff& diff) {
+  if (!TellsChanges(diff, review::diff::GroupsOf(diff))) return {};
+  std::string text;
+  AddChanges(text, "-", diff.old_statements);
+  AddChanges(text, "+", diff.new_statements);
+  return text;
+}
+
 std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour) {
   std::string text = names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
   const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
@@ -243,6 +209,7 @@ std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, dia
     AddStatements(text, "old", diff.old_statements, colour, kMostChanges);
     AddStatements(text, "new", diff.new_statements, colour, kMostChanges);
   }
+  ToldRuns runs;
   std::optional<review::diff::ItemKind> kind;
   for (const review::diff::DiffGroup& group : groups) {
     const review::diff::DiffItem& item = group.first();
@@ -257,7 +224,7 @@ std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, dia
       AddStatements(text, "old", Telling(item.old_statements), colour, kMostStatements);
       AddStatements(text, "new", Telling(item.new_statements), colour, kMostStatements);
     }
-    for (const std::string& line : RunsOf(group)) text += "      " + line + "\n";
+    for (const std::string& line : runs.Of(group)) text += "      " + line + "\n";
   }
   return text;
 }
@@ -279,11 +246,12 @@ std::string DiffMarkdown(const review::diff::Diff& diff, const DiffNames& names)
     return all;
   };
   if (TellsChanges(diff, groups)) {
-    text += "\n```diff\n";
-    AddChanges(text, "-", diff.old_statements);
-    AddChanges(text, "+", diff.new_statements);
-    text += "```\n";
+    const std::string changes = ChangesAsPatch(diff);
+    std::string fence = "```";
+    while (changes.find(fence) != std::string::npos) fence += '`';
+    text += "\n" + fence + "diff\n" + changes + fence + "\n";
   }
+  ToldRuns runs;
   std::optional<review::diff::ItemKind> kind;
   for (const review::diff::DiffGroup& group : groups) {
     const review::diff::DiffItem& item = group.first();
@@ -301,7 +269,7 @@ std::string DiffMarkdown(const review::diff::Diff& diff, const DiffNames& names)
     text +=
         " | " + (item.changed_itself ? statements(item.old_statements, item.new_statements) : std::string()) + " | ";
     std::string separator;
-    for (const std::string& line : RunsOf(group)) {
+    for (const std::string& line : runs.Of(group)) {
       text += separator + EscapedMarkdown(line);
       separator = "<br>";
     }
@@ -370,7 +338,8 @@ std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
     }
     if (const std::string cause = Cause(group); !cause.empty()) message += " (" + cause + ")";
     std::string separator = ": ";
-    for (const std::string& line : RunsOf(group)) {
+    // Each result is read by itself.
+    for (const std::string& line : ToldRuns().Of(group)) {
       message += separator + line;
       separator = "; ";
     }
@@ -383,7 +352,7 @@ std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
     for (const review::diff::ItemStatement& statement : statements) {
       result["locations"].push_back(
           {{"physicalLocation",
-            {{"artifactLocation", {{"uri", statement.file}}},
+            {{"artifactLocation", {{"uri", diag::UriOf(statement.file)}}},
              {"region", {{"startLine", statement.line}, {"startColumn", statement.column}}}}}});
     }
     results.push_back(std::move(result));
@@ -395,7 +364,10 @@ std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
                       {"version", "2.1.0"},
                       {"runs", Json::array({{{"tool", {{"driver", {{"name", "plcxx diff"}, {"rules", rules}}}}},
                                              {"columnKind", "unicodeCodePoints"},
-                                             {"properties", {{"summary", DiffSummary(diff)}}},
+                                             {"properties",
+                                              {{"summary", DiffSummary(diff)},
+                                               {"oldStatements", ToJson(diff.old_statements)},
+                                               {"newStatements", ToJson(diff.new_statements)}}},
                                              {"results", std::move(results)}}})}};
   return diag::JsonForTerminals(sarif.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }

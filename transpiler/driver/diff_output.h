@@ -22,9 +22,11 @@ std::string DiffSarif(const review::diff::Diff& diff, const DiffNames& names);
 /// "2 outputs differ, 1 is not decided; 41 proved equal"
 std::string DiffSummary(const review::diff::Diff& diff);
 
-/// Of a group: why it is in the list, "U4A0..3 (4)", and its runs, a line each.
+/// The changed statements as lines of a patch; empty when what comes first shows them all.
+std::string ChangesAsPatch(const review::diff::Diff& diff);
+
+/// Of a group: why it is in the list, and "U4A0..3 (4)".
 std::string Cause(const review::diff::DiffGroup& group);
 std::string Heading(const review::diff::DiffGroup& group);
-std::vector<std::string> RunsOf(const review::diff::DiffGroup& group);
 
 }  // namespace plcxx::driver

@@ -1,6 +1,7 @@
 #include "transpiler/driver/diff_page.h"
 
 #include "transpiler/driver/diff_output.h"
+#include "transpiler/driver/diff_told_runs.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/report/page.h"
 #include "transpiler/review/diff/groups.h"
@@ -39,12 +40,12 @@ constexpr report::Verdict VerdictOf(review::diff::ItemVerdict verdict) {
 }
 
 /// What the text form of the diff says of the group, in sentences.
-std::string TextOf(const review::diff::DiffGroup& group) {
+std::string TextOf(const review::diff::DiffGroup& group, ToldRuns& runs) {
   const review::diff::DiffItem& item = group.first();
   const bool is_one = group.items.size() == 1;
   std::string text = item.meaning.empty() || !is_one ? "" : item.meaning + ". ";
   if (const std::string cause = Cause(group); !cause.empty()) text += cause + ". ";
-  for (const std::string& run : RunsOf(group)) text += run + ". ";
+  for (const std::string& run : runs.Of(group)) text += run + ". ";
   return text;
 }
 
@@ -56,6 +57,8 @@ std::string DiffPage(const review::diff::Diff& diff, const review::diff::DiffSid
   review.old_program = PageInput(old_side.compilation);
   review.equal = diff.equal;
   review.summary = DiffSummary(diff);
+  review.changes = ChangesAsPatch(diff);
+  ToldRuns runs;
   for (const review::diff::DiffGroup& group : review::diff::GroupsOf(diff)) {
     const review::diff::DiffItem& item = group.first();
     report::Finding finding;
@@ -69,7 +72,7 @@ std::string DiffPage(const review::diff::Diff& diff, const review::diff::DiffSid
       for (const review::diff::ItemStatement& statement : item.new_statements)
         finding.new_statements.push_back(statement.statement);
     }
-    finding.text = TextOf(group);
+    finding.text = TextOf(group, runs);
     for (const review::diff::DiffItem* const one : group.items) {
       if (!one->counterexample || one->counterexample->scenario.empty()) continue;
       finding.counterexample += (finding.counterexample.empty() ? "" : "\n") + one->counterexample->scenario;

@@ -34,6 +34,7 @@ struct Review {
   ProgramInput old_program;
   std::vector<Finding> findings;  // shown in this order: outputs first is the caller's choice
   std::string summary;            // the verdict in one sentence; empty: the counts are told
+  std::string changes;            // the changed statements as lines of a patch; empty: the first finding shows them
   uint32_t equal = 0;             // places proved equal that are not among the findings
 };
 

@@ -66,6 +66,7 @@ void AppendReview(const View& old_view, const View& view, const Review& review, 
                                         " not decided, " + std::to_string(counts[2] + review.equal) + " proved equal";
   out += "<section id=\"review\" aria-labelledby=\"h-review\">\n<h2 id=\"h-review\">Review: what changed</h2>\n<p>" +
          Escape(summary) + ".</p>\n";
+  if (!review.changes.empty()) out += "<pre class=\"changes\">" + Escape(review.changes) + "</pre>\n";
   out +=
       "<table><thead><tr><th>Place</th><th>Kind</th><th>Verdict</th><th>Old</th><th>New</th><th>What is "
       "known</th></tr></thead><tbody>";

@@ -70,6 +70,7 @@ std::vector<Gathered> Gather(const prove::compare::CompareResult& result, const 
       items.push_back({.item = {.name = word.name, .kind = kind, .verdict = ItemVerdict::kEqual}});
       items.back().item.meaning = new_side.words.MeaningOf(word);
       if (items.back().item.meaning.empty()) items.back().item.meaning = old_side.words.MeaningOf(word);
+      std::ranges::replace(items.back().item.meaning, '\n', ' ');  // comments of several lines
     }
     Gathered& gathered = items[at->second];
     if (pair.old_cell.valid()) gathered.old_cells.push_back(pair.old_cell);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/scenarios/scenario.h"
@@ -18,7 +20,6 @@ constexpr const char* kNoFile = "/dev/null";
 /// The sources of a directory when the user names none: what its scenarios say, else what looks like a source.
 struct FoundSources {
   std::vector<std::string> sources;
-  std::map<std::string, std::string> options;
   std::string dialect, reason;
 };
 
@@ -44,7 +45,6 @@ FoundSources FindSources(const std::string& directory) {
       return found;
     }
     found.sources = scenario->sources;
-    found.options = scenario->options;
     found.dialect = scenario->dialect;
   }
   if (!found.sources.empty()) return found;
@@ -73,12 +73,88 @@ std::optional<std::string> FillRequest(const std::string& path, const std::vecto
   FoundSources found = FindSources(path);
   if (!found.reason.empty()) return found.reason;
   request.sources = std::move(found.sources);
-  for (const auto& option : found.options) {
-    const bool given = std::ranges::any_of(request.options, [&](const auto& own) { return own.first == option.first; });
-    if (!given) request.options.emplace_back(option);
-  }
   if (request.dialect.empty()) request.dialect = found.dialect;
   return std::nullopt;
+}
+
+/// Options with which the scenarios of a program run it: what most of them say.
+struct ScenarioOptions {
+  fs::path directory;
+  std::map<std::string, std::string> options;
+  std::set<std::string> differing;  // not the same in all
+  std::string dialect;
+  size_t count = 0;  // scenarios
+};
+
+ScenarioOptions OptionsBeside(const compilation::CompilationRequest& request) {
+  const auto path_of = [](const fs::path& directory, const std::string& source) {
+    return (directory / source).lexically_normal();
+  };
+  ScenarioOptions found{.directory = (fs::path(request.base_directory) / request.sources.front()).parent_path()};
+  const std::string directory = found.directory.empty() ? "." : found.directory.string();
+  std::map<std::string, std::map<std::string, size_t>> counts;  // by name and value
+  for (const fs::path& file : FilesOf(directory)) {
+    if (file.extension() != ".yaml") continue;
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
+    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
+    const bool is_of_program =
+        scenario != nullptr &&
+        std::ranges::equal(scenario->sources, request.sources, [&](const auto& one, const auto& other) {
+          return path_of(found.directory, one) == path_of(request.base_directory, other);
+        });
+    if (!is_of_program) continue;
+    for (const auto& [name, value] : scenario->options) ++counts[name][value];
+    found.dialect = scenario->dialect;
+    ++found.count;
+  }
+  for (const auto& [name, values] : counts) {
+    const auto most = std::ranges::max_element(values, {}, [](const auto& value) { return value.second; });
+    size_t with_it = 0;
+    for (const auto& [value, count] : values) with_it += count;
+    if (most->second != found.count) found.differing.insert(name);
+    if (most->second >= found.count - with_it) found.options.emplace(name, most->first);
+  }
+  return found;
+}
+
+/// The command line's options count first. A file is named from where the scenario stands.
+void TakeOptions(const ScenarioOptions& found, compilation::CompilationRequest& request) {
+  for (const auto& [name, value] : found.options) {
+    const auto has_name = [&name](const auto& own) { return own.first == name; };
+    if (std::ranges::any_of(request.options, has_name)) continue;
+    if (name == "encoding") {
+      if (!request.encoding) request.encoding = source::EncodingByName(value);
+      continue;
+    }
+    std::error_code error;
+    const fs::path file = found.directory / value;
+    const bool is_elsewhere = found.directory.lexically_normal() != fs::path(request.base_directory).lexically_normal();
+    const bool is_file = is_elsewhere && fs::is_regular_file(file, error);
+    if (name == "system-include") {
+      request.system_include_directories.push_back(file.string());
+    } else {
+      request.options.emplace_back(name, is_file ? fs::absolute(file).string() : value);
+    }
+  }
+  if (request.dialect.empty()) request.dialect = found.dialect;
+}
+
+/// A version without scenarios is run as the other one: two versions with different options would differ by them.
+void TakeOptionsOfScenarios(DiffRequests& requests) {
+  std::set<std::string> given;
+  for (const auto& [name, value] : requests.old_side.compilation.options) given.insert(name);
+  const ScenarioOptions of_old = OptionsBeside(requests.old_side.compilation),
+                        of_new = OptionsBeside(requests.new_side.compilation);
+  TakeOptions(of_old.count != 0 ? of_old : of_new, requests.old_side.compilation);
+  TakeOptions(of_new.count != 0 ? of_new : of_old, requests.new_side.compilation);
+  std::set<std::string> differing = of_old.differing;
+  differing.insert(of_new.differing.begin(), of_new.differing.end());
+  for (const std::string& name : given) differing.erase(name);
+  if (differing.empty()) return;
+  std::string names;
+  for (const std::string& name : differing) names += (names.empty() ? "" : ", ") + name;
+  requests.not_looked_at.push_back("the program with options that only some of its scenarios have (" + names +
+                                   "); give them with --set");
 }
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -141,6 +217,7 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     while (side.compilation.base_directory.ends_with('/')) side.compilation.base_directory.pop_back();
     side.hidden_prefix = side.compilation.base_directory + "/";
   }
+  TakeOptionsOfScenarios(requests);
   return requests;
 }
 
@@ -173,6 +250,8 @@ std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
     if (!names.empty()) side.file_name = names[at];
     if (std::optional<std::string> wrong = FillRequest(paths[at], words.sources, side.compilation)) return *wrong;
   }
+  // What git hands over are copies somewhere.
+  if (!words.external) TakeOptionsOfScenarios(requests);
   return requests;
 }
 

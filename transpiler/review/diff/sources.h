@@ -29,7 +29,8 @@ struct DiffRequest {
 
 struct DiffRequests {
   DiffRequest old_side, new_side;
-  std::string one_sided;  // not empty: git compares a file with none, and this is to be said of it
+  std::vector<std::string> not_looked_at;  // see Diff
+  std::string one_sided;                   // not empty: git compares a file with none, and this is to be said of it
   std::vector<std::unique_ptr<compile::TemporaryDirectory>> copies;
 };
 
