@@ -67,9 +67,9 @@ FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::
                                            new_calls = CallsOf(new_program, new_events, function);
   size_t at = 0;
   const auto is_same = [&](const sim::HostEvent& one, const sim::HostEvent& other) {
-    const ir::HostFunction& function = old_program.host_functions[one.function];
-    return function.name == new_program.host_functions[other.function].name &&
-           sim::SameArguments(function, one.arguments, other.arguments);
+    const ir::HostFunction& called = old_program.host_functions[one.function];
+    return called.name == new_program.host_functions[other.function].name &&
+           sim::SameArguments(called, one.arguments, other.arguments);
   };
   while (at < old_calls.size() && at < new_calls.size() && is_same(*old_calls[at], *new_calls[at])) {
     ++at;
