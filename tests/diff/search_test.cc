@@ -228,5 +228,31 @@ TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
   EXPECT_GT(seconds, 1.5);
 }
 
+// The search from a moment of a scenario met an input that only the old version has: it has no cell in the new one.
+TEST(Search, GoesOnWithAnInputThatOnlyOneVersionHas) {
+  const std::string program =
+      "#include \"plc.h\"\nint g, d;\nvoid init(void) { }\n"
+      "void plc1(void) {\n  int i;\n  g = d = 0;\n  i = 0;\n  while (i < 5) {\n    if (X[0] & (1 << i)) goto skip;\n"
+      "    g += 10;\n    goto next;\nskip:\n    d++;\nnext:\n    i++;\n  }\n  plc1_time = 16;\n}\n"
+      "void plc2(void) {\n@}\n";
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  old_directory.Write("p.cld", With(program, ""));
+  new_directory.Write("p.cld", With(program, "  plc2_time = 32;\n"));
+  old_directory.Write("s.yaml",
+                      "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {X[0]: 5}\n- run: {ms: 16}\n- expect: {g: 30}\n");
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    compilation::CompilationRequest request;
+    request.sources = {"p.cld"};
+    request.base_directory = directory.path().string();
+    request.dialect = "hnc";
+    return MakeDiffSide(name, request);
+  };
+  DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const Diff diff =
+      CompareSides(old_side, new_side,
+                   {.same = {}, .time_ms = 6000, .scenario_directory = old_directory.path().string(), .progress = {}});
+  EXPECT_FALSE(diff.items.empty());
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -43,11 +43,16 @@ void Unrolled::BeginAt(const std::function<uint64_t(Which, execute::CellId)>& va
   level_at_begin_ = [value](uint32_t old_cell) { return value(Which::kOld, execute::CellId(old_cell)); };
 }
 
+/// By either version; a cell that only the old one has, by that one.
+bool Unrolled::IsWritten(execute::CellId old_cell) const {
+  const execute::CellId new_cell = versions_.match.new_of_old[old_cell.index];
+  return versions_.old_uses.writes[old_cell.index] || (new_cell.valid() && versions_.new_uses.writes[new_cell.index]);
+}
+
 /// What is set once is a version's own when it has written it.
 bool Unrolled::MayBeSet(execute::CellId old_cell) const {
   if (inputs_change_ == InputsChange::kEachPeriod || periods_ == 1) return true;
-  return !versions_.old_uses.writes[old_cell.index] &&
-         !versions_.new_uses.writes[versions_.match.new_of_old[old_cell.index].index];
+  return !IsWritten(old_cell);
 }
 
 terms::TermId Unrolled::InputOf(uint32_t old_cell) {
@@ -150,9 +155,7 @@ Run Unrolled::RunOf(const std::vector<terms::Reason>& reasons, const std::vector
       const auto [at, first] = level.try_emplace(old_cell);
       if (first) at->second = level_at_begin_(old_cell);
       // A version that writes it has another value there, perhaps.
-      const execute::CellId new_cell = versions_.match.new_of_old[old_cell];
-      const bool is_kept = !versions_.old_uses.writes[old_cell] && !versions_.new_uses.writes[new_cell.index];
-      if (is_kept && at->second == found->second) continue;
+      if (!IsWritten(execute::CellId(old_cell)) && at->second == found->second) continue;
       at->second = found->second;
       set(old_cell, found->second);
     }

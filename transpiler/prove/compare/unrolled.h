@@ -58,6 +58,7 @@ class Unrolled {
   };
 
   bool IsInput(execute::CellId old_cell) const;
+  bool IsWritten(execute::CellId old_cell) const;
   bool MayBeSet(execute::CellId old_cell) const;
   terms::TermId InputOf(uint32_t old_cell);
   /// One part of one version; what it changed, or nullopt when it cannot be executed.
