@@ -18,13 +18,15 @@ TEST_P(RandomPairs, NothingIsCalledWhatItIsNot) {
   const uint64_t least_replayed = wanted / 10;
   Tally sum;
   std::vector<uint64_t> undecided;
-  for (uint64_t seed = 0; sum.pairs < wanted && seed < 6 * wanted; ++seed) {
+  // So many pairs, and as many more as it takes until some are different: a mutation often changes nothing that is
+  // seen.
+  for (uint64_t seed = 0; (sum.pairs < wanted || sum.replayed < least_replayed) && seed < 6 * wanted; ++seed) {
     const Tally one = Judge(PairOf(dialect, seed), seed, {.time_ms = 1000}, "");
     if (one.pairs_undecided != 0) undecided.push_back(seed);
     Add(sum, one);
   }
   std::cout << TableHead() << TableRow(dialect, sum);
-  EXPECT_EQ(sum.pairs, wanted);
+  EXPECT_GE(sum.pairs, wanted);
   EXPECT_GT(sum.alike, wanted / 5);
   // How much is decided in a second depends on the machine; with enough time a part of it is on any.
   for (const uint64_t seed : undecided) {

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <variant>
 
 #include "tests/pairs/pair.h"
@@ -24,6 +26,8 @@ std::string Content(const fs::path& path) {
 /// Scenarios of golden programs that compile.
 const std::vector<fs::path>& GoldenScenarios(const std::string& dialect) {
   static std::map<std::string, std::vector<fs::path>> of_dialect;
+  static std::mutex filling;  // pairs are made by several threads
+  const std::lock_guard lock(filling);
   std::vector<fs::path>& paths = of_dialect[dialect];
   if (!paths.empty()) return paths;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLCXX_ROOT) / "tests/golden" / dialect)) {
@@ -49,7 +53,8 @@ ProgramText Golden(const std::string& dialect, Random& random) {
     for (const auto& entry : fs::directory_iterator(path.parent_path())) {
       const std::string name = entry.path().filename().string();
       // Files beside it may be included, or named by options; what was printed is not.
-      const bool is_printed = name.ends_with(".cc") || name.ends_with(".ir") || name.ends_with(".yaml");
+      const bool is_printed =
+          name.ends_with(".cc") || name.ends_with(".ir") || name.ends_with(".syntax") || name.ends_with(".yaml");
       const bool is_other = name.ends_with(".plc") || name.ends_with(".il") || name.ends_with(".cld");
       const bool is_source = std::ranges::find(program.sources, name) != program.sources.end();
       if (entry.is_regular_file() && !is_printed && (!is_other || is_source))

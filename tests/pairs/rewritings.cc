@@ -247,9 +247,12 @@ bool Rename(Pair& pair, Random& random, std::string& what) {
   return true;
 }
 
-/// A variable that nobody reads, declared last of its block, so that nothing else moves.
+/// A variable that nobody reads, declared last of its block, so that nothing else moves; but an index reaches it, too.
 bool AddUnused(ProgramText& program, Random&, std::string& what) {
   if (program.dialect != "technol") return false;
+  for (const std::string& source : program.sources) {
+    if (program.files[source].find('[') != std::string::npos) return false;
+  }
   for (const std::string& source : program.sources) {
     std::vector<std::string> lines = LinesOf(program.files[source]);
     for (size_t i = 0; i < lines.size(); ++i) {
