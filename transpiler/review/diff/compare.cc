@@ -188,7 +188,8 @@ std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& ne
 
 }  // namespace
 
-DiffSide MakeDiffSide(std::string label, compilation::CompilationRequest request, const std::string& hidden_prefix) {
+DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& request,
+                      const std::string& hidden_prefix) {
   DiffSide side{.label = std::move(label),
                 .request = request,
                 .scenario_base = hidden_prefix.empty() ? request.base_directory : std::string(),

@@ -96,7 +96,7 @@ struct DiffOptions {
 };
 
 /// Compiles one side; its diagnostics say what is wrong with it.
-DiffSide MakeDiffSide(std::string label, compilation::CompilationRequest request,
+DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& request,
                       const std::string& hidden_prefix = {});
 
 /// Both sides compiled without errors. Wrong words of --map: `refusal`.
