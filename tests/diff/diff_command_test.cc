@@ -106,7 +106,9 @@ TEST_F(DiffCommand, EachFormIsWellFormedAndSaysTheSame) {
   EXPECT_THAT(markdown, AllOf(HasSubstr(verdict), HasSubstr(shown), Not(HasSubstr("<script"))));
   std::istringstream rows(markdown);
   for (std::string row; std::getline(rows, row);) {
-    if (row.starts_with('|')) EXPECT_TRUE(row.ends_with('|')) << row;
+    if (row.starts_with('|')) {
+      EXPECT_TRUE(row.ends_with('|')) << row;
+    }
   }
   const std::string html = form("html");
   EXPECT_THAT(html, AllOf(HasSubstr(verdict), HasSubstr(shown), Not(HasSubstr("<script>alert")),
