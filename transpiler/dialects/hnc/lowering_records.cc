@@ -2,6 +2,7 @@
 // gives none.
 
 #include "transpiler/dialects/hnc/lowering_internal.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -80,12 +81,27 @@ Address Lowering::RecordAddress(ExprId id) {
     case ExprKind::kDereference:
     case ExprKind::kMember:
       return EvaluateLvalue(id).address;
-    default: {
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kFunction:
+    case ExprKind::kDecay:
+    case ExprKind::kConvert:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kIncrement:
+    case ExprKind::kAddress: {
       Address refused;
       refused.reported = true;
       return refused;
     }
   }
+  PLCXX_UNREACHABLE();
 }
 
 Address Lowering::SelectAddress(ValueId condition, const Address& a, const Address& b) {
@@ -147,7 +163,11 @@ void Lowering::StoreNoResult() {
     case TypeKind::kRecord:
       ClearObject(objects_.OfResult(function_id_));
       break;
-    default:
+    case TypeKind::kVoid:
+    case TypeKind::kInteger:
+    case TypeKind::kReal:
+    case TypeKind::kArray:
+    case TypeKind::kFunction:
       if (result_.valid()) builder_.Store(result_, builder_.Constant(program_.places[result_].type, 0));
       break;
   }
