@@ -33,19 +33,27 @@ std::vector<fs::path> FilesOf(const std::string& directory) {
   return files;
 }
 
-FoundSources FindSources(const std::string& directory) {
-  FoundSources found;
+/// Those that can be read and name sources, in the order of their files.
+std::vector<scenarios::Scenario> ScenariosIn(const std::string& directory) {
+  std::vector<scenarios::Scenario> found;
   for (const fs::path& file : FilesOf(directory)) {
     if (file.extension() != ".yaml") continue;
-    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
-    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
-    if (scenario == nullptr || scenario->sources.empty()) continue;
-    if (!found.sources.empty() && found.sources != scenario->sources) {
+    scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
+    auto* const scenario = std::get_if<scenarios::Scenario>(&read);
+    if (scenario != nullptr && !scenario->sources.empty()) found.push_back(std::move(*scenario));
+  }
+  return found;
+}
+
+FoundSources FindSources(const std::string& directory) {
+  FoundSources found;
+  for (const scenarios::Scenario& scenario : ScenariosIn(directory)) {
+    if (!found.sources.empty() && found.sources != scenario.sources) {
       found.reason = "the scenarios of directory '" + directory + "' name different sources; name them with --sources";
       return found;
     }
-    found.sources = scenario->sources;
-    found.dialect = scenario->dialect;
+    found.sources = scenario.sources;
+    found.dialect = scenario.dialect;
   }
   if (!found.sources.empty()) return found;
   for (const fs::path& file : FilesOf(directory)) {
@@ -93,18 +101,14 @@ ScenarioOptions OptionsBeside(const compilation::CompilationRequest& request) {
   ScenarioOptions found{.directory = (fs::path(request.base_directory) / request.sources.front()).parent_path()};
   const std::string directory = found.directory.empty() ? "." : found.directory.string();
   std::map<std::string, std::map<std::string, size_t>> counts;  // by name and value
-  for (const fs::path& file : FilesOf(directory)) {
-    if (file.extension() != ".yaml") continue;
-    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
-    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
+  for (const scenarios::Scenario& scenario : ScenariosIn(directory)) {
     const bool is_of_program =
-        scenario != nullptr &&
-        std::ranges::equal(scenario->sources, request.sources, [&](const auto& one, const auto& other) {
+        std::ranges::equal(scenario.sources, request.sources, [&](const auto& one, const auto& other) {
           return path_of(found.directory, one) == path_of(request.base_directory, other);
         });
     if (!is_of_program) continue;
-    for (const auto& [name, value] : scenario->options) ++counts[name][value];
-    found.dialect = scenario->dialect;
+    for (const auto& [name, value] : scenario.options) ++counts[name][value];
+    found.dialect = scenario.dialect;
     ++found.count;
   }
   for (const auto& [name, values] : counts) {
