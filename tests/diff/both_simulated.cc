@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/diff/match.h"
 #include "transpiler/review/diff/items.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
@@ -16,11 +16,11 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::compare::Version;
-using prove::execute::Cell;
-using prove::execute::CellId;
-using prove::execute::CellKind;
-using prove::terms::Random;
+using execute::Cell;
+using execute::CellId;
+using execute::CellKind;
+using prove::machine::Version;
+using terms::Random;
 
 /// A number that depends on all that came before.
 uint64_t Mixed(uint64_t hash, uint64_t value) {
@@ -36,7 +36,7 @@ class Machine {
  public:
   Machine(const DiffSide& side, Answers answers, uint64_t seed)
       : program_(side.compilation.program),
-        is_ordered_(prove::execute::MakeCells(program_).is_ordered),
+        is_ordered_(execute::MakeCells(program_).is_ordered),
         simulator_(program_),
         control_(program_, *side.compilation.dialect, simulator_,
                  answers == Answers::kOfControl
@@ -111,7 +111,7 @@ class Machine {
 
 /// A cell as a place that an engine reads.
 std::optional<ir::Place> PlaceOf(const Version& version, CellId id) {
-  const Cell cell = prove::execute::CellAt(*version.program, version.cells, id);
+  const Cell cell = execute::CellAt(*version.program, version.cells, id);
   ir::Place place;
   switch (cell.kind) {
     case CellKind::kCalls:
@@ -148,17 +148,17 @@ struct Locations {
 
 Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
                       const DiffOptions& options) {
-  const Version old_version = prove::compare::MakeVersion(old_side.compilation.program),
-                new_version = prove::compare::MakeVersion(new_side.compilation.program);
+  const Version old_version = prove::machine::MakeVersion(old_side.compilation.program),
+                new_version = prove::machine::MakeVersion(new_side.compilation.program);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   for (const auto& [old_name, new_name] : options.same) {
     const auto one = old_side.compilation.dialect->locate(old_side.compilation.program, old_name);
     const auto other = new_side.compilation.dialect->locate(new_side.compilation.program, new_name);
     if (one && other) same.emplace_back(one->place, other->place);
   }
-  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, same);
-  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
-                             new_uses = prove::compare::UsesOf(new_version);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, same);
+  const prove::machine::Uses old_uses = prove::machine::UsesOf(old_version),
+                             new_uses = prove::machine::UsesOf(new_version);
   const CellWords old_words(old_version, old_side.compilation), new_words(new_version, new_side.compilation);
   std::set<std::string> listed;
   for (const DiffItem& item : diff.items) {
@@ -166,18 +166,22 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     // What is seen between two slices is one item.
     if (item.kind == ItemKind::kSchedule) listed.insert(item.through.begin(), item.through.end());
   }
+  const auto is_named = [&diff](const std::string& name) {
+    return std::ranges::find(diff.old_only, name) != diff.old_only.end() ||
+           std::ranges::find(diff.new_only, name) != diff.new_only.end();
+  };
   Locations locations;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
-    if (!new_cell.valid() || !prove::compare::IsState(old_version, old_cell) ||
-        !prove::compare::IsState(new_version, new_cell))
+    if (!new_cell.valid() || !prove::machine::IsState(old_version, old_cell) ||
+        !prove::machine::IsState(new_version, new_cell))
       continue;
     const bool old_used = old_uses.reads[i] || old_uses.writes[i];
     const bool new_used = new_uses.reads[new_cell.index] || new_uses.writes[new_cell.index];
     if (!old_used && !new_used) continue;
     const std::string name = old_words.WordOf(old_cell).name;
     const bool is_listed = listed.contains(name) || listed.contains(new_words.WordOf(new_cell).name);
-    const Cell cell = prove::execute::CellAt(*old_version.program, old_version.cells, old_cell);
+    const Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
     if (cell.kind == CellKind::kCalls) {
       const bool any_calls = std::ranges::any_of(diff.items, [](const DiffItem& item) {
         return item.kind == ItemKind::kCalls;  // the order follows from them
@@ -190,13 +194,11 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
                                    new_place = PlaceOf(new_version, new_cell);
     if (!old_place || !new_place) continue;
-    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
-      const bool is_private = prove::compare::DirectionOf(old_version, old_cell) == ir::Direction::kInternal &&
-                              !prove::compare::IsRetentive(old_version, old_cell);
-      // A flag that one version alone has is not compared.
-      if (old_used == new_used || !is_private) locations.equal.push_back({name, *old_place, *new_place});
+      // A flag that one version alone has is not compared, and the verdict names it.
+      if (!is_named(name)) locations.equal.push_back({name, *old_place, *new_place});
     }
   }
   return locations;

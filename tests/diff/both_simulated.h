@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "transpiler/prove/terms/random.h"
 #include "transpiler/review/diff/diff.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::diff {
 
@@ -21,6 +21,6 @@ struct SimulatedRuns {
 
 /// "U4A8 is 1 and 0 after 12 steps of run 3": it is called equal. None: nothing was seen.
 std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
-                                        const DiffOptions& options, SimulatedRuns runs, prove::terms::Random& random);
+                                        const DiffOptions& options, SimulatedRuns runs, terms::Random& random);
 
 }  // namespace plcxx::review::diff

@@ -111,7 +111,7 @@ struct Counts {
 };
 
 /// Compares one edit, and the comparison with simulations.
-void Judge(const EditedProgram& program, DiffSide& old_side, const SourceEdit& edit, prove::terms::Random& random,
+void Judge(const EditedProgram& program, DiffSide& old_side, const SourceEdit& edit, terms::Random& random,
            Counts& counts) {
   DiffSide new_side = program.NewSide(edit);
   if (!new_side.compilation.ok() || !new_side.compilation.has_program) return;
@@ -167,7 +167,7 @@ void Judge(const EditedProgram& program, DiffSide& old_side, const SourceEdit& e
 }
 
 Counts JudgeEdits(const std::string& dialect, int count, uint64_t seed) {
-  prove::terms::Random random(seed);
+  terms::Random random(seed);
   const std::vector<fs::path> scenarios = ScenariosOf(dialect);
   Counts counts;
   for (int tries = 0; counts.edits < count && tries < 20 * count && !scenarios.empty(); ++tries) {

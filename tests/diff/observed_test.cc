@@ -55,6 +55,28 @@ TEST(Observed, AStatementThatMovesIntoAnotherSlice) {
   EXPECT_TRUE(compared(fast + moved + three, fast + moved + three).items.empty());
 }
 
+// A signal that the control owns and the program sets: where the control leaves it alone, the next period reads what
+// the program wrote.
+TEST(Observed, WhatTheProgramWritesIntoTheInputsMayStayThere) {
+  const std::string read = "$\nU5A0=U9K7*I0A2\n";
+  ExpectDifferent(ComparedTexts(kNc110, read + "U9K7=I0A0*I0A1\n", read + "U9K7=I0A0\n"), "U5A0");
+  EXPECT_TRUE(ComparedTexts(kNc110, read + "U9K7=I0A0*I0A1\n", read + "U9K7=I0A1*I0A0\n").items.empty());
+}
+
+TEST(Observed, TheVerdictNamesWhatOneVersionAloneHasInside) {
+  const std::string output = "$\nU4A0=I0A0\n", flag = "U100K0=I0A0\n";
+  const Diff gone = ComparedTexts(kNc110, output + flag, output);
+  EXPECT_TRUE(gone.items.empty());
+  EXPECT_THAT(gone.old_only, testing::ElementsAre("U100K0"));
+  EXPECT_THAT(gone.not_looked_at, testing::Contains("internal memory that only the old version writes (U100K0)"));
+  const Diff added = ComparedTexts(kNc110, output, output + "T5I(10)=I0A0\n");
+  EXPECT_THAT(added.new_only, testing::Not(testing::IsEmpty()));
+  EXPECT_TRUE(added.old_only.empty());
+  // What the other version reads is compared.
+  EXPECT_TRUE(ComparedTexts(kNc110, output + flag, output + flag).not_looked_at.empty());
+  EXPECT_TRUE(ComparedTexts(kNc110, flag + output, output + "U4A1=U100K0\n").old_only.empty());
+}
+
 TEST(Observed, MemoryThatOneVersionNeverWritesMayBeSet) {
   const Diff diff = ComparedTexts(kNc110, "$\nU4A0=I0A0*/U100K0\n", "$\nU100K0=I0A0*/I0A0\nU4A0=I0A0*/U100K0\n");
   ExpectDifferent(diff, "U4A0");

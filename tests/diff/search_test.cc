@@ -160,14 +160,13 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
     return MakeDiffSide(name, request);
   };
   const DiffSide old_side = side("old", lathe), new_side = side("new", changed.path());
-  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.whole),
-                                new_version = prove::compare::MakeVersion(new_side.whole);
-  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, {});
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
   const CellWords words(old_version, old_side.compilation);
-  std::vector<prove::execute::CellId> cells;
+  std::vector<execute::CellId> cells;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    if (match.new_of_old[i].valid() && prove::compare::IsState(old_version, prove::execute::CellId(i)))
-      cells.emplace_back(i);
+    if (match.new_of_old[i].valid() && prove::machine::IsState(old_version, execute::CellId(i))) cells.emplace_back(i);
   }
   DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
   RandomRuns found;

@@ -8,7 +8,7 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::terms::Random;
+using terms::Random;
 
 /// One line, cut into words, numbers, blanks and single signs.
 std::vector<std::string> Tokens(const std::string& line) {

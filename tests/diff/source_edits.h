@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::diff {
 
@@ -19,6 +19,6 @@ struct SourceEdit {
 };
 
 /// `files`: name and text. The same random numbers give the same edit. An empty `file`: there was nothing to edit.
-SourceEdit EditedSource(const std::map<std::string, std::string>& files, prove::terms::Random& random);
+SourceEdit EditedSource(const std::map<std::string, std::string>& files, terms::Random& random);
 
 }  // namespace plcxx::review::diff

@@ -124,8 +124,8 @@ inline void ExpectFalseOnesAreFound(const FactsCase& one) {
       EXPECT_THAT(said, ::testing::HasSubstr(std::string(one.file) + ":")) << one.dialect;
     }
     const review::verify::FactsReport report = review::verify::VerifyFactsOf(bench.compilation, {}, {});
-    EXPECT_GE(report.CountOf(prove::facts::FactResult::kViolated), 1U) << one.dialect << " " << kind << "\n"
-                                                                       << report.Text();
+    EXPECT_GE(report.CountOf(prove::verify::facts::FactResult::kViolated), 1U) << one.dialect << " " << kind << "\n"
+                                                                               << report.Text();
     EXPECT_THAT(report.Text(), ::testing::HasSubstr(kind + ": does not hold of the value ")) << one.dialect;
   }
 }

@@ -32,7 +32,7 @@ PROMISES = [
      "execute them as assertions (`plcxx test --checked`), and a false one of each kind is found", "transpiler/ir/facts.h",
      None),
     ("of one program, what is decided from ranges and bounds is so for every state", "`plcxx verify` proves each fact or "
-     "lists it", "transpiler/prove/facts", None),
+     "lists it", "transpiler/prove/verify/facts", None),
     ("the simulator and the generated C++ are one meaning", "each scenario runs in both in lockstep, a part of them on "
      "emulated Cortex-M and RISC-V", "tests/golden", None),
     ("each effect of a program is in its C++ exactly once", "a record that the printer follows, and a check after "

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::pairs {
 
-using prove::terms::Random;
+using terms::Random;
 
 /// By name: the text of each file beside a program.
 using Files = std::map<std::string, std::string>;

@@ -97,11 +97,13 @@ std::optional<std::string> CheckInclude(const LayerTable& table, const std::stri
   return "may not include \"" + header + "\"";
 }
 
-/// "sim", "dialects_common" and "prove_terms" are names of CMake targets: a folder, or one in a folder.
+/// "sim", "dialects_common" and "prove_verify_facts" are names of CMake targets: a folder, or one in a folder; what is
+/// below a row belongs to it.
 std::string FolderOfTarget(std::string target) {
   if (target == "runtime") return "runtime_support/plcxx";
   const size_t border = target.find('_');
   if (border != std::string::npos) target[border] = '/';
+  if (target.starts_with("prove/verify_")) target[target.find('_')] = '/';
   return "transpiler/" + target;
 }
 

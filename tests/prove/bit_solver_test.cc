@@ -1,6 +1,6 @@
 // The solver for very many small questions: answers, values, which conditions an answer needs, and what it does not
 // know.
-#include "transpiler/prove/solver/bit_solver.h"
+#include "transpiler/symbolic/solver/bit_solver.h"
 
 #include <gtest/gtest.h>
 

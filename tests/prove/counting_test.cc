@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "transpiler/prove/properties/condition.h"
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove {
 namespace {

@@ -1,5 +1,5 @@
 // Divisions by constants as compilers write them: recognized where they are divisions, and only there.
-#include "transpiler/prove/terms/division.h"
+#include "transpiler/symbolic/terms/division.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "transpiler/prove/terms/evaluate.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove {
 namespace {

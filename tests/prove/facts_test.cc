@@ -1,6 +1,6 @@
 // Facts that decisions rest on, proved for every state: by the function alone, by its callers, in loops; and those that
 // do not hold, with a state.
-#include "transpiler/prove/facts/facts.h"
+#include "transpiler/prove/verify/facts/facts.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/ir/reader.h"
-#include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/verify/verify.h"
 
-namespace plcxx::prove::facts {
+namespace plcxx::prove::verify::facts {
 namespace {
 
 constexpr std::string_view kMemory = R"(program p test
@@ -36,7 +36,7 @@ std::string Fact(const std::string& value, int most, const std::string& prefix) 
 std::vector<FactProof> Proofs(const std::string& routines) {
   const ir::Program program = ir::ReadOrDie(std::string(kMemory) + routines);
   const emit::Emittable emittable = emit::legalize::Legalize(program, {.name = "p"});
-  return ProveFacts(emittable, compiled::RoutinesToVerify(program), {});
+  return ProveFacts(emittable, verify::RoutinesToVerify(program), {});
 }
 
 FactProof OnlyProof(const std::string& routines) {
@@ -116,4 +116,4 @@ TEST(Facts, InALoopThatTheStateEnds) {
 }
 
 }  // namespace
-}  // namespace plcxx::prove::facts
+}  // namespace plcxx::prove::verify::facts

@@ -1,5 +1,5 @@
 // Floating point as terms against the processor's, and the forms that make different spellings one term.
-#include "transpiler/prove/terms/floats.h"
+#include "transpiler/symbolic/terms/floats.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove {
 namespace {

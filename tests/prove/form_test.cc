@@ -1,5 +1,5 @@
 // Forms of terms: equal after a renaming of variables and unknown functions, and after nothing else.
-#include "transpiler/prove/terms/form.h"
+#include "transpiler/symbolic/terms/form.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove {
 namespace {

@@ -1,6 +1,6 @@
 // Every row of ops.def as terms against the function of runtime_support, which was written for itself: by concrete
 // evaluation of the terms, over variables and over constants.
-#include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/symbolic/meaning/meaning.h"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,9 @@
 #include "plcxx/logic.h"
 #include "plcxx/registers.h"
 #include "plcxx/rings.h"
-#include "transpiler/prove/terms/evaluate.h"
 #include "transpiler/sim/evaluate.h"
 #include "transpiler/sim/instances.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove {
 namespace {

@@ -1,5 +1,5 @@
 // Bits that the control takes back are found wherever the program asks for them.
-#include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/machine/requests.h"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ bool IsRequest(const std::string& period) {
       "host ask () -> i8 polled\n"
       "routine period schedule {\n" +
       period + "}\nschedule period period\n");
-  const compare::Version version = compare::MakeVersion(program);
-  return compare::RequestCells(version)[version.cells.OfBit(ir::SpaceId(0), 0, 0).index];
+  const machine::Version version = machine::MakeVersion(program);
+  return machine::RequestCells(version)[version.cells.OfBit(ir::SpaceId(0), 0, 0).index];
 }
 
 TEST(Requests, InALine) { EXPECT_TRUE(IsRequest(Asking())); }

@@ -1,5 +1,5 @@
 // The solver behind its interface: answers, models, and the same questions put to a second solver as SMT-LIB text.
-#include "transpiler/prove/solver/solver.h"
+#include "transpiler/symbolic/solver/solver.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "tests/temporary_directory.h"
-#include "transpiler/prove/solver/sweep.h"
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/symbolic/solver/sweep.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "transpiler/prove/terms/evaluate.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove {
 namespace {

@@ -1,6 +1,6 @@
 // Every simplification of terms against plain evaluation: terms are built at random through the functions that
 // simplify, beside the values that the same operations give for a few assignments of the variables.
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove {
 namespace {

@@ -1,6 +1,6 @@
 // Snippets of C++, compiled by Clang and executed on symbols, against the same computed here: memory, branches, loops,
 // indices, calls and the host; and what must be refused.
-#include "transpiler/prove/compiled/compiled_code.h"
+#include "transpiler/prove/verify/compiled_code.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/prove/compiled/bitcode.h"
-#include "transpiler/prove/solver/solver.h"
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/prove/verify/bitcode.h"
+#include "transpiler/symbolic/solver/solver.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove {
 namespace {
@@ -37,13 +37,13 @@ void both(Host& host, uint32_t& second) noexcept;
 )";
 
 /// Remembers calls; answers what it was asked, plus 1.
-class EchoHost : public compiled::CodeEnvironment {
+class EchoHost : public verify::CodeEnvironment {
  public:
   explicit EchoHost(terms::Terms& terms) : terms_(terms) {}
   terms::TermId Initial(uint32_t slot) override {
     return slot < kBytes ? terms_.Variable("b" + std::to_string(slot), 8) : terms_.Const(0, 64);
   }
-  terms::TermId CallHost(compiled::CodeMemory& memory, const compiled::HostRequest& request,
+  terms::TermId CallHost(verify::CodeMemory& memory, const verify::HostRequest& request,
                          std::string& refusal) override {
     memory.Write(kBytes, terms_.Add(memory.Read(kBytes), terms_.Const(1, 64)));
     if (request.function == "t::ask" && request.arguments.size() == 2)
@@ -62,24 +62,24 @@ class EchoHost : public compiled::CodeEnvironment {
 
 class CompiledCodeTest : public ::testing::Test {
  protected:
-  compiled::CodeOutcome Execute(const std::string& body, const std::string& level = "2",
+  verify::CodeOutcome Execute(const std::string& body, const std::string& level = "2",
                                 const std::vector<std::string>& flags = {}) {
-    auto found = compile::FindToolchain(compile::Targets().front(), compiled::kVerifyCompiler);
+    auto found = compile::FindToolchain(compile::Targets().front(), verify::kVerifyCompiler);
     if (std::holds_alternative<compile::MissingTool>(found)) return {.refusal = "no compiler"};
     const auto& toolchain = std::get<compile::Toolchain>(found);
     const std::vector<emit::OutputFile> files = {{.name = "t.cpp", .text = kHead + body + "\n}\n"}};
     std::vector<std::string> further = {"-Wno-everything"};
     further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled = compiled::CompileToBitcode(
+    auto compiled = verify::CompileToBitcode(
         {.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
-    if (const auto* failure = std::get_if<compiled::BitcodeFailure>(&compiled)) return {.refusal = failure->output};
-    compiled::LoadedCode loaded = compiled::LoadCode(std::get<compiled::Bitcode>(compiled).files);
+    if (const auto* failure = std::get_if<verify::BitcodeFailure>(&compiled)) return {.refusal = failure->output};
+    verify::LoadedCode loaded = verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
     if (loaded.code == nullptr) return {.refusal = loaded.reason};
     EchoHost host(terms_);
-    compiled::CodeRun run{
+    verify::CodeRun run{
         .function = "t::f", .state_bytes = kBytes, .further_slots = 1, .arguments = {}, .most_rounds = 64};
-    run.arguments.push_back({.kind = compiled::CodeArgument::Kind::kState, .name = "m", .value = {}});
-    run.arguments.push_back({.kind = compiled::CodeArgument::Kind::kHost, .name = "host", .value = {}});
+    run.arguments.push_back({.kind = verify::CodeArgument::Kind::kState, .name = "m", .value = {}});
+    run.arguments.push_back({.kind = verify::CodeArgument::Kind::kHost, .name = "host", .value = {}});
     return loaded.code->Execute(terms_, host, run);
   }
 
@@ -87,7 +87,7 @@ class CompiledCodeTest : public ::testing::Test {
   void Check(const std::string& body, const std::function<uint64_t(Bytes&)>& expected) {
     for (const char* level : {"1", "2", "s"}) {
       terms_ = terms::Terms();
-      const compiled::CodeOutcome outcome = Execute(body, level);
+      const verify::CodeOutcome outcome = Execute(body, level);
       ASSERT_EQ(outcome.refusal, "") << "-O" << level;
       ASSERT_EQ(outcome.slots.size(), kBytes + 1);
       std::mt19937 random(1);
@@ -105,7 +105,7 @@ class CompiledCodeTest : public ::testing::Test {
         for (uint32_t i = 0; i < kBytes; ++i)
           ASSERT_EQ(values[outcome.slots[i].index], bytes[i]) << "-O" << level << ", byte " << i;
         ASSERT_EQ(values[outcome.slots[kBytes].index], calls) << "-O" << level;
-        for (const compiled::Obligation& obligation : outcome.obligations)
+        for (const verify::Obligation& obligation : outcome.obligations)
           ASSERT_EQ(values[obligation.never.index], 0U) << "-O" << level << ": " << obligation.text;
       }
     }
@@ -335,12 +335,12 @@ class UndefinedTest : public CompiledCodeTest, public ::testing::WithParamInterf
     std::vector<std::string> texts;
     for (const char* level : {"1", "2", "s"}) {
       terms_ = terms::Terms();
-      const compiled::CodeOutcome outcome =
+      const verify::CodeOutcome outcome =
           Execute("void f(State& m, Host& host) noexcept { " + statement + " }", level);
       EXPECT_EQ(outcome.refusal, "") << statement;
       solver::LoadedSolver loaded = solver::LoadSolver(terms_);
       if (loaded.solver == nullptr) return {loaded.reason};
-      for (const compiled::Obligation& obligation : outcome.obligations) {
+      for (const verify::Obligation& obligation : outcome.obligations) {
         if (loaded.solver->Check({&obligation.never, 1}, kSolverMs) != solver::Answer::kNever)
           texts.push_back(obligation.text);
       }

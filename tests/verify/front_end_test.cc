@@ -14,12 +14,12 @@
 #include "transpiler/dialects/references.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/ir/builder.h"
-#include "transpiler/prove/front_end/front_end.h"
+#include "transpiler/prove/verify/front_end/front_end.h"
 
-namespace plcxx::prove::front_end {
+namespace plcxx::prove::verify::front_end {
 namespace {
 
-using compiled::ProofResult;
+using verify::ProofResult;
 
 constexpr std::string_view kVariables = R"(#include "plc.h"
 int n, m; char c; unsigned u; long l; unsigned long ul; unsigned char uc; int t[4]; double d; float f;
@@ -42,16 +42,16 @@ class Subject {
   bool ok() const { return compilation_.ok(); }
   ir::Program& program() { return compilation_.program; }
 
-  compiled::RoutineProof Compare() { return Compare("plc1"); }
-  compiled::RoutineProof Compare(std::string_view name) {
+  verify::RoutineProof Compare() { return Compare("plc1"); }
+  verify::RoutineProof Compare(std::string_view name) {
     dialects::Request request = compilation_.MakeRequest();
     const ir::Reference reference = dialects::ReferenceOf(*compilation_.dialect)(request);
     const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = "mill"});
-    const front_end::Comparison comparison = front_end::Compare(emittable, reference, compiled::VerifyLimits());
+    const front_end::Comparison comparison = front_end::Compare(emittable, reference, verify::VerifyLimits());
     EXPECT_EQ(comparison.reason, "");
     for (const front_end::FunctionProof& function : comparison.functions) {
       if (function.proof.routine != name) continue;
-      compiled::RoutineProof proof = function.proof;
+      verify::RoutineProof proof = function.proof;
       if (!function.not_compared.empty()) proof.reason = "not compared: " + function.not_compared;
       return proof;
     }
@@ -154,10 +154,10 @@ class FrontEndMutation : public ::testing::TestWithParam<Mutation> {};
 TEST_P(FrontEndMutation, IsDifferent) {
   Subject subject(GetParam().body);
   ASSERT_TRUE(subject.ok());
-  const compiled::RoutineProof right = subject.Compare();
+  const verify::RoutineProof right = subject.Compare();
   ASSERT_EQ(right.result, ProofResult::kProved) << right.reason;
   ASSERT_TRUE(subject.ChangeFirst([](ir::Inst& inst) { return Apply(GetParam(), inst); }));
-  const compiled::RoutineProof wrong = subject.Compare();
+  const verify::RoutineProof wrong = subject.Compare();
   EXPECT_EQ(wrong.result, ProofResult::kDifferent) << wrong.reason;
 }
 
@@ -195,7 +195,7 @@ class FrontEndProgram : public ::testing::TestWithParam<Program> {};
 TEST_P(FrontEndProgram, IsProved) {
   Subject subject(GetParam().body, GetParam().functions);
   ASSERT_TRUE(subject.ok());
-  const compiled::RoutineProof proof = subject.Compare();
+  const verify::RoutineProof proof = subject.Compare();
   EXPECT_EQ(proof.result, ProofResult::kProved) << proof.reason;
 }
 
@@ -228,4 +228,4 @@ TEST(FrontEnd, SaysWhatIsNotCompared) {
 }
 
 }  // namespace
-}  // namespace plcxx::prove::front_end
+}  // namespace plcxx::prove::verify::front_end

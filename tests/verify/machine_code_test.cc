@@ -19,8 +19,8 @@
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
-#include "transpiler/prove/compiled/object_code.h"
-#include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/verify/object_code.h"
+#include "transpiler/prove/verify/verify.h"
 
 namespace plcxx::prove {
 namespace {
@@ -73,13 +73,13 @@ class MachineSubject {
     if (!Run("2", "turret.s", "turret.o", "-c")) return "not assembled";
     std::ifstream stream(directory_.File("turret.o"), std::ios::binary);
     const std::vector<std::string> objects = {{std::istreambuf_iterator<char>(stream), {}}};
-    const std::vector<compiled::Signature> signatures = compiled::SignaturesOf(emittable_);
-    const compiled::LoadedCode loaded = compiled::LoadObjectCode(
+    const std::vector<verify::Signature> signatures = verify::SignaturesOf(emittable_);
+    const verify::LoadedCode loaded = verify::LoadObjectCode(
         {.objects = objects, .signatures = signatures, .processor = std::string(target_.processor)});
     if (loaded.code == nullptr) return loaded.reason;
-    for (const compiled::RoutineProof& proof :
-         compiled::Verify(emittable_, *loaded.code, compiled::RoutinesToVerify(compilation_.program), {})) {
-      if (!proof.exported || proof.result == compiled::ProofResult::kProved) continue;
+    for (const verify::RoutineProof& proof :
+         verify::Verify(emittable_, *loaded.code, verify::RoutinesToVerify(compilation_.program), {})) {
+      if (!proof.exported || proof.result == verify::ProofResult::kProved) continue;
       return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
     }
     return "";

@@ -24,8 +24,8 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
-#include "transpiler/prove/compiled/bitcode.h"
-#include "transpiler/prove/compiled/verify.h"
+#include "transpiler/prove/verify/bitcode.h"
+#include "transpiler/prove/verify/verify.h"
 
 namespace plcxx::prove {
 namespace {
@@ -267,9 +267,9 @@ std::vector<std::string> Words(std::string_view text) {
 
 enum class Asked : uint8_t { kRoutines, kFunctions };
 
-std::string FirstNotProved(const std::vector<compiled::RoutineProof>& proofs, Asked asked) {
-  for (const compiled::RoutineProof& proof : proofs) {
-    if (proof.exported != (asked == Asked::kRoutines) || proof.result == compiled::ProofResult::kProved) continue;
+std::string FirstNotProved(const std::vector<verify::RoutineProof>& proofs, Asked asked) {
+  for (const verify::RoutineProof& proof : proofs) {
+    if (proof.exported != (asked == Asked::kRoutines) || proof.result == verify::ProofResult::kProved) continue;
     return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
   }
   return "";
@@ -297,13 +297,13 @@ class Subject {
   std::string Caught(const std::vector<std::string>& flags = {}) {
     std::vector<std::string> further = {"-Wno-everything"};
     further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled = compiled::CompileToBitcode(
+    auto compiled = verify::CompileToBitcode(
         {.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
-    if (std::holds_alternative<compiled::BitcodeFailure>(compiled)) return "not compiled";
-    const compiled::LoadedCode loaded = compiled::LoadCode(std::get<compiled::Bitcode>(compiled).files);
+    if (std::holds_alternative<verify::BitcodeFailure>(compiled)) return "not compiled";
+    const verify::LoadedCode loaded = verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
     if (loaded.code == nullptr) return loaded.reason;
-    const std::vector<compiled::RoutineProof> proofs =
-        compiled::Verify(emittable_, *loaded.code, compiled::RoutinesToVerify(compilation_.program), {});
+    const std::vector<verify::RoutineProof> proofs =
+        verify::Verify(emittable_, *loaded.code, verify::RoutinesToVerify(compilation_.program), {});
     std::string caught = FirstNotProved(proofs, Asked::kRoutines);
     if (caught.find("all is proved but") != std::string::npos) caught = FirstNotProved(proofs, Asked::kFunctions);
     return caught;
@@ -331,7 +331,7 @@ class Subject {
 class MutationTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    auto found = compile::FindToolchain(compile::Targets().front(), compiled::kVerifyCompiler);
+    auto found = compile::FindToolchain(compile::Targets().front(), verify::kVerifyCompiler);
     ASSERT_TRUE(std::holds_alternative<compile::Toolchain>(found));
     toolchain_ = std::get<compile::Toolchain>(found);
     turret_ = std::make_unique<Subject>(toolchain_, "turret.plc", kProgram, "nc110");

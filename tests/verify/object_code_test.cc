@@ -14,7 +14,7 @@
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
-#include "transpiler/prove/compiled/object_code.h"
+#include "transpiler/prove/verify/object_code.h"
 
 namespace plcxx::prove {
 namespace {
@@ -23,11 +23,11 @@ using ::testing::HasSubstr;
 
 constexpr uint32_t kStateBytes = 16;
 
-class ZeroState : public compiled::CodeEnvironment {
+class ZeroState : public verify::CodeEnvironment {
  public:
   explicit ZeroState(terms::Terms& all) : terms_(all) {}
   terms::TermId Initial(uint32_t) override { return terms_.Const(0, 8); }
-  terms::TermId CallHost(compiled::CodeMemory&, const compiled::HostRequest& request, std::string& refusal) override {
+  terms::TermId CallHost(verify::CodeMemory&, const verify::HostRequest& request, std::string& refusal) override {
     refusal = "a call of " + std::string(request.function);
     return {};
   }
@@ -55,18 +55,18 @@ std::string Meaning(const char* target_name, const std::vector<std::string>& fil
     std::ifstream stream(directory.File("code.o"), std::ios::binary);
     objects.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
-  const std::vector<compiled::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
+  const std::vector<verify::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
                                                        {.function = "declared", .parameters = {{.name = "m"}}}};
-  const compiled::LoadedCode loaded = compiled::LoadObjectCode(
+  const verify::LoadedCode loaded = verify::LoadObjectCode(
       {.objects = objects, .signatures = signatures, .processor = std::string(target.processor)});
   if (loaded.code == nullptr) return loaded.reason;
   terms::Terms all;
   ZeroState state(all);
-  compiled::CodeRun run;
+  verify::CodeRun run;
   run.function = "f";
   run.state_bytes = kStateBytes;
-  run.arguments = {{.kind = compiled::CodeArgument::Kind::kState, .name = "m", .value = {}}};
-  const compiled::CodeOutcome outcome = loaded.code->Execute(all, state, run);
+  run.arguments = {{.kind = verify::CodeArgument::Kind::kState, .name = "m", .value = {}}};
+  const verify::CodeOutcome outcome = loaded.code->Execute(all, state, run);
   if (!outcome.refusal.empty()) return outcome.refusal;
   if (!outcome.obligations.empty()) return "demanded";
   terms::TermId word = outcome.slots[3];

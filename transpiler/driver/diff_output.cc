@@ -283,6 +283,8 @@ std::string DiffJson(const review::diff::Diff& diff, const DiffNames& names) {
                {"new", names.new_label},
                {"summary", DiffSummary(diff)},
                {"notLookedAt", diff.not_looked_at},
+               {"onlyOldWrites", diff.old_only},
+               {"onlyNewWrites", diff.new_only},
                {"equal", diff.equal},
                {"invariants", diff.invariants},
                {"oldStatements", ToJson(diff.old_statements)},

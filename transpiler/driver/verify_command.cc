@@ -21,10 +21,10 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
-#include "transpiler/prove/compiled/bitcode.h"
-#include "transpiler/prove/compiled/object_code.h"
-#include "transpiler/prove/compiled/verify.h"
-#include "transpiler/prove/front_end/front_end.h"
+#include "transpiler/prove/verify/bitcode.h"
+#include "transpiler/prove/verify/front_end/front_end.h"
+#include "transpiler/prove/verify/object_code.h"
+#include "transpiler/prove/verify/verify.h"
 #include "transpiler/review/verify/certificate.h"
 #include "transpiler/review/verify/facts.h"
 #include "transpiler/source/read_bytes.h"
@@ -59,7 +59,7 @@ Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wro
 struct VerifySettings {
   CommonOptions common;
   std::string name;
-  std::string compiler = prove::compiled::kVerifyCompiler;
+  std::string compiler = prove::verify::kVerifyCompiler;
   std::string level = "2";
   std::string target = "host";
   std::vector<std::string> objects;
@@ -77,7 +77,7 @@ std::string Hex(uint64_t value) {
   return "0x" + digits;
 }
 
-std::string DifferenceText(const prove::compiled::CodeDifference& difference) {
+std::string DifferenceText(const prove::verify::CodeDifference& difference) {
   if (!difference.has_values) return "    " + difference.what + "\n";
   std::string text = "    " + difference.what + ": " + Hex(difference.expected) + " by the program, " +
                      Hex(difference.compiled) + " as compiled, with";
@@ -87,46 +87,45 @@ std::string DifferenceText(const prove::compiled::CodeDifference& difference) {
   return text + "\n";
 }
 
-std::string ProofText(const prove::compiled::RoutineProof& proof) {
+std::string ProofText(const prove::verify::RoutineProof& proof) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
-    case prove::compiled::ProofResult::kProved:
+    case prove::verify::ProofResult::kProved:
       text += "proved (" + support::Counted(proof.bytes, "byte") + " of State, " +
               support::Counted(proof.host_functions, "host function") + ", " +
               support::Counted(proof.instructions, "instruction");
       if (proof.claims != 0) text += "; " + support::Counted(proof.claims, "claim") + " of loops";
       if (!proof.relies_on.empty()) text += "; with " + support::Counted(proof.relies_on.size(), "proved function");
       return text + ")\n";
-    case prove::compiled::ProofResult::kNotDecided:
+    case prove::verify::ProofResult::kNotDecided:
       text += "not decided: " + proof.reason + "\n";
-      for (const prove::compiled::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+      for (const prove::verify::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
       return text;
-    case prove::compiled::ProofResult::kDifferent:
+    case prove::verify::ProofResult::kDifferent:
       break;
   }
   text += "different\n";
-  for (const prove::compiled::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
+  for (const prove::verify::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
   return text;
 }
 
-std::string FrontEndText(const prove::front_end::FunctionProof& function) {
+std::string FrontEndText(const prove::verify::front_end::FunctionProof& function) {
   std::string text = "  " + function.proof.routine + ", front end: ";
   if (!function.not_compared.empty()) return text + "not compared: " + function.not_compared + "\n";
   switch (function.proof.result) {
-    case prove::compiled::ProofResult::kProved:
+    case prove::verify::ProofResult::kProved:
       if (function.in_callers.empty()) return text + "proved equal to Clang's own compilation\n";
       text += "proved where it is called, in ";
       for (const std::string& caller : function.in_callers)
         text += (caller == function.in_callers.front() ? "" : ", ") + caller;
       return text + "\n";
-    case prove::compiled::ProofResult::kNotDecided:
+    case prove::verify::ProofResult::kNotDecided:
       return text + "not decided: " + function.proof.reason + "\n";
-    case prove::compiled::ProofResult::kDifferent:
+    case prove::verify::ProofResult::kDifferent:
       break;
   }
   text += "different\n";
-  for (const prove::compiled::CodeDifference& difference : function.proof.differences)
-    text += DifferenceText(difference);
+  for (const prove::verify::CodeDifference& difference : function.proof.differences) text += DifferenceText(difference);
   return text;
 }
 
@@ -157,11 +156,11 @@ class Verification {
   bool ChooseRoutines();
   bool RunFrontEndAlone();
   /// Where the language has another compiler; whether nothing differs.
-  bool CompareFrontEnd(const emit::Emittable& emittable, const prove::compiled::VerifyLimits& limits);
+  bool CompareFrontEnd(const emit::Emittable& emittable, const prove::verify::VerifyLimits& limits);
   /// What Clang makes of the generated code, or the objects that were given; none: it was refused.
-  std::unique_ptr<prove::compiled::CompiledCode> FindCode(const emit::Emittable& emittable);
-  std::unique_ptr<prove::compiled::CompiledCode> CompileCode();
-  std::unique_ptr<prove::compiled::CompiledCode> ReadObjects(const emit::Emittable& emittable);
+  std::unique_ptr<prove::verify::CompiledCode> FindCode(const emit::Emittable& emittable);
+  std::unique_ptr<prove::verify::CompiledCode> CompileCode();
+  std::unique_ptr<prove::verify::CompiledCode> ReadObjects(const emit::Emittable& emittable);
   bool WriteCertificate();
 
   const VerifySettings& settings_;
@@ -172,13 +171,13 @@ class Verification {
   ProgressLine& progress_;
   compile::Toolchain toolchain_;
   std::vector<emit::OutputFile> files_;
-  prove::compiled::Bitcode bitcode_;
+  prove::verify::Bitcode bitcode_;
   std::vector<std::string> objects_;  // contents
   std::vector<ir::RoutineId> routines_;
   std::vector<std::string> left_out_;
-  std::vector<prove::compiled::RoutineProof> proofs_;
+  std::vector<prove::verify::RoutineProof> proofs_;
   review::verify::FactsReport facts_;
-  std::optional<prove::front_end::Comparison> front_end_;
+  std::optional<prove::verify::front_end::Comparison> front_end_;
   std::string said_, verdict_;
 };
 
@@ -207,7 +206,7 @@ bool Verification::FindCompiler() {
 
 bool Verification::ChooseRoutines() {
   std::vector<std::string> names;
-  for (const ir::RoutineId id : prove::compiled::RoutinesToVerify(compilation_.program)) {
+  for (const ir::RoutineId id : prove::verify::RoutinesToVerify(compilation_.program)) {
     names.push_back(compilation_.program.routines[id].name);
     const bool chosen =
         settings_.routines.empty() || std::ranges::find(settings_.routines, names.back()) != settings_.routines.end();
@@ -244,7 +243,7 @@ bool Verification::WriteCertificate() {
   return !failure;
 }
 
-bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove::compiled::VerifyLimits& limits) {
+bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove::verify::VerifyLimits& limits) {
   const dialects::MakeReference reference = dialects::ReferenceOf(*compilation_.dialect);
   if (reference == nullptr || settings_.front_end == "off") return true;
   if (!settings_.routines.empty()) {
@@ -254,23 +253,23 @@ bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove
   progress_.Show("compiling the sources");
   dialects::Request request = compilation_.MakeRequest();
   std::set<std::string> said;
-  prove::compiled::VerifyLimits saying = limits;
-  saying.is_decided = [&](const prove::compiled::RoutineProof& proof) {
+  prove::verify::VerifyLimits saying = limits;
+  saying.is_decided = [&](const prove::verify::RoutineProof& proof) {
     said.insert(proof.routine);
     Say(FrontEndText({.proof = proof, .not_compared = {}, .in_callers = {}}));
   };
-  front_end_ = prove::front_end::Compare(emittable, reference(request), saying);
+  front_end_ = prove::verify::front_end::Compare(emittable, reference(request), saying);
   if (!front_end_->reason.empty()) Say("  front end: not compared: " + front_end_->reason + "\n");
   bool same = true;
-  for (const prove::front_end::FunctionProof& function : front_end_->functions) {
+  for (const prove::verify::front_end::FunctionProof& function : front_end_->functions) {
     if (!said.contains(function.proof.routine)) Say(FrontEndText(function));
-    same = same && function.proof.result != prove::compiled::ProofResult::kDifferent;
+    same = same && function.proof.result != prove::verify::ProofResult::kDifferent;
   }
   return same;
 }
 
 bool Verification::RunFrontEndAlone() {
-  prove::compiled::VerifyLimits limits;
+  prove::verify::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
   const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
@@ -279,26 +278,26 @@ bool Verification::RunFrontEndAlone() {
   return same;
 }
 
-std::unique_ptr<prove::compiled::CompiledCode> Verification::CompileCode() {
+std::unique_ptr<prove::verify::CompiledCode> Verification::CompileCode() {
   progress_.Show("compiling");
-  auto compiled = prove::compiled::CompileToBitcode({.toolchain = &toolchain_,
-                                                     .target = &target_,
-                                                     .level = settings_.level,
-                                                     .files = &files_,
-                                                     .further_flags = {},
-                                                     .runtime = {}});
-  if (const auto* failure = std::get_if<prove::compiled::BitcodeFailure>(&compiled)) {
+  auto compiled = prove::verify::CompileToBitcode({.toolchain = &toolchain_,
+                                                   .target = &target_,
+                                                   .level = settings_.level,
+                                                   .files = &files_,
+                                                   .further_flags = {},
+                                                   .runtime = {}});
+  if (const auto* failure = std::get_if<prove::verify::BitcodeFailure>(&compiled)) {
     std::cerr << failure->output;
     Refuse(failure->message);
     return nullptr;
   }
-  bitcode_ = std::move(std::get<prove::compiled::Bitcode>(compiled));
-  prove::compiled::LoadedCode loaded = prove::compiled::LoadCode(bitcode_.files);
+  bitcode_ = std::move(std::get<prove::verify::Bitcode>(compiled));
+  prove::verify::LoadedCode loaded = prove::verify::LoadCode(bitcode_.files);
   if (loaded.code == nullptr) Refuse(loaded.reason);
   return std::move(loaded.code);
 }
 
-std::unique_ptr<prove::compiled::CompiledCode> Verification::ReadObjects(const emit::Emittable& emittable) {
+std::unique_ptr<prove::verify::CompiledCode> Verification::ReadObjects(const emit::Emittable& emittable) {
   progress_.Show("reading objects");
   for (const std::string& path : settings_.objects) {
     auto bytes = source::ReadBytes(path, kMostObjectBytes);
@@ -308,14 +307,14 @@ std::unique_ptr<prove::compiled::CompiledCode> Verification::ReadObjects(const e
     }
     objects_.push_back(std::move(std::get<std::string>(bytes)));
   }
-  const std::vector<prove::compiled::Signature> signatures = prove::compiled::SignaturesOf(emittable);
-  prove::compiled::LoadedCode loaded = prove::compiled::LoadObjectCode(
+  const std::vector<prove::verify::Signature> signatures = prove::verify::SignaturesOf(emittable);
+  prove::verify::LoadedCode loaded = prove::verify::LoadObjectCode(
       {.objects = objects_, .signatures = signatures, .processor = std::string(target_.processor)});
   if (loaded.code == nullptr) Refuse(loaded.reason);
   return std::move(loaded.code);
 }
 
-std::unique_ptr<prove::compiled::CompiledCode> Verification::FindCode(const emit::Emittable& emittable) {
+std::unique_ptr<prove::verify::CompiledCode> Verification::FindCode(const emit::Emittable& emittable) {
   if (!settings_.objects.empty()) return ReadObjects(emittable);
   return FindCompiler() ? CompileCode() : nullptr;
 }
@@ -327,16 +326,16 @@ bool Verification::Run() {
   progress_.Show("printing C++");
   const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
   files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
-  const std::unique_ptr<prove::compiled::CompiledCode> code = FindCode(emittable);
+  const std::unique_ptr<prove::verify::CompiledCode> code = FindCode(emittable);
   if (code == nullptr) return false;
-  prove::compiled::VerifyLimits limits;
+  prove::verify::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
   bool all = true;
   std::string causes;
-  prove::compiled::VerifyLimits saying = limits;
-  saying.is_decided = [&](const prove::compiled::RoutineProof& proof) {
-    const bool proved = proof.result == prove::compiled::ProofResult::kProved;
+  prove::verify::VerifyLimits saying = limits;
+  saying.is_decided = [&](const prove::verify::RoutineProof& proof) {
+    const bool proved = proof.result == prove::verify::ProofResult::kProved;
     // A function that only others call matters where it is why these are not proved.
     if (proof.exported) {
       Say(ProofText(proof));
@@ -345,7 +344,7 @@ bool Verification::Run() {
       causes += ProofText(proof);
     }
   };
-  proofs_ = prove::compiled::Verify(emittable, *code, routines_, saying);
+  proofs_ = prove::verify::Verify(emittable, *code, routines_, saying);
   if (!all && !causes.empty()) Say(causes);
   if (!CompareFrontEnd(emittable, limits)) all = false;
   for (const std::string& name : left_out_) Say("  " + name + ": left out\n");

@@ -1,5 +1,5 @@
 // The sources once more, as another compiler of the same language compiles them: what the front end of plcxx is held
-// against (prove/front_end).
+// against (prove/verify/front_end).
 //
 // In: LLVM's bitcode, and which of its functions and variables are which routines and bytes of the program. What a
 // function has in another form than its routine is named with it. Not its job: comparing.

@@ -5,20 +5,20 @@
 #include <utility>
 
 #include "transpiler/passes/pipeline.h"
-#include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/value_text.h"
+#include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::scenarios {
 namespace {
 
-using prove::execute::CellId;
-using prove::execute::IsInside;
+using execute::CellId;
+using execute::IsInside;
 using prove::properties::PropertyOperand;
 
-prove::properties::LocatedOperand OperandOf(const ir::Program& program, const prove::execute::Cells& cells,
+prove::properties::LocatedOperand OperandOf(const ir::Program& program, const execute::Cells& cells,
                                             const dialects::Location& location, std::string_view word) {
   if (location.text_input) return std::string("a text input");
   if (location.cell) return std::string("a port of the simulated control");
@@ -26,20 +26,19 @@ prove::properties::LocatedOperand OperandOf(const ir::Program& program, const pr
   if (sim::IsFloat(place.type)) return std::string("a floating-point number");
   PropertyOperand operand{.text = std::string(word)};
   operand.is_bit = place.type == ir::Type::kBit;
-  operand.width = prove::meaning::WidthOf(place.type);
+  operand.width = meaning::WidthOf(place.type);
   operand.has_sign = location.has_sign;
   if (location.absent) return operand;
   if (!location.bits.empty()) {
     operand.width = static_cast<uint8_t>(location.bits.size());
-    for (const ir::Place& bit : location.bits)
-      operand.cells.push_back(prove::execute::CellsOf(program, cells, bit).front());
+    for (const ir::Place& bit : location.bits) operand.cells.push_back(execute::CellsOf(program, cells, bit).front());
     return operand;
   }
   if (!IsInside(program, place)) return std::string("outside the program's memory");
   if (!place.is_field() && program.spaces[place.space].lifetime == ir::Lifetime::kRoutine) {
     return std::string("a local name, which has no value between two periods");
   }
-  operand.cells = prove::execute::CellsOf(program, cells, place);
+  operand.cells = execute::CellsOf(program, cells, place);
   return operand;
 }
 
@@ -104,12 +103,12 @@ void MakeProveMachine(const compilation::CompilationRequest& request, ProveMachi
   }
   program.schedule.period_ms *= machine.slices;
   passes::Optimize(program);
-  machine.version = prove::compare::MakeVersion(program);
+  machine.version = prove::machine::MakeVersion(program);
   machine.timing = TimingOf(program);
 }
 
 prove::properties::PropertyContext PropertyContextOf(const dialects::Dialect& dialect, const ir::Program& program,
-                                                     const prove::execute::Cells& cells,
+                                                     const execute::Cells& cells,
                                                      const prove::properties::PropertyTiming& timing) {
   prove::properties::PropertyContext context;
   context.timing = timing;
@@ -142,7 +141,7 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
     for (const ir::Place& place : program.places) {
       if (place.is_field() || (place.type == ir::Type::kBit) != bits || !IsInside(program, place)) continue;
       if (program.spaces[place.space].lifetime == ir::Lifetime::kRoutine) continue;
-      const std::vector<CellId> own = prove::execute::CellsOf(program, machine.version.cells, place);
+      const std::vector<CellId> own = execute::CellsOf(program, machine.version.cells, place);
       const auto is_open = [&](CellId cell) {
         return std::ranges::find(cells, cell) != cells.end() && !word_of.contains(cell);
       };

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/machine/version.h"
 #include "transpiler/prove/properties/property.h"
 
 namespace plcxx::scenarios {
@@ -19,13 +19,13 @@ namespace plcxx::scenarios {
 /// An input as a scenario sets it.
 struct InputWord {
   std::string name;
-  std::vector<prove::execute::CellId> cells;  // from the least significant bit
+  std::vector<execute::CellId> cells;  // from the least significant bit
 };
 
 struct ProveMachine {
   compilation::Compilation compilation;  // its program: the slow part in one piece, optimized
   uint32_t slices = 1;                   // of the program as it runs
-  prove::compare::Version version;
+  prove::machine::Version version;
   prove::properties::PropertyTiming timing;
   std::vector<InputWord> named;  // by properties: the program itself need not have a place there
 };
@@ -35,7 +35,7 @@ void MakeProveMachine(const compilation::CompilationRequest& request, ProveMachi
 
 /// Cells and words of a program as its scenarios write them. Both outlive what it gives.
 prove::properties::PropertyContext PropertyContextOf(const dialects::Dialect& dialect, const ir::Program& program,
-                                                     const prove::execute::Cells& cells,
+                                                     const execute::Cells& cells,
                                                      const prove::properties::PropertyTiming& timing);
 
 /// Notes the locations that a property names.
@@ -45,6 +45,6 @@ void NameLocationsOf(const prove::properties::Property& property, ProveMachine& 
 prove::properties::PropertyTiming TimingOf(const ir::Program& program);
 
 /// For each of `cells` the name that a scenario can set it by; none for a cell that has none.
-std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<prove::execute::CellId>& cells);
+std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<execute::CellId>& cells);
 
 }  // namespace plcxx::scenarios

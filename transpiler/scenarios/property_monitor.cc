@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/prove/meaning/meaning.h"
 #include "transpiler/prove/properties/condition.h"
+#include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::scenarios {
 namespace {
 
-ir::Place PlaceOf(const ir::Program& program, const prove::execute::Cell& cell) {
+ir::Place PlaceOf(const ir::Program& program, const execute::Cell& cell) {
   ir::Place place;
-  if (cell.kind == prove::execute::CellKind::kField) {
+  if (cell.kind == execute::CellKind::kField) {
     place.state = cell.state;
     place.field = cell.field;
     place.type = ir::Info(program.states[cell.state].kind).fields[cell.field].type;
@@ -25,7 +25,7 @@ ir::Place PlaceOf(const ir::Program& program, const prove::execute::Cell& cell) 
 
 }  // namespace
 
-PropertyMonitor::PropertyMonitor(const ir::Program& program, const prove::execute::Cells& cells,
+PropertyMonitor::PropertyMonitor(const ir::Program& program, const execute::Cells& cells,
                                  std::vector<prove::properties::Property> properties)
     : program_(program), properties_(std::move(properties)) {
   std::erase_if(properties_, [](const prove::properties::Property& property) {
@@ -34,10 +34,10 @@ PropertyMonitor::PropertyMonitor(const ir::Program& program, const prove::execut
   for (const prove::properties::Property& property : properties_) {
     window_ = std::max(window_, prove::properties::WindowOf(property));
     for (const prove::properties::PropertyOperand& operand : property.operands) {
-      for (const prove::execute::CellId id : operand.cells) {
+      for (const execute::CellId id : operand.cells) {
         if (std::ranges::find(watched_, id, &Watched::cell) != watched_.end()) continue;
-        const prove::execute::Cell cell = prove::execute::CellAt(program, cells, id);
-        watched_.push_back({id, PlaceOf(program, cell), prove::execute::CellWidth(program, cell)});
+        const execute::Cell cell = execute::CellAt(program, cells, id);
+        watched_.push_back({id, PlaceOf(program, cell), execute::CellWidth(program, cell)});
       }
     }
   }
@@ -70,7 +70,7 @@ void PropertyMonitor::AfterPart(sim::Engine& engine, sim::Clock::Part part) {
   history_.emplace_front();
   for (const Watched& watched : watched_) history_.front()[watched.cell] = engine.Read(watched.place);
   if (history_.size() > window_) history_.pop_back();
-  const auto value = [this](prove::execute::CellId cell, uint32_t period) {
+  const auto value = [this](execute::CellId cell, uint32_t period) {
     const auto watched = std::ranges::find(watched_, cell, &Watched::cell);
     return terms_.Const(history_[period_ - period].at(cell), watched->width);
   };

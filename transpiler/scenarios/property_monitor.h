@@ -13,18 +13,18 @@
 #include <vector>
 
 #include "transpiler/ir/program.h"
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/machine/version.h"
 #include "transpiler/prove/properties/property.h"
-#include "transpiler/prove/terms/terms.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/engine.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::scenarios {
 
 class PropertyMonitor {
  public:
   /// `program` outlives it.
-  PropertyMonitor(const ir::Program& program, const prove::execute::Cells& cells,
+  PropertyMonitor(const ir::Program& program, const execute::Cells& cells,
                   std::vector<prove::properties::Property> properties);
 
   void PowerOn();
@@ -35,7 +35,7 @@ class PropertyMonitor {
 
  private:
   struct Watched {
-    prove::execute::CellId cell;
+    execute::CellId cell;
     ir::Place place;
     uint8_t width;
   };
@@ -50,8 +50,8 @@ class PropertyMonitor {
   uint64_t slow_done_ = 0;
   bool fast_ran_alone_ = false;
   uint32_t period_ = 0;
-  std::deque<std::map<prove::execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
-  prove::terms::Terms terms_;
+  std::deque<std::map<execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
+  terms::Terms terms_;
   std::optional<std::string> violation_;
 };
 

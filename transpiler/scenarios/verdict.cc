@@ -87,7 +87,7 @@ class Test {
   void PlanMonitor(const compilation::Compilation& compilation, std::vector<ScenarioError>& errors) {
     if (scenario_.properties.empty()) return;
     const ir::Program& program = compilation.program;
-    const prove::execute::Cells cells = prove::execute::MakeCells(program);
+    const execute::Cells cells = execute::MakeCells(program);
     const dialects::Dialect& dialect = *compilation.dialect;
     monitor_ = std::make_unique<PropertyMonitor>(
         program, cells,

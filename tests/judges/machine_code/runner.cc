@@ -13,16 +13,15 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/prove/compiled/compiled_code.h"
-#include "transpiler/prove/compiled/object_code.h"
-#include "transpiler/prove/terms/samples.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/prove/verify/compiled_code.h"
+#include "transpiler/prove/verify/object_code.h"
+#include "transpiler/symbolic/terms/samples.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace {
 
 using namespace plcxx;
-namespace terms = prove::terms;
-namespace compiled = prove::compiled;
+namespace verify = prove::verify;
 
 constexpr uint32_t kBlock = 352, kHeader = 76, kScratch = 96;
 
@@ -32,7 +31,7 @@ std::string Read(const char* path) {
 }
 
 /// The block, and no host.
-class Block : public compiled::CodeEnvironment {
+class Block : public verify::CodeEnvironment {
  public:
   Block(terms::Terms& all, std::string_view header, std::string_view pattern)
       : terms_(all), header_(header), pattern_(pattern) {}
@@ -40,7 +39,7 @@ class Block : public compiled::CodeEnvironment {
     const char byte = slot < kHeader ? header_[slot] : slot < kScratch ? '\0' : pattern_[slot - kScratch];
     return terms_.Const(static_cast<uint8_t>(byte), 8);
   }
-  terms::TermId CallHost(compiled::CodeMemory&, const compiled::HostRequest& request, std::string& refusal) override {
+  terms::TermId CallHost(verify::CodeMemory&, const verify::HostRequest& request, std::string& refusal) override {
     refusal = "a call of " + std::string(request.function);
     return {};
   }
@@ -55,23 +54,23 @@ struct Result {
   std::string bytes = std::string(kBlock, '\0');
 };
 
-Result Execute(compiled::CompiledCode& code, const std::string& function, std::string_view header,
+Result Execute(verify::CompiledCode& code, const std::string& function, std::string_view header,
                std::string_view pattern) {
   Result result;
   terms::Terms all;
   Block block(all, header, pattern);
-  compiled::CodeRun run;
+  verify::CodeRun run;
   run.function = function;
   run.state_bytes = kBlock;
-  run.arguments = {{.kind = compiled::CodeArgument::Kind::kState, .name = "m", .value = {}}};
-  const compiled::CodeOutcome outcome = code.Execute(all, block, run);
+  run.arguments = {{.kind = verify::CodeArgument::Kind::kState, .name = "m", .value = {}}};
+  const verify::CodeOutcome outcome = code.Execute(all, block, run);
   if (!outcome.refusal.empty()) {
     std::printf("%s: %s\n", function.c_str(), outcome.refusal.c_str());
     result.status = 1;
     return result;
   }
   std::vector<terms::TermId> roots = outcome.slots;
-  for (const compiled::Obligation& obligation : outcome.obligations) {
+  for (const verify::Obligation& obligation : outcome.obligations) {
     // The instances keep no convention: what callers rely on is not theirs to keep.
     if (obligation.text.starts_with("an assumption")) continue;
     roots.push_back(obligation.never);
@@ -98,11 +97,11 @@ int main(int count, char** arguments) {
   const std::string headers = Read(arguments[3]), pattern = Read(arguments[4]);
   const auto functions = static_cast<size_t>(std::atoi(arguments[5]));
   const auto states = static_cast<size_t>(std::atoi(arguments[6]));
-  std::vector<compiled::Signature> signatures;
+  std::vector<verify::Signature> signatures;
   for (size_t i = 0; i < functions; ++i)
     signatures.push_back({.function = "t" + std::to_string(i), .parameters = {{.name = "m"}}});
-  const compiled::LoadedCode loaded =
-      compiled::LoadObjectCode({.objects = objects, .signatures = signatures, .processor = arguments[2]});
+  const verify::LoadedCode loaded =
+      verify::LoadObjectCode({.objects = objects, .signatures = signatures, .processor = arguments[2]});
   if (loaded.code == nullptr) {
     std::fprintf(stderr, "%s\n", loaded.reason.c_str());
     return 1;

@@ -4,12 +4,12 @@
 #include <limits>
 #include <utility>
 
-#include "transpiler/prove/compare/requests.h"
-#include "transpiler/prove/execute/execute.h"
-#include "transpiler/prove/properties/answers.h"
+#include "transpiler/prove/machine/answers.h"
+#include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
-#include "transpiler/prove/terms/cone.h"
+#include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::properties {
 namespace {
@@ -29,28 +29,29 @@ std::string Periods(uint32_t count) { return std::to_string(count) + (count == 1
 
 }  // namespace
 
-PropertyChecker::PropertyChecker(const compare::Version& version, CheckOptions options)
+PropertyChecker::PropertyChecker(const machine::Version& version, CheckOptions options)
     : version_(version),
       options_(std::move(options)),
-      inputs_(InputsOf(version)),
-      requests_(compare::RequestCells(version)) {
+      inputs_(machine::InputsOf(version)),
+      requests_(machine::RequestCells(version)) {
   solver::LoadedSolver loaded = solver::LoadSolver(terms_);
   solver_ = std::move(loaded.solver);
   refusal_ = std::move(loaded.reason);
   if (!refusal_.empty()) return;
   new_each_time_ = inputs_;
   for (uint32_t i = 0; i < version_.cells.count; ++i)
-    new_each_time_[i] = inputs_[i] || IsInbox(version_, execute::CellId(i));
-  silent_ = std::make_unique<Relation>(terms_, version_, compare::HostAnswers::kNothing);
-  if (AnswersMatter(version))
-    any_ = std::make_unique<Relation>(terms_, version_, compare::HostAnswers::kAny, silent_.get());
-  const Start start = options_.retentive == RetentiveMemory::kAny ? Start::kAnyRetentive : Start::kPowerOn;
-  plain_ = std::make_unique<Unrolled>(terms_, *silent_, inputs_, start, "run");
+    new_each_time_[i] = inputs_[i] || machine::IsInbox(version_, execute::CellId(i));
+  silent_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kNothing);
+  if (machine::AnswersMatter(version))
+    any_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kAny, silent_.get());
+  const machine::Start start =
+      options_.retentive == RetentiveMemory::kAny ? machine::Start::kAnyRetentive : machine::Start::kPowerOn;
+  plain_ = std::make_unique<machine::Unrolled>(terms_, *silent_, inputs_, start, "run");
   // Without answers nothing is ever done that the program asks for: as scenarios do it, the bit is taken back.
   if (any_) plain_->taken_back = requests_;
-  if (any_) answered_ = std::make_unique<Unrolled>(terms_, *any_, inputs_, start, "answered run");
-  anywhere_ = std::make_unique<Unrolled>(terms_, Widest(), inputs_, Start::kAnywhere, "any");
-  for (Unrolled* const unrolled : {plain_.get(), answered_.get(), anywhere_.get()}) {
+  if (any_) answered_ = std::make_unique<machine::Unrolled>(terms_, *any_, inputs_, start, "answered run");
+  anywhere_ = std::make_unique<machine::Unrolled>(terms_, Widest(), inputs_, machine::Start::kAnywhere, "any");
+  for (machine::Unrolled* const unrolled : {plain_.get(), answered_.get(), anywhere_.get()}) {
     if (unrolled != nullptr) unrolled->late = [this] { return Late(); };
   }
   refusal_ = plain_->refusal();
@@ -63,11 +64,11 @@ uint32_t PropertyChecker::RestMs() const {
   return static_cast<uint32_t>(std::clamp<int64_t>(rest, 0, std::numeric_limits<int32_t>::max()));
 }
 
-ValueAfter PropertyChecker::ValuesOf(Unrolled& unrolled) {
+ValueAfter PropertyChecker::ValuesOf(machine::Unrolled& unrolled) {
   return [&unrolled](execute::CellId cell, uint32_t period) { return unrolled.Value(cell, period); };
 }
 
-bool PropertyChecker::Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result) {
+bool PropertyChecker::Extend(machine::Unrolled& unrolled, uint32_t periods, PropertyResult& result) {
   while (unrolled.periods() < periods) unrolled.Advance();
   if (Late()) result.reason = kNoTime;
   return Late();
@@ -84,11 +85,11 @@ PropertyResult PropertyChecker::Check(const Property& property) {
 }
 
 std::string PropertyChecker::RemarkOnOutputs(const Property& property) const {
-  const compare::Uses uses = compare::UsesOf(version_);
+  const machine::Uses uses = machine::UsesOf(version_);
   for (const PropertyOperand& operand : property.operands) {
     const bool is_set = std::ranges::all_of(operand.cells, [&](execute::CellId cell) {
       return inputs_[cell.index] && !uses.writes[cell.index] &&
-             compare::DirectionOf(version_, cell) == ir::Direction::kOutput;
+             machine::DirectionOf(version_, cell) == ir::Direction::kOutput;
     });
     if (is_set) return "the program does not write '" + operand.text + "': anybody may set it";
   }
@@ -96,7 +97,7 @@ std::string PropertyChecker::RemarkOnOutputs(const Property& property) const {
 }
 
 std::string PropertyChecker::RemarkOn(const Property& property) {
-  const compare::Uses uses = compare::UsesOf(version_);
+  const machine::Uses uses = machine::UsesOf(version_);
   for (const PropertyOperand& operand : property.operands) {
     const bool changes = std::ranges::any_of(
         operand.cells, [&](execute::CellId cell) { return inputs_[cell.index] || uses.writes[cell.index]; });
@@ -196,7 +197,7 @@ void PropertyChecker::Conclude(const Property& property, PropertyResult found, t
   const std::string why_not = options_.why_not_shown ? options_.why_not_shown(property, found) : std::string();
   if (!why_not.empty()) {
     found.verdict = PropertyVerdict::kUndecided;
-    found.reason = violated.valid() && DependsOnLoop(terms_, violated)
+    found.reason = violated.valid() && machine::DependsOnLoop(terms_, violated)
                        ? "it depends on a loop of which it is not known how often it goes round: a run of " +
                              Periods(found.periods) + " might violate it, but " + why_not
                        : "a run of " + Periods(found.periods) + " violates it, but " + why_not;
@@ -204,12 +205,12 @@ void PropertyChecker::Conclude(const Property& property, PropertyResult found, t
   result = std::move(found);
 }
 
-std::vector<terms::TermId> PropertyChecker::StaysQuiet(Unrolled& unrolled, uint32_t periods) {
+std::vector<terms::TermId> PropertyChecker::StaysQuiet(machine::Unrolled& unrolled, uint32_t periods) {
   std::vector<terms::TermId> conditions;
   for (uint32_t period = 1; period <= periods; ++period) {
-    for (const Unrolled::Part& part : unrolled.parts(period)) {
+    for (const machine::Unrolled::Part& part : unrolled.parts(period)) {
       for (const auto& [cell, variable] : part) {
-        if (compare::DirectionOf(version_, cell) != ir::Direction::kInput)
+        if (machine::DirectionOf(version_, cell) != ir::Direction::kInput)
           conditions.push_back(terms_.Eq(variable, unrolled.Value(cell, 0)));
       }
     }
@@ -219,7 +220,7 @@ std::vector<terms::TermId> PropertyChecker::StaysQuiet(Unrolled& unrolled, uint3
 
 bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, PropertyResult& result) {
   Report("runs of " + Periods(period));
-  for (Unrolled* const unrolled : {plain_.get(), answered_.get()}) {
+  for (machine::Unrolled* const unrolled : {plain_.get(), answered_.get()}) {
     if (unrolled == nullptr) continue;
     if (Extend(*unrolled, period, result)) return true;
     const terms::TermId violated = terms_.Not(HoldsAfter(terms_, property, period, ValuesOf(*unrolled)));
@@ -255,7 +256,7 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
             result = std::move(shown);
             return true;
           }
-          result.reason = DependsOnLoop(terms_, violated)
+          result.reason = machine::DependsOnLoop(terms_, violated)
                               ? "after " + Periods(period) +
                                     " it depends on a loop of which it is not known how often it goes round"
                               : "after " + Periods(period) +
@@ -277,9 +278,9 @@ bool PropertyChecker::TryInduction(const Property& property, uint32_t k, Propert
   Report("induction over " + Periods(k));
   if (Extend(*anywhere_, window + k - 1, result)) return true;
   std::vector<terms::TermId> conditions;
-  for (const compare::Invariant& invariant : invariants_) {
+  for (const invariants::Invariant& invariant : invariants_) {
     const auto value = [this](execute::CellId cell) { return anywhere_->Value(cell, 0); };
-    conditions.push_back(compare::ConditionOf(terms_, invariant, value));
+    conditions.push_back(invariants::ConditionOf(terms_, invariant, value));
   }
   const ValueAfter value = [this](execute::CellId cell, uint32_t period) { return anywhere_->Value(cell, period - 1); };
   for (uint32_t period = window; period < window + k; ++period)
@@ -341,7 +342,7 @@ void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& c
   }
   if (terms::ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
-  compare::InvariantFinder finder(
+  invariants::InvariantFinder finder(
       terms_, *solver_,
       {.version = version_,
        .cells = cells,
@@ -376,7 +377,7 @@ std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
   return stored;
 }
 
-PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, terms::TermId violated, uint32_t periods) {
+PropertyRun PropertyChecker::RunOf(machine::Unrolled& unrolled, terms::TermId violated, uint32_t periods) {
   const Cone cone(terms_, violated);
   struct Input {
     uint32_t period, part;
@@ -425,7 +426,7 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, terms::TermId violated, u
     const terms::TermId start = unrolled.Value(input.cell, 0);
     const bool moved = !terms_.IsConst(start) || terms_.Value(start) != values[input.variable];
     moves[input.cell] =
-        moves[input.cell] || moved || compare::DirectionOf(version_, input.cell) == ir::Direction::kInput;
+        moves[input.cell] || moved || machine::DirectionOf(version_, input.cell) == ir::Direction::kInput;
   }
   std::erase_if(inputs, [&moves](const Input& input) { return !moves[input.cell]; });
   PropertyRun run;
@@ -433,7 +434,7 @@ PropertyRun PropertyChecker::RunOf(Unrolled& unrolled, terms::TermId violated, u
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));
   std::map<execute::CellId, uint64_t> now;
   std::map<execute::CellId, uint32_t> set_in;  // by cell: the last period
-  const std::vector<bool> handshakes = HandshakeCells(version_);
+  const std::vector<bool> handshakes = machine::HandshakeCells(version_);
   for (const Input& input : inputs) {
     if (now.try_emplace(input.cell, 0).second) run.periods[0][0].push_back({input.cell, false});
   }

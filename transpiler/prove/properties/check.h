@@ -2,7 +2,7 @@
 //
 // Runs from power-on are searched, one period deeper each time, for one that violates it. Between two depths
 // k-induction is tried: from any state, k periods without a violation are followed by another one. When that fails,
-// invariants of the program are found and proved (compare/invariants.h) and assumed, then those that the property asks
+// invariants of the program are found and proved (prove/invariants) and assumed, then those that the property asks
 // for (reachable.h). The slow part is one piece here, however it is sliced. In: a structured program, a property. Out:
 // a verdict. Not its job: words about it, replaying runs.
 #pragma once
@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/compare/invariants.h"
+#include "transpiler/prove/invariants/invariants.h"
+#include "transpiler/prove/machine/unroll.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/properties/property.h"
 #include "transpiler/prove/properties/reachable.h"
-#include "transpiler/prove/properties/unroll.h"
-#include "transpiler/prove/solver/solver.h"
+#include "transpiler/symbolic/solver/solver.h"
 
 namespace plcxx::prove::properties {
 
@@ -79,7 +79,7 @@ struct CheckOptions {
 class PropertyChecker {
  public:
   /// `version` outlives it. Without a solver every check is refused.
-  PropertyChecker(const compare::Version& version, CheckOptions options);
+  PropertyChecker(const machine::Version& version, CheckOptions options);
 
   /// Not empty: nothing can be checked, and why.
   const std::string& refusal() const { return refusal_; }
@@ -96,12 +96,12 @@ class PropertyChecker {
   void Report(const std::string& what) const {
     if (options_.progress) options_.progress(what);
   }
-  ValueAfter ValuesOf(Unrolled& unrolled);
+  ValueAfter ValuesOf(machine::Unrolled& unrolled);
 
   /// Whether this is the end of the check: `result` has a verdict or a reason.
-  bool Extend(Unrolled& unrolled, uint32_t periods, PropertyResult& result);
+  bool Extend(machine::Unrolled& unrolled, uint32_t periods, PropertyResult& result);
   /// That what the host may write beside inputs of the machine stays as it is behind power-on.
-  std::vector<terms::TermId> StaysQuiet(Unrolled& unrolled, uint32_t periods);
+  std::vector<terms::TermId> StaysQuiet(machine::Unrolled& unrolled, uint32_t periods);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
   /// A run has been found: whether the machine shows it.
@@ -121,12 +121,12 @@ class PropertyChecker {
   std::vector<std::vector<terms::TermId>> RegistersAmong(const std::vector<execute::CellId>& cells);
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<execute::CellId>& cells);
-  PropertyRun RunOf(Unrolled& unrolled, terms::TermId violated, uint32_t periods);
+  PropertyRun RunOf(machine::Unrolled& unrolled, terms::TermId violated, uint32_t periods);
   std::vector<InputValue> RetentiveOf(const Cone& cone);
   /// What the solver answers; kUnknown, too, when the question is so large that it would not come to an answer.
   solver::Answer Ask(std::span<const terms::TermId> conditions, uint32_t milliseconds);
   std::string WhyUnknown() const;
-  Relation& Widest() const { return any_ ? *any_ : *silent_; }
+  machine::Relation& Widest() const { return any_ ? *any_ : *silent_; }
 
   // "is never stuck" (stuck.cc).
   /// Values of inputs, by period, part and cell; what is not in them is 0.
@@ -145,23 +145,24 @@ class PropertyChecker {
   Reach FindStrategy(StuckSearch& search, const std::map<execute::CellId, uint64_t>& state, uint64_t time,
                      PropertyResult& result);
   bool IsNeverStuck(const StuckSearch& search, PropertyResult& result);
-  std::optional<terms::TermId> Reached(const StuckSearch& search, const Strategy& strategy, Unrolled& from,
+  std::optional<terms::TermId> Reached(const StuckSearch& search, const Strategy& strategy, machine::Unrolled& from,
                                        uint32_t period, PropertyResult& result);
 
-  const compare::Version& version_;
+  const machine::Version& version_;
   CheckOptions options_;
   terms::Terms terms_;
   std::unique_ptr<solver::Solver> solver_;
   std::string refusal_;
   std::vector<bool> inputs_;
-  std::vector<bool> requests_;          // by cell: see compare/requests.h
-  std::vector<bool> new_each_time_;     // by cell: inputs, and the operator's texts
-  std::unique_ptr<Relation> silent_;    // the host answers 0
-  std::unique_ptr<Relation> any_;       // it answers anything; none where that makes no difference
-  std::unique_ptr<Unrolled> plain_;     // from power-on, the host answers 0
-  std::unique_ptr<Unrolled> answered_;  // from power-on, the host answers anything; none where that makes no difference
-  std::unique_ptr<Unrolled> anywhere_;  // from any state
-  std::vector<compare::Invariant> invariants_;
+  std::vector<bool> requests_;                 // by cell: see machine/requests.h
+  std::vector<bool> new_each_time_;            // by cell: inputs, and the operator's texts
+  std::unique_ptr<machine::Relation> silent_;  // the host answers 0
+  std::unique_ptr<machine::Relation> any_;     // it answers anything; none where that makes no difference
+  std::unique_ptr<machine::Unrolled> plain_;   // from power-on, the host answers 0
+  std::unique_ptr<machine::Unrolled>
+      answered_;  // from power-on, the host answers anything; none where that makes no difference
+  std::unique_ptr<machine::Unrolled> anywhere_;  // from any state
+  std::vector<invariants::Invariant> invariants_;
   bool too_large_ = false;  // the last question was not asked
   std::chrono::steady_clock::time_point deadline_;
 };

@@ -47,7 +47,7 @@ class Counters {
 /// Numbers of the program in some cells, the nearest ones first: fields, and what places of whole bytes name.
 std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const std::vector<execute::CellId>& cells) {
   const ir::Program& program = *version_.program;
-  Relation& relation = Widest();
+  machine::Relation& relation = Widest();
   std::map<execute::CellId, std::vector<execute::CellId>> word_of;  // by its first cell
   for (const ir::Place& place : program.places) {
     const bool is_number = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
@@ -85,7 +85,7 @@ std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const st
 
 bool PropertyChecker::TryCounting(const Property& property, PropertyResult& result) {
   if (Late()) return false;
-  Relation& relation = Widest();
+  machine::Relation& relation = Widest();
   std::vector<execute::CellId> operands;
   for (const PropertyOperand& operand : property.operands)
     operands.insert(operands.end(), operand.cells.begin(), operand.cells.end());

@@ -4,7 +4,7 @@
 
 #include "transpiler/prove/properties/check.h"
 #include "transpiler/prove/properties/reachable.h"
-#include "transpiler/prove/terms/cone.h"
+#include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::properties {
 namespace {
@@ -54,7 +54,7 @@ class History {
 };
 
 /// What runs in any order, the period itself last.
-std::vector<const std::vector<terms::TermId>*> PartsOf(const Relation& relation) {
+std::vector<const std::vector<terms::TermId>*> PartsOf(const machine::Relation& relation) {
   if (relation.fast().empty()) return {&relation.period()};
   return {&relation.fast(), &relation.period()};
 }
@@ -68,7 +68,7 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   for (const PropertyOperand& operand : property.operands) cells += operand.cells.size();
   if (Late()) return false;
   if (window * cells > kMostHistory) return TryCounting(property, result);
-  Relation& relation = Widest();
+  machine::Relation& relation = Widest();
   const size_t parts = PartsOf(relation).size();
   const auto before = [&relation](execute::CellId cell) { return relation.VariableOf(cell); };
   const auto after = [&](execute::CellId cell) {
@@ -84,7 +84,8 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   bool never = IsNeverReached(bad, [&](terms::TermId variable) { return history.Find(variable); }, result);
   if (!never && parts > 1 && window == 1 && !Late()) {
     // Fast parts of the same period see the same inputs: looked at with it they say more, and take more time.
-    Unrolled whole(terms_, relation, inputs_, Start::kAnywhere, "whole " + std::to_string(terms_.variable_count()));
+    machine::Unrolled whole(terms_, relation, inputs_, machine::Start::kAnywhere,
+                            "whole " + std::to_string(terms_.variable_count()));
     whole.late = [this] { return Late(); };
     whole.StartFrom(before, relation.now());
     if (Extend(whole, 1, result)) return true;
@@ -114,7 +115,7 @@ bool PropertyChecker::IsNeverReached(const ReachQuestion& question, PropertyResu
 /// `more` outlives it.
 ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
                                           const std::function<std::optional<StateWord>(terms::TermId)>& more) {
-  Relation& relation = Widest();
+  machine::Relation& relation = Widest();
   const std::vector<const std::vector<terms::TermId>*> parts = PartsOf(relation);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(RestMs() / kShare);
   ReachQuestion question{.terms = terms_,
@@ -132,7 +133,7 @@ ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
   question.state_of = [this, &relation, &more, parts](terms::TermId variable) -> std::optional<StateWord> {
     const execute::CellId cell = relation.CellOf(variable);
     if (!cell.valid()) return more ? more(variable) : std::nullopt;
-    if (new_each_time_[cell.index] || !compare::IsState(version_, cell) || cell.index >= version_.cells.calls)
+    if (new_each_time_[cell.index] || !machine::IsState(version_, cell) || cell.index >= version_.cells.calls)
       return {};
     StateWord word{.now = variable, .next = {}, .start = plain_->Value(cell, 0)};
     for (const std::vector<terms::TermId>* part : parts)
@@ -142,8 +143,8 @@ ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
   // They hold behind periods, not between their parts.
   if (parts.size() == 1) {
     const auto before = [&relation](execute::CellId cell) { return relation.VariableOf(cell); };
-    for (const compare::Invariant& invariant : invariants_)
-      question.known.push_back(compare::ConditionOf(terms_, invariant, before));
+    for (const invariants::Invariant& invariant : invariants_)
+      question.known.push_back(invariants::ConditionOf(terms_, invariant, before));
   }
   return question;
 }

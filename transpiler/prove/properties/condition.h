@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "transpiler/prove/properties/property.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove::properties {
 

@@ -1,7 +1,7 @@
 #include "transpiler/prove/properties/cone.h"
 
-#include "transpiler/prove/terms/cone.h"
-#include "transpiler/prove/terms/evaluate.h"
+#include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::prove::properties {
 
@@ -35,7 +35,7 @@ std::vector<execute::CellId> CellsIn(const terms::Terms& terms, terms::TermId te
   return cells;
 }
 
-std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const Relation& relation,
+std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const machine::Relation& relation,
                                          std::span<const execute::CellId> cells) {
   std::vector<bool> seen_terms(terms.size()), seen_cells(relation.period().size());
   std::vector<execute::CellId> behind;

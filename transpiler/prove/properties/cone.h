@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "transpiler/prove/execute/cells.h"
-#include "transpiler/prove/properties/relation.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/prove/machine/relation.h"
+#include "transpiler/symbolic/execute/cells.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove::properties {
 
@@ -37,7 +37,7 @@ std::vector<execute::CellId> CellsIn(const terms::Terms& terms, terms::TermId te
 
 /// The cells on which the future of `cells` depends, themselves first, then by the number of parts of a period that it
 /// takes.
-std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const Relation& relation,
+std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const machine::Relation& relation,
                                          std::span<const execute::CellId> cells);
 
 }  // namespace plcxx::prove::properties

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/prove/execute/cells.h"
+#include "transpiler/symbolic/execute/cells.h"
 
 namespace plcxx::prove::properties {
 

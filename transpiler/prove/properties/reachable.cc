@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "transpiler/prove/solver/bit_solver.h"
-#include "transpiler/prove/terms/cone.h"
+#include "transpiler/symbolic/solver/bit_solver.h"
+#include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::properties {
 namespace {

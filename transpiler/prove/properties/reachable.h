@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove::properties {
 

@@ -13,7 +13,8 @@ namespace {
 constexpr size_t kMostStrategies = 64;
 constexpr uint32_t kMostStuckDepth = 12;  // of runs from power-on that are searched for a stuck state
 
-terms::TermId Wanted(terms::Terms& terms, const Property& property, bool wanted, uint32_t period, Unrolled& unrolled) {
+terms::TermId Wanted(terms::Terms& terms, const Property& property, bool wanted, uint32_t period,
+                     machine::Unrolled& unrolled) {
   const auto value = [&unrolled](execute::CellId cell, uint32_t at) { return unrolled.Value(cell, at); };
   const terms::TermId output = ValueOf(terms, property.operands.front(), period, value);
   return wanted ? output : terms.Not(output);
@@ -24,8 +25,9 @@ terms::TermId Wanted(terms::Terms& terms, const Property& property, bool wanted,
 /// Whether the strategy makes the output what is wanted, from the state of `from` after `period`; `asked` gets the
 /// cells of that state on which it depends.
 std::optional<terms::TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy,
-                                                      Unrolled& from, uint32_t period, PropertyResult& result) {
-  Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "trial");
+                                                      machine::Unrolled& from, uint32_t period,
+                                                      PropertyResult& result) {
+  machine::Unrolled trial(terms_, *silent_, inputs_, machine::Start::kAnywhere, "trial");
   trial.late = [this] { return Late(); };
   trial.StartFrom([&from, period](execute::CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
   trial.choose_input = [this, &strategy](execute::CellId cell, uint32_t at, uint32_t part) {
@@ -47,7 +49,8 @@ std::optional<terms::TermId> PropertyChecker::Reached(const StuckSearch& search,
 PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
                                                      const std::map<execute::CellId, uint64_t>& state, uint64_t time,
                                                      PropertyResult& result) {
-  Unrolled trial(terms_, *silent_, inputs_, Start::kAnywhere, "try " + std::to_string(terms_.variable_count()));
+  machine::Unrolled trial(terms_, *silent_, inputs_, machine::Start::kAnywhere,
+                          "try " + std::to_string(terms_.variable_count()));
   trial.late = [this] { return Late(); };
   trial.StartFrom(
       [this, &state](execute::CellId cell) {
@@ -75,7 +78,7 @@ PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
   Strategy strategy;
   for (uint32_t period = 1; period <= search.property.periods; ++period) {
     strategy.emplace_back();
-    for (const Unrolled::Part& part : trial.parts(period)) {
+    for (const machine::Unrolled::Part& part : trial.parts(period)) {
       strategy.back().emplace_back();
       for (const auto& [cell, variable] : part) strategy.back().back()[cell] = solver_->ValueOf(variable);
     }
@@ -90,9 +93,9 @@ PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
 
 PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, PropertyResult& result) {
   std::vector<terms::TermId> conditions;
-  for (const compare::Invariant& invariant : invariants_) {
+  for (const invariants::Invariant& invariant : invariants_) {
     conditions.push_back(
-        compare::ConditionOf(terms_, invariant, [this](execute::CellId cell) { return anywhere_->Value(cell, 0); }));
+        invariants::ConditionOf(terms_, invariant, [this](execute::CellId cell) { return anywhere_->Value(cell, 0); }));
   }
   for (size_t tried = 0;;) {
     for (; tried < search.strategies.size(); ++tried) {
@@ -118,7 +121,7 @@ PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, P
 /// The same from the states that runs of so many periods reach; kStuck comes with the run.
 PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result) {
   if (Extend(*plain_, period, result)) return Reach::kUnknown;
-  const compare::Uses uses = compare::UsesOf(version_);
+  const machine::Uses uses = machine::UsesOf(version_);
   std::vector<terms::TermId> conditions;
   for (size_t tried = 0;;) {
     for (; tried < search.strategies.size(); ++tried) {
@@ -153,8 +156,9 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
 
 /// Whether no state can be reached from which none of the sequences of inputs works.
 bool PropertyChecker::IsNeverStuck(const StuckSearch& search, PropertyResult& result) {
-  Relation& relation = Widest();
-  Unrolled from(terms_, relation, inputs_, Start::kAnywhere, "from " + std::to_string(terms_.variable_count()));
+  machine::Relation& relation = Widest();
+  machine::Unrolled from(terms_, relation, inputs_, machine::Start::kAnywhere,
+                         "from " + std::to_string(terms_.variable_count()));
   from.late = [this] { return Late(); };
   from.StartFrom([&relation](execute::CellId cell) { return relation.VariableOf(cell); }, relation.now());
   terms::TermId bad = terms_.Bit(true);

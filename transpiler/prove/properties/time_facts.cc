@@ -8,9 +8,9 @@
 #include <span>
 #include <utility>
 
-#include "transpiler/prove/terms/cone.h"
-#include "transpiler/prove/terms/evaluate.h"
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove::properties {
 namespace {

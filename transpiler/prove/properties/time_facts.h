@@ -4,15 +4,15 @@
 // has passed. Such relations are guessed from a few forms, with scales and limits of the program; what random runs do
 // not contradict is proved by induction, together, and what fails is dropped until nothing does. In: the state words
 // and what must not happen. Out: facts over the variables, each of which holds in every reachable state, between parts
-// of periods, too. Not its job: other facts (compare/invariants.h, reachable.h).
+// of periods, too. Not its job: other facts (prove/invariants, reachable.h).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "transpiler/prove/properties/reachable.h"
-#include "transpiler/prove/solver/solver.h"
-#include "transpiler/prove/terms/terms.h"
+#include "transpiler/symbolic/solver/solver.h"
+#include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::prove::properties {
 

@@ -7,7 +7,7 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::execute::CellId;
+using execute::CellId;
 
 constexpr uint32_t kNoItem = 0xFFFFFFFF;
 

@@ -15,7 +15,7 @@ namespace plcxx::review::diff {
 
 /// One version with all that names and causes need.
 struct Named {
-  Named(const DiffSide& diff_side, const prove::compare::Version& side_version)
+  Named(const DiffSide& diff_side, const prove::machine::Version& side_version)
       : side(diff_side),
         compilation(diff_side.compilation),
         version(side_version),
@@ -25,7 +25,7 @@ struct Named {
 
   const DiffSide& side;
   const compilation::Compilation& compilation;
-  const prove::compare::Version& version;
+  const prove::machine::Version& version;
   CellWords words;
   std::vector<StatementAccess> accesses;
   std::map<ir::StatementId, std::set<ir::StatementId>> heads;
@@ -34,8 +34,8 @@ struct Named {
 /// All cells of one name, with the worst verdict of them.
 struct Gathered {
   DiffItem item;
-  std::vector<prove::execute::CellId> old_cells, new_cells;
-  const prove::compare::PairResult* worst = nullptr;
+  std::vector<execute::CellId> old_cells, new_cells;
+  const prove::diff::PairResult* worst = nullptr;
 };
 
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side);

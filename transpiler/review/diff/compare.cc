@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "transpiler/passes/pipeline.h"
@@ -10,6 +11,7 @@
 #include "transpiler/review/diff/confirm.h"
 #include "transpiler/review/diff/declared.h"
 #include "transpiler/review/diff/diff.h"
+#include "transpiler/review/diff/groups.h"
 #include "transpiler/review/diff/items.h"
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/review/diff/search.h"
@@ -18,15 +20,14 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::compare::PairResult;
-using prove::compare::PairVerdict;
-using prove::execute::CellId;
+using execute::CellId;
+using prove::diff::PairResult;
+using prove::diff::PairVerdict;
 
-ItemKind KindOf(const prove::compare::Version& version, CellId cell) {
-  if (prove::execute::CellAt(*version.program, version.cells, cell).kind == prove::execute::CellKind::kCalls)
-    return ItemKind::kCalls;
-  if (prove::compare::DirectionOf(version, cell) == ir::Direction::kOutput) return ItemKind::kOutput;
-  return prove::compare::IsRetentive(version, cell) ? ItemKind::kRetentive : ItemKind::kInternal;
+ItemKind KindOf(const prove::machine::Version& version, CellId cell) {
+  if (execute::CellAt(*version.program, version.cells, cell).kind == execute::CellKind::kCalls) return ItemKind::kCalls;
+  if (prove::machine::DirectionOf(version, cell) == ir::Direction::kOutput) return ItemKind::kOutput;
+  return prove::machine::IsRetentive(version, cell) ? ItemKind::kRetentive : ItemKind::kInternal;
 }
 
 ItemVerdict VerdictOf(const PairResult& pair) {
@@ -50,8 +51,7 @@ bool IsWorse(ItemVerdict one, ItemVerdict other) {
   return rank(one) > rank(other);
 }
 
-std::vector<Gathered> Gather(const prove::compare::CompareResult& result, const Named& old_side,
-                             const Named& new_side) {
+std::vector<Gathered> Gather(const prove::diff::CompareResult& result, const Named& old_side, const Named& new_side) {
   std::vector<Gathered> items;
   std::map<std::pair<ItemKind, std::string>, size_t> index;
   for (const PairResult& pair : result.pairs) {
@@ -115,11 +115,11 @@ bool IsSliced(const ir::Program& program) {
 void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
                           const std::vector<std::pair<ir::Place, ir::Place>>& same, uint64_t time_ms, Diff& diff) {
   if (time_ms == 0) return;
-  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.compilation.program),
-                                new_version = prove::compare::MakeVersion(new_side.compilation.program);
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.compilation.program),
+                                new_version = prove::machine::MakeVersion(new_side.compilation.program);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
-  const prove::compare::CompareResult result = CompareVersions(
-      old_version, new_version, prove::compare::MatchCells(old_version, new_version, same), {}, {.total_ms = time_ms});
+  const prove::diff::CompareResult result = CompareVersions(
+      old_version, new_version, prove::diff::MatchCells(old_version, new_version, same), {}, {.total_ms = time_ms});
   if (!result.refusal.empty()) {
     diff.not_looked_at.push_back("what is seen between two slices of the slow part: " + result.refusal);
     return;
@@ -186,6 +186,27 @@ std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& ne
   return std::nullopt;
 }
 
+/// The words of cells, each once, in their order.
+std::vector<std::string> NamesOf(const std::vector<CellId>& cells, const CellWords& words) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const CellId cell : cells) {
+    std::string name = words.WordOf(cell).name;
+    if (known.insert(name).second) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+/// What one version alone has inside is no item, but the verdict says that nobody looked at it.
+void NameWhatOneVersionHas(Diff& diff) {
+  constexpr size_t kMostRangesOfVerdict = 6;
+  for (const auto& [names, version] : {std::pair(&diff.old_only, "old"), std::pair(&diff.new_only, "new")}) {
+    if (names->empty()) continue;
+    diff.not_looked_at.push_back("internal memory that only the " + std::string(version) + " version writes (" +
+                                 NamesAsRanges(*names, kMostRangesOfVerdict) + ")");
+  }
+}
+
 }  // namespace
 
 DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& request,
@@ -209,23 +230,22 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const Clock::time_point whole_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
-  const prove::compare::Version old_version = prove::compare::MakeVersion(old_side.whole),
-                                new_version = prove::compare::MakeVersion(new_side.whole);
-  const prove::compare::Match match = prove::compare::MatchCells(old_version, new_version, same);
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
   const bool sliced = IsSliced(old_side.compilation.program) || IsSliced(new_side.compilation.program);
   const uint64_t slices_ms = sliced ? options.time_ms / kSlicesShare : 0;
   const Clock::time_point last_end = whole_end - std::chrono::milliseconds(slices_ms);
   const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare - slices_ms;
-  prove::compare::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
+  prove::diff::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
   const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::optional<DirectedSearch> search;
   uint32_t round = 0;
   bool scenarios_are_run = false;
-  const auto find_different = [&](const prove::compare::Sought& sought, prove::compare::Effort effort,
-                                  uint64_t most_ms) {
-    using prove::compare::Effort;
+  const auto find_different = [&](const prove::diff::Sought& sought, prove::diff::Effort effort, uint64_t most_ms) {
+    using prove::diff::Effort;
     const auto part = [&](uint64_t share) {
       return std::min(compare_end, Clock::now() + std::chrono::milliseconds(options.time_ms / share));
     };
@@ -283,16 +303,19 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     for (const auto& [cell, difference] : runs.difference_of) different.push_back(cell);
     return different;
   };
-  const prove::compare::CompareResult result =
-      prove::compare::CompareVersions(old_version, new_version, match,
-                                      {.find_different = find_different,
-                                       .for_each_seen_state =
-                                           [&search](prove::compare::Which which, const auto& visit) {
-                                             if (search) search->ForEachSeenState(which, visit);
-                                           }},
-                                      limits);
+  const prove::diff::CompareResult result =
+      prove::diff::CompareVersions(old_version, new_version, match,
+                                   {.find_different = find_different,
+                                    .for_each_seen_state =
+                                        [&search](prove::diff::Which which, const auto& visit) {
+                                          if (search) search->ForEachSeenState(which, visit);
+                                        }},
+                                   limits);
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
+  diff.old_only = NamesOf(result.old_only, old_named.words);
+  diff.new_only = NamesOf(result.new_only, new_named.words);
+  NameWhatOneVersionHas(diff);
   DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),
                    .new_statements = ChangedStatements(new_side, old_side)};
   if (std::max(changes.old_statements.size(), changes.new_statements.size()) <= kMostChangesShown)

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
-#include "transpiler/prove/compare/compare.h"
+#include "transpiler/prove/diff/compare.h"
 
 namespace plcxx::review::diff {
 
@@ -84,7 +84,10 @@ struct Diff {
   /// Why what is shown was not run as generated code, where it should have been; else empty.
   std::string not_compiled;
   std::vector<ItemStatement> old_statements, new_statements;  // that the other version does not have
-  std::vector<std::string> not_looked_at;                     // what no claim is made of, a sentence each
+  /// Internal memory that one version writes and the other one does not use: it is how that version does something, and
+  /// no item. A sentence of not_looked_at names it.
+  std::vector<std::string> old_only, new_only;
+  std::vector<std::string> not_looked_at;  // what no claim is made of, a sentence each
 };
 
 struct DiffOptions {

@@ -169,7 +169,7 @@ std::vector<DiffGroup> GroupsOf(const Diff& diff) {
   return groups;
 }
 
-std::string NamesAsRanges(const std::vector<std::string>& names) {
+std::string NamesAsRanges(const std::vector<std::string>& names, size_t most) {
   std::vector<std::string> ranges;
   for (size_t i = 0; i < names.size();) {
     size_t count = 1;
@@ -186,8 +186,8 @@ std::string NamesAsRanges(const std::vector<std::string>& names) {
     i += count;
   }
   std::string text;
-  for (size_t i = 0; i < ranges.size() && i < kMostRanges; ++i) text += (i == 0 ? "" : ", ") + ranges[i];
-  if (ranges.size() > kMostRanges) text += " and " + std::to_string(ranges.size() - kMostRanges) + " more ranges";
+  for (size_t i = 0; i < ranges.size() && i < most; ++i) text += (i == 0 ? "" : ", ") + ranges[i];
+  if (ranges.size() > most) text += " and " + std::to_string(ranges.size() - most) + " more ranges";
   return text;
 }
 

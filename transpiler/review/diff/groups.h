@@ -26,7 +26,7 @@ std::vector<DiffGroup> GroupsOf(const Diff& diff);
 /// "U4A0..3, U5K0, F byte 0..511, LABEL_MEM+5..44:8": names in which one number counts on are a range. Of many ranges
 /// the first ones; JSON has all names.
 inline constexpr size_t kMostRanges = 24;
-std::string NamesAsRanges(const std::vector<std::string>& names);
+std::string NamesAsRanges(const std::vector<std::string>& names, size_t most = kMostRanges);
 std::string NamesOf(const DiffGroup& group);
 
 }  // namespace plcxx::review::diff

@@ -6,22 +6,22 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/ir/place_names.h"
-#include "transpiler/prove/meaning/meaning.h"
+#include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::review::diff {
 namespace {
 
-using prove::compare::Version;
-using prove::execute::Cell;
-using prove::execute::CellId;
-using prove::execute::CellKind;
-using prove::execute::IsInside;
+using execute::Cell;
+using execute::CellId;
+using execute::CellKind;
+using execute::IsInside;
+using prove::machine::Version;
 
 /// Cells of a place; of an indexed one all that it may touch.
 std::pair<uint32_t, uint32_t> CellRange(const Version& version, const ir::Place& place) {
   if (place.is_field()) {
     const ir::StateKind kind = version.program->states[place.state].kind;
-    const uint32_t cell = version.cells.states[place.state.index] + prove::meaning::FieldTermIndex(kind, place.field);
+    const uint32_t cell = version.cells.states[place.state.index] + meaning::FieldTermIndex(kind, place.field);
     return {cell, cell + 1};
   }
   const uint32_t size = version.program->spaces[place.space].bytes;
@@ -68,12 +68,12 @@ class AccessWalk {
           {.statement = statement, .begin = cells.front().index, .end = cells.back().index + 1, .writes = writes});
     };
     const auto on_place = [&](ir::PlaceId place, ir::Access access) {
-      const std::vector<CellId> cells = prove::execute::TouchedCells(program_, version_.cells, program_.places[place]);
+      const std::vector<CellId> cells = execute::TouchedCells(program_, version_.cells, program_.places[place]);
       if (access != ir::Access::kWrite) add(cells, false);
       if (access != ir::Access::kRead) add(cells, true);
     };
     const auto on_instance = [&](ir::StateId state) {
-      const std::vector<CellId> cells = prove::execute::CellsOfInstance(program_, version_.cells, state);
+      const std::vector<CellId> cells = execute::CellsOfInstance(program_, version_.cells, state);
       add(cells, false);
       add(cells, true);
     };
@@ -124,7 +124,7 @@ CellWord CellWords::OfPlace(const ir::Place& place) const {
     word.name = place.name;
     word.address = place.address;
   }
-  if (IsInside(program, place)) word.cells = prove::execute::CellsOf(program, version_.cells, place);
+  if (IsInside(program, place)) word.cells = execute::CellsOf(program, version_.cells, place);
   return word;
 }
 
@@ -178,9 +178,9 @@ std::optional<CellWord> CellWords::FromDialect(const Cell& cell) const {
 
 CellWord CellWords::WordOf(CellId id) const {
   const ir::Program& program = *version_.program;
-  const Cell cell = prove::execute::CellAt(program, version_.cells, id);
+  const Cell cell = execute::CellAt(program, version_.cells, id);
   if (cell.kind != CellKind::kBit) {
-    CellWord word{.name = prove::execute::CellName(program, cell), .address = {}, .place = std::nullopt, .cells = {id}};
+    CellWord word{.name = execute::CellName(program, cell), .address = {}, .place = std::nullopt, .cells = {id}};
     if (cell.kind != CellKind::kField) return word;
     const ir::FieldInfo& info = ir::Info(program.states[cell.state].kind).fields[cell.field];
     if (info.hidden) {

@@ -6,35 +6,35 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/machine/version.h"
 #include "transpiler/review/diff/diff.h"
 
 namespace plcxx::review::diff {
 
 /// How people speak of a cell: the bit, word or field that the program uses there.
 struct CellWord {
-  std::string name;                           // "W3K0"
-  std::string address;                        // where the name is another one: "DATA+3.5"
-  std::optional<ir::Place> place;             // none: the program has no place there ("U byte 17")
-  std::vector<prove::execute::CellId> cells;  // of the word, from the least significant bit
+  std::string name;                    // "W3K0"
+  std::string address;                 // where the name is another one: "DATA+3.5"
+  std::optional<ir::Place> place;      // none: the program has no place there ("U byte 17")
+  std::vector<execute::CellId> cells;  // of the word, from the least significant bit
 };
 
 class CellWords {
  public:
   /// `version` and the compilation outlive the object.
-  CellWords(const prove::compare::Version& version, const compilation::Compilation& compilation);
-  CellWord WordOf(prove::execute::CellId cell) const;
+  CellWords(const prove::machine::Version& version, const compilation::Compilation& compilation);
+  CellWord WordOf(execute::CellId cell) const;
   /// From the program's documentation; empty when there is none.
   std::string MeaningOf(const CellWord& word) const;
 
  private:
-  std::optional<CellWord> FromSymbols(const prove::execute::Cell& cell) const;
+  std::optional<CellWord> FromSymbols(const execute::Cell& cell) const;
   /// A byte that the program reaches by a computed index only.
-  std::optional<CellWord> FromDialect(const prove::execute::Cell& cell) const;
+  std::optional<CellWord> FromDialect(const execute::Cell& cell) const;
   CellWord OfPlace(const ir::Place& place) const;
   bool IsNamed(const ir::Place& place) const;
 
-  const prove::compare::Version& version_;
+  const prove::machine::Version& version_;
   const compilation::Compilation& compilation_;
   std::map<uint32_t, ir::PlaceId> bits_;          // by cell
   std::map<uint32_t, ir::PlaceId> words_;         // by cell of its first bit: the smallest one that begins there
@@ -47,10 +47,10 @@ struct StatementAccess {
   uint32_t begin = 0, end = 0;  // cells
   bool writes = false;
 };
-std::vector<StatementAccess> AccessesOf(const prove::compare::Version& version);
+std::vector<StatementAccess> AccessesOf(const prove::machine::Version& version);
 
 /// By statement: those that decide whether it is executed, the heads of the blocks around it and the calls of its
 /// routine; of those again to be asked.
-std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::compare::Version& version);
+std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::machine::Version& version);
 
 }  // namespace plcxx::review::diff

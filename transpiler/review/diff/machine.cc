@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
 /// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
-std::vector<uint32_t> MakeBytesOf(const prove::compare::Version& version) {
+std::vector<uint32_t> MakeBytesOf(const prove::machine::Version& version) {
   const ir::Program& program = *version.program;
   std::vector<uint32_t> bytes(version.cells.count, kNowhere);
   uint32_t at = 0;
@@ -34,7 +34,7 @@ std::vector<uint32_t> MakeBytesOf(const prove::compare::Version& version) {
 
 }  // namespace
 
-DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& version, Time end)
+DiffMachine::DiffMachine(const DiffSide& side, const prove::machine::Version& version, Time end)
     : side_(side),
       program_(side.compilation.program),
       version_(version),
@@ -52,13 +52,13 @@ DiffMachine::DiffMachine(const DiffSide& side, const prove::compare::Version& ve
   control_.PowerOn();
 }
 
-void DiffMachine::SetCell(prove::execute::CellId id, uint64_t value) {
-  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+void DiffMachine::SetCell(execute::CellId id, uint64_t value) {
+  const execute::Cell cell = execute::CellAt(*version_.program, version_.cells, id);
   ir::Place place;
   switch (cell.kind) {
-    case prove::execute::CellKind::kCalls:
+    case execute::CellKind::kCalls:
       return;
-    case prove::execute::CellKind::kField: {
+    case execute::CellKind::kField: {
       const ir::FieldInfo& field = ir::Info(version_.program->states[cell.state].kind).fields[cell.field];
       if (field.hidden || field.count != 1) return;  // no scenario can
       place.type = field.type;
@@ -66,7 +66,7 @@ void DiffMachine::SetCell(prove::execute::CellId id, uint64_t value) {
       place.field = cell.field;
       break;
     }
-    case prove::execute::CellKind::kBit:
+    case execute::CellKind::kBit:
       place.type = ir::Type::kBit;
       place.space = cell.space;
       place.offset = cell.offset;
@@ -90,13 +90,13 @@ void DiffMachine::SetWord(const std::string& text, const std::string& value) {
   if (bits) control_.Set(*location, *bits);
 }
 
-bool DiffMachine::Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell) {
+bool DiffMachine::Apply(const Stimulus& stimulus, execute::CellId prove::diff::SetCell::* cell) {
   if (stimulus.power_cycle) {
     control_.PowerOff();
     clock_.PowerCycle();
     control_.PowerOn();
   }
-  for (const prove::compare::SetCell& input : stimulus.inputs) {
+  for (const prove::diff::SetCell& input : stimulus.inputs) {
     if ((input.*cell).valid()) SetCell(input.*cell, input.value);
   }
   for (const auto& [location, value] : stimulus.words) SetWord(location, value);
@@ -141,23 +141,23 @@ void DiffMachine::Look() {
   }
 }
 
-uint64_t DiffMachine::Seen(prove::execute::CellId id) const {
+uint64_t DiffMachine::Seen(execute::CellId id) const {
   if (id.index >= version_.cells.calls) return calls_[id.index - version_.cells.calls];
   const uint32_t at = byte_of_[id.index];
   if (at == kNowhere || at >= picture_.size()) return 0;
   const bool is_bit = version_.cells.states.empty() || id.index < version_.cells.states.front();
   if (is_bit) return picture_[at] >> ((id.index - version_.cells.spaces.front()) % 8) & 1;
-  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  const execute::Cell cell = execute::CellAt(*version_.program, version_.cells, id);
   uint64_t value = 0;
-  for (uint32_t i = 0; i < (prove::execute::CellWidth(*version_.program, cell) + 7U) / 8; ++i)
+  for (uint32_t i = 0; i < (execute::CellWidth(*version_.program, cell) + 7U) / 8; ++i)
     value |= uint64_t{picture_[at + i]} << (8 * i);
   return value;
 }
 
-uint64_t DiffMachine::ValueOf(prove::execute::CellId id) const {
+uint64_t DiffMachine::ValueOf(execute::CellId id) const {
   if (id.index >= version_.cells.calls) return 0;
   if (byte_of_[id.index] != kNowhere) return Seen(id);
-  const prove::execute::Cell cell = prove::execute::CellAt(*version_.program, version_.cells, id);
+  const execute::Cell cell = execute::CellAt(*version_.program, version_.cells, id);
   const std::span<const uint8_t> bytes = simulator_.Memory(cell.space);
   return cell.offset < bytes.size() ? bytes[cell.offset] >> cell.bit & 1 : 0;
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/diff/match.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
@@ -20,28 +20,28 @@ class DiffMachine {
   using Time = std::chrono::steady_clock::time_point;
 
   /// Powers on. Both outlive the machine. A step that is not done at `end` is left there.
-  DiffMachine(const DiffSide& side, const prove::compare::Version& version, Time end = Time::max());
+  DiffMachine(const DiffSide& side, const prove::machine::Version& version, Time end = Time::max());
 
-  void SetCell(prove::execute::CellId cell, uint64_t value);
+  void SetCell(execute::CellId cell, uint64_t value);
   /// As a scenario's `set`; what the version does not know is left out.
   void SetWord(const std::string& location, const std::string& value);
   /// Sets what the stimulus says, by the old or the new cells, and lets the time pass. false: the program got stuck, or
   /// it is late.
-  bool Apply(const Stimulus& stimulus, prove::execute::CellId prove::compare::SetCell::* cell);
+  bool Apply(const Stimulus& stimulus, execute::CellId prove::diff::SetCell::* cell);
   /// Takes a picture of all state.
   void Look();
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
   /// not show is 0.
-  uint64_t Seen(prove::execute::CellId cell) const;
+  uint64_t Seen(execute::CellId cell) const;
   /// As Seen, and of memory that no picture shows, too; of calls 0.
-  uint64_t ValueOf(prove::execute::CellId cell) const;
+  uint64_t ValueOf(execute::CellId cell) const;
   uint64_t time_ms() const { return clock_.time_ms(); }
   /// The calls between the last two pictures.
   const std::vector<sim::HostEvent>& events() const { return events_; }
 
   /// The picture, and where it has a cell that is no calls: for who compares many.
   const std::vector<uint8_t>& picture() const { return picture_; }
-  uint32_t ByteOf(prove::execute::CellId cell) const { return byte_of_[cell.index]; }
+  uint32_t ByteOf(execute::CellId cell) const { return byte_of_[cell.index]; }
 
   /// A moment between two steps; to be saved behind Look().
   struct Saved {
@@ -60,7 +60,7 @@ class DiffMachine {
 
   const DiffSide& side_;
   const ir::Program& program_;
-  const prove::compare::Version& version_;
+  const prove::machine::Version& version_;
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;

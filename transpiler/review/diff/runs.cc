@@ -6,18 +6,18 @@
 #include <set>
 #include <utility>
 
-#include "transpiler/prove/compare/requests.h"
-#include "transpiler/prove/compare/transition.h"
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/prove/machine/requests.h"
+#include "transpiler/prove/machine/transition.h"
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/stimuli.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::diff {
 namespace {
 
-using prove::execute::CellId;
-using prove::terms::Random;
+using execute::CellId;
+using terms::Random;
 
 constexpr int kMostRuns = 20, kSteps = 60;
 constexpr int kSpareRuns = 6;
@@ -27,9 +27,9 @@ constexpr uint32_t kLeastPulses = 20;
 constexpr uint64_t kWatchedMs = 30'000;  // from power-on
 
 /// The control does what it was asked for now and then: the requests are cleared before some of the steps.
-void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>& requests, Stimuli& stimuli) {
+void AddDoneRequests(Random& random, const std::vector<prove::diff::SetCell>& requests, Stimuli& stimuli) {
   for (Stimulus& stimulus : stimuli) {
-    for (const prove::compare::SetCell& request : requests) {
+    for (const prove::diff::SetCell& request : requests) {
       if (random.OneIn(2)) stimulus.inputs.push_back(request);
     }
   }
@@ -39,14 +39,14 @@ void AddDoneRequests(Random& random, const std::vector<prove::compare::SetCell>&
 enum class Waits : uint8_t { kNone, kSome };
 
 /// Inputs change seldom in some runs and often in others.
-Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& inputs, int run, Waits waits,
+Stimuli MakeStimuli(Random& random, const std::vector<prove::diff::SetCell>& inputs, int run, Waits waits,
                     bool has_fast) {
   const uint64_t one_in = uint64_t{2} << (run % 6);
   const uint64_t density = 1 + static_cast<uint64_t>(run) % 3;  // of ones, in quarters
   Stimuli stimuli;
   for (int step = 0; step < kSteps; ++step) {
     Stimulus stimulus;
-    for (prove::compare::SetCell input : inputs) {
+    for (prove::diff::SetCell input : inputs) {
       if (step != 0 && !random.OneIn(one_in)) continue;
       input.value = random.Next() % 4 < density ? 1 : 0;
       stimulus.inputs.push_back(input);
@@ -64,9 +64,9 @@ Stimuli MakeStimuli(Random& random, const std::vector<prove::compare::SetCell>& 
 }
 
 /// The inputs from which the cells are computed, over a few statements and scans.
-std::vector<prove::compare::SetCell> InputsBehind(const prove::compare::Version& version, std::vector<bool> wanted,
-                                                  const std::vector<prove::compare::SetCell>& inputs,
-                                                  CellId prove::compare::SetCell::* cell) {
+std::vector<prove::diff::SetCell> InputsBehind(const prove::machine::Version& version, std::vector<bool> wanted,
+                                               const std::vector<prove::diff::SetCell>& inputs,
+                                               CellId prove::diff::SetCell::* cell) {
   const std::vector<StatementAccess> accesses = AccessesOf(version);
   const auto touches = [&wanted](const StatementAccess& access) {
     for (uint32_t i = access.begin; i < access.end; ++i) {
@@ -84,45 +84,45 @@ std::vector<prove::compare::SetCell> InputsBehind(const prove::compare::Version&
       std::fill(wanted.begin() + access.begin, wanted.begin() + access.end, true);
     }
   }
-  std::vector<prove::compare::SetCell> behind;
-  for (const prove::compare::SetCell& input : inputs) {
+  std::vector<prove::diff::SetCell> behind;
+  for (const prove::diff::SetCell& input : inputs) {
     if (wanted[(input.*cell).index]) behind.push_back(input);
   }
   return behind;
 }
 
 /// Without memory that the host might write as well, such as data with presets: a random one there hides what differs.
-std::vector<prove::compare::SetCell> InputsOfTheMachine(const prove::compare::Version& version,
-                                                        std::vector<prove::compare::SetCell> inputs) {
-  std::erase_if(inputs, [&version](const prove::compare::SetCell& input) {
-    return prove::compare::DirectionOf(version, input.old_cell) != ir::Direction::kInput;
+std::vector<prove::diff::SetCell> InputsOfTheMachine(const prove::machine::Version& version,
+                                                     std::vector<prove::diff::SetCell> inputs) {
+  std::erase_if(inputs, [&version](const prove::diff::SetCell& input) {
+    return prove::machine::DirectionOf(version, input.old_cell) != ir::Direction::kInput;
   });
   return inputs;
 }
 
 /// The inputs as they stand after so many steps of a run.
-std::vector<prove::compare::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
-  std::map<CellId, prove::compare::SetCell> level;
+std::vector<prove::diff::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t steps) {
+  std::map<CellId, prove::diff::SetCell> level;
   for (uint32_t step = 0; step < steps; ++step) {
-    for (const prove::compare::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
+    for (const prove::diff::SetCell& input : stimuli[step].inputs) level[input.old_cell] = input;
   }
-  std::vector<prove::compare::SetCell> inputs;
+  std::vector<prove::diff::SetCell> inputs;
   for (const auto& [cell, input] : level) inputs.push_back(input);
   return inputs;
 }
 
 }  // namespace
 
-std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
-                                              const prove::compare::Version& new_version,
-                                              const prove::compare::Match& match) {
-  const prove::compare::Uses old_uses = prove::compare::UsesOf(old_version),
-                             new_uses = prove::compare::UsesOf(new_version);
-  std::vector<prove::compare::SetCell> inputs;
+std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_version,
+                                           const prove::machine::Version& new_version,
+                                           const prove::diff::Match& match) {
+  const prove::machine::Uses old_uses = prove::machine::UsesOf(old_version),
+                             new_uses = prove::machine::UsesOf(new_version);
+  std::vector<prove::diff::SetCell> inputs;
   for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
     if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
-    if (prove::compare::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
     }
   }
@@ -131,13 +131,13 @@ std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old
 
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result) {
-  const prove::compare::Version& old_version = request.old_version;
-  const prove::compare::Version& new_version = request.new_version;
-  const bool quick = request.effort == prove::compare::Effort::kQuick;
-  if (!quick && request.cells.size() > kMostSought) return;  // the wake of a change that reaches everything
-  const std::vector<prove::compare::SetCell> inputs = InputsOf(old_version, new_version, request.match);
-  std::vector<prove::compare::SetCell> requests;
-  for (const CellId cell : prove::compare::MatchedRequests(old_version, new_version, request.match))
+  const prove::machine::Version& old_version = request.old_version;
+  const prove::machine::Version& new_version = request.new_version;
+  const bool quick = request.effort == prove::diff::Effort::kQuick;
+  if (!quick && request.cells.size() > kMostSought) return;  // what a change induces that reaches everything
+  const std::vector<prove::diff::SetCell> inputs = InputsOf(old_version, new_version, request.match);
+  std::vector<prove::diff::SetCell> requests;
+  for (const CellId cell : prove::diff::MatchedRequests(old_version, new_version, request.match))
     requests.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
   std::vector<std::pair<CellId, CellId>> pairs;
   for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
@@ -148,7 +148,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   // Some more runs than needed: a shorter one may come.
   int spare = kSpareRuns;
   const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
-  const bool has_fast = prove::compare::HasFastPart(old_version) || prove::compare::HasFastPart(new_version);
+  const bool has_fast = prove::machine::HasFastPart(old_version) || prove::machine::HasFastPart(new_version);
   Random random((quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03) + request.round);
   const auto run_both = [&](Stimuli stimuli) {
     AddDoneRequests(random, requests, stimuli);
@@ -165,8 +165,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       const Stimulus& stimulus = stimuli[step];
       uint32_t passed_ms = 0;
       const auto apply = [&](const Stimulus& piece) {
-        if (!old_machine.Apply(piece, &prove::compare::SetCell::old_cell)) return false;
-        if (!new_machine.Apply(piece, &prove::compare::SetCell::new_cell)) return false;
+        if (!old_machine.Apply(piece, &prove::diff::SetCell::old_cell)) return false;
+        if (!new_machine.Apply(piece, &prove::diff::SetCell::new_cell)) return false;
         old_machine.Look();
         new_machine.Look();
         periods += piece.slow + piece.ms / period_ms;
@@ -203,14 +203,14 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   };
   std::vector<bool> wanted(new_version.cells.count);
   for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
-  std::vector<prove::compare::SetCell> behind;
-  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::compare::SetCell::new_cell);
+  std::vector<prove::diff::SetCell> behind;
+  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::diff::SetCell::new_cell);
   // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
   const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
   const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
-  const std::vector<prove::compare::SetCell> machines = InputsOfTheMachine(old_version, behind);
+  const std::vector<prove::diff::SetCell> machines = InputsOfTheMachine(old_version, behind);
   // Near the inputs with which something was seen there is more to be seen: what follows from it.
-  std::vector<prove::compare::SetCell> telling;
+  std::vector<prove::diff::SetCell> telling;
   const auto run_and_learn = [&](const Stimuli& stimuli) {
     const size_t seen = result.difference_of.size();
     const auto first_run = static_cast<uint32_t>(result.runs.size());
@@ -223,7 +223,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   const auto first_run = static_cast<int>(request.round) * kHoldRuns;
   for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
-    const std::vector<prove::compare::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
+    const std::vector<prove::diff::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
     if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
     const bool near = !telling.empty() && run % 2 == 0;
     run_and_learn(
@@ -231,8 +231,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     if (options.progress) options.progress("counting run " + std::to_string(run + 1));
     run_and_learn(PulseStimuli(random, set, run, pulses));
   }
-  const std::vector<prove::compare::SetCell> of_the_machine = InputsOfTheMachine(old_version, inputs);
-  const std::vector<prove::compare::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs : of_the_machine;
+  const std::vector<prove::diff::SetCell> of_the_machine = InputsOfTheMachine(old_version, inputs);
+  const std::vector<prove::diff::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs : of_the_machine;
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
     if (options.progress) options.progress("random run " + std::to_string(run + 1));
     // In a large program waiting costs much: the first runs show what differs without.

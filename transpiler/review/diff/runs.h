@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/prove/compare/compare.h"
-#include "transpiler/prove/compare/match.h"
+#include "transpiler/prove/diff/compare.h"
+#include "transpiler/prove/diff/match.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/review/diff/items.h"
 #include "transpiler/scenarios/program.h"
@@ -19,7 +19,7 @@ namespace plcxx::review::diff {
 
 /// Power fails, perhaps; inputs are set; then time passes.
 struct Stimulus {
-  std::vector<prove::compare::SetCell> inputs;
+  std::vector<prove::diff::SetCell> inputs;
   std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
   uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
   uint32_t ms = 0;
@@ -34,15 +34,15 @@ struct RandomRuns {
     uint32_t run = 0, steps = 0;  // after so many stimuli of the run
     uint64_t periods = 0;         // about so many of them passed until then
   };
-  std::map<prove::execute::CellId, Difference> difference_of;  // by old cell: the first one
+  std::map<execute::CellId, Difference> difference_of;  // by old cell: the first one
 };
 
 struct RunRequest {
-  const prove::compare::Version& old_version;
-  const prove::compare::Version& new_version;
-  const prove::compare::Match& match;
-  const std::vector<prove::execute::CellId>& cells;  // old ones: what is looked at
-  prove::compare::Effort effort{};
+  const prove::machine::Version& old_version;
+  const prove::machine::Version& new_version;
+  const prove::diff::Match& match;
+  const std::vector<execute::CellId>& cells;  // old ones: what is looked at
+  prove::diff::Effort effort{};
   std::chrono::steady_clock::time_point end;
   uint32_t round = 0;  // of thorough searches: each has other inputs
 };
@@ -56,16 +56,16 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
              RandomRuns& result);
 
 struct CounterexampleRequest {
-  const prove::compare::Version& old_version;
-  const prove::compare::Version& new_version;
+  const prove::machine::Version& old_version;
+  const prove::machine::Version& new_version;
   const CellWords& old_words;
   const CellWords& new_words;
   std::string name;
   ItemKind kind{};
-  std::vector<prove::execute::CellId> old_cells;
-  std::optional<prove::compare::Run> run;  // the solver's
+  std::vector<execute::CellId> old_cells;
+  std::optional<prove::diff::Run> run;  // the solver's
   const RandomRuns& runs;
-  const prove::compare::Match& match;
+  const prove::diff::Match& match;
 };
 
 /// A run that was shown, with both versions at its end: other items may differ there, too.

@@ -18,7 +18,7 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::execute::CellId;
+using execute::CellId;
 
 /// As the old version names the cell, or the new one where only that one does; the cells are the old version's.
 CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
@@ -35,11 +35,11 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
 }
 
 /// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
-std::vector<CellId> CellsNamed(const DiffSide& side, const prove::compare::Version& version, const std::string& name) {
+std::vector<CellId> CellsNamed(const DiffSide& side, const prove::machine::Version& version, const std::string& name) {
   const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.compilation.program, name);
   if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
-  if (!prove::execute::IsInside(*version.program, location->place)) return {};
-  return prove::execute::CellsOf(*version.program, version.cells, location->place);
+  if (!execute::IsInside(*version.program, location->place)) return {};
+  return execute::CellsOf(*version.program, version.cells, location->place);
 }
 
 /// How a scenario names the word. Where a location has moved, its address is another one's in the new version: then by
@@ -72,11 +72,11 @@ using Sets = std::vector<std::pair<std::string, std::string>>;  // location, val
 /// Inputs as a scenario writes them: whole words where the program has no bit of that name, of which the other bits
 /// stay as they are in `machine`, the old version before this step. None: one of them has no name.
 std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
-                           const std::vector<prove::compare::SetCell>& inputs, DiffMachine& machine) {
+                           const std::vector<prove::diff::SetCell>& inputs, DiffMachine& machine) {
   std::vector<CellWord> words;
   std::set<std::string> taken;
   std::map<CellId, uint64_t> values;
-  for (const prove::compare::SetCell& input : inputs) {
+  for (const prove::diff::SetCell& input : inputs) {
     values[input.old_cell] = input.value;
     CellWord word = WordOfBoth(request, input.old_cell);
     if (HasNoName(word)) return std::nullopt;
@@ -160,7 +160,7 @@ struct Candidate {
 Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
                  Stimuli stimuli) {
   for (Stimulus& stimulus : stimuli) {
-    std::erase_if(stimulus.inputs, [&](const prove::compare::SetCell& input) {
+    std::erase_if(stimulus.inputs, [&](const prove::diff::SetCell& input) {
       const CellWord word = WordOfBoth(request, input.old_cell);
       return HasNoName(word) || !old_side.compilation.dialect->locate(old_side.compilation.program,
                                                                       ScenarioName(old_side, new_side, request, word));
@@ -176,7 +176,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_
   if (request.run) {
     // An arbitrary state is set before the first period; later inputs stay.
     Stimuli by_pass, by_time;
-    for (const std::vector<prove::compare::SetCell>& inputs : request.run->periods) {
+    for (const std::vector<prove::diff::SetCell>& inputs : request.run->periods) {
       by_pass.push_back({.inputs = inputs, .words = {}, .slow = 1});
       by_time.push_back({.inputs = inputs, .words = {}, .ms = PeriodMs(old_side)});
     }
@@ -256,7 +256,7 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
   for (const Stimulus& stimulus : stimuli) {
     Stimulus after_power = stimulus;
     if (stimulus.power_cycle) {
-      machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::compare::SetCell::old_cell);
+      machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::diff::SetCell::old_cell);
       written.scenario += "- power_cycle: {}\n";
       add(written.line, "power off and on");
       after_power.power_cycle = false;
@@ -267,7 +267,7 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
     std::ranges::copy_if(stimulus.words, std::back_inserter(*sets), [&old_side](const auto& set) {
       return old_side.compilation.dialect->locate(old_side.compilation.program, set.first).has_value();
     });
-    machine.Apply(after_power, &prove::compare::SetCell::old_cell);
+    machine.Apply(after_power, &prove::diff::SetCell::old_cell);
     std::string assignments;
     for (const auto& [name, value] : *sets) {
       add(assignments, Quoted(name) + ": " + Quoted(value));
@@ -327,8 +327,8 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
                    .ends = {DiffMachine(old_side, request.old_version), DiffMachine(new_side, request.new_version)},
                    .cost = {}});
   for (const Stimulus& stimulus : run->stimuli) {
-    run->ends.old_machine.Apply(stimulus, &prove::compare::SetCell::old_cell);
-    run->ends.new_machine.Apply(stimulus, &prove::compare::SetCell::new_cell);
+    run->ends.old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell);
+    run->ends.new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell);
   }
   run->ends.old_machine.Look();
   run->ends.new_machine.Look();

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <bit>
 
-#include "transpiler/prove/compare/runs_from.h"
-#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/diff/runs_from.h"
+#include "transpiler/prove/machine/transition.h"
 
 namespace plcxx::review::diff {
 namespace {
 
-using prove::compare::SetCell;
-using prove::execute::CellId;
+using execute::CellId;
+using prove::diff::SetCell;
 
 constexpr size_t kMostSignatures = 4000;
 constexpr uint32_t kAimedPasses = 4;      // whole slow passes that the solver looks ahead
@@ -195,7 +195,7 @@ Stimulus DirectedSearch::Unexpected() {
     if (!from.empty()) Disturb(from[random_.Next() % from.size()], stimulus);
   }
   if (stimulus.slow != 0 || stimulus.fast != 0 || stimulus.ms != 0) return stimulus;
-  const bool has_fast = prove::compare::HasFastPart(old_version_) || prove::compare::HasFastPart(new_version_);
+  const bool has_fast = prove::machine::HasFastPart(old_version_) || prove::machine::HasFastPart(new_version_);
   stimulus.power_cycle = random_.OneIn(40);
   const uint64_t what = random_.Next() % 16;
   if (what == 0) {
@@ -225,7 +225,7 @@ void DirectedSearch::RunScenarios(Time end, RandomRuns& result) {
   }
 }
 
-void DirectedSearch::Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result) {
+void DirectedSearch::Follow(const std::vector<prove::diff::Run>& computed, Time end, RandomRuns& result) {
   end_ = end;
   old_machine_.EndAt(end);
   new_machine_.EndAt(end);
@@ -244,8 +244,8 @@ void DirectedSearch::Follow(const std::vector<prove::compare::Run>& computed, Ti
 }
 
 void DirectedSearch::ForEachSeenState(
-    prove::compare::Which which, const std::function<void(const prove::compare::CellValues&, uint64_t now_ms)>& visit) {
-  const bool is_old = which == prove::compare::Which::kOld;
+    prove::diff::Which which, const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit) {
+  const bool is_old = which == prove::diff::Which::kOld;
   DiffMachine& machine = is_old ? old_machine_ : new_machine_;
   for (const std::vector<Moment>* const kept : {&between_, &new_, &differing_}) {
     for (const Moment& moment : *kept) {
@@ -271,22 +271,22 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   const Clock::time_point limit = std::min(end_, begin + std::max(kMostForOne, (end_ - begin) / 3));
   moment.is_asked = true;
   GoTo(moment);
-  const auto value = [this](prove::compare::Which which, CellId cell) {
-    return (which == prove::compare::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
+  const auto value = [this](prove::diff::Which which, CellId cell) {
+    return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
   };
-  const std::vector<prove::compare::Run> runs = prove::compare::RunsFrom(
-      {.old_version = old_version_,
-       .new_version = new_version_,
-       .match = match_,
-       .old_uses = old_uses_,
-       .new_uses = new_uses_,
-       .requests = {}},
-      {.value = value, .now_ms = old_machine_.time_ms()}, sought, kAimedPasses * pass_periods_, limit);
+  const std::vector<prove::diff::Run> runs = prove::diff::RunsFrom({.old_version = old_version_,
+                                                                    .new_version = new_version_,
+                                                                    .match = match_,
+                                                                    .old_uses = old_uses_,
+                                                                    .new_uses = new_uses_,
+                                                                    .requests = {}},
+                                                                   {.value = value, .now_ms = old_machine_.time_ms()},
+                                                                   sought, kAimedPasses * pass_periods_, limit);
   // Asked again when there is more time.
   if (Late()) moment.is_asked = false;
   // The moment may have gone when others are kept.
   const Moment from = Here();
-  for (const prove::compare::Run& run : runs) {
+  for (const prove::diff::Run& run : runs) {
     GoTo(from);
     // What is set, and as much time as passes until something is set again.
     for (size_t period = 0; period < run.periods.size();) {

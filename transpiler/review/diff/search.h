@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/prove/terms/random.h"
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/runs.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::diff {
 
@@ -27,28 +27,28 @@ class DirectedSearch {
   using Time = std::chrono::steady_clock::time_point;
 
   /// `cells`: of the old version, what is looked at. All outlive the search.
-  DirectedSearch(const DiffSide& old_side, const DiffSide& new_side, const prove::compare::Version& old_version,
-                 const prove::compare::Version& new_version, const prove::compare::Match& match,
-                 const CellWords& old_words, const std::vector<prove::execute::CellId>& cells);
+  DirectedSearch(const DiffSide& old_side, const DiffSide& new_side, const prove::machine::Version& old_version,
+                 const prove::machine::Version& new_version, const prove::diff::Match& match,
+                 const CellWords& old_words, const std::vector<execute::CellId>& cells);
 
   /// The scenarios, once; `end` is the time for that.
   void RunScenarios(Time end, RandomRuns& result);
   /// Runs that a solver computed, each once: from their ends there is more to be seen.
-  void Follow(const std::vector<prove::compare::Run>& computed, Time end, RandomRuns& result);
+  void Follow(const std::vector<prove::diff::Run>& computed, Time end, RandomRuns& result);
   /// Until `end`, or until each of `sought` (old cells, those that matter most first) has differed.
-  void Run(const std::vector<prove::execute::CellId>& sought, Time end, RandomRuns& result);
+  void Run(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
   /// The moments that are kept, as one version saw them.
-  void ForEachSeenState(prove::compare::Which which,
-                        const std::function<void(const prove::compare::CellValues&, uint64_t now_ms)>& visit);
+  void ForEachSeenState(prove::diff::Which which,
+                        const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit);
 
  private:
   /// Bits that are set together: an input, or a word of inputs.
-  using Input = std::vector<prove::compare::SetCell>;
+  using Input = std::vector<prove::diff::SetCell>;
   /// Of the watched pairs those that are in one byte of both pictures, or one field.
   struct Compared {
     uint32_t old_at = 0, new_at = 0, bytes = 1;
     uint8_t mask = 0xFF;
-    std::vector<prove::execute::CellId> cells;
+    std::vector<execute::CellId> cells;
   };
   struct Moment {
     DiffMachine::Saved old_saved, new_saved;
@@ -63,7 +63,7 @@ class DirectedSearch {
   /// The scenarios beside the old version; what has another name in the new version is set by its cells.
   void ReadScenarios();
   void SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const;
-  void MakePlan(const std::vector<prove::execute::CellId>& cells);
+  void MakePlan(const std::vector<execute::CellId>& cells);
   void FindInputs();
   bool Late() const { return std::chrono::steady_clock::now() >= end_; }
   void GoTo(const Moment& moment);
@@ -81,23 +81,23 @@ class DirectedSearch {
   /// The next moment of which the solver was not asked yet; null: there is none.
   Moment* NextToAsk();
   /// Asks the solver what has to be set at the moment, and does that.
-  void Aim(Moment& moment, const std::vector<prove::execute::CellId>& sought, RandomRuns& result);
+  void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
 
   const DiffSide& old_side_;
   const DiffSide& new_side_;
-  const prove::compare::Version& old_version_;
-  const prove::compare::Version& new_version_;
-  const prove::compare::Match& match_;
+  const prove::machine::Version& old_version_;
+  const prove::machine::Version& new_version_;
+  const prove::diff::Match& match_;
   const CellWords& old_words_;
   Time end_ = Time::max();
   DiffMachine old_machine_, new_machine_;
   std::vector<Compared> compared_;
-  std::vector<prove::execute::CellId> compared_calls_;
-  std::vector<Input> inputs_, behind_, near_;      // all; those behind what was changed; those that it reads soon
-  std::vector<prove::compare::SetCell> requests_;  // that the control clears
+  std::vector<execute::CellId> compared_calls_;
+  std::vector<Input> inputs_, behind_, near_;   // all; those behind what was changed; those that it reads soon
+  std::vector<prove::diff::SetCell> requests_;  // that the control clears
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
-  std::vector<prove::execute::CellId> read_by_changed_;
+  std::vector<execute::CellId> read_by_changed_;
   std::vector<uint64_t> constants_;
   std::vector<uint32_t> waits_ms_;
   std::vector<Stimuli> known_;
@@ -108,17 +108,16 @@ class DirectedSearch {
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;
   size_t followed_ = 0;  // computed runs
-  prove::compare::Uses old_uses_, new_uses_;
+  prove::machine::Uses old_uses_, new_uses_;
   uint32_t period_ms_ = 1;
   uint32_t pass_periods_ = 1;                                 // of a whole slow pass
   std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
   bool has_new_difference_ = false;
-  prove::terms::Random random_{0x8EBC6AF09C88C6E3};
+  terms::Random random_{0x8EBC6AF09C88C6E3};
 };
 
 /// The pairs that the host writes and a version reads.
-std::vector<prove::compare::SetCell> InputsOf(const prove::compare::Version& old_version,
-                                              const prove::compare::Version& new_version,
-                                              const prove::compare::Match& match);
+std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_version,
+                                           const prove::machine::Version& new_version, const prove::diff::Match& match);
 
 }  // namespace plcxx::review::diff

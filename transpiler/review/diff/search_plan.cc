@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "transpiler/prove/compare/requests.h"
+#include "transpiler/prove/machine/requests.h"
 #include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/statements.h"
 #include "transpiler/review/diff/stimuli.h"
@@ -12,10 +12,10 @@
 namespace plcxx::review::diff {
 namespace {
 
-using prove::compare::SetCell;
-using prove::compare::Version;
-using prove::execute::CellId;
-using prove::execute::CellKind;
+using execute::CellId;
+using execute::CellKind;
+using prove::diff::SetCell;
+using prove::machine::Version;
 
 constexpr size_t kMomentBytes = size_t{192} << 20, kMostMoments = 300, kLeastMoments = 6;
 constexpr size_t kMostReadByChanged = 256;
@@ -64,8 +64,8 @@ class ReadCells {
 }  // namespace
 
 DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_side, const Version& old_version,
-                               const Version& new_version, const prove::compare::Match& match,
-                               const CellWords& old_words, const std::vector<CellId>& cells)
+                               const Version& new_version, const prove::diff::Match& match, const CellWords& old_words,
+                               const std::vector<CellId>& cells)
     : old_side_(old_side),
       new_side_(new_side),
       old_version_(old_version),
@@ -74,8 +74,8 @@ DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_sid
       old_words_(old_words),
       old_machine_(old_side, old_version, Time::max() - std::chrono::hours(1)),
       new_machine_(new_side, new_version, Time::max() - std::chrono::hours(1)),
-      old_uses_(prove::compare::UsesOf(old_version)),
-      new_uses_(prove::compare::UsesOf(new_version)),
+      old_uses_(prove::machine::UsesOf(old_version)),
+      new_uses_(prove::machine::UsesOf(new_version)),
       period_ms_(std::max(1U, old_side.compilation.program.schedule.period_ms)) {
   is_settable_.assign(old_version.cells.count, false);
   for (const CellId cell : cells) is_settable_[cell.index] = true;
@@ -147,19 +147,18 @@ void DirectedSearch::SetKnown(const std::pair<std::string, std::string>& word, S
     return location && !location->absent && !location->cell && !location->text_input && location->bits.empty();
   };
   const std::optional<dialects::Location> one = locate(old_side_), other = locate(new_side_);
-  if (!is_memory(one) || !prove::execute::IsInside(*old_version_.program, one->place)) {
+  if (!is_memory(one) || !execute::IsInside(*old_version_.program, one->place)) {
     // The control's: it has no other name.
     if (one && other) stimulus.words.push_back(word);
     return;
   }
-  const std::vector<CellId> cells = prove::execute::CellsOf(*old_version_.program, old_version_.cells, one->place);
+  const std::vector<CellId> cells = execute::CellsOf(*old_version_.program, old_version_.cells, one->place);
   std::vector<CellId> partners;
   for (const CellId cell : cells) partners.push_back(match_.new_of_old[cell.index]);
   const auto is_settable = [this](CellId cell) { return is_settable_[cell.index]; };
   const bool is_same = std::ranges::all_of(cells, is_settable) && is_memory(other) &&
-                       prove::execute::IsInside(*new_version_.program, other->place) &&
-                       one->place.type == other->place.type &&
-                       prove::execute::CellsOf(*new_version_.program, new_version_.cells, other->place) == partners;
+                       execute::IsInside(*new_version_.program, other->place) && one->place.type == other->place.type &&
+                       execute::CellsOf(*new_version_.program, new_version_.cells, other->place) == partners;
   if (is_same) {
     stimulus.words.push_back(word);
     return;
@@ -179,15 +178,15 @@ void DirectedSearch::MakePlan(const std::vector<CellId>& cells) {
   new_machine_.Look();
   for (const CellId old_cell : cells) {
     const CellId new_cell = match_.new_of_old[old_cell.index];
-    const prove::execute::Cell cell = prove::execute::CellAt(*old_version_.program, old_version_.cells, old_cell);
+    const execute::Cell cell = execute::CellAt(*old_version_.program, old_version_.cells, old_cell);
     if (cell.kind == CellKind::kCalls) {
       compared_calls_.push_back(old_cell);
       continue;
     }
     const uint32_t old_at = old_machine_.ByteOf(old_cell), new_at = new_machine_.ByteOf(new_cell);
     if (old_at >= old_machine_.picture().size() || new_at >= new_machine_.picture().size()) continue;
-    const auto width = static_cast<uint32_t>(prove::execute::CellWidth(*old_version_.program, cell));
-    const prove::execute::Cell other = prove::execute::CellAt(*new_version_.program, new_version_.cells, new_cell);
+    const auto width = static_cast<uint32_t>(execute::CellWidth(*old_version_.program, cell));
+    const execute::Cell other = execute::CellAt(*new_version_.program, new_version_.cells, new_cell);
     if (cell.kind == CellKind::kBit && cell.bit == other.bit) {
       Compared& compared = bytes[{old_at, new_at}];
       if (compared.cells.empty()) compared = {.old_at = old_at, .new_at = new_at, .mask = 0, .cells = {}};
@@ -232,7 +231,7 @@ void DirectedSearch::FindInputs() {
     }
     inputs_.push_back(std::move(bits));
   }
-  for (const CellId cell : prove::compare::MatchedRequests(old_version_, new_version_, match_))
+  for (const CellId cell : prove::diff::MatchedRequests(old_version_, new_version_, match_))
     requests_.push_back({.old_cell = cell, .new_cell = match_.new_of_old[cell.index]});
   const auto read_inputs = [&] {
     std::vector<Input> read;

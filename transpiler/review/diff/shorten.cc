@@ -29,7 +29,7 @@ Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
     const bool carries = step <= end && step > begin;
     Stimulus stimulus = stimuli[step];
     if (carries) {
-      stimulus.inputs = Merged(std::move(carried.inputs), stimulus.inputs, &prove::compare::SetCell::old_cell);
+      stimulus.inputs = Merged(std::move(carried.inputs), stimulus.inputs, &prove::diff::SetCell::old_cell);
       stimulus.words = Merged(std::move(carried.words), stimulus.words, &std::pair<std::string, std::string>::first);
     }
     if (step < end) {
@@ -46,8 +46,8 @@ Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
 bool Shortener::Shows(const Stimuli& stimuli, Time end) const {
   DiffMachine old_machine(old_side_, old_version_, end), new_machine(new_side_, new_version_, end);
   for (const Stimulus& stimulus : stimuli) {
-    if (!old_machine.Apply(stimulus, &prove::compare::SetCell::old_cell)) return false;
-    if (!new_machine.Apply(stimulus, &prove::compare::SetCell::new_cell)) return false;
+    if (!old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell)) return false;
+    if (!new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell)) return false;
   }
   old_machine.Look();
   new_machine.Look();

@@ -19,9 +19,9 @@ class Shortener {
   using Time = std::chrono::steady_clock::time_point;
 
   /// All but the time outlive the object; after `end` nothing is tried any more.
-  Shortener(const DiffSide& old_side, const DiffSide& new_side, const prove::compare::Version& old_version,
-            const prove::compare::Version& new_version, std::vector<prove::execute::CellId> old_cells,
-            std::vector<prove::execute::CellId> new_cells, Time end)
+  Shortener(const DiffSide& old_side, const DiffSide& new_side, const prove::machine::Version& old_version,
+            const prove::machine::Version& new_version, std::vector<execute::CellId> old_cells,
+            std::vector<execute::CellId> new_cells, Time end)
       : old_side_(old_side),
         new_side_(new_side),
         old_version_(old_version),
@@ -53,9 +53,9 @@ class Shortener {
 
   const DiffSide& old_side_;
   const DiffSide& new_side_;
-  const prove::compare::Version& old_version_;
-  const prove::compare::Version& new_version_;
-  std::vector<prove::execute::CellId> old_cells_, new_cells_;
+  const prove::machine::Version& old_version_;
+  const prove::machine::Version& new_version_;
+  std::vector<execute::CellId> old_cells_, new_cells_;
   Time end_;
   Stimuli stimuli_;
   size_t tries_ = 0;

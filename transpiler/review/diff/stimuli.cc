@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "transpiler/ir/op.h"
-#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/machine/transition.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -23,18 +23,18 @@ constexpr size_t kMostPresets = 12;     // different constants, when none was ch
 constexpr uint64_t kHeadstartMs = 200;  // for what comes before a timer
 
 /// What declared data are when power comes, each as wide as the program reads it: presets stand there, too.
-std::vector<uint64_t> InitialWordsOf(const prove::compare::Version& version) {
+std::vector<uint64_t> InitialWordsOf(const prove::machine::Version& version) {
   const ir::Program& program = *version.program;
   std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint64_t> words;  // by space, offset and number of bytes
   for (const ir::Place& place : program.places) {
-    if (place.is_field() || place.indexed || place.type == ir::Type::kBit || !prove::execute::IsInside(program, place))
+    if (place.is_field() || place.indexed || place.type == ir::Type::kBit || !execute::IsInside(program, place))
       continue;
     const ir::Space& space = program.spaces[place.space];
     uint64_t value = 0;
     uint32_t bit = 0;
-    for (const prove::execute::CellId id : prove::execute::CellsOf(program, version.cells, place)) {
-      const prove::execute::Cell cell = prove::execute::CellAt(program, version.cells, id);
-      value |= uint64_t{prove::compare::PowerOnBit(space, cell.offset, cell.bit)} << bit++;
+    for (const execute::CellId id : execute::CellsOf(program, version.cells, place)) {
+      const execute::Cell cell = execute::CellAt(program, version.cells, id);
+      value |= uint64_t{prove::machine::PowerOnBit(space, cell.offset, cell.bit)} << bit++;
     }
     if (value != 0) words[{place.space.index, place.offset, ir::Bytes(place.type)}] = value;
   }
@@ -44,7 +44,7 @@ std::vector<uint64_t> InitialWordsOf(const prove::compare::Version& version) {
 }
 
 /// Ascending, each as often as it stands there.
-std::vector<uint64_t> ConstantsOf(const prove::compare::Version& version) {
+std::vector<uint64_t> ConstantsOf(const prove::machine::Version& version) {
   const ir::Program& program = *version.program;
   std::vector<uint64_t> constants = InitialWordsOf(version);
   for (const ir::Region& region : program.regions) {
@@ -76,22 +76,21 @@ uint64_t TimeWordMs(uint64_t word) {
 
 }  // namespace
 
-std::vector<prove::compare::SetCell> RandomInputs(prove::terms::Random& random,
-                                                  std::vector<prove::compare::SetCell> inputs, int run) {
+std::vector<prove::diff::SetCell> RandomInputs(terms::Random& random, std::vector<prove::diff::SetCell> inputs,
+                                               int run) {
   constexpr std::array<uint32_t, 5> kEighths = {7, 4, 1, 6, 2};
   const uint32_t density = kEighths[static_cast<size_t>(run) % kEighths.size()];
-  for (prove::compare::SetCell& input : inputs) input.value = (random.Next() >> 7) % 8 < density ? 1 : 0;
+  for (prove::diff::SetCell& input : inputs) input.value = (random.Next() >> 7) % 8 < density ? 1 : 0;
   return inputs;
 }
 
-std::vector<prove::compare::SetCell> AlmostTheSame(prove::terms::Random& random,
-                                                   std::vector<prove::compare::SetCell> inputs) {
+std::vector<prove::diff::SetCell> AlmostTheSame(terms::Random& random, std::vector<prove::diff::SetCell> inputs) {
   for (uint64_t i = random.Next() % 3; i > 0; --i) inputs[(random.Next() >> 7) % inputs.size()].value ^= 1;
   return inputs;
 }
 
-ChangedConstants FindChangedConstants(const prove::compare::Version& old_version,
-                                      const prove::compare::Version& new_version) {
+ChangedConstants FindChangedConstants(const prove::machine::Version& old_version,
+                                      const prove::machine::Version& new_version) {
   const std::vector<uint64_t> old_constants = ConstantsOf(old_version), new_constants = ConstantsOf(new_version);
   std::vector<uint64_t> gone, come;
   std::ranges::set_difference(old_constants, new_constants, std::back_inserter(gone));
@@ -130,7 +129,7 @@ ChangedConstants FindChangedConstants(const prove::compare::Version& old_version
   return changed;
 }
 
-Stimuli HoldStimuli(std::vector<prove::compare::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms) {
+Stimuli HoldStimuli(std::vector<prove::diff::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms) {
   constexpr std::array<uint64_t, 6> kPatience = {30'000, 30'000, 15 * 60'000, 30'000, 15 * 60'000, kLongestMs};
   const uint64_t longest = kPatience[static_cast<size_t>(run) % kPatience.size()];
   Stimuli stimuli{{.inputs = std::move(inputs), .words = {}, .slow = 1}};
@@ -148,10 +147,9 @@ Stimuli HoldStimuli(std::vector<prove::compare::SetCell> inputs, int run, const 
   return stimuli;
 }
 
-Stimuli PulseStimuli(prove::terms::Random& random, const std::vector<prove::compare::SetCell>& inputs, int run,
-                     uint32_t count) {
+Stimuli PulseStimuli(terms::Random& random, const std::vector<prove::diff::SetCell>& inputs, int run, uint32_t count) {
   Stimuli stimuli{{.inputs = RandomInputs(random, inputs, run), .words = {}, .slow = 1}};
-  prove::compare::SetCell pulse = stimuli.front().inputs[random.Next() % inputs.size()];
+  prove::diff::SetCell pulse = stimuli.front().inputs[random.Next() % inputs.size()];
   for (uint32_t i = 0; i < 2 * count; ++i) {
     pulse.value ^= 1;
     stimuli.push_back({.inputs = {pulse}, .words = {}, .slow = 1});

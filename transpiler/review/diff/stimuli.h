@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "transpiler/prove/compare/match.h"
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/prove/diff/match.h"
 #include "transpiler/review/diff/runs.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::diff {
 
@@ -17,23 +17,21 @@ struct ChangedConstants {
   std::vector<uint32_t> times_ms;  // ascending: between an old preset and a new one, whatever its unit
   uint32_t counts = 0;             // the greatest one that a counter may have to reach; 0: none
 };
-ChangedConstants FindChangedConstants(const prove::compare::Version& old_version,
-                                      const prove::compare::Version& new_version);
+ChangedConstants FindChangedConstants(const prove::machine::Version& old_version,
+                                      const prove::machine::Version& new_version);
 
 /// A value for each input; `run`: half, many or few of them are 1, in turn.
-std::vector<prove::compare::SetCell> RandomInputs(prove::terms::Random& random,
-                                                  std::vector<prove::compare::SetCell> inputs, int run);
+std::vector<prove::diff::SetCell> RandomInputs(terms::Random& random, std::vector<prove::diff::SetCell> inputs,
+                                               int run);
 
 /// At most two of them have another value.
-std::vector<prove::compare::SetCell> AlmostTheSame(prove::terms::Random& random,
-                                                   std::vector<prove::compare::SetCell> inputs);
+std::vector<prove::diff::SetCell> AlmostTheSame(terms::Random& random, std::vector<prove::diff::SetCell> inputs);
 
 /// All inputs are set once, and then nothing happens for longer and longer: until each of `times_ms`, too, as far as
 /// this run is one of the patient ones. Long waits cost much, so most runs end early.
-Stimuli HoldStimuli(std::vector<prove::compare::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
+Stimuli HoldStimuli(std::vector<prove::diff::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
 
 /// All inputs are set once; then one of them comes and goes `count` times.
-Stimuli PulseStimuli(prove::terms::Random& random, const std::vector<prove::compare::SetCell>& inputs, int run,
-                     uint32_t count);
+Stimuli PulseStimuli(terms::Random& random, const std::vector<prove::diff::SetCell>& inputs, int run, uint32_t count);
 
 }  // namespace plcxx::review::diff

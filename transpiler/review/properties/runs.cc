@@ -4,20 +4,20 @@
 #include <map>
 #include <utility>
 
-#include "transpiler/prove/compare/requests.h"
-#include "transpiler/prove/properties/answers.h"
-#include "transpiler/prove/terms/random.h"
+#include "transpiler/prove/machine/answers.h"
+#include "transpiler/prove/machine/requests.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_monitor.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
+#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::properties {
 namespace {
 
-using prove::execute::CellId;
-using prove::terms::Random;
+using execute::CellId;
+using terms::Random;
 
 constexpr uint32_t kRunPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
@@ -53,7 +53,7 @@ class Watched {
   }
 
   void Set(CellId id, bool value) {
-    const prove::execute::Cell cell = prove::execute::CellAt(program_, machine_.version.cells, id);
+    const execute::Cell cell = execute::CellAt(program_, machine_.version.cells, id);
     dialects::Location location;
     location.place.type = ir::Type::kBit;
     location.place.space = cell.space;
@@ -79,10 +79,8 @@ class Watched {
 
 PropertyRuns::PropertyRuns(const scenarios::ProveMachine& machine,
                            const std::vector<std::vector<scenarios::KnownStep>>& known)
-    : machine_(machine),
-      inputs_(prove::properties::InputsOf(machine.version)),
-      can_be_set_(machine.version.cells.count) {
-  const std::vector<bool> requests = prove::compare::RequestCells(machine.version);
+    : machine_(machine), inputs_(prove::machine::InputsOf(machine.version)), can_be_set_(machine.version.cells.count) {
+  const std::vector<bool> requests = prove::machine::RequestCells(machine.version);
   std::vector<CellId> cells;
   for (uint32_t i = 0; i < inputs_.size(); ++i) {
     if (inputs_[i] || requests[i]) cells.emplace_back(i);
@@ -108,9 +106,9 @@ void PropertyRuns::AddPlanOf(const std::vector<scenarios::KnownStep>& steps) {
       std::vector<CellId> cells;
       if (!location->bits.empty()) {
         for (const ir::Place& bit : location->bits)
-          cells.push_back(prove::execute::CellsOf(program, machine_.version.cells, bit).front());
-      } else if (prove::execute::IsInside(program, location->place)) {
-        cells = prove::execute::CellsOf(program, machine_.version.cells, location->place);
+          cells.push_back(execute::CellsOf(program, machine_.version.cells, bit).front());
+      } else if (execute::IsInside(program, location->place)) {
+        cells = execute::CellsOf(program, machine_.version.cells, location->place);
       }
       const std::optional<uint64_t> value = scenarios::ParseScenarioValue(text, location->place.type, dialect);
       for (size_t i = 0; value && i < cells.size(); ++i) {
@@ -160,7 +158,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
   for (const CellId cell : search.inputs) {
     if (!can_be_set_[cell.index]) continue;
     inputs.push_back(cell);
-    if (prove::compare::DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
+    if (prove::machine::DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
   }
   std::vector<CellId> requests;
   for (const CellId cell : search.requests) {
@@ -274,7 +272,7 @@ std::optional<prove::properties::PropertyRun> PropertyRuns::Find(const prove::pr
   const uint32_t parts =
       machine_.compilation.program.schedule.fast_ms == 0 ? 1 : std::max(1U, machine_.timing.fast_per_period);
   run.periods.assign(plan->periods, std::vector<std::vector<prove::properties::InputValue>>(parts));
-  const std::vector<bool> handshakes = prove::properties::HandshakeCells(machine_.version);
+  const std::vector<bool> handshakes = prove::machine::HandshakeCells(machine_.version);
   std::map<CellId, bool> now;
   for (const RunEvent& event : plan->events) {
     const auto [at, added] = now.try_emplace(event.cell, false);

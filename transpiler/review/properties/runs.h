@@ -19,7 +19,7 @@ namespace plcxx::review::properties {
 /// Inputs as they are set before a period, requests as they are taken back.
 struct RunEvent {
   uint32_t period = 0;  // from 1
-  prove::execute::CellId cell;
+  execute::CellId cell;
   bool value = false;
 };
 

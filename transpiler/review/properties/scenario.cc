@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "transpiler/prove/compare/transition.h"
+#include "transpiler/prove/machine/transition.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/project_files.h"
 #include "transpiler/scenarios/scenario.h"
@@ -15,7 +15,7 @@
 namespace plcxx::review::properties {
 namespace {
 
-using prove::execute::CellId;
+using execute::CellId;
 
 std::string Scalar(const std::string& text) { return scenarios::YamlWord(text, "_./"); }
 
@@ -81,9 +81,9 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
   std::map<CellId, bool> now;
   for (const scenarios::InputWord& word : words) {
     for (const CellId id : word.cells) {
-      const prove::execute::Cell cell = prove::execute::CellAt(program, machine.version.cells, id);
-      now[id] = cell.kind == prove::execute::CellKind::kBit &&
-                prove::compare::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
+      const execute::Cell cell = execute::CellAt(program, machine.version.cells, id);
+      now[id] = cell.kind == execute::CellKind::kBit &&
+                prove::machine::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
     }
   }
   uint32_t runs = 0;  // parts without a change in between
@@ -117,7 +117,7 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
     const ir::PlaceId asked = schedule.retain_at_power_off;
     if (asked.valid()) {
       const std::vector<scenarios::InputWord> request =
-          scenarios::WordsOf(machine, prove::execute::CellsOf(program, machine.version.cells, program.places[asked]));
+          scenarios::WordsOf(machine, execute::CellsOf(program, machine.version.cells, program.places[asked]));
       if (!request.front().name.empty()) {
         steps += "- set: {" + Scalar(request.front().name) + ": 1}\n";
         add_line(request.front().name + "=1");

@@ -21,29 +21,29 @@ Json Hashed(const std::string& name, std::string_view bytes) {
   return {{"file", name}, {"sha256", support::Sha256(bytes)}};
 }
 
-std::string_view Name(prove::compiled::ProofResult result) {
+std::string_view Name(prove::verify::ProofResult result) {
   switch (result) {
-    case prove::compiled::ProofResult::kProved:
+    case prove::verify::ProofResult::kProved:
       return "proved";
-    case prove::compiled::ProofResult::kDifferent:
+    case prove::verify::ProofResult::kDifferent:
       return "different";
-    case prove::compiled::ProofResult::kNotDecided:
+    case prove::verify::ProofResult::kNotDecided:
       return "not decided";
   }
   return "";
 }
 
-Json DifferenceJson(const prove::compiled::CodeDifference& difference) {
+Json DifferenceJson(const prove::verify::CodeDifference& difference) {
   Json json = {{"what", difference.what}};
   if (!difference.has_values) return json;
   json["expected"] = difference.expected;
   json["compiled"] = difference.compiled;
   json["state"] = Json::object();
-  for (const prove::compiled::VariableValue& value : difference.state) json["state"][value.name] = value.value;
+  for (const prove::verify::VariableValue& value : difference.state) json["state"][value.name] = value.value;
   return json;
 }
 
-Json RoutineJson(const prove::compiled::RoutineProof& proof) {
+Json RoutineJson(const prove::verify::RoutineProof& proof) {
   Json json = {{"routine", proof.routine}, {"result", Name(proof.result)}};
   if (!proof.reason.empty()) json["reason"] = proof.reason;
   json["state_bytes"] = proof.bytes;
@@ -52,7 +52,7 @@ Json RoutineJson(const prove::compiled::RoutineProof& proof) {
   if (proof.claims != 0) json["loop_claims"] = proof.claims;
   json["instructions"] = proof.instructions;
   if (!proof.relies_on.empty()) json["relies_on"] = proof.relies_on;
-  for (const prove::compiled::CodeDifference& difference : proof.differences)
+  for (const prove::verify::CodeDifference& difference : proof.differences)
     json["differences"].push_back(DifferenceJson(difference));
   return json;
 }
@@ -65,23 +65,23 @@ std::string WithoutFolder(const std::string& place) {
 
 /// How many of each kind are proved, and each one that is not.
 Json FactsJson(const FactsReport& facts) {
-  Json json = {{"proved", facts.CountOf(prove::facts::FactResult::kProved)}, {"of", facts.findings.size()}};
+  Json json = {{"proved", facts.CountOf(prove::verify::facts::FactResult::kProved)}, {"of", facts.findings.size()}};
   if (!facts.refusal.empty()) json["refused"] = facts.refusal;
   std::map<std::string, uint64_t> kinds;
   for (const FactFinding& finding : facts.findings) {
-    if (finding.result == prove::facts::FactResult::kProved) ++kinds[finding.kind];
+    if (finding.result == prove::verify::facts::FactResult::kProved) ++kinds[finding.kind];
   }
   json["kinds"] = Json::object();
   for (const auto& [kind, count] : kinds) json["kinds"][kind] = count;
   for (const FactFinding& finding : facts.findings) {
     switch (finding.result) {
-      case prove::facts::FactResult::kProved:
+      case prove::verify::facts::FactResult::kProved:
         break;
-      case prove::facts::FactResult::kNotDecided:
+      case prove::verify::facts::FactResult::kNotDecided:
         json["open"].push_back(
             {{"kind", finding.kind}, {"statement", WithoutFolder(finding.place)}, {"reason", finding.reason}});
         break;
-      case prove::facts::FactResult::kViolated:
+      case prove::verify::facts::FactResult::kViolated:
         json["violated"].push_back({{"kind", finding.kind},
                                     {"statement", WithoutFolder(finding.place)},
                                     {"value", finding.value},
@@ -93,13 +93,13 @@ Json FactsJson(const FactsReport& facts) {
   return json;
 }
 
-Json FrontEndJson(const prove::front_end::Comparison& comparison) {
+Json FrontEndJson(const prove::verify::front_end::Comparison& comparison) {
   Json json = {{"compiler", comparison.compiler}};
   if (!comparison.reason.empty()) json["not_compared"] = comparison.reason;
   json["assumed"] = {"executions that come to a run-time fault are not compared: C leaves them open",
                      "what the control itself has (the schedule, its functions, the dispatcher) is not compared"};
   json["functions"] = Json::array();
-  for (const prove::front_end::FunctionProof& function : comparison.functions) {
+  for (const prove::verify::front_end::FunctionProof& function : comparison.functions) {
     if (function.not_compared.empty()) {
       json["functions"].push_back(RoutineJson(function.proof));
       // Of its calls alone, in the proofs of these.
@@ -143,9 +143,9 @@ std::string CertificateText(const Certificate& certificate) {
                          : "the linker writes what the objects' notes say, and library functions do what they promise"};
   bool all = true;
   json["routines"] = Json::array();
-  for (const prove::compiled::RoutineProof& proof : *certificate.proofs) {
+  for (const prove::verify::RoutineProof& proof : *certificate.proofs) {
     json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof));
-    if (proof.exported) all = all && proof.result == prove::compiled::ProofResult::kProved;
+    if (proof.exported) all = all && proof.result == prove::verify::ProofResult::kProved;
   }
   json["facts"] = FactsJson(*certificate.facts);
   all = all && certificate.facts->all_proved();

@@ -8,9 +8,9 @@
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/emit/output_file.h"
-#include "transpiler/prove/compiled/bitcode.h"
-#include "transpiler/prove/compiled/verify.h"
-#include "transpiler/prove/front_end/front_end.h"
+#include "transpiler/prove/verify/bitcode.h"
+#include "transpiler/prove/verify/front_end/front_end.h"
+#include "transpiler/prove/verify/verify.h"
 #include "transpiler/review/verify/facts.h"
 
 namespace plcxx::review::verify {
@@ -20,12 +20,12 @@ struct Certificate {
   const std::vector<emit::OutputFile>* files = nullptr;  // the generated code
   const compile::Toolchain* toolchain = nullptr;
   const compile::Target* target = nullptr;
-  const prove::compiled::Bitcode* bitcode = nullptr;
+  const prove::verify::Bitcode* bitcode = nullptr;
   std::vector<std::pair<std::string, std::string>> objects;  // names and contents; empty: it was compiled for the proof
-  const std::vector<prove::compiled::RoutineProof>* proofs = nullptr;
+  const std::vector<prove::verify::RoutineProof>* proofs = nullptr;
   const FactsReport* facts = nullptr;
-  std::vector<std::string> left_out;                        // routines that nobody asked for
-  const prove::front_end::Comparison* front_end = nullptr;  // none: it was not looked at
+  std::vector<std::string> left_out;                                // routines that nobody asked for
+  const prove::verify::front_end::Comparison* front_end = nullptr;  // none: it was not looked at
 };
 
 /// JSON; the same for the same sources, compiler and plcxx, wherever and whenever it is made.

@@ -6,17 +6,17 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
-#include "transpiler/prove/compiled/verify.h"
-#include "transpiler/prove/execute/cells.h"
+#include "transpiler/prove/verify/verify.h"
 #include "transpiler/scenarios/failure.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/support/counted.h"
+#include "transpiler/symbolic/execute/cells.h"
 
 namespace plcxx::review::verify {
 namespace {
 
-using prove::facts::FactResult;
-using prove::facts::Violation;
+using prove::verify::facts::FactResult;
+using prove::verify::facts::Violation;
 
 constexpr size_t kMostValues = 60;  // of a state that is shown
 
@@ -33,16 +33,16 @@ ir::StatementId StatementOf(const ir::Program& program, uint64_t number) {
 }
 
 /// The place of a cell, for who writes it from outside; none: nobody can.
-std::optional<ir::Place> PlaceOf(const ir::Program& program, const prove::execute::Cell& cell) {
+std::optional<ir::Place> PlaceOf(const ir::Program& program, const execute::Cell& cell) {
   ir::Place place;
   switch (cell.kind) {
-    case prove::execute::CellKind::kBit:
+    case execute::CellKind::kBit:
       place.type = ir::Type::kBit;
       place.space = cell.space;
       place.offset = cell.offset;
       place.bit = cell.bit;
       return place;
-    case prove::execute::CellKind::kField: {
+    case execute::CellKind::kField: {
       const ir::FieldInfo& field = ir::Info(program.states[cell.state].kind).fields[cell.field];
       if (field.count != 1) return std::nullopt;
       place.type = field.type;
@@ -50,7 +50,7 @@ std::optional<ir::Place> PlaceOf(const ir::Program& program, const prove::execut
       place.field = cell.field;
       return place;
     }
-    case prove::execute::CellKind::kCalls:
+    case execute::CellKind::kCalls:
       break;
   }
   return std::nullopt;
@@ -72,9 +72,9 @@ bool Shows(const ir::Program& checked, const Violation& violation, ir::InstId ca
   program.schedule.fast_only = program.routines.Add(std::move(routine));
   sim::Simulator simulator(program);
   simulator.PowerOn();
-  const prove::execute::Cells cells = prove::execute::MakeCells(program);
+  const execute::Cells cells = execute::MakeCells(program);
   for (const Violation::CellValue& value : violation.state) {
-    const auto place = PlaceOf(program, prove::execute::CellAt(program, cells, value.cell));
+    const auto place = PlaceOf(program, execute::CellAt(program, cells, value.cell));
     if (place) simulator.Write(*place, value.value);
   }
   simulator.TakeEvents();
@@ -90,16 +90,16 @@ bool Shows(const ir::Program& checked, const Violation& violation, ir::InstId ca
 
 /// Bits of one byte as that byte; what is 0 is left out.
 std::string StateText(const ir::Program& program, const Violation& violation) {
-  const prove::execute::Cells cells = prove::execute::MakeCells(program);
+  const execute::Cells cells = execute::MakeCells(program);
   std::vector<std::pair<std::string, uint64_t>> named;
   const ir::Routine& routine = program.routines[violation.routine];
   for (size_t i = 0; i < violation.arguments.size() && i < routine.parameters.size(); ++i)
     named.emplace_back(routine.parameters[i].name, violation.arguments[i]);
   for (const Violation::CellValue& value : violation.state) {
-    const prove::execute::Cell cell = prove::execute::CellAt(program, cells, value.cell);
-    if (value.value == 0 || cell.kind == prove::execute::CellKind::kCalls) continue;
-    if (cell.kind != prove::execute::CellKind::kBit) {
-      named.emplace_back(prove::execute::CellName(program, cell), value.value);
+    const execute::Cell cell = execute::CellAt(program, cells, value.cell);
+    if (value.value == 0 || cell.kind == execute::CellKind::kCalls) continue;
+    if (cell.kind != execute::CellKind::kBit) {
+      named.emplace_back(execute::CellName(program, cell), value.value);
       continue;
     }
     const std::string name = program.spaces[cell.space].name + "." + std::to_string(cell.offset);
@@ -148,16 +148,16 @@ std::string FactsReport::Text() const {
 }
 
 FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::vector<std::string>& routines,
-                          const prove::facts::FactLimits& limits) {
+                          const prove::verify::facts::FactLimits& limits) {
   FactsReport report;
   const ir::Program& program = checked.program;
   std::vector<ir::RoutineId> chosen;
-  for (const ir::RoutineId id : prove::compiled::RoutinesToVerify(program)) {
+  for (const ir::RoutineId id : prove::verify::RoutinesToVerify(program)) {
     if (routines.empty() || std::ranges::find(routines, program.routines[id].name) != routines.end())
       chosen.push_back(id);
   }
   const emit::Emittable emittable = emit::legalize::Legalize(program, {.name = checked.name});
-  for (const prove::facts::FactProof& proof : prove::facts::ProveFacts(emittable, chosen, limits)) {
+  for (const prove::verify::facts::FactProof& proof : prove::verify::facts::ProveFacts(emittable, chosen, limits)) {
     const uint64_t statement = ConstantOf(program, proof.call, ir::FalseFactArgument::kStatement);
     FactFinding finding{
         .result = proof.result,
@@ -181,7 +181,7 @@ FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::ve
 }
 
 FactsReport VerifyFacts(compilation::CompilationRequest request, const std::vector<std::string>& routines,
-                        const prove::facts::FactLimits& limits) {
+                        const prove::verify::facts::FactLimits& limits) {
   request.options.emplace_back(compilation::kFactsOption, "checked");
   const compilation::Compilation checked = compilation::Compile(request);
   if (!checked.ok()) {

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
-#include "transpiler/prove/facts/facts.h"
+#include "transpiler/prove/verify/facts/facts.h"
 
 namespace plcxx::review::verify {
 
 struct FactFinding {
-  prove::facts::FactResult result{};
+  prove::verify::facts::FactResult result{};
   std::string kind;     // "INDEX"
   std::string place;    // "main.cld:7:9: a[i] = 0;"
   std::string reason;   // of kNotDecided
@@ -29,7 +29,7 @@ struct FactsReport {
   std::string refusal;  // why nothing was looked at; empty: it was
   std::vector<FactFinding> findings;
 
-  size_t CountOf(prove::facts::FactResult result) const;
+  size_t CountOf(prove::verify::facts::FactResult result) const;
   bool all_proved() const;
   /// Indented lines.
   std::string Text() const;
@@ -37,9 +37,9 @@ struct FactsReport {
 
 /// Of a program that has been compiled already.
 FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::vector<std::string>& routines,
-                          const prove::facts::FactLimits& limits);
+                          const prove::verify::facts::FactLimits& limits);
 /// `routines`: by name; empty: all.
 FactsReport VerifyFacts(compilation::CompilationRequest request, const std::vector<std::string>& routines,
-                        const prove::facts::FactLimits& limits);
+                        const prove::verify::facts::FactLimits& limits);
 
 }  // namespace plcxx::review::verify

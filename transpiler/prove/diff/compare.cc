@@ -1,0 +1,317 @@
+#include "transpiler/prove/diff/compare.h"
+
+#include <algorithm>
+
+#include "transpiler/prove/diff/comparison.h"
+
+namespace plcxx::prove::diff {
+namespace {
+
+constexpr uint32_t kNone = 0xFFFFFFFF;
+constexpr size_t kMostReached = 2000;  // pairs
+
+/// Whether a version of its own does anything with the cell.
+bool IsUsed(const machine::Uses& uses, execute::CellId cell) {
+  return uses.reads[cell.index] || uses.writes[cell.index];
+}
+
+/// Internal memory that power-off clears: nobody but the version itself knows of it.
+bool IsPrivate(const machine::Version& version, execute::CellId cell) {
+  return machine::DirectionOf(version, cell) == ir::Direction::kInternal && !machine::IsRetentive(version, cell);
+}
+
+/// Of memory: the bit that it begins with; of the rest 0.
+bool PowerOnValue(const machine::Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit &&
+         machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+}
+
+void AddMatched(Comparison& comparison) {
+  comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
+  for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
+    const execute::CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
+    if (!new_cell.valid() || !machine::IsState(comparison.old_version, old_cell)) continue;
+    const bool old_uses = IsUsed(comparison.old_uses, old_cell), new_uses = IsUsed(comparison.new_uses, new_cell);
+    // A table that no version touches by itself is there for the host.
+    const bool begins_alike =
+        PowerOnValue(comparison.old_version, old_cell) == PowerOnValue(comparison.new_version, new_cell);
+    if (!old_uses && !new_uses && begins_alike) continue;
+    // A flag that one version alone uses is how it does something, not what it does: it may be anything in the proof.
+    if (old_uses != new_uses && begins_alike && IsPrivate(comparison.old_version, old_cell)) {
+      if (comparison.old_uses.writes[i]) comparison.old_only.push_back(old_cell);
+      if (comparison.new_uses.writes[new_cell.index]) comparison.new_only.push_back(new_cell);
+      continue;
+    }
+    comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
+    comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
+    const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
+    if (written && machine::DirectionOf(comparison.old_version, old_cell) == ir::Direction::kOutput &&
+        execute::CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell).kind ==
+            execute::CellKind::kBit) {
+      comparison.old_outputs.push_back(old_cell);
+      comparison.new_outputs.push_back(new_cell);
+    }
+  }
+}
+
+/// What only one version has: a difference where the host sees it.
+void AddUnmatched(const Comparison& comparison, CompareResult& all) {
+  const auto add = [&all](const machine::Version& version, const machine::Uses& uses, execute::CellId cell,
+                          PairResult result) {
+    if (!machine::IsState(version, cell) || !uses.writes[cell.index]) return;
+    if (IsPrivate(version, cell)) {
+      (result.old_cell.valid() ? all.old_only : all.new_only).push_back(cell);
+      return;
+    }
+    const bool visible = machine::DirectionOf(version, cell) == ir::Direction::kOutput;
+    result.verdict = visible ? PairVerdict::kDifferent : PairVerdict::kUndecided;
+    result.changed_itself = true;
+    result.reason = "only one version has it";
+    all.pairs.push_back(std::move(result));
+  };
+  for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
+    if (comparison.match.new_of_old[i].valid()) continue;
+    add(comparison.old_version, comparison.old_uses, execute::CellId(i),
+        {.old_cell = execute::CellId(i), .reason = {}});
+  }
+  for (uint32_t i = 0; i < comparison.new_version.cells.count; ++i) {
+    if (comparison.match.old_of_new[i].valid()) continue;
+    add(comparison.new_version, comparison.new_uses, execute::CellId(i),
+        {.new_cell = execute::CellId(i), .reason = {}});
+  }
+}
+
+void SetVerdicts(Comparison& comparison) {
+  for (PairResult& result : comparison.results) {
+    if (result.verdict != PairVerdict::kUndecided) continue;
+    const bool written =
+        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    result.verdict = !comparison.pairing.IsEqual(result.old_cell) ? PairVerdict::kUndecided
+                     : written                                    ? PairVerdict::kEqual
+                                                                  : PairVerdict::kUntouched;
+  }
+}
+
+Sought SoughtOf(const Comparison& comparison) {
+  Sought sought;
+  for (const PairResult& result : comparison.results) {
+    sought.all.push_back(result.old_cell);
+    if (result.run && !result.run->from_state) sought.runs.push_back(*result.run);
+    if (!comparison.pairing.IsEqual(result.old_cell) && result.verdict == PairVerdict::kUndecided)
+      sought.open.push_back(result.old_cell);
+  }
+  std::ranges::stable_sort(sought.open, {}, [&comparison](execute::CellId cell) {
+    if (comparison.results[comparison.result_of_old[cell.index]].changed_itself) return 0;
+    return machine::DirectionOf(comparison.old_version, cell) == ir::Direction::kOutput ? 1 : 2;
+  });
+  return sought;
+}
+
+/// Gives how many open pairs differ.
+uint32_t MarkDifferent(Comparison& comparison, Effort effort, uint64_t most_ms = 0) {
+  if (!comparison.runs.find_different) return 0;
+  const Sought sought = SoughtOf(comparison);
+  if (sought.open.empty()) return 0;
+  comparison.Report("running both");
+  uint32_t added = 0;
+  for (const execute::CellId cell : comparison.runs.find_different(sought, effort, most_ms)) {
+    PairResult& result = comparison.results[comparison.result_of_old[cell.index]];
+    added += result.verdict == PairVerdict::kUndecided ? 1 : 0;
+    result.verdict = PairVerdict::kDifferent;
+    comparison.pairing.Separate(cell);
+  }
+  return added;
+}
+
+/// What is different for certain is not taken for equal; the rest is tried again.
+void JoinAllButDifferent(Comparison& comparison) {
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kDifferent) {
+      comparison.pairing.Separate(result.old_cell);
+    } else {
+      comparison.pairing.Join(result.old_cell);
+    }
+  }
+}
+
+/// Back to what is proved.
+void SeparateUndecided(Comparison& comparison) {
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict == PairVerdict::kUndecided) comparison.pairing.Separate(result.old_cell);
+  }
+}
+
+/// What anybody may set and neither version writes is no item of a comparison that was not finished.
+void LeaveOutInputs(Comparison& comparison) {
+  for (PairResult& result : comparison.results) {
+    const bool written =
+        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    if (result.verdict == PairVerdict::kUndecided && !written && comparison.IsInput(result.old_cell))
+      result.verdict = PairVerdict::kUntouched;
+  }
+}
+
+CompareResult Finish(Comparison& comparison, uint32_t invariants) {
+  if (comparison.Late()) LeaveOutInputs(comparison);
+  const bool many = comparison.UndecidedCount() > kMostLookedAt;
+  CompareResult result{.pairs = std::move(comparison.results),
+                       .refusal = comparison.refusal,
+                       .invariants = invariants,
+                       .changes_are_found = comparison.changes_are_found,
+                       .old_only = std::move(comparison.old_only),
+                       .new_only = std::move(comparison.new_only)};
+  for (PairResult& pair : result.pairs) {
+    if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
+    pair.reason = comparison.Late() ? "the time was not enough"
+                  : many && pair.changed_itself
+                      ? "no run or state that was tried shows a difference, and equality is not proved"
+                  : many ? "the change reaches too much to look at each"
+                         : "no run of " + std::to_string(comparison.limits.most_periods) +
+                               " periods from power-on shows a difference, and equality is not proved";
+  }
+  if (result.refusal.empty()) AddUnmatched(comparison, result);
+  return result;
+}
+
+}  // namespace
+
+Comparison::Comparison(const machine::Version& old_side, const machine::Version& new_side, const Match& matching,
+                       const SimulatedRuns& simulated_runs, const CompareLimits& compare_limits)
+    : old_version(old_side),
+      new_version(new_side),
+      match(matching),
+      runs(simulated_runs),
+      limits(compare_limits),
+      pairing(terms, old_side, new_side, matching),
+      old_uses(machine::UsesOf(old_side)),
+      new_uses(machine::UsesOf(new_side)),
+      requests(MatchedRequests(old_side, new_side, matching)),
+      round_ms(compare_limits.total_ms / 90),
+      now(terms.Variable("now", 32)),
+      deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
+  solver::LoadedSolver loaded = solver::LoadSolver(terms);
+  solver = std::move(loaded.solver);
+  refusal = std::move(loaded.reason);
+}
+
+uint32_t Comparison::UndecidedCount() const {
+  return static_cast<uint32_t>(std::ranges::count(results, PairVerdict::kUndecided, &PairResult::verdict));
+}
+
+uint64_t Comparison::RestMs() const {
+  const auto rest = deadline - std::chrono::steady_clock::now();
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(rest).count();
+  return ms > 0 ? static_cast<uint64_t>(ms) : 0;
+}
+
+bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
+  return result.verdict == PairVerdict::kUndecided && (count <= kMostLookedAt || result.changed_itself);
+}
+
+bool Comparison::IsInput(execute::CellId old_cell) const {
+  return IsInputPair(old_version, old_uses, new_uses, match, old_cell);
+}
+
+terms::TermId Comparison::NextOld(execute::CellId cell) {
+  const terms::TermId next = old_next.next[cell.index];
+  return next.valid() ? next : pairing.Initial(Which::kOld, cell);
+}
+
+terms::TermId Comparison::NextNew(execute::CellId cell) {
+  const terms::TermId next = new_next.next[cell.index];
+  return next.valid() ? next : pairing.Initial(Which::kNew, cell);
+}
+
+CompareResult CompareVersions(const machine::Version& old_version, const machine::Version& new_version,
+                              const Match& match, const SimulatedRuns& runs, const CompareLimits& limits) {
+  Comparison comparison(old_version, new_version, match, runs, limits);
+  if (!comparison.refusal.empty()) return Finish(comparison, 0);
+  AddMatched(comparison);
+  // What a scenario shows needs no proof, and scenarios are there however large the program is.
+  if (runs.find_different)
+    comparison.before_questions = [&] { runs.find_different(SoughtOf(comparison), Effort::kScenarios, 0); };
+  // What is not executed to its end in time is not decided, but what runs have shown is known.
+  const auto finish_early = [&] {
+    for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
+    if (comparison.refusal.empty()) MarkDifferent(comparison, Effort::kScenarios);
+    return Finish(comparison, 0);
+  };
+  // With everything taken for equal: which functions differ by themselves.
+  if (!CheckPowerOn(comparison)) return finish_early();
+  const bool at_power_on = std::ranges::all_of(
+      comparison.results, [&](const PairResult& result) { return comparison.pairing.IsEqual(result.old_cell); });
+  if (!FindInductiveSet(comparison, 1)) return finish_early();
+  // Of a change that reaches very much only its reach is found out, not what is masked inside.
+  std::vector<execute::CellId> reach;
+  if (at_power_on) {
+    std::optional<std::vector<execute::CellId>> found = ReachOfDifferences(comparison);
+    if (!found) return finish_early();
+    reach = std::move(*found);
+  }
+  const bool reaches_much = reach.size() > kMostReached;
+  if (!SeparatePropagated(comparison)) return finish_early();
+  comparison.changes_are_found = true;
+  // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
+  MarkDifferent(comparison, Effort::kQuick);
+  uint32_t beyond_reach = 0;
+  if (reaches_much) {
+    for (const execute::CellId cell : reach) comparison.pairing.Separate(cell);
+    if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return finish_early();
+  }
+  if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return finish_early();
+  SetVerdicts(comparison);
+  uint32_t invariants = 0;
+  // The solver's runs are the shortest ones; longer ones are tried for what these leave.
+  SearchRuns(comparison);
+  // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can be
+  // reached: that is tried before long runs are.
+  const auto try_reachable = [&] {
+    JoinAllButDifferent(comparison);
+    if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
+  };
+  const auto is_tried = [&] {
+    const uint32_t undecided = comparison.UndecidedCount();
+    return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
+  };
+  const auto try_invariants = [&](uint64_t most_ms) {
+    JoinAllButDifferent(comparison);
+    const size_t before = comparison.InvariantCount();
+    const bool any = AddInvariants(comparison, most_ms);
+    invariants = static_cast<uint32_t>(comparison.InvariantCount());
+    if (any && invariants != before) {
+      try_reachable();
+    } else {
+      SeparateUndecided(comparison);
+    }
+  };
+  // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
+  comparison.round_ms = limits.total_ms / 16;
+  if (is_tried()) try_invariants(limits.total_ms / 40);
+  comparison.round_ms = limits.total_ms / 4;
+  const uint32_t undecided = comparison.UndecidedCount();
+  MarkDifferent(comparison, Effort::kThorough);
+  const auto lacks_invariants = [&] {
+    return !comparison.old_finder || !comparison.old_finder->is_done() || !comparison.new_finder->is_done();
+  };
+  if (is_tried() && lacks_invariants()) {
+    try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 10));
+  } else if (is_tried() && comparison.UndecidedCount() < undecided) {
+    try_reachable();
+  }
+  // What is left of the time is used while something is open.
+  constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
+  while (runs.find_different && comparison.UndecidedCount() > 0 &&
+         comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
+    const auto share_ms = [&] {
+      const uint64_t rest_ms = comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kStatesShare);
+      return std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare));
+    };
+    if (is_tried() && lacks_invariants()) try_invariants(share_ms() / 2);
+    if (MarkDifferent(comparison, Effort::kLasting, share_ms()) != 0 && is_tried()) try_reachable();
+  }
+  SearchStates(comparison);
+  return Finish(comparison, invariants);
+}
+
+}  // namespace plcxx::prove::diff

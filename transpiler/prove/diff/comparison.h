@@ -1,0 +1,117 @@
+// The inner part of CompareVersions: which pairs are still taken for equal, and why others are not.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "transpiler/prove/diff/compare.h"
+#include "transpiler/prove/diff/pairing.h"
+#include "transpiler/prove/invariants/invariants.h"
+#include "transpiler/prove/machine/requests.h"
+#include "transpiler/prove/machine/transition.h"
+#include "transpiler/symbolic/solver/sweep.h"
+
+namespace plcxx::prove::diff {
+
+struct Comparison {
+  Comparison(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
+             const SimulatedRuns& runs, const CompareLimits& limits);
+
+  const machine::Version& old_version;
+  const machine::Version& new_version;
+  const Match& match;
+  const SimulatedRuns& runs;
+  const CompareLimits& limits;
+  terms::Terms terms;
+  std::unique_ptr<solver::Solver> solver;
+  std::string refusal;
+  bool changes_are_found = false;  // SeparatePropagated was done
+  Pairing pairing;
+  machine::Uses old_uses, new_uses;
+  std::vector<execute::CellId> requests;                  // old cells that the control clears when it likes
+  std::vector<execute::CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
+  /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
+  uint64_t round_ms;
+  terms::TermId now;
+  std::vector<execute::CellId> old_only, new_only;  // see CompareResult
+  std::vector<PairResult> results;                  // of matched state, ascending by old cell
+  std::vector<uint32_t> result_of_old;              // by old cell; kNone: it is none
+  machine::Transition old_next, new_next;           // of the last period, over the pairing's variables
+  uint64_t execution_ms = 0;                        // that the last execution of a part took
+  std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
+  std::chrono::steady_clock::time_point deadline;
+  std::function<void()> before_questions;  // called once, before the solver is asked anything
+
+  uint64_t RestMs() const;
+  bool Late() const { return RestMs() == 0; }
+  uint32_t UndecidedCount() const;
+  /// Whether an undecided pair is worth a search of its own; `count` is UndecidedCount().
+  bool IsLookedAt(const PairResult& result, uint32_t count) const;
+
+  void Report(const std::string& what) const {
+    if (limits.progress) limits.progress(what);
+  }
+  /// See IsInputPair.
+  bool IsInput(execute::CellId old_cell) const;
+
+  size_t InvariantCount() const {
+    return old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0;
+  }
+  /// The solver assumes the invariants, over the pairing's variables, until its Pop.
+  void PushInvariants();
+
+  terms::TermId NextOld(execute::CellId cell);
+  terms::TermId NextNew(execute::CellId cell);
+};
+
+/// Whether two terms are one, for the sake of a pair.
+struct Question {
+  solver::TermPair pair;
+  uint32_t result;  // index of Comparison::results
+};
+/// Under the invariants.
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
+/// What the host sees in the middle of a period, of old_next and new_next: the same functions in the same order, at the
+/// same time, with the same outputs. A call that only one of them makes counts as a difference of the calls.
+void AddObservations(Comparison& comparison, std::vector<Question>& questions);
+
+/// What a version gets instead of a value that it writes, and to which cells that happens; see Environment::cut.
+struct Cut {
+  std::function<terms::TermId(Which which, execute::CellId cell, terms::TermId value)> value;
+  std::function<bool(Which which, execute::CellId cell)> is_cut;
+};
+/// The parts that are executed by themselves: the period last.
+std::vector<machine::Part> PartsOf(const Comparison& comparison);
+/// Executes a part of both over the pairing; false: comparison.refusal says why not.
+bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswers answers = machine::HostAnswers::kAny,
+                 const Cut* cut = nullptr);
+/// Takes pairs that differ after power-on out of what is equal. False as above.
+bool CheckPowerOn(Comparison& comparison);
+/// Takes out what starts with other values because retentive memory differs when power fails; adds the number. False as
+/// above.
+bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated);
+/// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
+/// last one. False as above.
+bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);
+/// Of the pairs that are not equal in one period from the same state: which have a change in their own statements, and
+/// which differ because of those. To be called when exactly these pairs are separated. False as above.
+bool SeparatePropagated(Comparison& comparison);
+/// The separated pairs, and those that may differ a period later, or later still, because of them: all others are equal
+/// in every scan. To be called when the separated pairs are those that differ after one part with every pair equal.
+/// None: comparison.refusal says why.
+std::optional<std::vector<execute::CellId>> ReachOfDifferences(Comparison& comparison);
+/// So many undecided pairs are looked at one by one; of more only those with a change of their own.
+inline constexpr uint32_t kMostLookedAt = 400;
+
+/// For the pairs that are undecided: runs from power-on that end with a difference.
+void SearchRuns(Comparison& comparison);
+/// For the pairs that are undecided still: a state, the same for both, from which one period makes a difference.
+void SearchStates(Comparison& comparison);
+/// Finds and proves invariants of both versions around the pairs that are undecided, in up to `most_ms` for each
+/// version; questions assume them from then on. Where that was not enough it goes on when it is called again. False as
+/// above.
+bool AddInvariants(Comparison& comparison, uint64_t most_ms);
+
+}  // namespace plcxx::prove::diff

@@ -1,0 +1,281 @@
+// From any state in which the set is equal, one more period leaves it equal.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "transpiler/prove/diff/comparison.h"
+#include "transpiler/symbolic/terms/cone.h"
+
+namespace plcxx::prove::diff {
+namespace {
+
+solver::SweepLimits LimitsOf(const Comparison& comparison) {
+  return {.pair_ms = comparison.limits.question_ms,
+          .total_ms = std::min(comparison.RestMs(), comparison.round_ms),
+          .any_values_count = comparison.InvariantCount() == 0,
+          .progress = {}};
+}
+
+/// Separates the pairs of which a question is not answered by "equal"; gives their number.
+uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
+  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions);
+  uint32_t separated = 0;
+  for (size_t i = 0; i < questions.size(); ++i) {
+    const PairResult& result = comparison.results[questions[i].result];
+    if (verdicts[i] == solver::Verdict::kEqual || !comparison.pairing.IsEqual(result.old_cell)) continue;
+    comparison.pairing.Separate(result.old_cell);
+    ++separated;
+  }
+  return separated;
+}
+
+machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
+  return {.initial = [&comparison, which](execute::CellId cell) { return comparison.pairing.Initial(which, cell); },
+          .now = comparison.now,
+          .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs,
+          .host_bit =
+              [&comparison, which](execute::CellId cell) {
+                // An input that the new version has at another place is the old one's.
+                const execute::CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+                const machine::Version& version = old_cell.valid() ? comparison.old_version : comparison.new_version;
+                const execute::Cell at =
+                    execute::CellAt(*version.program, version.cells, old_cell.valid() ? old_cell : cell);
+                return execute::Environment::HostBit{
+                    (old_cell.valid() ? "" : "new ") + version.program->spaces[at.space].name, at.offset, at.bit};
+              },
+          // What a version writes into the inputs stays there where the host does not write it again.
+          .may_be_left =
+              [&comparison, which](execute::CellId cell) {
+                const bool is_old = which == Which::kOld;
+                const execute::CellId other =
+                    is_old ? comparison.match.new_of_old[cell.index] : comparison.match.old_of_new[cell.index];
+                const machine::Uses& uses = is_old ? comparison.old_uses : comparison.new_uses;
+                const machine::Uses& other_uses = is_old ? comparison.new_uses : comparison.old_uses;
+                return uses.writes[cell.index] || (other.valid() && other_uses.writes[other.index]);
+              },
+          .is_late = [&comparison] { return comparison.Late(); }};
+}
+
+bool TakeRefusal(Comparison& comparison, const machine::Transition& transition, const char* which) {
+  if (transition.refusal.empty()) return false;
+  // What was not executed to its end is not decided; that is no reason to compare nothing.
+  if (comparison.Late()) return true;
+  comparison.refusal = std::string(which) + " version: " + transition.refusal;
+  return true;
+}
+
+/// The terms from which the next values of the undecided pairs are computed in the part that was executed.
+std::vector<terms::TermId> NextOfUndecided(Comparison& comparison) {
+  std::vector<terms::TermId> next;
+  for (const PairResult& result : comparison.results) {
+    if (result.verdict != PairVerdict::kUndecided) continue;
+    next.push_back(comparison.NextOld(result.old_cell));
+    next.push_back(comparison.NextNew(result.new_cell));
+  }
+  return next;
+}
+
+/// The cells of one version that are in the cone of what the undecided pairs become, by either version: what one of
+/// them reads may stand in another place of the other one.
+std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which which,
+                                                const std::vector<terms::TermId>& cone) {
+  std::set<execute::CellId> cells;
+  for (const Which side : {Which::kOld, Which::kNew}) {
+    const machine::Version& version = side == Which::kOld ? comparison.old_version : comparison.new_version;
+    const machine::Uses& uses = side == Which::kOld ? comparison.old_uses : comparison.new_uses;
+    const std::vector<execute::CellId>& partners =
+        side == Which::kOld ? comparison.match.new_of_old : comparison.match.old_of_new;
+    for (uint32_t i = 0; i < version.cells.calls; ++i) {
+      if (!uses.reads[i] || !machine::IsState(version, execute::CellId(i))) continue;
+      // A bit of a byte that is read as a whole counts with it.
+      const terms::TermId initial = comparison.pairing.Initial(side, execute::CellId(i));
+      const terms::Term& term = comparison.terms[initial];
+      const terms::TermId whole = term.kind == terms::TermKind::kExtract ? terms::TermId(term.a) : initial;
+      if (!std::ranges::binary_search(cone, initial) && !std::ranges::binary_search(cone, whole)) continue;
+      const execute::CellId cell = side == which ? execute::CellId(i) : partners[i];
+      if (cell.valid()) cells.insert(cell);
+    }
+  }
+  return {cells.begin(), cells.end()};
+}
+
+}  // namespace
+
+void Comparison::PushInvariants() {
+  solver->Push();
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const std::unique_ptr<invariants::InvariantFinder>& finder = which == Which::kOld ? old_finder : new_finder;
+    if (!finder) continue;
+    for (const invariants::Invariant& invariant : finder->invariants()) {
+      const auto value = [&](execute::CellId cell) { return pairing.Initial(which, cell); };
+      solver->Assume(invariants::ConditionOf(terms, invariant, value));
+    }
+  }
+}
+
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
+  if (!questions.empty() && comparison.before_questions) std::exchange(comparison.before_questions, nullptr)();
+  std::vector<solver::TermPair> pairs;
+  for (const Question& question : questions) pairs.push_back(question.pair);
+  comparison.PushInvariants();
+  std::vector<solver::Verdict> verdicts =
+      solver::Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
+  comparison.solver->Pop();
+  return verdicts;
+}
+
+void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
+  terms::Terms& terms = comparison.terms;
+  const machine::Transition &old_next = comparison.old_next, &new_next = comparison.new_next;
+  for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
+    const machine::Observation& one = old_next.observations[i];
+    const machine::Observation& other = new_next.observations[i];
+    for (size_t output = 0; output < one.outputs.size(); ++output) {
+      const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
+      if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
+      const terms::TermId a = terms.And(one.when, one.outputs[output]),
+                          b = terms.And(other.when, other.outputs[output]);
+      if (a != b) questions.push_back({{a, b}, result});
+    }
+  }
+}
+
+namespace {
+
+/// Begins the search for invariants; false: comparison.refusal says why not.
+bool MakeFinders(Comparison& comparison) {
+  std::vector<terms::TermId> next;
+  for (const machine::Part part : PartsOf(comparison)) {
+    if (!ExecutePart(comparison, part)) return false;
+    const std::vector<terms::TermId> more = NextOfUndecided(comparison);
+    next.insert(next.end(), more.begin(), more.end());
+  }
+  const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, next);
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const bool is_old = which == Which::kOld;
+    invariants::InvariantSearch search{.version = is_old ? comparison.old_version : comparison.new_version,
+                                       .cells = SupportOfUndecided(comparison, which, cone),
+                                       .is_input =
+                                           [&comparison, is_old](execute::CellId cell) {
+                                             const execute::CellId old_cell =
+                                                 is_old ? cell : comparison.match.old_of_new[cell.index];
+                                             return old_cell.valid() && comparison.IsInput(old_cell);
+                                           },
+                                       .seen_states = {}};
+    if (comparison.runs.for_each_seen_state)
+      search.seen_states = [&comparison, which](const auto& visit) {
+        comparison.runs.for_each_seen_state(which, visit);
+      };
+    (is_old ? comparison.old_finder : comparison.new_finder) =
+        std::make_unique<invariants::InvariantFinder>(comparison.terms, *comparison.solver, std::move(search));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool AddInvariants(Comparison& comparison, uint64_t most_ms) {
+  if (!comparison.old_finder && !MakeFinders(comparison)) return false;
+  comparison.Report("invariants");
+  for (invariants::InvariantFinder* const finder : {comparison.old_finder.get(), comparison.new_finder.get()})
+    finder->Find(std::min(comparison.RestMs(), most_ms));
+  return true;
+}
+
+std::vector<machine::Part> PartsOf(const Comparison& comparison) {
+  const bool fast = machine::HasFastPart(comparison.old_version) || machine::HasFastPart(comparison.new_version);
+  return fast ? std::vector{machine::Part::kFast, machine::Part::kPeriod} : std::vector{machine::Part::kPeriod};
+}
+
+bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswers answers, const Cut* cut) {
+  const auto run = [&](Which which) {
+    machine::PartEnvironment environment = EnvironmentOf(comparison, which);
+    environment.answers = answers;
+    if (cut != nullptr) {
+      environment.cut = [cut, which](execute::CellId cell, terms::TermId value) {
+        return cut->value(which, cell, value);
+      };
+      environment.is_cut = [cut, which](execute::CellId cell) { return cut->is_cut(which, cell); };
+    }
+    return machine::RunPart(comparison.terms, comparison.pairing.version(which), part, environment);
+  };
+  const uint64_t before_ms = comparison.RestMs();
+  comparison.old_next = run(Which::kOld);
+  if (TakeRefusal(comparison, comparison.old_next, "old")) return false;
+  comparison.new_next = run(Which::kNew);
+  comparison.execution_ms = before_ms - comparison.RestMs();
+  return !TakeRefusal(comparison, comparison.new_next, "new");
+}
+
+namespace {
+
+/// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
+std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
+  comparison.Report("power-on");
+  const machine::Transition old_init =
+      machine::RunInit(comparison.terms, comparison.old_version, EnvironmentOf(comparison, Which::kOld));
+  const machine::Transition new_init =
+      machine::RunInit(comparison.terms, comparison.new_version, EnvironmentOf(comparison, Which::kNew));
+  if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return std::nullopt;
+  std::vector<Question> questions;
+  for (uint32_t i = 0; i < comparison.results.size(); ++i) {
+    const PairResult& result = comparison.results[i];
+    const solver::TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
+    if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
+  }
+  SeparateFailing(comparison, questions);
+  std::erase_if(questions, [&comparison](const Question& question) {
+    return comparison.pairing.IsEqual(comparison.results[question.result].old_cell);
+  });
+  return questions;
+}
+
+}  // namespace
+
+bool CheckPowerOn(Comparison& comparison) {
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  if (!differing) return false;
+  // What differs from power-on on is induced by nothing.
+  for (const Question& question : *differing) comparison.results[question.result].changed_itself = true;
+  return true;
+}
+
+bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
+  if (!machine::HasRetentiveMemory(comparison.old_version) && !machine::HasRetentiveMemory(comparison.new_version))
+    return true;
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  if (!differing) return false;
+  separated += static_cast<uint32_t>(differing->size());
+  return true;
+}
+
+bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
+  for (uint32_t round = 1; round <= most_rounds; ++round) {
+    uint32_t separated = 0;
+    // With everything equal power-on is checked already.
+    if (most_rounds > 1 && !SeparateAfterPowerFailure(comparison, separated)) return false;
+    for (const machine::Part part : PartsOf(comparison)) {
+      comparison.Report("round " + std::to_string(round));
+      if (!ExecutePart(comparison, part)) return false;
+      std::vector<Question> questions;
+      for (uint32_t i = 0; i < comparison.results.size(); ++i) {
+        PairResult& result = comparison.results[i];
+        if (!comparison.pairing.IsEqual(result.old_cell)) continue;
+        const solver::TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
+        if (pair.a != pair.b) questions.push_back({pair, i});
+      }
+      AddObservations(comparison, questions);
+      separated += SeparateFailing(comparison, questions);
+    }
+    if (separated == 0) return true;
+    if (comparison.Late()) {
+      // The set is not inductive: nothing is proved.
+      for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
+      return true;
+    }
+  }
+  return true;
+}
+
+}  // namespace plcxx::prove::diff

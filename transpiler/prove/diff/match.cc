@@ -1,0 +1,263 @@
+#include "transpiler/prove/diff/match.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "transpiler/ir/accesses.h"
+#include "transpiler/ir/op.h"
+#include "transpiler/prove/machine/requests.h"
+#include "transpiler/symbolic/meaning/meaning.h"
+
+namespace plcxx::prove::diff {
+namespace {
+
+constexpr bool IsInteger(ir::Type type) { return ir::Type::kI8 <= type && type <= ir::Type::kI64; }
+
+/// The variables of a version, by the cells that they are in.
+class VariableNames {
+ public:
+  explicit VariableNames(const machine::Version& version) : by_cell_(version.cells.count) {
+    const ir::Program& program = *version.program;
+    const auto add = [&](const std::string& name, const ir::Place& place) {
+      if (name.empty() || place.is_field() || !execute::IsInside(program, place)) return;
+      all_.insert(name);
+      for (const execute::CellId cell : execute::CellsOf(program, version.cells, place)) {
+        std::vector<std::string>& names = by_cell_[cell.index];
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      }
+    };
+    for (const ir::Place& place : program.places) add(place.name, place);
+    for (const ir::Symbol& symbol : program.symbols) {
+      if (!symbol.indices.empty()) continue;
+      add(symbol.name, {.type = symbol.type, .space = symbol.space, .offset = symbol.offset, .bit = symbol.bit});
+    }
+  }
+
+  bool Has(const std::string& name) const { return all_.contains(name); }
+  const std::vector<std::string>& Of(execute::CellId cell) const { return by_cell_[cell.index]; }
+
+ private:
+  std::set<std::string> all_;
+  std::vector<std::vector<std::string>> by_cell_;
+};
+
+class Matcher {
+ public:
+  Matcher(const machine::Version& old_version, const machine::Version& new_version)
+      : old_(old_version),
+        new_(new_version),
+        match_{.new_of_old = std::vector<execute::CellId>(old_version.cells.count),
+               .old_of_new = std::vector<execute::CellId>(new_version.cells.count)} {}
+
+  void Places(const ir::Place& one, const ir::Place& other);
+  void InputsAndOutputs();
+  void InternalByName();
+  void SymbolsByName();
+  void ByAddress();
+  void Instances();
+  void HostFunctions();
+  Match Take() { return std::move(match_); }
+
+ private:
+  bool IsFree(execute::CellId one, execute::CellId other) const {
+    return !match_.new_of_old[one.index].valid() && !match_.old_of_new[other.index].valid();
+  }
+  void Pair(execute::CellId one, execute::CellId other) {
+    if (!IsFree(one, other)) return;
+    match_.new_of_old[one.index] = other;
+    match_.old_of_new[other.index] = one;
+  }
+  void Instance(ir::StateId one, ir::StateId other);
+  template <class Accept>
+  void Spaces(Accept&& accept);
+
+  const machine::Version& old_;
+  const machine::Version& new_;
+  Match match_;
+};
+
+void Matcher::Places(const ir::Place& one, const ir::Place& other) {
+  if (one.is_field() != other.is_field()) return;
+  if (one.is_field()) {
+    // A timer or counter moves as a whole.
+    if (old_.program->states[one.state].kind == new_.program->states[other.state].kind)
+      Instance(one.state, other.state);
+    return;
+  }
+  // Of integers of two widths those digits are the same that both have; a number and a floating-point one share none.
+  const bool alike = one.type == other.type || (IsInteger(one.type) && IsInteger(other.type));
+  if (!alike || !execute::IsInside(*old_.program, one) || !execute::IsInside(*new_.program, other)) return;
+  const std::vector<execute::CellId> from = execute::CellsOf(*old_.program, old_.cells, one);
+  const std::vector<execute::CellId> to = execute::CellsOf(*new_.program, new_.cells, other);
+  for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
+    if (!IsFree(from[i], to[i])) return;
+  }
+  for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) Pair(from[i], to[i]);
+}
+
+template <class Accept>
+void Matcher::Spaces(Accept&& accept) {
+  for (uint32_t i = 0; i < old_.program->spaces.size(); ++i) {
+    const ir::Space& space = old_.program->spaces[ir::SpaceId(i)];
+    if (space.lifetime == ir::Lifetime::kRoutine) continue;
+    for (uint32_t j = 0; j < new_.program->spaces.size(); ++j) {
+      const ir::Space& other = new_.program->spaces[ir::SpaceId(j)];
+      if (other.name != space.name || other.lifetime == ir::Lifetime::kRoutine) continue;
+      for (uint32_t bit = 0; bit < 8 * std::min(space.bytes, other.bytes); ++bit) {
+        const execute::CellId one(old_.cells.spaces[i] + bit), same(new_.cells.spaces[j] + bit);
+        if (accept(one, same)) Pair(one, same);
+      }
+    }
+  }
+}
+
+void Matcher::InputsAndOutputs() {
+  Spaces([this](execute::CellId one, execute::CellId other) {
+    return machine::DirectionOf(old_, one) != ir::Direction::kInternal ||
+           machine::DirectionOf(new_, other) != ir::Direction::kInternal;
+  });
+}
+
+/// What has a name that the other version knows as well is there, whatever stands at its old address now.
+void Matcher::ByAddress() {
+  const VariableNames old_names(old_), new_names(new_);
+  Spaces([&](execute::CellId one, execute::CellId other) {
+    const auto all_are_common = [](const VariableNames& from, execute::CellId cell, const VariableNames& to,
+                                   execute::CellId same) {
+      return std::ranges::all_of(from.Of(cell), [&](const std::string& name) {
+        return !to.Has(name) || std::ranges::find(to.Of(same), name) != to.Of(same).end();
+      });
+    };
+    return all_are_common(old_names, one, new_names, other) && all_are_common(new_names, other, old_names, one);
+  });
+}
+
+void Matcher::InternalByName() {
+  std::map<std::string, const ir::Place*> by_name;
+  const auto is_candidate = [](const machine::Version& version, const ir::Place& place) {
+    return !place.is_field() && !place.name.empty() && execute::IsInside(*version.program, place) &&
+           version.program->spaces[place.space].lifetime != ir::Lifetime::kRoutine;
+  };
+  for (const ir::Place& place : new_.program->places) {
+    if (is_candidate(new_, place)) by_name.emplace(place.name, &place);
+  }
+  for (const ir::Place& place : old_.program->places) {
+    if (!is_candidate(old_, place)) continue;
+    const auto found = by_name.find(place.name);
+    if (found == by_name.end()) continue;
+    const ir::Place& other = *found->second;
+    if (old_.program->spaces[place.space].name == new_.program->spaces[other.space].name) Places(place, other);
+  }
+}
+
+/// Arrays and structures, of which the program touches elements that it computes.
+void Matcher::SymbolsByName() {
+  std::map<std::string, const ir::Symbol*> by_name;
+  for (const ir::Symbol& symbol : new_.program->symbols) by_name.emplace(symbol.name, &symbol);
+  for (const ir::Symbol& symbol : old_.program->symbols) {
+    const auto found = by_name.find(symbol.name);
+    if (found == by_name.end()) continue;
+    const ir::Symbol& other = *found->second;
+    const bool alike = symbol.indices.size() == other.indices.size() &&
+                       old_.program->spaces[symbol.space].name == new_.program->spaces[other.space].name &&
+                       old_.program->spaces[symbol.space].lifetime != ir::Lifetime::kRoutine;
+    if (!alike) continue;
+    const auto pair_elements = [&](const auto& self, size_t index, uint32_t from, uint32_t to) -> void {
+      if (index == symbol.indices.size()) {
+        Places({.type = symbol.type, .space = symbol.space, .offset = from, .bit = symbol.bit},
+               {.type = other.type, .space = other.space, .offset = to, .bit = other.bit});
+        return;
+      }
+      const ir::Symbol::Index &one = symbol.indices[index], &same = other.indices[index];
+      for (uint32_t i = 0; i < std::min(one.count, same.count); ++i) {
+        self(self, index + 1, from + i * one.stride, to + i * same.stride);
+      }
+    };
+    pair_elements(pair_elements, 0, symbol.offset, other.offset);
+  }
+}
+
+void Matcher::Instance(ir::StateId one, ir::StateId other) {
+  const uint32_t from = old_.cells.states[one.index], to = new_.cells.states[other.index];
+  for (uint32_t i = 0; i < meaning::FieldTerms(old_.program->states[one].kind); ++i)
+    Pair(execute::CellId(from + i), execute::CellId(to + i));
+}
+
+void Matcher::Instances() {
+  std::map<std::pair<ir::StateKind, std::string>, ir::StateId> by_name;
+  for (uint32_t i = 0; i < new_.program->states.size(); ++i) {
+    const ir::StateInstance& state = new_.program->states[ir::StateId(i)];
+    by_name.emplace(std::pair(state.kind, state.name), ir::StateId(i));
+  }
+  std::map<ir::StateKind, std::vector<ir::StateId>> rest;
+  for (uint32_t i = 0; i < old_.program->states.size(); ++i) {
+    const ir::StateInstance& state = old_.program->states[ir::StateId(i)];
+    if (match_.new_of_old[old_.cells.states[i]].valid()) continue;  // by --map
+    const auto found = by_name.find(std::pair(state.kind, state.name));
+    if (found == by_name.end() || match_.old_of_new[new_.cells.states[found->second.index]].valid()) {
+      rest[state.kind].emplace_back(i);
+    } else {
+      Instance(ir::StateId(i), found->second);
+    }
+  }
+  std::map<ir::StateKind, size_t> next;
+  for (uint32_t i = 0; i < new_.program->states.size(); ++i) {
+    const ir::StateKind kind = new_.program->states[ir::StateId(i)].kind;
+    if (match_.old_of_new[new_.cells.states[i]].valid()) continue;
+    if (next[kind] < rest[kind].size()) Instance(rest[kind][next[kind]++], ir::StateId(i));
+  }
+}
+
+void Matcher::HostFunctions() {
+  for (uint32_t i = 0; i < old_.program->host_functions.size(); ++i) {
+    for (uint32_t j = 0; j < new_.program->host_functions.size(); ++j) {
+      if (old_.program->host_functions[ir::HostFunctionId(i)].name ==
+          new_.program->host_functions[ir::HostFunctionId(j)].name) {
+        Pair(execute::CellId(old_.cells.calls + i), execute::CellId(new_.cells.calls + j));
+      }
+    }
+  }
+  Pair(old_.cells.OfOrder(), new_.cells.OfOrder());
+}
+
+}  // namespace
+
+Match MatchCells(const machine::Version& old_version, const machine::Version& new_version,
+                 const std::vector<std::pair<ir::Place, ir::Place>>& same) {
+  Matcher matcher(old_version, new_version);
+  for (const auto& [one, other] : same) matcher.Places(one, other);  // before everything that plcxx guesses
+  matcher.InputsAndOutputs();
+  matcher.InternalByName();
+  matcher.SymbolsByName();
+  matcher.ByAddress();
+  matcher.Instances();
+  matcher.HostFunctions();
+  return matcher.Take();
+}
+
+bool IsInputPair(const machine::Version& old_version, const machine::Uses& old_uses, const machine::Uses& new_uses,
+                 const Match& match, execute::CellId old_cell) {
+  const execute::Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
+  if (cell.kind != execute::CellKind::kBit) return false;
+  if (machine::DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
+  const execute::CellId new_cell = match.new_of_old[old_cell.index];
+  const ir::Space& space = old_version.program->spaces[cell.space];
+  return space.host_visible &&
+         !(old_uses.writes[old_cell.index] && (!new_cell.valid() || new_uses.writes[new_cell.index]));
+}
+
+std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,
+                                             const Match& match) {
+  const std::vector<bool> old_cells = machine::RequestCells(old_version),
+                          new_cells = machine::RequestCells(new_version);
+  std::vector<execute::CellId> requests;
+  for (uint32_t i = 0; i < old_cells.size(); ++i) {
+    const execute::CellId new_cell = match.new_of_old[i];
+    if (old_cells[i] && new_cell.valid() && new_cells[new_cell.index]) requests.emplace_back(i);
+  }
+  return requests;
+}
+
+}  // namespace plcxx::prove::diff

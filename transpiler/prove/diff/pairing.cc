@@ -1,0 +1,94 @@
+#include "transpiler/prove/diff/pairing.h"
+
+#include <string>
+
+#include "transpiler/symbolic/meaning/meaning.h"
+
+namespace plcxx::prove::diff {
+namespace {
+
+/// The bytes that a place of a byte or more touches.
+std::vector<bool> WordBytes(const machine::Version& version) {
+  std::vector<bool> words(version.cells.count);
+  for (const ir::Place& place : version.program->places) {
+    if (place.is_field() || place.type == ir::Type::kBit) continue;
+    const uint32_t size = version.program->spaces[place.space].bytes;
+    const uint32_t begin = place.indexed ? place.low : place.offset;
+    const uint32_t end = place.indexed ? place.high : place.offset + ir::Bytes(place.type);
+    for (uint32_t offset = begin; offset < end && offset < size; ++offset) {
+      words[version.cells.OfBit(place.space, offset, 0).index] = true;
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+Pairing::Pairing(terms::Terms& terms, const machine::Version& old_version, const machine::Version& new_version,
+                 const Match& match)
+    : terms_(terms),
+      old_(old_version),
+      new_(new_version),
+      match_(match),
+      equal_(old_version.cells.count),
+      old_words_(WordBytes(old_version)),
+      new_words_(WordBytes(new_version)) {
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) equal_[i] = match.new_of_old[i].valid();
+}
+
+terms::TermId& Pairing::VariableOf(Which which, uint32_t cell, bool shared, bool byte) {
+  const uint64_t side = shared ? 2 : which == Which::kOld ? 0 : 1;
+  return variables_[uint64_t{cell} << 3 | side << 1 | (byte ? 1 : 0)];
+}
+
+/// All bits of the byte are equal, and the other version has them in one byte, too.
+bool Pairing::SharesByte(execute::CellId first) const {
+  const execute::CellId partner = match_.new_of_old[first.index];
+  for (uint32_t i = 0; i < 8; ++i) {
+    if (!equal_[first.index + i] || match_.new_of_old[first.index + i] != execute::CellId(partner.index + i))
+      return false;
+  }
+  const execute::Cell there = execute::CellAt(*new_.program, new_.cells, partner);
+  return there.kind == execute::CellKind::kBit && there.bit == 0 &&
+         (old_words_[first.index] || new_words_[partner.index]);
+}
+
+terms::TermId Pairing::Bit(Which which, execute::CellId id, bool shared) {
+  const machine::Version& version = this->version(which);
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  const execute::CellId first(id.index - cell.bit);
+  const bool as_byte = shared ? SharesByte(first) : (which == Which::kOld ? old_words_ : new_words_)[first.index];
+  const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
+  if (!as_byte) {
+    terms::TermId& variable = VariableOf(which, id.index, shared, false);
+    if (!variable.valid()) variable = terms_.Variable(prefix + execute::CellName(*version.program, cell), 1);
+    return variable;
+  }
+  terms::TermId& variable = VariableOf(which, first.index, shared, true);
+  if (!variable.valid()) {
+    variable =
+        terms_.Variable(prefix + version.program->spaces[cell.space].name + "." + std::to_string(cell.offset), 8);
+  }
+  return terms_.Extract(variable, cell.bit, 1);
+}
+
+terms::TermId Pairing::Initial(Which which, execute::CellId id) {
+  const execute::CellId old_cell = which == Which::kOld ? id : match_.old_of_new[id.index];
+  const bool shared = old_cell.valid() && equal_[old_cell.index];
+  if (shared) {
+    which = Which::kOld;
+    id = old_cell;
+  }
+  const machine::Version& version = this->version(which);
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind == execute::CellKind::kBit) return Bit(which, id, shared);
+  terms::TermId& variable = VariableOf(which, id.index, shared, false);
+  if (!variable.valid()) {
+    const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
+    variable =
+        terms_.Variable(prefix + execute::CellName(*version.program, cell), execute::CellWidth(*version.program, cell));
+  }
+  return variable;
+}
+
+}  // namespace plcxx::prove::diff

@@ -1,0 +1,44 @@
+// The state of two versions as variables: what is assumed equal is one variable, the rest is one for each version.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "transpiler/prove/diff/match.h"
+#include "transpiler/symbolic/terms/terms.h"
+
+namespace plcxx::prove::diff {
+
+enum class Which : uint8_t { kOld, kNew };
+
+class Pairing {
+ public:
+  /// All refer to what outlives the pairing.
+  Pairing(terms::Terms& terms, const machine::Version& old_version, const machine::Version& new_version,
+          const Match& match);
+
+  /// The value of a cell before the period; the same variable for both where the cells are `equal`.
+  terms::TermId Initial(Which which, execute::CellId cell);
+  bool IsEqual(execute::CellId old_cell) const { return equal_[old_cell.index]; }
+  /// From now on the versions' cells are two variables.
+  void Separate(execute::CellId old_cell) { equal_[old_cell.index] = false; }
+  void Join(execute::CellId old_cell) { equal_[old_cell.index] = true; }
+
+  const machine::Version& version(Which which) const { return which == Which::kOld ? old_ : new_; }
+  const Match& match() const { return match_; }
+
+ private:
+  terms::TermId Bit(Which which, execute::CellId cell, bool shared);
+  bool SharesByte(execute::CellId old_cell) const;
+  terms::TermId& VariableOf(Which which, uint32_t cell, bool shared, bool byte);
+
+  terms::Terms& terms_;
+  const machine::Version& old_;
+  const machine::Version& new_;
+  const Match& match_;
+  std::vector<bool> equal_;                  // by old cell
+  std::vector<bool> old_words_, new_words_;  // by cell of the first bit of a byte: it is part of a word somewhere
+  std::unordered_map<uint64_t, terms::TermId> variables_;  // looked up only
+};
+
+}  // namespace plcxx::prove::diff

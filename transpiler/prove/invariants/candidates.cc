@@ -1,0 +1,137 @@
+#include "transpiler/prove/invariants/candidates.h"
+
+#include <algorithm>
+
+#include "transpiler/ir/op.h"
+
+namespace plcxx::prove::invariants {
+namespace {
+
+constexpr size_t kMostValues = 12;       // of a byte or field that is said to take few
+constexpr size_t kMostWhile = 3;         // of those, while a bit is set or not
+constexpr uint64_t kMostNumbered = 255;  // by which steps and states are counted; a time takes many more values
+constexpr size_t kMostLimits = 6;        // that a number is guessed to stay below
+constexpr size_t kMostConstants = 100;   // of a program that limits are guessed from
+
+}  // namespace
+
+Candidates::Candidates(const machine::Version& version, std::span<const execute::CellId> cells,
+                       const std::function<bool(execute::CellId)>& is_state) {
+  const std::set<execute::CellId> interesting(cells.begin(), cells.end());
+  std::set<uint32_t> bytes_taken;
+  for (const execute::CellId id : interesting) {
+    const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+    if (cell.kind == execute::CellKind::kCalls) continue;
+    const uint8_t width = execute::CellWidth(*version.program, cell);
+    if (cell.kind == execute::CellKind::kField && width > 1) {
+      numbers_.push_back({.cells = {id}, .width = width, .values = {}});
+      continue;
+    }
+    if (bits_.size() < kMostBits) bits_.push_back(id);
+    if (cell.kind != execute::CellKind::kBit || !bytes_taken.insert(id.index - cell.bit).second) continue;
+    std::vector<execute::CellId> byte;
+    for (uint32_t bit = 8; bit-- > 0;) byte.emplace_back(id.index - cell.bit + bit);
+    if (std::ranges::all_of(byte, is_state)) numbers_.push_back({.cells = std::move(byte), .values = {}});
+  }
+  seen_pairs_.assign(bits_.size() * bits_.size(), 0);
+}
+
+void Candidates::AddState(const CellValues& state) {
+  std::bitset<kMostBits> ones, zeros;
+  for (size_t i = 0; i < bits_.size(); ++i) ((state(bits_[i]) & 1) != 0 ? ones : zeros).set(i);
+  for (size_t i = 0; i < bits_.size(); ++i) {
+    for (size_t j = i; j < bits_.size(); ++j)
+      seen_pairs_[i * bits_.size() + j] |= static_cast<uint8_t>(1U << ((ones[i] ? 2 : 0) + (ones[j] ? 1 : 0)));
+  }
+  for (SeenNumber& number : numbers_) {
+    const uint64_t value = NumberOf(number.cells, state);
+    number.greatest = std::max(number.greatest, value);
+    auto seen = std::ranges::find(number.values, value, &SeenValue::value);
+    if (seen == number.values.end()) {
+      if (number.values.size() > kMostValues) continue;
+      seen = number.values.insert(seen, {.value = value, .ones = {}, .zeros = {}});
+    }
+    seen->ones |= ones;
+    seen->zeros |= zeros;
+  }
+}
+
+void Candidates::AddConstantsOf(const ir::Program& program) {
+  // A term may have them bit by bit only.
+  std::set<uint64_t> constants;
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ConstantValue(inst));
+    }
+  }
+  // In a large program most of them belong to something else.
+  if (constants.size() > kMostConstants) return;
+  for (const uint64_t constant : constants) AddNeighbours(program_limits_, constant);
+}
+
+void Candidates::AddBits(std::vector<Invariant>& guesses) const {
+  constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;  // of a bit with itself
+  for (size_t i = 0; i < bits_.size(); ++i) {
+    const uint8_t own = seen_pairs_[i * bits_.size() + i];
+    if (own == kAlwaysZero || own == kAlwaysOne) {
+      guesses.push_back({.cells = {bits_[i]}, .values = {own == kAlwaysZero ? uint64_t{0} : uint64_t{1}}});
+      continue;
+    }
+    for (size_t j = i + 1; j < bits_.size(); ++j) {
+      const uint8_t other = seen_pairs_[j * bits_.size() + j];
+      if (other == kAlwaysZero || other == kAlwaysOne) continue;
+      for (uint64_t combination = 0; combination < 4; ++combination) {
+        if ((seen_pairs_[i * bits_.size() + j] >> combination & 1) != 0) continue;
+        guesses.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .kind = Invariant::Kind::kNoneOf});
+      }
+    }
+  }
+}
+
+void Candidates::AddLimits(const SeenNumber& number, std::vector<Invariant>& guesses) const {
+  const uint64_t most = number.width >= 64 ? ~uint64_t{0} : (uint64_t{1} << number.width) - 1;
+  std::set<uint64_t> nearest;
+  for (const std::set<uint64_t>* limits : {&limits_, &program_limits_}) {
+    size_t count = 0;
+    for (auto limit = limits->lower_bound(number.greatest);
+         limit != limits->end() && *limit < most && count < kMostLimits; ++limit, ++count) {
+      nearest.insert(*limit);
+    }
+  }
+  for (const uint64_t limit : nearest)
+    guesses.push_back({.cells = number.cells, .values = {limit}, .kind = Invariant::Kind::kAtMost});
+}
+
+void Candidates::AddWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const {
+  if (number.values.size() < 2) return;
+  for (size_t bit = 0; bit < bits_.size(); ++bit) {
+    if (std::ranges::find(number.cells, bits_[bit]) != number.cells.end()) continue;
+    for (const bool is_set : {true, false}) {
+      std::vector<uint64_t> values;
+      for (const SeenValue& seen : number.values) {
+        if ((is_set ? seen.ones : seen.zeros)[bit]) values.push_back(seen.value);
+      }
+      // With none the bit never has that value, with all nothing is said.
+      if (values.empty() || values.size() > kMostWhile || values.size() == number.values.size()) continue;
+      guesses.push_back(
+          {.cells = number.cells, .values = std::move(values), .while_bit = bits_[bit], .while_set = is_set});
+    }
+  }
+}
+
+std::vector<Invariant> Candidates::Make() const {
+  std::vector<Invariant> guesses;
+  AddBits(guesses);
+  for (const SeenNumber& number : numbers_) {
+    AddLimits(number, guesses);
+    if (number.values.size() > kMostValues || number.greatest > kMostNumbered) continue;
+    AddWhile(number, guesses);
+    std::set<uint64_t> values;
+    for (const SeenValue& seen : number.values) values.insert(seen.value);
+    guesses.push_back({.cells = number.cells, .values = {values.begin(), values.end()}});
+  }
+  return guesses;
+}
+
+}  // namespace plcxx::prove::invariants

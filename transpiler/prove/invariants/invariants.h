@@ -1,0 +1,75 @@
+// What holds in every state that one version can reach: guessed from random runs and from states that others have seen,
+// then proved by induction.
+//
+// In: a version and the cells of interest. Out: clauses over its cells, each proved for every run from power-on, with
+// any inputs and answers of the host; the host writes inputs only. Candidates: a bit that never changes, two bits that
+// never have certain values together, a byte or field that takes few values, or fewer while a bit is set or not (the
+// output of a step, and the step counter), or none above a constant of the program. What one guess needs another one
+// may give: they are proved together, and what fails is dropped until nothing does. Pairs of bits are many, and come
+// last.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "transpiler/prove/machine/version.h"
+#include "transpiler/symbolic/solver/solver.h"
+
+namespace plcxx::prove::invariants {
+
+/// What the number that `cells` make may be.
+struct Invariant {
+  enum class Kind : uint8_t { kOneOf, kNoneOf, kAtMost };
+  std::vector<execute::CellId> cells;  // from the most significant down; together one number
+  std::vector<uint64_t> values;        // of kAtMost one
+  Kind kind = Kind::kOneOf;
+  /// Not none: it is said of those states only in which this bit has that value.
+  execute::CellId while_bit;
+  bool while_set = false;
+};
+
+/// The value of a cell in some state.
+using CellValues = std::function<uint64_t(execute::CellId)>;
+/// Calls `visit` with each state in which a version was seen, and the time then.
+using SeenStates = std::function<void(const std::function<void(const CellValues&, uint64_t now_ms)>& visit)>;
+
+/// Of bits, the most significant first, or of one cell.
+uint64_t NumberOf(std::span<const execute::CellId> cells, const CellValues& state);
+
+/// An invariant as a condition on the values that `value` gives.
+terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
+                          const std::function<terms::TermId(execute::CellId)>& value);
+bool HoldsIn(const Invariant& invariant, const CellValues& state);
+
+struct InvariantSearch {
+  const machine::Version& version;
+  std::vector<execute::CellId> cells;             // of interest
+  std::function<bool(execute::CellId)> is_input;  // the host writes the cell
+  /// A machine at work, which random inputs do not start; may be empty. Nothing is taken for true because of them.
+  SeenStates seen_states;
+};
+
+class InvariantFinder {
+ public:
+  /// All that it refers to outlives it.
+  InvariantFinder(terms::Terms& terms, solver::Solver& solver, InvariantSearch search);
+  ~InvariantFinder();
+  InvariantFinder(const InvariantFinder&) = delete;
+  InvariantFinder& operator=(const InvariantFinder&) = delete;
+
+  /// In about so much time; it goes on from there when it is called again.
+  void Find(uint64_t milliseconds);
+  /// What is proved so far.
+  const std::vector<Invariant>& invariants() const;
+  /// Nothing more will be found.
+  bool is_done() const;
+
+ private:
+  class Finder;
+  std::unique_ptr<Finder> finder_;
+};
+
+}  // namespace plcxx::prove::invariants

@@ -1,0 +1,59 @@
+// One period, or power-on, of one version as a function of the state before it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "transpiler/prove/machine/version.h"
+#include "transpiler/symbolic/execute/execute.h"
+
+namespace plcxx::prove::machine {
+
+/// What the host sees at a call that reads the state.
+struct Observation {
+  ir::HostFunctionId function;
+  terms::TermId when;
+  std::vector<terms::TermId> outputs;  // by index of PartEnvironment::outputs
+};
+
+struct Transition {
+  std::vector<terms::TermId> next;  // by cell; none: the cell keeps its value
+  std::vector<Observation> observations;
+  execute::Refusal refusal;
+};
+
+enum class HostAnswers : uint8_t {
+  kAny,     // whatever a host may answer and write
+  kNothing  // 0, no second result, and nothing is written: a simulation without a stub
+};
+
+struct PartEnvironment {
+  std::function<terms::TermId(execute::CellId)> initial;
+  terms::TermId now;
+  HostAnswers answers = HostAnswers::kAny;
+  std::vector<execute::CellId> outputs;                                    // what observations look at
+  std::function<execute::Environment::HostBit(execute::CellId)> host_bit;  // see Environment; may be empty
+  std::function<bool(execute::CellId)> may_be_left;                        // see Environment; may be empty
+  std::function<terms::TermId(execute::CellId, terms::TermId)> cut;        // see Environment; may be empty
+  std::function<bool(execute::CellId)> is_cut;
+  std::function<bool()> is_late;  // see Environment; may be empty
+};
+
+/// What runs by itself: the schedule's period, and the fast part alone: it may have a time of its own (fast_ms, the
+/// period is the slow part alone then), or the slow part may not be done yet when the next period begins.
+enum class Part : uint8_t { kPeriod, kFast };
+/// Whether the fast part alone is something else than a period.
+bool HasFastPart(const Version& version);
+/// Schedule::fast_ms: the period is the slow part alone then.
+bool HasTimedFastPart(const Version& version);
+Transition RunPart(terms::Terms& terms, const Version& version, Part part, const PartEnvironment& environment);
+/// Power-on: memory is as the program says, and then, as far as it is retentive, as it was when the power failed:
+/// `initial` is asked for that and for the calls.
+/// Whether memory lives on without power.
+bool HasRetentiveMemory(const Version& version);
+Transition RunInit(terms::Terms& terms, const Version& version, const PartEnvironment& environment);
+
+/// The value of a cell when power comes: 0, or the program's initial byte.
+bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit);
+
+}  // namespace plcxx::prove::machine

@@ -1,0 +1,59 @@
+#include "transpiler/prove/machine/version.h"
+
+#include "transpiler/ir/accesses.h"
+#include "transpiler/ir/op.h"
+
+namespace plcxx::prove::machine {
+
+Version MakeVersion(const ir::Program& program) { return {.program = &program, .cells = execute::MakeCells(program)}; }
+
+ir::Direction DirectionOf(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind == execute::CellKind::kCalls) return ir::Direction::kOutput;
+  if (cell.kind == execute::CellKind::kField) return ir::Direction::kInternal;
+  for (const ir::Zone& zone : version.program->spaces[cell.space].zones) {
+    if (zone.begin <= cell.offset && cell.offset < zone.end) return zone.direction;
+  }
+  return ir::Direction::kInternal;
+}
+
+bool IsState(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind != execute::CellKind::kBit || version.program->spaces[cell.space].lifetime != ir::Lifetime::kRoutine;
+}
+
+bool IsRetentive(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit &&
+         version.program->spaces[cell.space].lifetime == ir::Lifetime::kRetentive;
+}
+
+Uses UsesOf(const Version& version) {
+  const ir::Program& program = *version.program;
+  Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
+  const auto on_place = [&](ir::PlaceId place, ir::Access access) {
+    for (const execute::CellId cell : execute::TouchedCells(program, version.cells, program.places[place])) {
+      if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
+      if (access != ir::Access::kRead) uses.writes[cell.index] = true;
+    }
+  };
+  const auto on_instance = [&](ir::StateId state) {
+    for (const execute::CellId cell : execute::CellsOfInstance(program, version.cells, state)) {
+      uses.reads[cell.index] = uses.writes[cell.index] = true;
+    }
+  };
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      ir::ForEachAccess(program, inst, on_place, on_instance);
+      if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
+        const ir::HostFunctionId host = program.calls[ir::CallId(inst.payload)].host;
+        uses.writes[version.cells.OfCalls(host).index] = true;
+        if (version.cells.is_ordered[host.index]) uses.writes[version.cells.OfOrder().index] = true;
+      }
+    }
+  }
+  return uses;
+}
+
+}  // namespace plcxx::prove::machine

@@ -1,0 +1,33 @@
+// One program seen as a machine: its cells, and what it does to each of them.
+//
+// In: a program. Out: for each cell how the host uses it, whether it lives from scan to scan, whether instructions read
+// or write it. Not its job: what a part of the period computes (transition.h), a second version (diff/match.h).
+#pragma once
+
+#include <vector>
+
+#include "transpiler/ir/program.h"
+#include "transpiler/symbolic/execute/cells.h"
+
+namespace plcxx::prove::machine {
+
+/// A program with its cells.
+struct Version {
+  const ir::Program* program = nullptr;
+  execute::Cells cells;
+};
+Version MakeVersion(const ir::Program& program);
+
+/// How the host uses a cell: bits by the zone of their byte; fields are internal, calls go out.
+ir::Direction DirectionOf(const Version& version, execute::CellId cell);
+/// Whether a cell lives from scan to scan.
+bool IsState(const Version& version, execute::CellId cell);
+bool IsRetentive(const Version& version, execute::CellId cell);
+
+/// What a program does to each cell, by CellId.
+struct Uses {
+  std::vector<bool> reads, writes;
+};
+Uses UsesOf(const Version& version);
+
+}  // namespace plcxx::prove::machine

@@ -1,0 +1,75 @@
+#include "transpiler/prove/verify/bitcode.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/runtime_files.h"
+#include "transpiler/compile/target.h"
+
+namespace plcxx::prove::verify {
+namespace {
+
+constexpr int kCompilerSeconds = 600;
+
+/// What plcxx build does, but for what would make many instructions of one, or have rounds of a loop begin elsewhere
+/// than in the source. The generated functions stay functions (those of the runtime are inline) with the parameters
+/// that the source says, also where only the file itself calls them, so that each can be proved by itself.
+constexpr std::string_view kFlags[] = {"-emit-llvm",
+                                       "-g0",
+                                       "-fno-vectorize",
+                                       "-fno-slp-vectorize",
+                                       "-fno-unroll-loops",
+                                       "-mllvm",
+                                       "-rotation-max-header-size=0",
+                                       "-finline-hint-functions",
+                                       "-fno-discard-value-names",
+                                       "-Dstatic=__attribute__((used)) static"};
+
+std::string FirstFault(const std::string& output) {
+  size_t at = output.find("error:");
+  if (at == std::string::npos) at = 0;
+  const size_t line = output.rfind('\n', at);
+  const size_t begin = line == std::string::npos ? 0 : line + 1;
+  return output.substr(begin, output.find('\n', at) - begin);
+}
+
+bool WriteFiles(const BitcodeRequest& request, const compile::TemporaryDirectory& directory) {
+  bool written = directory.valid() && compile::WriteRuntime(directory.path());
+  for (const emit::OutputFile& file : request.runtime) written = written && directory.Write(file.name, file.text);
+  for (const emit::OutputFile& file : *request.files) {
+    if (file.name.ends_with(".hpp") || file.name.ends_with(".cpp"))
+      written = written && directory.Write(file.name, file.text);
+  }
+  return written;
+}
+
+}  // namespace
+
+std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& request) {
+  const compile::TemporaryDirectory directory;
+  if (!WriteFiles(request, directory)) return BitcodeFailure{"the temporary directory cannot be written", ""};
+  Bitcode bitcode;
+  for (const emit::OutputFile& file : *request.files) {
+    if (!file.name.ends_with(".cpp")) continue;
+    const std::string object = file.name + ".bc";
+    const compile::Target& target = request.target != nullptr ? *request.target : compile::Targets().front();
+    std::vector<std::string> command =
+        compile::CompileCommand(*request.toolchain, target, request.level, directory.path(), file.name, object);
+    command.insert(command.end(), std::begin(kFlags), std::end(kFlags));
+    command.insert(command.end(), request.further_flags.begin(), request.further_flags.end());
+    const compile::ProcessResult result = compile::RunProcess(command, kCompilerSeconds, directory.path());
+    if (result.exit_code != 0) return BitcodeFailure{FirstFault(result.output), result.output};
+    std::ifstream stream(directory.path() + "/" + object, std::ios::binary);
+    bitcode.files.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    if (!bitcode.flags.empty()) continue;
+    for (const std::string& word : command) {
+      const bool names_file = word == file.name || word == object || word.find(directory.path()) != std::string::npos;
+      if (word.starts_with("-") && word != "-o" && word != "-c" && word != "-I" && !names_file)
+        bitcode.flags.push_back(word);
+    }
+  }
+  return bitcode;
+}
+
+}  // namespace plcxx::prove::verify

@@ -1,0 +1,109 @@
+// The module's functions: bitcode files to one program that can be executed.
+#include <llvm/Analysis/LoopInfo.h>
+#include <llvm/Bitcode/BitcodeReader.h>
+#include <llvm/IR/Dominators.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/Linker/Linker.h>
+#include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Transforms/Utils/LoopUtils.h>
+
+#include <unordered_map>
+#include <utility>
+
+#include "transpiler/prove/verify/compiled_code.h"
+#include "transpiler/prove/verify/llvm_ir/executor.h"
+#include "transpiler/prove/verify/llvm_ir/module.h"
+#include "transpiler/prove/verify/llvm_ir/source_code.h"
+
+namespace plcxx::prove::verify::llvm_ir {
+namespace {
+
+/// What a loop computes leaves it by phis only, so that each way out has its own values.
+void CloseLoops(llvm::Function& function) {
+  llvm::DominatorTree dominators(function);
+  llvm::LoopInfo loops(dominators);
+  for (llvm::Loop* loop : loops) llvm::formLCSSARecursively(*loop, dominators, &loops, nullptr);
+}
+
+class Code : public CompiledCode {
+ public:
+  Code(std::unique_ptr<llvm::LLVMContext> context, std::unique_ptr<llvm::Module> module)
+      : context_(std::move(context)), module_(std::move(module)) {
+    for (llvm::Function& function : *module_) {
+      if (function.isDeclaration()) continue;
+      CloseLoops(function);
+      functions_.emplace(flows_.NameOf(function), &function);
+    }
+  }
+
+  CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) override {
+    const auto found = functions_.find(run.function);
+    if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
+    return Executor(*module_, flows_, terms, environment, run).Run(*found->second);
+  }
+
+  std::optional<std::vector<std::string>> Parameters(const std::string& function) const override {
+    const auto found = functions_.find(function);
+    if (found == functions_.end()) return std::nullopt;
+    std::vector<std::string> names;
+    for (const llvm::Argument& parameter : found->second->args()) names.push_back(parameter.getName().str());
+    return names;
+  }
+
+  std::vector<int16_t> InitialBytes(const std::string& global) const override {
+    const llvm::GlobalVariable* found = module_->getGlobalVariable(global, /*AllowInternal=*/true);
+    if (found == nullptr || !found->hasInitializer()) return {};
+    return BytesOf(*found->getInitializer(), module_->getDataLayout());
+  }
+
+ private:
+  std::unique_ptr<llvm::LLVMContext> context_;
+  std::unique_ptr<llvm::Module> module_;
+  std::unordered_map<std::string, const llvm::Function*> functions_;  // looked up only
+  FlowCache flows_;
+};
+
+/// `source`: what is done with code of the sources' language; none: with generated code.
+std::unique_ptr<CompiledCode> ReadBitcode(std::span<const std::string> bitcode, const SourceCode* source,
+                                          std::string& reason) {
+  auto context = std::make_unique<llvm::LLVMContext>();
+  std::unique_ptr<llvm::Module> all;
+  for (const std::string& bytes : bitcode) {
+    auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), *context);
+    if (!module) {
+      reason = "the compiler's bitcode cannot be read: " + llvm::toString(module.takeError());
+      return nullptr;
+    }
+    if (all == nullptr) {
+      all = std::move(*module);
+    } else if (llvm::Linker::linkModules(*all, std::move(*module))) {
+      reason = "the files of the generated code do not fit together";
+      return nullptr;
+    }
+  }
+  if (all == nullptr || !all->getDataLayout().isLittleEndian()) {
+    reason = "there is no code for a processor that stores the least significant byte first";
+    return nullptr;
+  }
+  if (source != nullptr) AdaptSource(*all, *source);
+  return MakeCode(std::move(context), std::move(all));
+}
+
+}  // namespace
+
+std::unique_ptr<CompiledCode> MakeCode(std::unique_ptr<llvm::LLVMContext> context,
+                                       std::unique_ptr<llvm::Module> module) {
+  return std::make_unique<Code>(std::move(context), std::move(module));
+}
+
+}  // namespace plcxx::prove::verify::llvm_ir
+
+extern "C" [[gnu::visibility("default")]] plcxx::prove::verify::CompiledCode* plcxx_read_code(
+    std::span<const std::string> bitcode, std::string& reason) {
+  return plcxx::prove::verify::llvm_ir::ReadBitcode(bitcode, nullptr, reason).release();
+}
+
+extern "C" [[gnu::visibility("default")]] plcxx::prove::verify::CompiledCode* plcxx_read_source(
+    const plcxx::prove::verify::SourceCode& source, std::string& reason) {
+  return plcxx::prove::verify::llvm_ir::ReadBitcode({&source.bitcode, 1}, &source, reason).release();
+}

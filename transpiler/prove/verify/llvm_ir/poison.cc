@@ -1,0 +1,265 @@
+// Executor: what an instruction's flags promise, and what becomes of a value for which the promise is broken.
+//
+// LLVM calls such a value poison. It may be computed and thrown away; it must not decide a branch, be written, be an
+// address, or be given to somebody else. A value carries the condition under which it is poison from where it is made
+// to where it is used, and there the condition must never hold.
+#include <llvm/IR/ConstantRange.h>
+#include <llvm/IR/Metadata.h>
+#include <llvm/IR/Operator.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "transpiler/prove/verify/llvm_ir/executor.h"
+#include "transpiler/symbolic/terms/floats.h"
+
+namespace plcxx::prove::verify::llvm_ir {
+namespace {
+
+uint64_t Ones(unsigned width) { return width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1; }
+
+bool IsSignedDivision(const llvm::BinaryOperator& inst) { return inst.getOpcode() == llvm::Instruction::SDiv; }
+
+}  // namespace
+
+terms::TermId Executor::Either(terms::TermId a, terms::TermId b) {
+  if (!a.valid() || !b.valid()) return a.valid() ? a : b;
+  return terms_.Or(a, b);
+}
+
+terms::TermId Executor::OrNone(terms::TermId condition) {
+  return condition.valid() && terms_.IsFalse(condition) ? terms::TermId() : condition;
+}
+
+terms::TermId Executor::SignOf(terms::TermId a) {
+  return terms_.Extract(a, static_cast<uint8_t>(terms_.Width(a) - 1), 1);
+}
+
+terms::TermId Executor::PoisonOfOperands(const llvm::User& inst) {
+  terms::TermId poison;
+  for (const llvm::Use& operand : inst.operands()) {
+    if (!llvm::isa<llvm::BasicBlock>(operand) && !llvm::isa<llvm::Function>(operand))
+      poison = Either(poison, ValueOf(operand).poison);
+  }
+  return poison;
+}
+
+/// a * b does not fit into `width` bits.
+terms::TermId Executor::ProductOverflows(terms::TermId a, terms::TermId b, bool has_sign) {
+  const uint8_t width = terms_.Width(a);
+  if (2 * width <= 64) {
+    const auto wide = static_cast<uint8_t>(2 * width);
+    const auto widen = [&](terms::TermId term) { return has_sign ? terms_.Sext(term, wide) : terms_.Zext(term, wide); };
+    const terms::TermId exact = terms_.Mul(widen(a), widen(b));
+    return terms_.Ne(exact, widen(terms_.Extract(exact, 0, width)));
+  }
+  // One operand is a constant nearly always: then the other one has bounds.
+  if (terms_.IsConst(a)) std::swap(a, b);
+  if (terms_.IsConst(b)) {
+    const uint64_t factor = terms_.Value(b);
+    if (factor == 0) return {};
+    if (!has_sign) return terms_.Ult(terms_.Const(Ones(width) / factor, width), a);
+    if (factor <= Ones(width) >> 1) {
+      const uint64_t greatest = (Ones(width) >> 1) / factor;
+      const uint64_t least =
+          terms::Masked(~(greatest + ((Ones(width) >> 1) % factor == factor - 1 ? 1 : 0)) + 1, width);
+      return terms_.Or(terms_.Slt(terms_.Const(greatest, width), a), terms_.Slt(a, terms_.Const(least, width)));
+    }
+  }
+  const terms::TermId zero = terms_.Const(0, width), product = terms_.Mul(a, b);
+  const terms::TermId back = has_sign ? terms_.Sdiv(product, a) : terms_.Udiv(product, a);
+  terms::TermId overflow = terms_.And(terms_.Ne(a, zero), terms_.Ne(back, b));
+  if (has_sign) {
+    const terms::TermId least = terms_.Const(uint64_t{1} << (width - 1), width);
+    const terms::TermId minus_one = terms_.Const(Ones(width), width);
+    overflow = terms_.Or(overflow, terms_.And(terms_.Eq(a, minus_one), terms_.Eq(b, least)));
+  }
+  return overflow;
+}
+
+terms::TermId Executor::SumOverflows(terms::TermId a, terms::TermId b, terms::TermId sum, bool has_sign) {
+  if (!has_sign) return terms_.Ult(sum, a);
+  return terms_.And(terms_.Xor(SignOf(a), SignOf(sum)), terms_.Xor(SignOf(b), SignOf(sum)));
+}
+
+terms::TermId Executor::DifferenceOverflows(terms::TermId a, terms::TermId b, terms::TermId difference, bool has_sign) {
+  if (!has_sign) return terms_.Ult(a, b);
+  return terms_.And(terms_.Xor(SignOf(a), SignOf(b)), terms_.Xor(SignOf(a), SignOf(difference)));
+}
+
+terms::TermId Executor::PoisonOfBinary(const llvm::BinaryOperator& inst, terms::TermId result) {
+  const terms::TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+  const uint8_t width = terms_.Width(a);
+  terms::TermId poison;
+  const auto add = [&](terms::TermId condition) { poison = Either(poison, OrNone(condition)); };
+  const bool wraps = llvm::isa<llvm::OverflowingBinaryOperator>(inst);
+  const bool no_unsigned = wraps && inst.hasNoUnsignedWrap(), no_signed = wraps && inst.hasNoSignedWrap();
+  // Most flags are the optimizer's own, of numbers that are small: their ranges say so at once.
+  const ValueRange low = ranges_.Of(a), high = ranges_.Of(b);
+  const uint64_t greatest = no_signed ? Ones(width) >> 1 : Ones(width);
+  switch (inst.getOpcode()) {
+    case llvm::Instruction::Add:
+      if (low.high <= greatest && high.high <= greatest - low.high) break;
+      if (no_unsigned) add(SumOverflows(a, b, result, false));
+      if (no_signed) add(SumOverflows(a, b, result, true));
+      break;
+    case llvm::Instruction::Sub:
+      if (no_unsigned && low.low < high.high) add(DifferenceOverflows(a, b, result, false));
+      if (no_signed && (low.high > greatest || high.high > greatest)) add(DifferenceOverflows(a, b, result, true));
+      break;
+    case llvm::Instruction::Mul:
+      if (low.high == 0 || high.high <= greatest / low.high) break;
+      if (no_unsigned) add(ProductOverflows(a, b, false));
+      if (no_signed) add(ProductOverflows(a, b, true));
+      break;
+    case llvm::Instruction::Shl:
+      if (no_unsigned) add(terms_.Ne(terms_.Lshr(result, b), a));
+      if (no_signed) add(terms_.Ne(terms_.Ashr(result, b), a));
+      [[fallthrough]];
+    case llvm::Instruction::LShr:
+    case llvm::Instruction::AShr:
+      if (high.high >= width) add(terms_.Not(terms_.Ult(b, terms_.Const(width, width))));
+      if (inst.getOpcode() != llvm::Instruction::Shl && inst.isExact()) add(terms_.Ne(terms_.Shl(result, b), a));
+      break;
+    case llvm::Instruction::UDiv:
+    case llvm::Instruction::SDiv:
+      if (inst.isExact()) {
+        const terms::TermId rest = IsSignedDivision(inst) ? terms_.Srem(a, b) : terms_.Urem(a, b);
+        add(terms_.Ne(rest, terms_.Const(0, width)));
+      }
+      break;
+    case llvm::Instruction::Or:
+      if (llvm::cast<llvm::PossiblyDisjointInst>(inst).isDisjoint())
+        add(terms_.Ne(terms_.And(a, b), terms_.Const(0, width)));
+      break;
+    default:
+      break;
+  }
+  return poison;
+}
+
+/// Numbers that a conversion to an integer of `width` bits has no result for; NaN, too.
+terms::TermId Executor::IsBeyondInteger(terms::TermId number, uint8_t width, bool has_sign) {
+  const uint8_t format = terms_.Width(number);
+  const int digits = format == 32 ? 24 : 53;
+  const double above = std::ldexp(1.0, has_sign ? width - 1 : width);
+  const terms::TermId below_top = terms::FloatLess(terms_, number, terms::FloatConst(terms_, above, format));
+  // What is cut off goes toward zero: the least integer less one is the bound, where the format has that number.
+  const bool exact = !has_sign || width - 1 < digits;
+  const double low = has_sign ? (exact ? -above - 1.0 : -above) : -1.0;
+  const terms::TermId bound = terms::FloatConst(terms_, low, format);
+  const terms::TermId above_bottom =
+      exact ? terms::FloatLess(terms_, bound, number) : terms::FloatLessEqual(terms_, bound, number);
+  return terms_.Not(terms_.And(below_top, above_bottom));
+}
+
+terms::TermId Executor::PoisonOfConversion(const llvm::CastInst& inst, terms::TermId result) {
+  const terms::TermId a = TermOf(inst.getOperand(0));
+  const uint8_t from = terms_.Width(a), to = terms_.Width(result);
+  switch (inst.getOpcode()) {
+    case llvm::Instruction::ZExt:
+    case llvm::Instruction::UIToFP:
+      if (!inst.hasNonNeg() || ranges_.Of(a).high <= Ones(from) >> 1) return {};
+      return OrNone(SignOf(a));
+    case llvm::Instruction::Trunc: {
+      const auto& cut = llvm::cast<llvm::TruncInst>(inst);
+      terms::TermId poison;
+      const uint64_t high = ranges_.Of(a).high;
+      if (cut.hasNoUnsignedWrap() && high > Ones(to)) poison = OrNone(terms_.Ne(terms_.Zext(result, from), a));
+      if (cut.hasNoSignedWrap() && high > Ones(to) >> 1)
+        poison = Either(poison, OrNone(terms_.Ne(terms_.Sext(result, from), a)));
+      return poison;
+    }
+    case llvm::Instruction::FPToSI:
+      return OrNone(IsBeyondInteger(a, to, true));
+    case llvm::Instruction::FPToUI:
+      return OrNone(IsBeyondInteger(a, to, false));
+    default:
+      return {};
+  }
+}
+
+terms::TermId Executor::IsOutOf(const llvm::ConstantRange& range, terms::TermId value) {
+  if (range.isFullSet() || !value.valid()) return {};
+  const uint8_t width = terms_.Width(value);
+  if (range.isEmptySet()) return terms_.Bit(true);
+  const uint64_t low = range.getLower().getZExtValue();
+  const uint64_t count = terms::Masked(range.getUpper().getZExtValue() - low, width);
+  const terms::TermId above = low == 0 ? value : terms_.Sub(value, terms_.Const(low, width));
+  return OrNone(terms_.Not(terms_.Ult(above, terms_.Const(count, width))));
+}
+
+terms::TermId Executor::PoisonOfRange(const llvm::Instruction& inst, terms::TermId value) {
+  const llvm::MDNode* node = inst.getMetadata(llvm::LLVMContext::MD_range);
+  return node == nullptr ? terms::TermId() : IsOutOf(llvm::getConstantRangeFromMetadata(*node), value);
+}
+
+terms::TermId Executor::PoisonOfIndex(const llvm::GetElementPtrInst& inst, terms::TermId index, uint64_t scale) {
+  // Up to here no sum of a few products can wrap at 64 bits.
+  constexpr uint64_t kFar = uint64_t{1} << 56;
+  const ValueRange range = ranges_.Of(index);
+  const bool is_small = range.high <= kFar / std::max<uint64_t>(scale, 1);
+  if (is_small) return {};
+  terms::TermId poison;
+  if (inst.hasNoUnsignedWrap()) poison = OrNone(SignOf(index));
+  if (!inst.hasNoUnsignedSignedWrap() || scale == 0) return poison;
+  const uint64_t most = kFar / scale;
+  const terms::TermId above = terms_.Slt(terms_.Const(most, 64), index);
+  const terms::TermId below = terms_.Slt(index, terms_.Const(~most + 1, 64));
+  return Either(poison, OrNone(terms_.Or(above, below)));
+}
+
+terms::TermId Executor::PoisonOfPointer(const llvm::GetElementPtrInst& inst, const CodeValue& base,
+                                        const CodeValue& pointer) {
+  if (!inst.isInBounds()) return {};
+  terms::TermId poison;
+  // Both the address that it starts from and the one that it comes to are in the object, or just behind it.
+  for (const CodeValue* value : {&base, &pointer}) {
+    for (const Target& target : value->targets) {
+      const Object& object = objects_[target.object];
+      if (object.kind == ObjectKind::kHost || ranges_.Of(target.offset).high <= object.bytes) continue;
+      const terms::TermId beyond = terms_.Ult(terms_.Const(object.bytes, 64), target.offset);
+      poison = Either(poison, OrNone(terms_.And(target.when, beyond)));
+    }
+  }
+  return poison;
+}
+
+void Executor::RequireValue(const CodeValue& value, const char* text) {
+  if (value.poison.valid()) Require(value.poison, text);
+  for (const CodeValue& part : value.parts) RequireValue(part, text);
+}
+
+void Executor::RequireAligned(const std::vector<Target>& targets, uint64_t align) {
+  if (align <= 1) return;
+  const auto low_bits = static_cast<uint8_t>(std::countr_zero(align));
+  for (const Target& target : targets) {
+    const Object& object = objects_[target.object];
+    if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) continue;
+    constexpr const char* kText = "an access at an address that is not aligned";
+    if (object.align % align != 0) {
+      Require(target.when, kText);
+      continue;
+    }
+    const ValueRange range = ranges_.Of(target.offset);
+    if (range.low % align == 0 && range.step % align == 0) continue;
+    const terms::TermId rest = terms_.Extract(target.offset, 0, low_bits);
+    Require(terms_.And(target.when, terms_.Ne(rest, terms_.Const(0, low_bits))), kText);
+  }
+}
+
+void Executor::RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value) {
+  constexpr const char* kText = "an argument that C++ leaves undefined";
+  // For a parameter that the function does not use the optimizer gives anything, and takes the attribute away.
+  const unsigned number = parameter.getArgNo();
+  if (!parameter.hasAttribute(llvm::Attribute::NoUndef) && !call.paramHasAttr(number, llvm::Attribute::NoUndef)) return;
+  RequireValue(value, kText);
+  if (const auto range = parameter.getRange()) {
+    const terms::TermId outside = IsOutOf(*range, value.term);
+    if (outside.valid()) Require(outside, kText);
+  }
+  if (const llvm::MaybeAlign align = parameter.getParamAlign()) RequireAligned(value.targets, align->value());
+}
+
+}  // namespace plcxx::prove::verify::llvm_ir

@@ -1,0 +1,393 @@
+#include "transpiler/prove/verify/local_sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/form.h"
+#include "transpiler/symbolic/terms/random.h"
+
+namespace plcxx::prove::verify {
+namespace {
+
+constexpr int kVectors = 48;
+constexpr size_t kMostCandidates = 3;  // of one class that a term is compared with
+constexpr size_t kMostCopied = 600;    // terms of one question
+constexpr uint32_t kQuestionMs = 300;  // for terms inside
+constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
+constexpr int kQuestionVectors = 64;
+constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
+constexpr size_t kMostTermsOfAllValues = 200;
+constexpr size_t kMostConstants = 4096;
+constexpr size_t kMostTermsOfForm = 2000;
+
+/// A word whose parts are known by themselves, too: cut, it would be another word than its parts are.
+bool OnlyConnects(terms::TermKind kind) {
+  return kind == terms::TermKind::kNot || kind == terms::TermKind::kConcat || kind == terms::TermKind::kExtract;
+}
+
+enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
+
+class LocalSweep {
+ public:
+  LocalSweep(terms::Terms& terms, solver::Solver& solver, std::span<const solver::TermPair> pairs,
+             uint64_t milliseconds, solver::AnsweredForms& answered)
+      : terms_(terms),
+        solver_(solver),
+        pairs_(pairs),
+        answers_(answered),
+        deadline_(std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds)) {}
+
+  std::vector<solver::TermPair> Run();
+
+ private:
+  void MarkCones();
+  void Simulate();
+  void SimulateOnce(int vector);
+  uint64_t Sample(int vector, uint8_t width);
+  uint64_t SampleFor(int vector, terms::TermId variable);
+  /// Notes what the terms of a cone are compared with.
+  void NoteComparisons(std::span<const terms::TermId> cone);
+  void NoteComparison(terms::TermId compared, uint64_t value);
+  void SweepTerm(terms::TermId id);
+  bool AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds);
+  /// A copy of both in which what is shared, `depth` shared terms down, is a variable. None: it is too large.
+  std::optional<solver::TermPair> Copy(const solver::TermPair& pair, int depth);
+  terms::TermId CutOf(terms::TermId id);
+  /// What values of its variables say of a condition, samples or all that there are: most questions need no solver.
+  solver::Answer AskValues(terms::TermId condition);
+  /// Most questions are the same one about other bytes of State: each is asked once.
+  solver::Answer Ask(terms::TermId condition, uint32_t milliseconds);
+  std::vector<terms::TermId> ConeFrom(terms::TermId condition);
+  uint64_t ValueFor(const std::function<uint64_t(terms::TermId variable)>& variable);
+  bool IsShared(terms::TermId id) const { return id.index < shared_.size() && shared_[id.index]; }
+  void Share(terms::TermId id) {
+    if (id.index >= shared_.size()) shared_.resize(terms_.size());
+    shared_[id.index] = true;
+  }
+  terms::TermId Representative(terms::TermId id) const {
+    return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
+  }
+  bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
+
+  terms::Terms& terms_;
+  solver::Solver& solver_;
+  std::span<const solver::TermPair> pairs_;
+  solver::AnsweredForms& answers_;
+  std::chrono::steady_clock::time_point deadline_;
+  std::vector<uint8_t> sides_;
+  std::vector<terms::TermId> cone_;
+  std::vector<uint64_t> constants_, signatures_, values_;
+  std::vector<terms::TermId> representative_;
+  std::vector<bool> shared_;
+  std::unordered_map<uint32_t, std::vector<uint64_t>> compared_;      // by TermId of a variable; looked up only
+  std::unordered_map<uint32_t, std::vector<uint64_t>> results_;       // by function without meaning; looked up only
+  std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
+  std::unordered_map<uint32_t, terms::TermId> cuts_;                  // looked up only
+  std::unordered_map<uint32_t, terms::TermId> copies_;                // of one question, by TermId; looked up only
+  std::vector<terms::TermId> question_;                               // all terms of the last one
+  std::vector<uint64_t> question_values_;                             // by TermId
+  bool cut_ = false;
+  terms::Random random_{0x9E3779B97F4A7C15};
+};
+
+void LocalSweep::MarkCones() {
+  sides_.assign(terms_.size(), kNone);
+  for (const Side side : {kSideA, kSideB}) {
+    std::vector<terms::TermId> roots;
+    for (const solver::TermPair& pair : pairs_) {
+      if (pair.a != pair.b) roots.push_back(side == kSideA ? pair.a : pair.b);
+    }
+    for (const terms::TermId id : terms::ConeOf(terms_, roots)) sides_[id.index] |= side;
+  }
+  for (uint32_t i = 0; i < sides_.size(); ++i) {
+    if (sides_[i] == kNone) continue;
+    const terms::TermId id(i);
+    cone_.push_back(id);
+    if (sides_[i] == kBoth) Share(id);
+    if (terms_.IsConst(id) && terms_.Width(id) > 1) constants_.push_back(terms_.Value(id));
+  }
+  std::ranges::sort(constants_);
+  constants_.erase(std::ranges::unique(constants_).begin(), constants_.end());
+  if (constants_.size() > kMostConstants) constants_.resize(kMostConstants);
+}
+
+/// Programs ask for their constants: so they are among the samples.
+uint64_t LocalSweep::Sample(int vector, uint8_t width) {
+  const uint64_t random = random_.Next();
+  if (width == 1) {
+    const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
+    return (random & 255) < density ? 1 : 0;
+  }
+  switch (random >> 8 & 7) {
+    case 0:
+      return 0;
+    case 1:
+      return random >> 16 & 3;
+    case 2:
+      return ~uint64_t{0} - (random >> 16 & 3);
+    case 3:
+    case 4:
+      return random_.Next();
+    default:
+      return constants_.empty() ? random : constants_[(random >> 16) % constants_.size()] + (random >> 11 & 3) - 1;
+  }
+}
+
+void LocalSweep::NoteComparison(terms::TermId compared, uint64_t value) {
+  terms::Term term = terms_[compared];
+  while (term.kind == terms::TermKind::kConcat && terms_.IsZero(terms::TermId(term.a))) {
+    compared = terms::TermId(term.b);
+    term = terms_[compared];
+  }
+  if (term.kind == terms::TermKind::kExtract) {
+    value <<= term.b;
+    compared = terms::TermId(term.a);
+    term = terms_[compared];
+  }
+  if (term.kind == terms::TermKind::kVariable) compared_[compared.index].push_back(value);
+  if (term.kind == terms::TermKind::kApply && terms_.Info(terms::FunctionId(term.a)).evaluate == nullptr)
+    results_[term.a].push_back(value);
+}
+
+void LocalSweep::NoteComparisons(std::span<const terms::TermId> cone) {
+  for (const terms::TermId id : cone) {
+    const terms::Term term = terms_[id];
+    const bool compares =
+        term.kind == terms::TermKind::kEq || term.kind == terms::TermKind::kUlt || term.kind == terms::TermKind::kSlt;
+    if (!compares) continue;
+    for (const auto& [one, other] :
+         {std::pair(terms::TermId(term.a), terms::TermId(term.b)), {terms::TermId(term.b), terms::TermId(term.a)}}) {
+      if (!terms_.IsConst(other)) continue;
+      NoteComparison(one, terms_.Value(other));
+      if (term.kind != terms::TermKind::kEq) NoteComparison(one, terms_.Value(other) - 1);
+    }
+  }
+}
+
+/// A condition that asks for one value of a word would hardly ever hold else.
+uint64_t LocalSweep::SampleFor(int vector, terms::TermId variable) {
+  const auto own = compared_.find(variable.index);
+  const uint64_t random = random_.Next();
+  if (own == compared_.end() || (random & 1) != 0) return Sample(vector, terms_.Width(variable));
+  return own->second[(random >> 1) % own->second.size()];
+}
+
+void LocalSweep::SimulateOnce(int vector) {
+  for (const terms::TermId id : cone_) {
+    const terms::Term& term = terms_[id];
+    uint64_t value = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
+        [&](uint32_t) { return SampleFor(vector, id); });
+    // Any function will do, if equal arguments give equal results.
+    if (term.kind == terms::TermKind::kApply && (value & 1) != 0) {
+      const auto own = results_.find(term.a);
+      if (own != results_.end()) value = terms::Masked(own->second[(value >> 1) % own->second.size()], term.width);
+    }
+    values_[id.index] = value;
+    uint64_t& signature = signatures_[id.index];
+    signature = (signature ^ value) * 0x9E3779B97F4A7C15;
+    signature ^= signature >> 32;
+  }
+}
+
+void LocalSweep::Simulate() {
+  values_.assign(terms_.size(), 0);
+  signatures_.assign(terms_.size(), 0);
+  NoteComparisons(cone_);
+  for (int vector = 0; vector < kVectors; ++vector) SimulateOnce(vector);
+}
+
+terms::TermId LocalSweep::CutOf(terms::TermId id) {
+  cut_ = true;
+  terms::TermId& cut = cuts_[id.index];
+  if (!cut.valid()) cut = terms_.Variable("cut " + std::to_string(id.index), terms_.Width(id));
+  return cut;
+}
+
+std::optional<solver::TermPair> LocalSweep::Copy(const solver::TermPair& pair, int depth) {
+  // Operands are older than what is made of them: when a term's turn comes, all that leads to it has been looked at, so
+  // that it is cut everywhere or nowhere.
+  std::map<uint32_t, int, std::greater<>> left = {{pair.a.index, depth}, {pair.b.index, depth}};
+  std::vector<terms::TermId> inside;
+  copies_.clear();
+  while (!left.empty()) {
+    const auto [index, most] = *left.begin();
+    left.erase(left.begin());
+    const terms::TermId id(index);
+    const terms::Term term = terms_[id];
+    if (term.kind == terms::TermKind::kConst || term.kind == terms::TermKind::kVariable) {
+      copies_.emplace(index, id);
+      continue;
+    }
+    const bool counts = IsShared(id) && !OnlyConnects(term.kind) && id != pair.a && id != pair.b;
+    if (counts && most == 0) {
+      copies_.emplace(index, CutOf(id));
+      continue;
+    }
+    inside.push_back(id);
+    if (inside.size() > kMostCopied) return std::nullopt;
+    terms_.ForEachOperand(term, [&](terms::TermId operand) {
+      int& of_operand = left[operand.index];
+      of_operand = std::max(of_operand, counts ? most - 1 : most);
+    });
+  }
+  for (const terms::TermId id : std::views::reverse(inside)) {
+    const terms::Term term = terms_[id];
+    std::vector<terms::TermId> operands;
+    terms_.ForEachOperand(term, [&](terms::TermId operand) { operands.push_back(copies_.at(operand.index)); });
+    copies_.emplace(id.index, terms_.Rebuild(term, operands));
+  }
+  return solver::TermPair{copies_.at(pair.a.index), copies_.at(pair.b.index)};
+}
+
+/// Of the last term of `question_`.
+uint64_t LocalSweep::ValueFor(const std::function<uint64_t(terms::TermId variable)>& variable) {
+  for (const terms::TermId id : question_) {
+    const terms::Term& term = terms_[id];
+    question_values_[id.index] = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return question_values_[operand.index]; },
+        [&](uint32_t) { return variable(id); });
+  }
+  return question_values_[question_.back().index];
+}
+
+solver::Answer LocalSweep::AskValues(terms::TermId condition) {
+  question_ = ConeFrom(condition);
+  if (question_values_.size() < terms_.size()) question_values_.resize(terms_.size());
+  uint32_t bits = 0;
+  bool known = true;  // what functions give is, too
+  for (const terms::TermId id : question_) {
+    const terms::Term& term = terms_[id];
+    if (term.kind == terms::TermKind::kVariable) bits += term.width;
+    known = known && term.kind != terms::TermKind::kApply;
+  }
+  if (known && bits <= kMostBits && question_.size() <= kMostTermsOfAllValues) {
+    for (uint64_t number = 0; number < uint64_t{1} << bits; ++number) {
+      uint64_t rest = number;
+      const auto next = [&](terms::TermId variable) {
+        const uint8_t width = terms_.Width(variable);
+        const uint64_t value = terms::Masked(rest, width);
+        rest = width < 64 ? rest >> width : 0;
+        return value;
+      };
+      if (ValueFor(next) != 0) return solver::Answer::kPossible;
+    }
+    return solver::Answer::kNever;
+  }
+  compared_.clear();
+  NoteComparisons(question_);
+  for (int vector = 0; vector < kQuestionVectors; ++vector) {
+    if (ValueFor([&](terms::TermId variable) { return SampleFor(vector, variable); }) != 0)
+      return solver::Answer::kPossible;
+  }
+  return solver::Answer::kUnknown;
+}
+
+/// Operands first.
+std::vector<terms::TermId> LocalSweep::ConeFrom(terms::TermId condition) {
+  std::vector<terms::TermId> cone, open = {condition};
+  std::unordered_set<uint32_t> seen;
+  while (!open.empty()) {
+    const terms::TermId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id.index).second) continue;
+    cone.push_back(id);
+    terms_.ForEachOperand(terms_[id], [&open](terms::TermId operand) { open.push_back(operand); });
+  }
+  std::ranges::sort(cone);
+  return cone;
+}
+
+solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
+  const std::optional<std::string> form = terms::FormOf(terms_, condition, kMostTermsOfForm);
+  solver::Answered own;
+  solver::Answered& known = form ? answers_[*form] : own;
+  if (known.Settles(milliseconds)) return known.answer;
+  if (!known.has_tried_values) known.answer = AskValues(condition);
+  known.has_tried_values = true;
+  if (known.answer == solver::Answer::kUnknown) {
+    known.answer = solver_.Check({&condition, 1}, milliseconds);
+    known.milliseconds = milliseconds;
+  }
+  return known.answer;
+}
+
+bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds) {
+  if (a == b) return true;
+  for (const int depth : depths) {
+    cut_ = false;
+    const std::optional<solver::TermPair> copy = Copy({a, b}, depth);
+    if (!copy) return false;
+    const terms::TermId differ = terms_.Ne(copy->a, copy->b);
+    if (terms_.IsFalse(differ)) return true;
+    if (Ask(differ, milliseconds) == solver::Answer::kNever) return true;
+    // Where nothing was cut, they do differ.
+    if (!cut_ || Late()) return false;
+  }
+  return false;
+}
+
+void LocalSweep::SweepTerm(terms::TermId id) {
+  constexpr int kDepths[] = {0, 2};
+  const terms::Term term = terms_[id];
+  std::vector<terms::TermId> operands;
+  bool changed = false;
+  terms_.ForEachOperand(term, [&](terms::TermId operand) {
+    operands.push_back(Representative(operand));
+    changed = changed || operands.back() != operand;
+  });
+  terms::TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  std::vector<terms::TermId>& members = classes_[signatures_[id.index]];
+  if (sides_[id.index] == kSideB && !terms_.IsConst(now) && !IsShared(now) && !Late()) {
+    size_t tried = 0;
+    // The latest first: both executions go through the program in its order.
+    for (auto member = members.rbegin(); member != members.rend() && tried < kMostCandidates; ++member) {
+      const terms::TermId other = Representative(*member);
+      if (sides_[member->index] == kSideB || terms_.Width(other) != term.width) continue;
+      ++tried;
+      if (!AreEqual(now, other, kDepths, kQuestionMs)) continue;
+      now = other;
+      break;
+    }
+  }
+  // What the other side has, too, from now on.
+  if (sides_[id.index] == kSideB && now.index < sides_.size() && (sides_[now.index] & kSideA) != 0) Share(now);
+  representative_[id.index] = now;
+  members.push_back(id);
+}
+
+std::vector<solver::TermPair> LocalSweep::Run() {
+  constexpr int kDepths[] = {0, 1, 3, 8, 20};
+  std::vector<solver::TermPair> alike(pairs_.begin(), pairs_.end());
+  if (std::ranges::all_of(alike, [](const solver::TermPair& pair) { return pair.a == pair.b; })) return alike;
+  MarkCones();
+  Simulate();
+  representative_.assign(terms_.size(), terms::TermId());
+  for (const terms::TermId id : cone_) SweepTerm(id);
+  for (solver::TermPair& pair : alike) {
+    if (pair.a == pair.b) continue;
+    pair = {Representative(pair.a), Representative(pair.b)};
+    if (AreEqual(pair.a, pair.b, kDepths, kLastMs)) pair.b = pair.a;
+  }
+  return alike;
+}
+
+}  // namespace
+
+std::vector<solver::TermPair> MakeAlike(terms::Terms& terms, solver::Solver& solver,
+                                        std::span<const solver::TermPair> pairs, uint64_t milliseconds,
+                                        solver::AnsweredForms& answered) {
+  return LocalSweep(terms, solver, pairs, milliseconds, answered).Run();
+}
+
+}  // namespace plcxx::prove::verify

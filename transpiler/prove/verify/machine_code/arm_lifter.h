@@ -1,0 +1,110 @@
+// One instruction of ARM's Thumb: what arm.cc and arm_memory.cc share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "transpiler/prove/verify/machine_code/arm_operands.h"
+
+namespace plcxx::prove::verify::machine_code {
+
+enum class ArmForm : uint8_t {
+  kCompute,
+  kMoveTo,
+  kCompare,
+  kShift,
+  kLoad,
+  kStore,
+  kLoadPre,
+  kLoadPost,
+  kStorePre,
+  kStorePost,
+  kLoadPair,
+  kLoadPairPre,
+  kLoadPairPost,
+  kStorePair,
+  kStorePairPre,
+  kStorePairPost,
+  kPush,
+  kPop,
+  kStoreDown,
+  kLoadUp,
+  kStoreUp,
+  kStoreFrom,
+  kLoadFrom,
+  kLoadUpNarrow,
+  kLoadConstant,
+  kMoveTop,
+  kBits,
+  kBitsSigned,
+  kInsert,
+  kClear,
+  kUnsignedByte,
+  kUnsignedHalf,
+  kSignedByte,
+  kSignedHalf,
+  kAddUnsignedByte,
+  kAddUnsignedHalf,
+  kAddSignedByte,
+  kAddSignedHalf,
+  kLeadingZeros,
+  kReverse,
+  kMul,
+  kMulAdd,
+  kMulSub,
+  kMulLong,
+  kMulLongSigned,
+  kMulHalves,
+  kDiv,
+  kDivSigned,
+  kJump,
+  kBranch,
+  kBranchZero,
+  kBranchNotZero,
+  kCall,
+  kReturn,
+  kHint,
+  kNothing
+};
+
+struct ArmRow {
+  std::string_view name;
+  ArmForm form{};
+  ArmOperation operation{};
+  ArmShift shift{};
+  unsigned bits = 32;
+  bool has_sign = false;
+  unsigned scale = 1;
+};
+
+class ArmLifter : public ArmOperands {
+ public:
+  ArmLifter(FunctionLifter& lifter, const ArmRow& row) : ArmOperands(lifter), row_(row) {}
+
+  void Run();
+
+ private:
+  void Compute();
+  void Move();
+  void Shift();
+  void Access();
+  void AccessPair();
+  void AccessMany();
+  void RefuseBelowStack(unsigned base, unsigned offset);
+  void LoadConstant();
+  void Insert(llvm::Value* bits);
+  void Extend(bool has_sign, unsigned bits, bool adds);
+  static std::optional<Place> PlaceOf(const Link& link, int64_t addend);
+  void MoveTopOf(const Link& link);
+  void MultiplyLong(bool has_sign);
+  /// Where the note leads to, from its first instruction on; none: it is refused.
+  const Link* Callee(const Link* link);
+  void Jump();
+  void Branch(llvm::Value* condition);
+  void SetRegister(unsigned number, llvm::Value* value);
+
+  const ArmRow& row_;
+};
+
+}  // namespace plcxx::prove::verify::machine_code

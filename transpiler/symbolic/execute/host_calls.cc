@@ -1,0 +1,70 @@
+// Host calls as functions of what the host has been told.
+#include <string>
+
+#include "transpiler/symbolic/execute/execute.h"
+
+namespace plcxx::execute {
+namespace {
+
+terms::TermId Named(terms::Terms& terms, std::string_view what, std::string_view function, uint8_t width,
+                    std::span<const terms::TermId> arguments) {
+  return terms.Apply(terms.Function(std::string(what) + " " + std::string(function), width), arguments);
+}
+
+}  // namespace
+
+terms::TermId CallsAfter(terms::Terms& terms, std::string_view function, terms::TermId calls,
+                         std::span<const terms::TermId> arguments) {
+  std::vector<terms::TermId> all{calls};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return Named(terms, "told", function, 64, all);
+}
+
+terms::TermId AnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width) {
+  return Named(terms, "answer of", function, width, {&calls, 1});
+}
+
+terms::TermId GivesSecond(terms::Terms& terms, std::string_view function, terms::TermId calls) {
+  return Named(terms, "has second answer of", function, 1, {&calls, 1});
+}
+
+terms::TermId SecondAnswerOf(terms::Terms& terms, std::string_view function, terms::TermId calls, uint8_t width) {
+  return Named(terms, "second answer of", function, width, {&calls, 1});
+}
+
+terms::TermId ByteFromHost(terms::Terms& terms, std::string_view function, terms::TermId calls, std::string_view space,
+                           uint32_t offset) {
+  return Named(terms, std::string(space) + "." + std::to_string(offset) + " by", function, 8, {&calls, 1});
+}
+
+terms::TermId BitsWrittenByHost(terms::Terms& terms, std::string_view function, terms::TermId calls,
+                                std::string_view space, uint32_t offset) {
+  return Named(terms, "bits of " + std::string(space) + "." + std::to_string(offset) + " written by", function, 8,
+               {&calls, 1});
+}
+
+terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::TermId calls) {
+  return Named(terms, "copy of", function, 1, {&calls, 1});
+}
+
+bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId id, uint32_t offset) {
+  const ir::Space& space = program.spaces[id];
+  switch (access) {
+    case ir::HostAccess::kNone:
+    case ir::HostAccess::kReadsState:
+    case ir::HostAccess::kReadsRetentive:
+      return false;
+    case ir::HostAccess::kWritesRetentive:
+      return space.lifetime == ir::Lifetime::kRetentive;
+    case ir::HostAccess::kWritesState:
+      if (!space.host_visible) return false;
+      for (const ir::Zone& zone : space.zones) {
+        if (zone.begin <= offset && offset < zone.end) return zone.direction == ir::Direction::kInput;
+      }
+      // What is in no zone is the program's own: people may look at it, the control does not write it.
+      return false;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+}  // namespace plcxx::execute

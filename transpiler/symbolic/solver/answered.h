@@ -1,0 +1,26 @@
+// What has been found out about terms of a form (form.h): programs do the same with many timers, and one of them is
+// asked about.
+//
+// Kept beyond one question and one Terms; only of questions where nothing was assumed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+#include "transpiler/symbolic/solver/solver.h"
+
+namespace plcxx::solver {
+
+struct Answered {
+  Answer answer = Answer::kUnknown;
+  uint32_t milliseconds = 0;      // how long was asked
+  bool has_tried_values = false;  // before a solver was asked
+
+  /// Whether nothing more is found out in such a time.
+  bool Settles(uint32_t time) const { return answer != Answer::kUnknown || time <= milliseconds; }
+};
+
+using AnsweredForms = std::unordered_map<std::string, Answered>;  // looked up only
+
+}  // namespace plcxx::solver

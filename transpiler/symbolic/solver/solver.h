@@ -1,0 +1,57 @@
+// What decides whether a condition can hold: the narrow interface behind which Z3 is.
+//
+// The implementation is a module beside the tool (lib/plcxx_z3.so, see LoadSolver), so that commands that ask nothing
+// do not pay for it. Terms are given to it as they are asked for: what a question does not depend on costs nothing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "transpiler/symbolic/terms/terms.h"
+
+namespace plcxx::solver {
+
+enum class Answer : uint8_t {
+  kNever,     // no values of the variables make all conditions 1
+  kPossible,  // ValueOf tells some that do
+  kUnknown    // the time was not enough
+};
+
+class Solver {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver() = default;
+
+  /// From now on `condition` (width 1) holds in every question.
+  virtual void Assume(terms::TermId condition) = 0;
+  /// Assumptions made between Push and Pop are forgotten at Pop.
+  virtual void Push() = 0;
+  virtual void Pop() = 0;
+  /// Whether all of `conditions` can be 1 at once, within about so many milliseconds.
+  virtual Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) = 0;
+  /// After kPossible: the value of a term there. What the question does not depend on is 0.
+  virtual uint64_t ValueOf(terms::TermId term) = 0;
+};
+
+struct LoadedSolver {
+  std::unique_ptr<Solver> solver;
+  std::string reason;  // why there is none; lower case, no full stop
+};
+
+/// `terms` outlives the solver.
+LoadedSolver LoadSolver(const terms::Terms& terms);
+
+/// The function of the module.
+using MakeSolverFunction = Solver*(const terms::Terms& terms);
+inline constexpr const char* kSolverModule = "plcxx_z3.so";
+inline constexpr const char* kMakeSolver = "plcxx_make_solver";
+
+/// A question as SMT-LIB 2 text (QF_UFBV): declarations of what the conditions depend on, an assertion for each, and
+/// (check-sat). The same question gives the same bytes.
+std::string SmtText(const terms::Terms& terms, std::span<const terms::TermId> conditions);
+
+}  // namespace plcxx::solver

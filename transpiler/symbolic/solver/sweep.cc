@@ -1,0 +1,234 @@
+#include "transpiler/symbolic/solver/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+#include <unordered_map>
+
+#include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/form.h"
+#include "transpiler/symbolic/terms/random.h"
+
+namespace plcxx::solver {
+namespace {
+
+constexpr int kVectors = 24;
+constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
+constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
+constexpr size_t kMostTermsToSpread = 2'000'000;
+constexpr size_t kMostTermsOfForm = 1000;
+constexpr size_t kMostRefutedFirst = 20;
+constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
+
+enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
+
+class Sweeper {
+ public:
+  Sweeper(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits)
+      : terms_(terms), solver_(solver), pairs_(pairs), limits_(limits) {}
+
+  std::vector<Verdict> Run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void MarkCones();
+  void Simulate();
+  void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
+  void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
+  void SweepTerm(terms::TermId id);
+  Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
+  bool Late() const { return Clock::now() >= deadline_; }
+  terms::TermId Representative(terms::TermId id) const {
+    return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
+  }
+
+  terms::Terms& terms_;
+  Solver& solver_;
+  std::span<const TermPair> pairs_;
+  std::vector<TermPair> open_pairs_;
+  size_t refuted_ = 0, refuted_first_ = 0;
+  const SweepLimits& limits_;
+  Clock::time_point deadline_;
+  std::vector<uint8_t> sides_;       // by TermId
+  std::vector<terms::TermId> cone_;  // of the pairs that are not one term, operands first
+  std::vector<uint64_t> signatures_, values_;
+  std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
+  std::vector<terms::TermId> representative_;
+  std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
+  terms::Random random_{0x9E3779B97F4A7C15};
+};
+
+void Sweeper::MarkCones() {
+  sides_.assign(terms_.size(), kNone);
+  for (const Side side : {kSideA, kSideB}) {
+    std::vector<terms::TermId> roots;
+    for (const TermPair& pair : pairs_) {
+      if (pair.a != pair.b) roots.push_back(side == kSideA ? pair.a : pair.b);
+    }
+    for (const terms::TermId id : terms::ConeOf(terms_, roots)) sides_[id.index] |= side;
+  }
+  for (uint32_t i = 0; i < sides_.size(); ++i) {
+    if (sides_[i] != kNone) cone_.emplace_back(i);
+  }
+}
+
+void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable) {
+  for (const terms::TermId id : cone_) {
+    const terms::Term& term = terms_[id];
+    const uint64_t value = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
+        [&](uint32_t number) { return variable(number, term.width); });
+    values_[id.index] = value;
+    uint64_t& signature = signatures_[id.index];
+    signature = (signature ^ value) * 0x9E3779B97F4A7C15;
+    signature ^= signature >> 32;
+  }
+}
+
+/// Values as programs have them: bits of every density, and numbers that are small, large or anything.
+void Sweeper::Simulate() {
+  values_.assign(terms_.size(), 0);
+  signatures_.assign(terms_.size(), 0);
+  for (int vector = 0; vector < kVectors; ++vector) {
+    const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
+    EvaluateVector([&](uint32_t, uint8_t width) -> uint64_t {
+      if (width == 1) return (random_.Next() & 255) < density ? 1 : 0;
+      switch (random_.Next() % 4) {
+        case 0:
+          return 0;
+        case 1:
+          return random_.Next() % 5;
+        case 2:
+          return ~uint64_t{0} - random_.Next() % 3;
+        default:
+          return random_.Next();
+      }
+    });
+  }
+}
+
+/// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
+/// compared looks at the signatures as well.
+void Sweeper::Refine(terms::TermId one, terms::TermId other, size_t most_terms) {
+  if (cone_.size() > most_terms) return;
+  // What the question did not depend on may be anything.
+  std::unordered_map<uint32_t, uint64_t> known;  // by variable; looked up only
+  for (const terms::TermId id : terms::ConeOf(terms_, std::array{one, other})) {
+    if (terms_[id].kind == terms::TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
+  }
+  EvaluateVector([&](uint32_t number, uint8_t width) {
+    const auto at = known.find(number);
+    return at != known.end() ? at->second : width == 1 ? random_.Next() & 1 : random_.Next();
+  });
+}
+
+Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) {
+  const terms::TermId differ = terms_.Ne(a, b);
+  if (terms_.IsFalse(differ)) return Answer::kNever;
+  const std::string form =
+      limits_.answered == nullptr ? std::string() : terms::FormOf(terms_, differ, kMostTermsOfForm).value_or("");
+  if (form.empty()) return solver_.Check({&differ, 1}, milliseconds);
+  Answered& known = (*limits_.answered)[form];
+  // Where it is possible, who asks wants the values, too.
+  if (known.answer != Answer::kPossible && known.Settles(milliseconds)) return known.answer;
+  known.answer = solver_.Check({&differ, 1}, milliseconds);
+  known.milliseconds = milliseconds;
+  return known.answer;
+}
+
+void Sweeper::SweepTerm(terms::TermId id) {
+  const terms::Term term = terms_[id];
+  std::vector<terms::TermId> operands;
+  bool changed = false;
+  terms_.ForEachOperand(term, [&](terms::TermId operand) {
+    operands.push_back(Representative(operand));
+    changed = changed || operands.back() != operand;
+  });
+  terms::TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
+  // sides have in common needs no question.
+  const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
+  // The second side looks for its counterpart in the first; the other way round pays now and then only.
+  const bool first_side = sides_[id.index] == kSideA;
+  const size_t refuted = first_side ? refuted_first_ : refuted_;
+  const bool asks =
+      !found && !terms_.IsConst(now) && !Late() && refuted < (first_side ? kMostRefutedFirst : kMostRefuted);
+  if (asks) {
+    size_t tried = 0;
+    for (const terms::TermId member : std::vector<terms::TermId>(classes_[class_of_[id.index]])) {
+      const terms::TermId other = Representative(member);
+      if (other == now) break;
+      // An answer to the question before may have told them apart.
+      if (signatures_[member.index] != signatures_[id.index]) continue;
+      if (terms_.Width(other) != term.width || ++tried > kMostCandidates) continue;
+      // Two terms of one side are rarely worth a question.
+      if (sides_[member.index] == sides_[id.index]) continue;
+      const Answer answer = Differ(now, other, limits_.inner_ms);
+      if (answer == Answer::kNever) {
+        now = other;
+        break;
+      }
+      if (answer == Answer::kPossible) {
+        ++(first_side ? refuted_first_ : refuted_);
+        Refine(now, other, kMostTermsToRefine);
+      }
+    }
+  }
+  representative_[id.index] = now;
+  classes_[class_of_[id.index]].push_back(id);
+}
+
+std::vector<Verdict> Sweeper::Run() {
+  deadline_ = Clock::now() + std::chrono::milliseconds(limits_.total_ms);
+  std::vector<Verdict> verdicts(pairs_.size(), Verdict::kEqual);
+  const auto open = static_cast<size_t>(std::ranges::count_if(pairs_, [](const TermPair& p) { return p.a != p.b; }));
+  if (open == 0) return verdicts;
+  MarkCones();
+  Simulate();
+  if (limits_.any_values_count) {
+    // What random values tell apart needs no question; the cones of the rest are smaller.
+    std::vector<TermPair> rest(pairs_.begin(), pairs_.end());
+    for (size_t i = 0; i < rest.size(); ++i) {
+      if (signatures_[rest[i].a.index] == signatures_[rest[i].b.index]) continue;
+      verdicts[i] = Verdict::kDifferent;
+      rest[i].b = rest[i].a;
+    }
+    open_pairs_ = std::move(rest);
+    pairs_ = open_pairs_;
+    cone_.clear();
+    MarkCones();
+  }
+  class_of_ = signatures_;
+  representative_.assign(terms_.size(), terms::TermId());
+  for (const terms::TermId id : cone_) SweepTerm(id);
+  size_t done = 0;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].a == pairs_[i].b) continue;
+    if (limits_.progress) limits_.progress(++done, open);
+    const terms::TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
+    if (a == b) continue;
+    // An answer to another pair may show this one, too.
+    if (limits_.any_values_count && signatures_[pairs_[i].a.index] != signatures_[pairs_[i].b.index]) {
+      verdicts[i] = Verdict::kDifferent;
+      continue;
+    }
+    const Answer answer = Late() ? Answer::kUnknown : Differ(a, b, limits_.pair_ms);
+    if (limits_.any_values_count && answer == Answer::kPossible) Refine(a, b, kMostTermsToSpread);
+    verdicts[i] = answer == Answer::kNever      ? Verdict::kEqual
+                  : answer == Answer::kPossible ? Verdict::kDifferent
+                                                : Verdict::kUndecided;
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<Verdict> Compare(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs,
+                             const SweepLimits& limits) {
+  return Sweeper(terms, solver, pairs, limits).Run();
+}
+
+}  // namespace plcxx::solver
