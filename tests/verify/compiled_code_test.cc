@@ -63,15 +63,15 @@ class EchoHost : public verify::CodeEnvironment {
 class CompiledCodeTest : public ::testing::Test {
  protected:
   verify::CodeOutcome Execute(const std::string& body, const std::string& level = "2",
-                                const std::vector<std::string>& flags = {}) {
+                              const std::vector<std::string>& flags = {}) {
     auto found = compile::FindToolchain(compile::Targets().front(), verify::kVerifyCompiler);
     if (std::holds_alternative<compile::MissingTool>(found)) return {.refusal = "no compiler"};
     const auto& toolchain = std::get<compile::Toolchain>(found);
     const std::vector<emit::OutputFile> files = {{.name = "t.cpp", .text = kHead + body + "\n}\n"}};
     std::vector<std::string> further = {"-Wno-everything"};
     further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled = verify::CompileToBitcode(
-        {.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
+    auto compiled =
+        verify::CompileToBitcode({.toolchain = &toolchain, .level = level, .files = &files, .further_flags = further});
     if (const auto* failure = std::get_if<verify::BitcodeFailure>(&compiled)) return {.refusal = failure->output};
     verify::LoadedCode loaded = verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
     if (loaded.code == nullptr) return {.refusal = loaded.reason};
@@ -335,8 +335,7 @@ class UndefinedTest : public CompiledCodeTest, public ::testing::WithParamInterf
     std::vector<std::string> texts;
     for (const char* level : {"1", "2", "s"}) {
       terms_ = terms::Terms();
-      const verify::CodeOutcome outcome =
-          Execute("void f(State& m, Host& host) noexcept { " + statement + " }", level);
+      const verify::CodeOutcome outcome = Execute("void f(State& m, Host& host) noexcept { " + statement + " }", level);
       EXPECT_EQ(outcome.refusal, "") << statement;
       solver::LoadedSolver loaded = solver::LoadSolver(terms_);
       if (loaded.solver == nullptr) return {loaded.reason};

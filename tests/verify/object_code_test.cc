@@ -56,7 +56,7 @@ std::string Meaning(const char* target_name, const std::vector<std::string>& fil
     objects.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
   const std::vector<verify::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
-                                                       {.function = "declared", .parameters = {{.name = "m"}}}};
+                                                     {.function = "declared", .parameters = {{.name = "m"}}}};
   const verify::LoadedCode loaded = verify::LoadObjectCode(
       {.objects = objects, .signatures = signatures, .processor = std::string(target.processor)});
   if (loaded.code == nullptr) return loaded.reason;

@@ -3,10 +3,10 @@
 // Callees come first: a function that is proved is, where others call it, one unknown function of what it may read, on
 // both sides. One that is not proved by itself is followed where it is called, and so are all when a caller cannot be
 // proved otherwise.
-// Both are executed on terms from the same state: the IR by symbolic/execute, with the meanings of symbolic/meaning; the code
-// by the module, instruction by instruction. Afterwards every byte of State must be what the IR's cells say, the
-// routine's result must be the same, and every host function must have been told the same, in the same order, with the
-// same state to be read. Out: a proof, or what differs with a state that shows it, or why it is not decided.
+// Both are executed on terms from the same state: the IR by symbolic/execute, with the meanings of symbolic/meaning;
+// the code by the module, instruction by instruction. Afterwards every byte of State must be what the IR's cells say,
+// the routine's result must be the same, and every host function must have been told the same, in the same order, with
+// the same state to be read. Out: a proof, or what differs with a state that shows it, or why it is not decided.
 // Assumed: bits that have a byte of their own are 0 or 1 there before the routine; the host writes what its declaration
 // says and nothing else; the retentive copy that it gives has the program's layout.
 #pragma once
