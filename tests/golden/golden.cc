@@ -148,7 +148,7 @@ std::vector<std::string> MissingPhases(const fs::path& directory, size_t least) 
     if (!language.is_directory()) continue;
     for (const std::string_view suffix : {".syntax", ".ir", ".cc"}) {
       const size_t count = FilesBelow(language.path(), suffix).size();
-      if (count >= least) continue;
+      if (count >= least || FilesBelow(language.path(), ".yaml").size() < least) continue;
       problems.push_back(language.path().string() + ": " + std::to_string(count) + " files *" + std::string(suffix) +
                          " beside programs, and " + std::to_string(least) + " are asked for");
     }

@@ -44,7 +44,7 @@ struct PhaseGolden {
 /// All below a directory. The suffix names the phase; `.cc` is phase cpp.
 std::vector<PhaseGolden> PhaseGoldens(const fs::path& directory);
 /// Where a folder's languages (the folders in it) have fewer than `least` programs whose syntax, IR and C++ are kept:
-/// goldens that nobody has compare nothing.
+/// goldens that nobody has compare nothing. A language that is being built is asked for them once it has so many cases.
 std::vector<std::string> MissingPhases(const fs::path& directory, size_t least);
 /// None when the printed phase is as kept.
 std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode);

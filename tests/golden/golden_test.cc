@@ -57,7 +57,7 @@ std::vector<fs::path> Machines() {
 
 class Samples : public testing::TestWithParam<fs::path> {};
 
-// The same sources give the same bytes. covers: TECHNOL-213
+// The same sources give the same bytes. covers: TECHNOL-213 PS-290
 TEST_P(Samples, GeneratedCodeIsAsKept) {
   for (const std::string& problem : CheckSample(GetParam(), ChosenMode())) ADD_FAILURE() << problem;
 }
@@ -130,6 +130,8 @@ TEST(GoldenRunner, SeesAPhaseThatChanged) {
 TEST(GoldenRunner, SeesAPhaseWithoutItsProgramAndALanguageWithoutPhases) {
   const Folder folder;
   folder.Write("nc110/coil.plc.ir", "");
+  folder.Write("nc110/case.yaml", "");
+  folder.Write("begun/readme.txt", "a language without cases");
   folder.Write("golden.cc", "");
   const std::vector<PhaseGolden> goldens = PhaseGoldens(folder.path);
   ASSERT_EQ(goldens.size(), 1u);

@@ -1,6 +1,7 @@
 #include "tests/policy/repository.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -24,7 +25,10 @@ bool HasEnding(const std::string& path, const std::vector<std::string>& endings)
 }  // namespace
 
 const std::string& Root() {
-  static const std::string root = PLCXX_ROOT;
+  static const std::string root = [] {
+    const char* copy = std::getenv("PLCXX_POLICY_ROOT");
+    return std::string(copy != nullptr ? copy : PLCXX_ROOT);
+  }();
   return root;
 }
 

@@ -9,7 +9,7 @@
 
 namespace plcxx::policy {
 
-/// This repository.
+/// This repository; the copy of it that PLCXX_POLICY_ROOT names.
 const std::string& Root();
 /// A small tree that breaks one rule.
 std::string Fixture(std::string_view name);

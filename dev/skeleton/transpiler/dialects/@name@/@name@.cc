@@ -1,0 +1,61 @@
+#include "transpiler/dialects/@name@/@name@.h"
+
+#include "transpiler/dialects/@name@/locate.h"
+#include "transpiler/dialects/@name@/lowering.h"
+#include "transpiler/dialects/@name@/options.h"
+#include "transpiler/dialects/@name@/parser.h"
+#include "transpiler/dialects/@name@/recognize.h"
+#include "transpiler/dialects/@name@/stub.h"
+
+namespace plcxx::@name@ {
+namespace {
+
+constexpr std::string_view kExtensions[] = {".@name@"};
+
+void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+}
+
+std::string Tokens(dialects::Request& request) {
+  std::string text;
+  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
+  return text;
+}
+
+std::string Syntax(dialects::Request& request) {
+  return PrintSyntax(*request.sources, Parse(*request.sources, request.files, *request.diagnostics));
+}
+
+dialects::Lowered LowerProgram(dialects::Request& request) {
+  Settings settings = ReadSettings(request.options);
+  settings.facts = request.facts;
+  const Program tree = Parse(*request.sources, request.files, *request.diagnostics);
+  dialects::Lowered lowered;
+  lowered.summary = {.lines = tree.line_count, .statements = tree.statements.size(), .resources = {}};
+  if (!request.diagnostics->HasErrors()) lowered.program = Lower(tree, settings);
+  return lowered;
+}
+
+}  // namespace
+
+const dialects::Dialect k@Name@ = {
+    .name = "@name@",
+    .title = "@Name@",
+    .extensions = kExtensions,
+    .options = Options(),
+    .load = {},
+    .recognize = Recognize,
+    .report_load_error = ReportLoadError,
+    .check_options = CheckOptions,
+    .print_tokens = Tokens,
+    .print_syntax = Syntax,
+    .lower = LowerProgram,
+    .locate = Locate,
+    .parse_value = ParseValue,
+    .make_stub = MakeStub,
+    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
+                             diag::Engine&) {},  // it has no options for budgets
+    .lints = {},
+};
+
+}  // namespace plcxx::@name@
