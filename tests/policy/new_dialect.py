@@ -7,6 +7,7 @@ new_dialect.py COMPILER POLICY_TEST WORK --build    the copy is built with its t
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -28,7 +29,7 @@ def run_rules(policy_test, tree, rules, faults):
     done = subprocess.run([policy_test, f"--gtest_filter={rules}", "--gtest_brief=1"], capture_output=True, text=True,
                           env={**os.environ, "PLCXX_POLICY_ROOT": str(tree)})
     if done.returncode != 0:
-        faults.append(done.stdout + done.stderr)
+        faults += [line for line in done.stdout.splitlines() if not re.match(r"[A-Z0-9]+-\d{3} |.*: \d+ lines$", line)]
     return done.stdout
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "transpiler/dialects/host50/addresses.h"
 #include "transpiler/dialects/host50/syntax.h"
 #include "transpiler/support/check.h"
 

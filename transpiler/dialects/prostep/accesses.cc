@@ -16,7 +16,7 @@ MemoryAccess Plain(const Operand& operand, Access access) {
 
 void AddArguments(const Program& program, const Instruction& instruction, std::vector<MemoryAccess>& accesses) {
   const FunctionInfo& info = Info(*instruction.function);
-  const bool writes = instruction.function == Function::kWriteByte || instruction.function == Function::kWriteWord;
+  const bool writes = info.ax_use == AxUse::kReads;  // what AX holds is stored
   for (uint32_t i = 0; i < info.count; ++i) {
     const Operand& operand = program.Argument(instruction, i);
     if (!IsMemory(operand)) continue;

@@ -135,6 +135,7 @@ void Lowering::Execute(InstructionId id) {
 
 void Lowering::Dispatch(InstructionId id, const Instruction& instruction) {
   using dialects::Join;
+  using ir::OpKind;
   switch (instruction.op) {
     case Op::kAnd:
       return Operate(Join::kAnd, ReadBit(instruction.operand));
@@ -159,18 +160,28 @@ void Lowering::Dispatch(InstructionId id, const Instruction& instruction) {
     case Op::kReset:
       return SetOrReset(instruction.operand, false);
     case Op::kCountUp:
+      return Count(instruction, OpKind::kCountUp);
     case Op::kCountDown:
+      return Count(instruction, OpKind::kCountDown);
     case Op::kSetCounter:
-    case Op::kResetCounter:
-      return StepCounter(instruction);
+      return SetCounter(instruction);
+    case Op::kResetCounter: {
+      const ir::ValueId condition = logic_->Value();
+      builder_.Step(OpKind::kZeroCounter, CounterOf(instruction.operand.number), {condition});
+      return;
+    }
     case Op::kPulse:
+      return StartTimer(instruction, OpKind::kStartPulse);
     case Op::kExtendedPulse:
+      return StartTimer(instruction, OpKind::kStartExtended);
     case Op::kOnDelay:
+      return StartTimer(instruction, OpKind::kStartOnDelay);
     case Op::kLatchedOnDelay:
+      return StartTimer(instruction, OpKind::kStartLatchedDelay);
     case Op::kOffDelay:
-      return StartTimer(instruction);
+      return StartTimer(instruction, OpKind::kStartOffDelay);
     case Op::kResetTimer:
-      builder_.Step(ir::OpKind::kResetTimer, TimerOf(instruction.operand.number), {logic_->Value()});
+      builder_.Step(OpKind::kResetTimer, TimerOf(instruction.operand.number), {logic_->Value()});
       return;
     case Op::kEqual:
     case Op::kNotEqual:
@@ -180,11 +191,15 @@ void Lowering::Dispatch(InstructionId id, const Instruction& instruction) {
     case Op::kGreaterEqual:
       return Compare(instruction);
     case Op::kLoad:
-    case Op::kLoadCounter:
-    case Op::kLoadCounterBcd:
-    case Op::kLoadTimer:
-    case Op::kLoadTimerBcd:
       return Load(instruction);
+    case Op::kLoadCounter:
+      return ax_->Set(builder_.Load(ValueOf(instruction.operand.number)));
+    case Op::kLoadCounterBcd:
+      return ax_->Set(builder_.Pure(OpKind::kToBcd16, {builder_.Load(ValueOf(instruction.operand.number))}));
+    case Op::kLoadTimer:
+      return ax_->Set(builder_.Step(OpKind::kTimeLeft, TimerOf(instruction.operand.number), {}));
+    case Op::kLoadTimerBcd:
+      return ax_->Set(builder_.Step(OpKind::kTimeLeftCoded, TimerOf(instruction.operand.number), {}));
     case Op::kTransfer:
       return Transfer(instruction.operand);
     case Op::kJump:

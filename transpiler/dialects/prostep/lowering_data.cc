@@ -65,25 +65,10 @@ void Lowering::SetLowByte(ValueId byte) {
 }
 
 void Lowering::Load(const Instruction& instruction) {
-  const Operand& operand = instruction.operand;
-  switch (instruction.op) {
-    case Op::kLoad: {
-      const ValueId value = ReadData(operand);
-      builder_.SetRange(instruction.whole);
-      if (operand.shape() == Shape::kByte) return SetLowByte(value);
-      return ax_->Set(value);
-    }
-    case Op::kLoadCounter:
-      return ax_->Set(builder_.Load(ValueOf(operand.number)));
-    case Op::kLoadCounterBcd:
-      return ax_->Set(builder_.Pure(OpKind::kToBcd16, {builder_.Load(ValueOf(operand.number))}));
-    case Op::kLoadTimer:
-      return ax_->Set(builder_.Step(OpKind::kTimeLeft, TimerOf(operand.number), {}));
-    case Op::kLoadTimerBcd:
-      return ax_->Set(builder_.Step(OpKind::kTimeLeftCoded, TimerOf(operand.number), {}));
-    default:
-      PLCXX_UNREACHABLE();
-  }
+  const ValueId value = ReadData(instruction.operand);
+  builder_.SetRange(instruction.whole);
+  if (instruction.operand.shape() == Shape::kByte) return SetLowByte(value);
+  ax_->Set(value);
 }
 
 void Lowering::Transfer(const Operand& target) {

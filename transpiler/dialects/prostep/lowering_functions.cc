@@ -166,10 +166,13 @@ void Lowering::PerformNow(const Instruction& instruction) {
     case Function::kMoveLong:
       return MoveLong(instruction);
     case Function::kNegateLong:
+      return LongChange(instruction, &Lowering::Negated);
     case Function::kComplementLong:
+      return LongChange(instruction, &Lowering::Complemented);
     case Function::kIncrementLong:
+      return LongChange(instruction, &Lowering::Incremented);
     case Function::kDecrementLong:
-      return LongChange(instruction, function);
+      return LongChange(instruction, &Lowering::Decremented);
     case Function::kEqualLong:
       return LongCompare(instruction, OpKind::kEqual32);
     case Function::kGreaterEqualUnsigned:

@@ -96,13 +96,14 @@ class Lowering {
   void Decided(uint64_t first);  // what the next operation is
 
   // --- timers and counters (lowering_timers.cc) ---
-  void StartTimer(const Instruction& instruction);
-  void StepCounter(const Instruction& instruction);
+  void StartTimer(const Instruction& instruction, ir::OpKind start);
+  void Count(const Instruction& instruction, ir::OpKind step);
+  void SetCounter(const Instruction& instruction);
   ir::StateId TimerOf(uint32_t number);
   ir::StateId CounterOf(uint32_t number);
   ir::PlaceId OutputOf(uint32_t timer);
   ir::PlaceId ValueOf(uint32_t counter);
-  ir::ValueId StartsTimer(const Instruction& instruction, ir::ValueId condition);
+  ir::ValueId StartsTimer(const Instruction& instruction, ir::OpKind start, ir::ValueId condition);
   ir::ValueId PortWord(const Operand& operand, ir::ValueId needed);
   /// A bit of an instance that has no name in the language.
   ir::PlaceId FieldOf(ir::StateId state, std::string_view field, std::string name);
@@ -162,7 +163,12 @@ class Lowering {
   void NcWrite(const Instruction& instruction, ir::Type type);
 
   void LongOperation(const Instruction& instruction, ir::OpKind op);
-  void LongChange(const Instruction& instruction, Function function);
+  /// Its only operand by what `change` gives for its value.
+  void LongChange(const Instruction& instruction, ir::ValueId (Lowering::*change)(ir::ValueId));
+  ir::ValueId Negated(ir::ValueId value) { return builder_.Pure(ir::OpKind::kSub32, {Number(0), value}); }
+  ir::ValueId Complemented(ir::ValueId value) { return builder_.Pure(ir::OpKind::kNot32, {value}); }
+  ir::ValueId Incremented(ir::ValueId value) { return builder_.Pure(ir::OpKind::kAdd32, {value, Number(1)}); }
+  ir::ValueId Decremented(ir::ValueId value) { return builder_.Pure(ir::OpKind::kSub32, {value, Number(1)}); }
   void LongCompare(const Instruction& instruction, ir::OpKind op);
   void MoveLong(const Instruction& instruction);
   void MultiplyLong(const Instruction& instruction);

@@ -17,26 +17,9 @@ void Lowering::LongOperation(const Instruction& instruction, OpKind op) {
   s_->Set(builder_.Pure(OpKind::kEqual32, {result, Number(0)}));
 }
 
-void Lowering::LongChange(const Instruction& instruction, Function function) {
+void Lowering::LongChange(const Instruction& instruction, ValueId (Lowering::*change)(ValueId)) {
   const Operand& field = tree_.Argument(instruction, 0);
-  const ValueId value = LoadField(field, Type::kI32);
-  ValueId result;
-  switch (function) {
-    case Function::kNegateLong:
-      result = builder_.Pure(OpKind::kSub32, {Number(0), value});
-      break;
-    case Function::kComplementLong:
-      result = builder_.Pure(OpKind::kNot32, {value});
-      break;
-    case Function::kIncrementLong:
-      result = builder_.Pure(OpKind::kAdd32, {value, Number(1)});
-      break;
-    case Function::kDecrementLong:
-      result = builder_.Pure(OpKind::kSub32, {value, Number(1)});
-      break;
-    default:
-      PLCXX_UNREACHABLE();
-  }
+  const ValueId result = (this->*change)(LoadField(field, Type::kI32));
   StoreField(field, Type::kI32, result);
   s_->Set(builder_.Pure(OpKind::kEqual32, {result, Number(0)}));
 }

@@ -23,44 +23,18 @@ uint32_t Fnv(uint32_t hash, std::string_view text) {
 enum class Takes : uint8_t { kS, kAx, kNothing };
 
 Takes TakesOf(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kTransfer:
-    case Op::kPerform:
-      return Takes::kAx;
-    case Op::kJump:
-    case Op::kCall:
-    case Op::kEndModule:
-      return Takes::kNothing;
-    default:
-      return Takes::kS;
-  }
+  const InstructionInfo& info = Info(instruction.op);
+  if (info.s_use != SUse::kNone) return Takes::kS;
+  return info.ax_use == AxUse::kReads ? Takes::kAx : Takes::kNothing;
 }
 
 bool EndsStatement(Op op) {
   return op == Op::kJump || op == Op::kJumpIf || op == Op::kEndModule || op == Op::kEndModuleIf;
 }
 
-bool SetsAx(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kLoad:
-    case Op::kLoadCounter:
-    case Op::kLoadCounterBcd:
-    case Op::kLoadTimer:
-    case Op::kLoadTimerBcd:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// What the instruction is about, when its statement is named by it.
 std::string_view SubjectSpace(const Instruction& instruction) {
-  switch (Info(instruction.op).role) {
-    case Role::kEnds:
-      return Name(instruction.operand.kind);
-    default:
-      return {};
-  }
+  return Info(instruction.op).role == Role::kEnds ? Name(instruction.operand.kind) : std::string_view();
 }
 
 }  // namespace
@@ -87,7 +61,7 @@ void Lowering::CutStatements(const Module& module) {
     }
     if (begins) sets_ax = false;
     begins_statement_[i] = begins;
-    sets_ax |= SetsAx(instruction);
+    sets_ax |= Info(instruction.op).ax_use == AxUse::kLoadsWord;
     behind_end = role == Role::kEnds;
     behind_border = EndsStatement(instruction.op);
   }

@@ -56,20 +56,16 @@ ValueId Lowering::PortWord(const Operand& operand, ValueId needed) {
 }
 
 /// Whether the start instruction takes its time word now: 7.1.
-ValueId Lowering::StartsTimer(const Instruction& instruction, ValueId condition) {
+ValueId Lowering::StartsTimer(const Instruction& instruction, OpKind start, ValueId condition) {
   using dialects::Join;
   const auto both = [&](ValueId a, ValueId b) { return dialects::Joined(builder_, Join::kAnd, a, b); };
   const uint32_t number = instruction.operand.number;
   const ValueId edge = builder_.Load(FieldOf(TimerOf(number), "edge", "T" + std::to_string(number) + "_edge"));
   const ValueId rises = both(condition, dialects::Inverted(builder_, edge));
-  switch (instruction.op) {
-    case Op::kLatchedOnDelay:
-      return both(rises, dialects::Inverted(builder_, builder_.Load(OutputOf(number))));
-    case Op::kOffDelay:
-      return both(both(dialects::Inverted(builder_, condition), edge), builder_.Load(OutputOf(number)));
-    default:
-      return rises;
-  }
+  if (start == OpKind::kStartLatchedDelay)
+    return both(rises, dialects::Inverted(builder_, builder_.Load(OutputOf(number))));
+  if (start != OpKind::kStartOffDelay) return rises;
+  return both(both(dialects::Inverted(builder_, condition), edge), builder_.Load(OutputOf(number)));
 }
 
 ir::PlaceId Lowering::FieldOf(ir::StateId state, std::string_view field, std::string name) {
@@ -90,61 +86,36 @@ ValueId Lowering::Parameter(const Instruction& instruction) {
   return ReadData(operand);
 }
 
-void Lowering::StartTimer(const Instruction& instruction) {
+void Lowering::StartTimer(const Instruction& instruction, OpKind start) {
   const ValueId condition = logic_->Value();
   const Operand& operand = tree_.Argument(instruction, 0);
-  const ValueId time = operand.kind == OperandClass::kPW ? PortWord(operand, StartsTimer(instruction, condition))
+  const ValueId time = operand.kind == OperandClass::kPW ? PortWord(operand, StartsTimer(instruction, start, condition))
                                                          : Parameter(instruction);
-  const auto start = [&](OpKind op) {
-    logic_->Replace(builder_.Step(op, TimerOf(instruction.operand.number), {condition, time}));
-  };
-  switch (instruction.op) {
-    case Op::kPulse:
-      return start(OpKind::kStartPulse);
-    case Op::kExtendedPulse:
-      return start(OpKind::kStartExtended);
-    case Op::kOnDelay:
-      return start(OpKind::kStartOnDelay);
-    case Op::kLatchedOnDelay:
-      return start(OpKind::kStartLatchedDelay);
-    case Op::kOffDelay:
-      return start(OpKind::kStartOffDelay);
-    default:
-      PLCXX_UNREACHABLE();
-  }
+  logic_->Replace(builder_.Step(start, TimerOf(instruction.operand.number), {condition, time}));
 }
 
-void Lowering::StepCounter(const Instruction& instruction) {
+void Lowering::Count(const Instruction& instruction, OpKind step) {
+  const ValueId condition = logic_->Value();
+  logic_->Replace(builder_.Step(step, CounterOf(instruction.operand.number), {condition}));
+}
+
+void Lowering::SetCounter(const Instruction& instruction) {
   const ValueId condition = logic_->Value();
   const ir::StateId counter = CounterOf(instruction.operand.number);
-  switch (instruction.op) {
-    case Op::kCountUp:
-      return logic_->Replace(builder_.Step(OpKind::kCountUp, counter, {condition}));
-    case Op::kCountDown:
-      return logic_->Replace(builder_.Step(OpKind::kCountDown, counter, {condition}));
-    case Op::kSetCounter: {
-      const bool edge = settings_.counter_set == CounterSet::kEdge;
-      ValueId preset;
-      if (const Operand& operand = tree_.Argument(instruction, 0); operand.kind == OperandClass::kPW) {
-        ValueId needed = condition;
-        if (edge) {
-          const std::string name = "C" + std::to_string(instruction.operand.number) + "_set_edge";
-          const ValueId was = builder_.Load(FieldOf(counter, "set_edge", name));
-          needed = dialects::Joined(builder_, dialects::Join::kAnd, condition, dialects::Inverted(builder_, was));
-        }
-        preset = PortWord(operand, needed);
-      } else {
-        preset = Parameter(instruction);
-      }
-      builder_.Step(edge ? OpKind::kSetCounterOnEdge : OpKind::kSetCounter, counter, {condition, preset});
-      return;
+  const bool edge = settings_.counter_set == CounterSet::kEdge;
+  ValueId preset;
+  if (const Operand& operand = tree_.Argument(instruction, 0); operand.kind == OperandClass::kPW) {
+    ValueId needed = condition;
+    if (edge) {
+      const std::string name = "C" + std::to_string(instruction.operand.number) + "_set_edge";
+      const ValueId was = builder_.Load(FieldOf(counter, "set_edge", name));
+      needed = dialects::Joined(builder_, dialects::Join::kAnd, condition, dialects::Inverted(builder_, was));
     }
-    case Op::kResetCounter:
-      builder_.Step(OpKind::kZeroCounter, counter, {condition});
-      return;
-    default:
-      PLCXX_UNREACHABLE();
+    preset = PortWord(operand, needed);
+  } else {
+    preset = Parameter(instruction);
   }
+  builder_.Step(edge ? OpKind::kSetCounterOnEdge : OpKind::kSetCounter, counter, {condition, preset});
 }
 
 }  // namespace plcxx::prostep

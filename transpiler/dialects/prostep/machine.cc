@@ -39,8 +39,9 @@ constexpr PortsRow kPorts[] = {
 };
 
 constexpr InstructionInfo kInstructions[] = {
-#define PROSTEP_INSTRUCTION(Key, Text, LinesKey, Own, Next, AccessKey, RoleKey) \
-  {Op::k##Key, Text, Lines::k##LinesKey, Own, Next, Access::k##AccessKey, Role::k##RoleKey},
+#define PROSTEP_INSTRUCTION(Key, Text, LinesKey, Own, Next, AccessKey, RoleKey, UseKey, AxKey)             \
+  {Op::k##Key,      Text,           Lines::k##LinesKey, Own, Next, Access::k##AccessKey, Role::k##RoleKey, \
+   SUse::k##UseKey, AxUse::k##AxKey},
 #include "transpiler/dialects/prostep/machine.def"
     {},
 };
@@ -61,9 +62,9 @@ namespace shapes {
 #include "transpiler/dialects/prostep/machine.def"
 }  // namespace shapes
 
-constexpr FunctionInfo MakeFunction(std::string_view name, uint8_t fewest,
+constexpr FunctionInfo MakeFunction(std::string_view name, AxUse ax_use, uint8_t fewest,
                                     std::initializer_list<ArgumentShape> arguments) {
-  FunctionInfo info{.name = name, .fewest = fewest, .count = static_cast<uint8_t>(arguments.size())};
+  FunctionInfo info{.name = name, .ax_use = ax_use, .fewest = fewest, .count = static_cast<uint8_t>(arguments.size())};
   std::copy(arguments.begin(), arguments.end(), info.arguments);
   return info;
 }
@@ -71,7 +72,7 @@ constexpr FunctionInfo MakeFunction(std::string_view name, uint8_t fewest,
 std::span<const FunctionInfo> Functions() {
   using namespace shapes;
   static constexpr FunctionInfo kRows[] = {
-#define PROSTEP_FUNCTION(Key, Fewest, ...) MakeFunction(#Key, Fewest, {__VA_ARGS__}),
+#define PROSTEP_FUNCTION(Key, UseKey, Fewest, ...) MakeFunction(#Key, AxUse::k##UseKey, Fewest, {__VA_ARGS__}),
 #include "transpiler/dialects/prostep/machine.def"
   };
   return kRows;

@@ -96,6 +96,18 @@ enum class Role : uint8_t {
   kEnds,
 };
 
+/// What S decides of an instruction.
+enum class SUse : uint8_t {
+  kNone,
+  kAssigns,  // what is assigned
+  kActs,     // whether it acts: with S = 0 it does nothing
+  kSteps,    // the same, of what looks at the edges of S
+  kGoes,     // whether it goes elsewhere
+};
+
+/// What an instruction or a functional module (6.9) does with AX. JU FM reads it as far as its module does.
+enum class AxUse : uint8_t { kNone, kReads, kChanges, kLoadsByte, kLoadsWord };
+
 /// The meanings of the mnemonics; a mnemonic whose operand decides (S, R, L, LD, O, JU, JC) has several.
 enum class Op : uint8_t {
 #define PROSTEP_INSTRUCTION(Key, ...) k##Key,
@@ -111,6 +123,8 @@ struct InstructionInfo {
   OperandSet next = kNothing;
   Access access = Access::kNone;  // to the memory that its operand names (of OwnAndNext: the next line's)
   Role role = Role::kNeutral;
+  SUse s_use = SUse::kNone;
+  AxUse ax_use = AxUse::kNone;
 };
 /// In the order of Op, kUnknown last.
 std::span<const InstructionInfo> Instructions();
@@ -151,6 +165,7 @@ enum class Function : uint8_t {
 constexpr uint32_t kMostArguments = 3;
 struct FunctionInfo {
   std::string_view name;
+  AxUse ax_use = AxUse::kNone;
   uint8_t fewest = 0;  // operand lines; with fewer than `count` the last one serves twice (FM 64-66)
   uint8_t count = 0;
   ArgumentShape arguments[kMostArguments] = {};

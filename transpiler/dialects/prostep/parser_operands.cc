@@ -13,7 +13,12 @@ std::string RangeText(const Operand& operand, Access access) {
       return "counters are C 0 to C 63";
     case Shape::kModule:
       return "modules are PM 0 to PM 99";
-    default:
+    case Shape::kBit:
+    case Shape::kByte:
+    case Shape::kWord:
+    case Shape::kDouble:
+    case Shape::kConstant:
+    case Shape::kFunction:
       break;
   }
   if (operand.space() == Space::kP) {

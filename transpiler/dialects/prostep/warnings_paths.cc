@@ -52,81 +52,20 @@ State Join(const State& a, const State& b) {
 
 constexpr State kFromScheduler{.reached = true, .s_unset = true, .ax_unset = true, .may_load = true};
 
-bool UsesS(Op op) {
-  switch (op) {
-    case Op::kAssign:
-    case Op::kSet:
-    case Op::kReset:
-    case Op::kCountUp:
-    case Op::kCountDown:
-    case Op::kSetCounter:
-    case Op::kResetCounter:
-    case Op::kPulse:
-    case Op::kExtendedPulse:
-    case Op::kOnDelay:
-    case Op::kLatchedOnDelay:
-    case Op::kOffDelay:
-    case Op::kResetTimer:
-    case Op::kJumpIf:
-    case Op::kCallIf:
-    case Op::kPerformIf:
-    case Op::kEndModuleIf:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool IsStep(Op op) {
-  switch (op) {
-    case Op::kCountUp:
-    case Op::kCountDown:
-    case Op::kPulse:
-    case Op::kExtendedPulse:
-    case Op::kOnDelay:
-    case Op::kLatchedOnDelay:
-    case Op::kOffDelay:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// What a functional module does with AX: 6.9.
-enum class AxUse : uint8_t { kNone, kReads, kChanges, kLoadsByte, kLoadsWord };
-
-AxUse AxUseOf(Function function) {
-  switch (function) {
-    case Function::kToBcd:
-    case Function::kFromBcd:
-    case Function::kShiftLeft:
-    case Function::kShiftRight:
-    case Function::kBitAnd:
-    case Function::kBitOr:
-    case Function::kBitXor:
-    case Function::kNegate:
-    case Function::kComplement:
-    case Function::kIncrement:
-    case Function::kDecrement:
-      return AxUse::kChanges;
-    case Function::kReadByte:
-      return AxUse::kLoadsByte;
-    case Function::kReadWord:
-      return AxUse::kLoadsWord;
-    case Function::kWriteByte:
-    case Function::kWriteWord:
-      return AxUse::kReads;
-    default:
-      return AxUse::kNone;
-  }
-}
+bool IsStep(Op op) { return Info(op).s_use == SUse::kSteps; }
 
 /// S, R, timers and counters: with S = 0 always they do nothing, or the same each time. Not '=', which assigns this 0,
 /// nor what asks S whether to go elsewhere: several JC in a row are several ways.
-bool ActsOnS(Op op) {
-  const bool goes = op == Op::kJumpIf || op == Op::kCallIf || op == Op::kPerformIf || op == Op::kEndModuleIf;
-  return UsesS(op) && !goes && op != Op::kAssign;
-}
+bool ActsOnS(Op op) { return Info(op).s_use == SUse::kActs || IsStep(op); }
+
+/// Where AX may be, against the operand, for the comparison to be 1.
+struct Relation {
+  Op op;
+  bool less, equal, greater;
+};
+constexpr Relation kRelations[] = {{Op::kEqual, false, true, false},   {Op::kNotEqual, true, false, true},
+                                   {Op::kLess, true, false, false},    {Op::kLessEqual, true, true, false},
+                                   {Op::kGreater, false, false, true}, {Op::kGreaterEqual, false, true, true}};
 
 struct PathChecker {
   const Program& program;
@@ -201,31 +140,15 @@ void PathChecker::CompareWithConstant(const Instruction& instruction, const Stat
   if (state.ax_limit == AxLimit::kAny || state.byte_in_word) return;
   const int32_t most = state.ax_limit == AxLimit::kByte ? 255 : 999;
   const int32_t constant = static_cast<int16_t>(operand.value);
-  const bool below = most < constant, above = constant < 0;  // all of AX against the constant
-  const bool at_least_0 = constant == 0, at_most = constant == most;
-  bool always = false, never = false;
-  switch (instruction.op) {
-    case Op::kEqual:
-      never = below || above;
-      break;
-    case Op::kNotEqual:
-      always = below || above;
-      break;
-    case Op::kLess:
-      always = below, never = above || at_least_0;
-      break;
-    case Op::kLessEqual:
-      always = below || at_most, never = above;
-      break;
-    case Op::kGreater:
-      always = above, never = below || at_most;
-      break;
-    case Op::kGreaterEqual:
-      always = above || at_least_0, never = below;
-      break;
-    default:
-      break;
-  }
+  const auto relation = std::ranges::find(kRelations, instruction.op, &Relation::op);
+  if (relation == std::end(kRelations)) return;
+  // AX is 0 to `most`.
+  const bool can_be_less = constant > 0, can_be_equal = constant >= 0 && constant <= most,
+             can_be_greater = constant < most;
+  const bool never =
+      !(can_be_less && relation->less) && !(can_be_equal && relation->equal) && !(can_be_greater && relation->greater);
+  const bool always = !(can_be_less && !relation->less) && !(can_be_equal && !relation->equal) &&
+                      !(can_be_greater && !relation->greater);
   if (!always && !never) return;
   if (!reported.emplace(&diag::ProstepComparisonConstant, instruction.range.begin).second) return;
   diagnostics.Report(instruction.range, diag::ProstepComparisonConstant, ToText(program, instruction),
@@ -251,8 +174,9 @@ void PathChecker::Perform(const Instruction& instruction, State& state) {
     }
   }
   if (SetsS(function)) state.s_unset = state.s_is_0 = false;
-  if (AxUseOf(function) != AxUse::kNone && AxUseOf(function) != AxUse::kReads) state.ax_limit = AxLimit::kAny;
-  switch (AxUseOf(function)) {
+  const AxUse use = Info(function).ax_use;
+  if (use != AxUse::kNone && use != AxUse::kReads) state.ax_limit = AxLimit::kAny;
+  switch (use) {
     case AxUse::kNone:
       return;
     case AxUse::kReads:
@@ -295,7 +219,7 @@ void PathChecker::Step(const ModulePaths& module, uint32_t number, State& state)
   const Instruction& instruction = module.At(number);
   const TextState& text = module.Text(number);
   const Role role = Info(instruction.op).role;
-  if (UsesS(instruction.op)) UseS(instruction, state);
+  if (Info(instruction.op).s_use != SUse::kNone) UseS(instruction, state);
   if (ActsOnS(instruction.op) && state.s_is_0) {
     Report(diag::ProstepAlwaysSeesZero, instruction);
     state.s_is_0 = false;  // one cause

@@ -45,10 +45,10 @@ EffectRow RowOf(Op op) {
   const Resources kAl = PartsOf(Register::kAl), kAx = PartsOf(Register::kAx), kEax = PartsOf(Register::kEax);
   const Resources kCx = PartsOf(Register::kCx), kDx = PartsOf(Register::kDx), kEdx = PartsOf(Register::kEdx);
   switch (op) {
-#define TECHNOL_EFFECT(Key, Use, Reads, Writes, Undefines) \
-  case Op::k##Key:                                         \
+#define TECHNOL_INSTRUCTION(Key, Text, FormKey, AccessKey, EvidenceKey, PurityKey, Use, Reads, Writes, Undefines) \
+  case Op::k##Key:                                                                                                \
     return {DrUse::k##Use, Reads, Writes, Undefines};
-#include "transpiler/dialects/technol/effects.def"
+#include "transpiler/dialects/technol/machine.def"
     case Op::kMechanismBegin:
     case Op::kMechanismEnd:
     case Op::kModuleEnd:

@@ -42,9 +42,9 @@ constexpr InstructionInfo Assembler(Op op, std::string_view text, Form form, Acc
 }
 
 constexpr InstructionInfo kInstructions[] = {
-#define TECHNOL_INSTRUCTION(Key, Text, FormKey, AccessKey, EvidenceKey, PurityKey) \
+#define TECHNOL_INSTRUCTION(Key, Text, FormKey, AccessKey, EvidenceKey, PurityKey, ...) \
   Own(Op::k##Key, Text, Form::k##FormKey, Access::k##AccessKey, Evidence::k##EvidenceKey, Purity::k##PurityKey),
-#define TECHNOL_ASSEMBLER(Key, Text, FormKey, AccessKey, PurityKey) \
+#define TECHNOL_ASSEMBLER(Key, Text, FormKey, AccessKey, PurityKey, ...) \
   Assembler(Op::k##Key, Text, Form::k##FormKey, Access::k##AccessKey, Purity::k##PurityKey),
 #include "transpiler/dialects/technol/machine.def"
     {.op = Op::kMechanismBegin, .mnemonic = "MECH_BEGIN"},
