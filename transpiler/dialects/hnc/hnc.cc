@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/hnc/files.h"
 #include "transpiler/dialects/hnc/locate.h"
 #include "transpiler/dialects/hnc/lowering.h"
@@ -16,10 +17,6 @@ namespace {
 
 constexpr std::string_view kExtensions[] = {".cld"};
 constexpr uint32_t kMostErrors = 50;
-
-void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
-  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
-}
 
 std::string Syntax(dialects::Request& request) { return PrintSyntax(*request.sources, Parse(request)); }
 
@@ -65,7 +62,7 @@ const dialects::Dialect kHnc = {
     .options = Options(),
     .load = LoadOptionsOf({}),
     .recognize = Recognize,
-    .report_load_error = ReportLoadError,
+    .report_load_error = dialects::ReportCannotRead,
     .check_options = CheckOptions,
     .print_tokens = PrintTokens,
     .print_syntax = Syntax,
@@ -73,8 +70,7 @@ const dialects::Dialect kHnc = {
     .locate = Locate,
     .parse_value = ParseValue,
     .make_stub = MakeStub,
-    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
-                             diag::Engine&) {},
+    .report_over_budget = dialects::ReportNoBudget,
     .lints = {},
     .takes_macros = true,
     .values_wrap = true,

@@ -23,12 +23,6 @@ Lowering::Lowering(Scope scope, const Unit& unit, const Settings& settings, cons
   }
 }
 
-ir::RoutineId Lowering::AddRoutine(std::string name, ir::RoutineKind kind, std::string comment) {
-  ir::Routine routine{.name = std::move(name), .kind = kind, .comment = std::move(comment)};
-  routine.body = builder_.NewRegion();
-  return program_.routines.Add(std::move(routine));
-}
-
 /// The last line of the comment above a function, in one line.
 std::string Lowering::CommentAbove(const Function& function) const {
   const std::vector<const Comment*> above = CommentsBefore(unit_, sources_, function.head.begin);
@@ -48,7 +42,7 @@ void Lowering::AddRoutines() {
     const Function& function = unit_.functions[id];
     const bool is_init = id == unit_.init;
     routines_[id.index] =
-        AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, CommentAbove(function));
+        builder_.AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, CommentAbove(function));
     locals_ = program_.spaces.Add(
         {.name = function.name + "_locals", .title = "", .bytes = 0, .lifetime = ir::Lifetime::kRoutine, .own = true});
     local_bytes_ = 0;

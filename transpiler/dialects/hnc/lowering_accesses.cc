@@ -83,18 +83,10 @@ void Lowering::ForEachTargetOf(const Address& address, const std::function<void(
     return;
   }
   ir::Switch arms;
-  const ir::RegionId behind = builder_.region();
   for (const ObjectId object : address.targets.objects) {
-    const ir::RegionId arm = builder_.NewRegion();
-    builder_.SetRegion(arm);
-    body(object);
-    arms.cases.push_back({.values = {NumberOf(object)}, .region = arm});
+    builder_.AddArm(arms, {NumberOf(object)}, [&] { body(object); });
   }
-  const ir::RegionId none = builder_.NewRegion();
-  builder_.SetRegion(none);
-  RecordFault(Fault::kIndex);
-  arms.cases.push_back({.values = {}, .region = none});
-  builder_.SetRegion(behind);
+  builder_.AddArm(arms, {}, [&] { RecordFault(Fault::kIndex); });
   builder_.SwitchOn(ObjectOf(address), std::move(arms));
 }
 

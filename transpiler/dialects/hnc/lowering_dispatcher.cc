@@ -71,7 +71,7 @@ ir::PlaceId Lowering::ChannelByte(ir::PlaceId first, const std::string& name) {
 }
 
 ir::RoutineId Lowering::AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel) {
-  const ir::RoutineId id = AddRoutine(name, ir::RoutineKind::kSubroutine, std::move(comment));
+  const ir::RoutineId id = builder_.AddRoutine(name, ir::RoutineKind::kSubroutine, std::move(comment));
   locals_ =
       program_.spaces.Add({.name = name, .title = "", .bytes = 0, .lifetime = ir::Lifetime::kRoutine, .own = true});
   local_bytes_ = 0;
@@ -92,7 +92,6 @@ void Lowering::CallHandlers(uint32_t kind, ir::PlaceId channel, const std::funct
     if (otherwise) otherwise();
     return;
   }
-  const ir::RegionId behind = builder_.region();
   ir::Switch channels;
   const auto none = [&] {
     if (otherwise) otherwise();
@@ -107,35 +106,21 @@ void Lowering::CallHandlers(uint32_t kind, ir::PlaceId channel, const std::funct
   for (uint32_t c = 0; c < 4; ++c) {
     const FunctionId fixed = fixed_handlers_[c][kind].value_or(FunctionId());
     if (fixed.valid()) {
-      const ir::RegionId of_channel = builder_.NewRegion();
-      builder_.SetRegion(of_channel);
-      call(fixed, c);
-      channels.cases.push_back({.values = {c}, .region = of_channel});
+      builder_.AddArm(channels, {c}, [&] { call(fixed, c); });
       continue;
     }
     const std::vector<FunctionId>& handlers = handlers_[c][kind];
     if (handlers.empty()) continue;
-    const ir::RegionId of_channel = builder_.NewRegion();
-    ir::Switch slots;
-    for (uint32_t i = 0; i < handlers.size(); ++i) {
-      const ir::RegionId of_slot = builder_.NewRegion();
-      builder_.SetRegion(of_slot);
-      call(handlers[i], c);
-      slots.cases.push_back({.values = {i + 1}, .region = of_slot});
-    }
-    const ir::RegionId unregistered = builder_.NewRegion();
-    builder_.SetRegion(unregistered);
-    none();
-    slots.cases.push_back({.values = {}, .region = unregistered});
-    builder_.SetRegion(of_channel);
-    builder_.SwitchOn(builder_.Load(handler_slots_[c][kind]), std::move(slots));
-    channels.cases.push_back({.values = {c}, .region = of_channel});
+    builder_.AddArm(channels, {c}, [&] {
+      ir::Switch slots;
+      for (uint32_t i = 0; i < handlers.size(); ++i) {
+        builder_.AddArm(slots, {i + 1}, [&] { call(handlers[i], c); });
+      }
+      builder_.AddArm(slots, {}, none);
+      builder_.SwitchOn(builder_.Load(handler_slots_[c][kind]), std::move(slots));
+    });
   }
-  const ir::RegionId others = builder_.NewRegion();
-  builder_.SetRegion(others);
-  none();
-  channels.cases.push_back({.values = {}, .region = others});
-  builder_.SetRegion(behind);
+  builder_.AddArm(channels, {}, none);
   builder_.SwitchOn(builder_.Load(channel), std::move(channels));
 }
 
@@ -151,7 +136,7 @@ void Lowering::AddDispatcher() {
 void Lowering::Dispatch(ir::PlaceId channel) {
   const auto index = [&] { return builder_.Load(channel); };
   const ir::PlaceId modal = ChannelByte(modal_[0], "modal");
-  When(Pure(OpKind::kNotEqual8, {builder_.Load(modal, index()), builder_.Constant(ir::Type::kI8, 0)}), [&] {
+  builder_.When(Pure(OpKind::kNotEqual8, {builder_.Load(modal, index()), builder_.Constant(ir::Type::kI8, 0)}), [&] {
     builder_.Store(modal, builder_.Constant(ir::Type::kI8, 0), index());
     CallHandlers(4, channel, {});
   });
@@ -187,7 +172,7 @@ void Lowering::Dispatch(ir::PlaceId channel) {
     const auto give_up = [&] { builder_.Store(mod, Pure(OpKind::kMinus16, {Word(1)}), index()); };
     // The state is asked alone and first: in most cycles there is no request, and a look at it is all that happens.
     const auto when = [&](uint8_t value, const std::function<ValueId()>& condition, const std::function<void()>& body) {
-      When(is(value), [&] { When(condition(), body); });
+      builder_.When(is(value), [&] { builder_.When(condition(), body); });
     };
     const auto requested = [&] { return both(has(strobes, row.strobe), lacks(strobes, kCancel)); };
     when(kIdle, requested, [&] {
@@ -196,8 +181,8 @@ void Lowering::Dispatch(ir::PlaceId channel) {
       become(kActive);
       if (once) builder_.Store(called, builder_.Constant(ir::Type::kI8, 0), index());
       if (k != 0 || settings_.m00_flags == M00FlagsOption::kOff) return;
-      When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
-      When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
+      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
+      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
     });
     const auto withdrawn = [&] { return Pure(OpKind::kBitOr, {lacks(strobes, row.strobe), has(strobes, kCancel)}); };
     when(kActive, withdrawn, [&] {
@@ -215,7 +200,7 @@ void Lowering::Dispatch(ir::PlaceId channel) {
       }
       const ValueId first =
           Pure(OpKind::kEqual8, {builder_.Load(called, index()), builder_.Constant(ir::Type::kI8, 0)});
-      When(first, [&] {
+      builder_.When(first, [&] {
         builder_.Store(called, builder_.Constant(ir::Type::kI8, 1), index());
         CallHandlers(k, channel, give_up);
       });
@@ -244,8 +229,8 @@ void Lowering::Complete(ir::PlaceId channel) {
   for (uint32_t k = 0; k < 4; ++k) {
     const KindRow& row = kRows[k];
     const ir::PlaceId mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
-    When(state_is(k, kActive), [&] {
-      When(Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})}), [&] {
+    builder_.When(state_is(k, kActive), [&] {
+      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})}), [&] {
         change(flags, OpKind::kAnd16, ~uint32_t{row.busy});
         change(acks, OpKind::kOr16, row.ack);
         builder_.Store(ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k])),
@@ -255,7 +240,7 @@ void Lowering::Complete(ir::PlaceId channel) {
   }
   ValueId any = state_is(0, kActive);
   for (uint32_t k = 1; k < 4; ++k) any = Pure(OpKind::kBitOr, {any, state_is(k, kActive)});
-  Choose(
+  builder_.Choose(
       any, [&] { change(acks, OpKind::kOr16, kAnyActive); },
       [&] { change(acks, OpKind::kAnd16, ~uint32_t{kAnyActive}); });
 }

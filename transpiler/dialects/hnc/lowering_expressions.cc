@@ -160,7 +160,7 @@ void Lowering::Execute(ExprId id) {
         const ValueId condition = Condition(expr.a);
         const Flow before = flow_;
         Flow then;
-        Choose(
+        builder_.Choose(
             condition,
             [&] {
               Refine(expr.a, true);
@@ -185,7 +185,7 @@ void Lowering::Execute(ExprId id) {
         const bool both = expr.kind == ExprKind::kAnd;
         const ValueId first = Condition(expr.a);
         const Flow before = flow_;
-        When(both ? first : Pure(OpKind::kBitNot, {first}), [&] {
+        builder_.When(both ? first : Pure(OpKind::kBitNot, {first}), [&] {
           Refine(expr.a, both);
           Execute(expr.b);
         });
@@ -244,7 +244,7 @@ ValueId Lowering::Logical(ExprId id) {
     const ir::PlaceId kept = AddLocal(both ? "both" : "either", ir::Type::kBit);
     builder_.Store(kept, value);
     const Flow outside = flow_;
-    When(both ? value : Pure(OpKind::kBitNot, {value}), [&] {
+    builder_.When(both ? value : Pure(OpKind::kBitNot, {value}), [&] {
       Refine(so_far, both);
       builder_.Store(kept, Condition(next));
     });
@@ -277,7 +277,7 @@ Value Lowering::Conditional(const Expr& expr) {
   const ir::PlaceId kept = AddLocal("chosen", IrType(expr.type));
   Bounds bounds;
   Flow then;
-  Choose(
+  builder_.Choose(
       condition,
       [&] {
         Refine(expr.a, true);

@@ -39,7 +39,7 @@ ir::PlaceId Lowering::CriticalFlag() {
 
 void Lowering::EndCritical() {
   if (!critical_flag_.valid()) return;
-  When(builder_.Load(critical_flag_), [&] {
+  builder_.When(builder_.Load(critical_flag_), [&] {
     builder_.Store(critical_flag_, builder_.Bit(0));
     CallCritical("critical_leave");
   });
@@ -53,8 +53,9 @@ void Lowering::AddFaultRoutine() {
     stop_ = AddScalar("stop", ir::Type::kBit);
     stopped_ = AddScalar("stopped", ir::Type::kBit);
   }
-  fault_ = AddRoutine("record_fault", ir::RoutineKind::kSubroutine,
-                      "A run-time fault: 1 division, 2 index, 3 loop; the statement by its number in the map.");
+  fault_ =
+      builder_.AddRoutine("record_fault", ir::RoutineKind::kSubroutine,
+                          "A run-time fault: 1 division, 2 index, 3 loop; the statement by its number in the map.");
   const ir::SpaceId space = program_.spaces.Add(
       {.name = "record_fault", .title = "", .bytes = 16, .lifetime = ir::Lifetime::kRoutine, .own = true});
   const auto parameter = [&](std::string name, ir::Type type, uint32_t offset) {
@@ -89,7 +90,7 @@ void Lowering::FaultWhen(ValueId condition, Fault fault) {
   if (index_is_checked_) return;
   const ir::Inst& inst = program_[condition];
   if (inst.op == ir::OpKind::kConst && inst.a == 0) return;
-  When(condition, [&] { RecordFault(fault); });
+  builder_.When(condition, [&] { RecordFault(fault); });
 }
 
 }  // namespace plcxx::hnc

@@ -15,6 +15,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "transpiler/dialects/common/builder.h"
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/hnc/facts.h"
 #include "transpiler/dialects/hnc/live_jumps.h"
@@ -24,7 +25,6 @@
 #include "transpiler/dialects/hnc/ranges.h"
 #include "transpiler/dialects/hnc/registrations.h"
 #include "transpiler/dialects/hnc/walk.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 #include "transpiler/ir/reference.h"
 
@@ -120,7 +120,6 @@ class Lowering {
   void LowerFunction(FunctionId id);
   void BeginLocals(const Function& function);
   std::vector<FunctionId> CalleesFirst() const;
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
   std::string CommentAbove(const Function& function) const;
   /// Whether the routine of the function is made.
   bool IsIncluded(FunctionId id) const { return scope_ == Scope::kAll || facts_.PartsOf(id) != 0; }
@@ -414,32 +413,13 @@ class Lowering {
   std::string MeaningOf(const Variable& variable) const;
   void Document();
 
-  template <class Body>
-  void When(ir::ValueId condition, Body&& body) {
-    const ir::RegionId behind = builder_.region(), then = builder_.NewRegion();
-    builder_.If(condition, then);
-    builder_.SetRegion(then);
-    body();
-    builder_.SetRegion(behind);
-  }
-  template <class Body, class Otherwise>
-  void Choose(ir::ValueId condition, Body&& body, Otherwise&& otherwise) {
-    const ir::RegionId behind = builder_.region(), then = builder_.NewRegion(), other = builder_.NewRegion();
-    builder_.If(condition, then, other);
-    builder_.SetRegion(then);
-    body();
-    builder_.SetRegion(other);
-    otherwise();
-    builder_.SetRegion(behind);
-  }
-
   Scope scope_;
   const Unit& unit_;
   const Settings& settings_;
   const source::SourceManager& sources_;
   diag::Engine& diagnostics_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
   Objects objects_{unit_};
   Facts facts_{unit_, objects_};
   FixedHandlers fixed_handlers_ = FindFixedHandlers(unit_, facts_);

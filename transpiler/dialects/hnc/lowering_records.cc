@@ -132,7 +132,7 @@ Address Lowering::ConditionalAddress(const Expr& expr, Address (Lowering::*evalu
   };
   const Flow before = flow_;
   Flow then;
-  Choose(
+  builder_.Choose(
       condition,
       [&] {
         Refine(expr.a, true);

@@ -76,27 +76,28 @@ void Lowering::Parameters() {
 void Lowering::AddScheduleRoutines() {
   builder_.SetRange({});
   statement_id_ = 0;
-  init_ = AddRoutine("init", ir::RoutineKind::kInit,
-                     "Power-on: memory as 4.2 says. The program's init() runs in the first cycle.");
+  init_ = builder_.AddRoutine("init", ir::RoutineKind::kInit,
+                              "Power-on: memory as 4.2 says. The program's init() runs in the first cycle.");
   builder_.SetRegion(program_.routines[init_].body);
   Exchange("retentive_load",
            "At power-on: fill the retentive block with the copy saved at power-off; leave it alone if there is none.",
            ir::HostAccess::kWritesRetentive);
   Parameters();
   AddDispatcher();
-  fast_ = AddRoutine("fast", ir::RoutineKind::kFast, "The fast part: requests of M, S, T, B functions, then plc1().");
+  fast_ = builder_.AddRoutine("fast", ir::RoutineKind::kFast,
+                              "The fast part: requests of M, S, T, B functions, then plc1().");
   builder_.SetRegion(program_.routines[fast_].body);
   for (uint32_t c = 0; c < 4; ++c) builder_.CallRoutine(dispatch_, {Long(c)});
   CallEntry(unit_.plc1);
   EndCritical();
-  slow_ = AddRoutine("slow", ir::RoutineKind::kSlow, "The slow part: plc2().");
+  slow_ = builder_.AddRoutine("slow", ir::RoutineKind::kSlow, "The slow part: plc2().");
   builder_.SetRegion(program_.routines[slow_].body);
   CallEntry(unit_.plc2);
   EndCritical();
   if (stop_.valid()) AddStandstill();
-  cycle_ = AddRoutine("cycle", ir::RoutineKind::kSchedule,
-                      "One base cycle: call it every " + std::to_string(settings_.base_cycle_ms) +
-                          " ms with the time in ms, which may wrap.");
+  cycle_ = builder_.AddRoutine("cycle", ir::RoutineKind::kSchedule,
+                               "One base cycle: call it every " + std::to_string(settings_.base_cycle_ms) +
+                                   " ms with the time in ms, which may wrap.");
   now_ =
       program_.places.Add({.name = "now_ms", .address = {}, .type = ir::Type::kI32, .space = arguments_, .offset = 0});
   argument_bytes_ = 8;
@@ -104,7 +105,7 @@ void Lowering::AddScheduleRoutines() {
   program_.routines[cycle_].parameter_places.push_back(now_);
   builder_.SetRegion(program_.routines[cycle_].body);
   Cycle();
-  period_ = AddRoutine("period", ir::RoutineKind::kSchedule, "A base cycle at the simulation's time.");
+  period_ = builder_.AddRoutine("period", ir::RoutineKind::kSchedule, "A base cycle at the simulation's time.");
   program_.routines[period_].simulation_only = true;
   builder_.SetRegion(program_.routines[period_].body);
   const ir::HostFunctionId clock = Host("now_ms", {}, ir::Type::kI32, "Time since power-on in ms.");
@@ -127,8 +128,9 @@ void Lowering::Copy(Area area, uint32_t to, uint32_t from, uint32_t bytes) {
 
 /// Y and G are 0, and nothing runs any more (D32).
 void Lowering::AddStandstill() {
-  standstill_ = AddRoutine("stand_still", ir::RoutineKind::kSubroutine,
-                           "After a fault with faults=stop: outputs are 0, nothing runs until the next power-on.");
+  standstill_ =
+      builder_.AddRoutine("stand_still", ir::RoutineKind::kSubroutine,
+                          "After a fault with faults=stop: outputs are 0, nothing runs until the next power-on.");
   builder_.SetRegion(program_.routines[standstill_].body);
   for (const Area area : {Area::kY, Area::kG}) {
     const ObjectId object = objects_.OfArea(area);
@@ -144,15 +146,15 @@ void Lowering::WhenRunning(const std::function<void()>& body) {
     body();
     return;
   }
-  When(Pure(OpKind::kBitNot, {builder_.Load(stopped_)}), [&] {
+  builder_.When(Pure(OpKind::kBitNot, {builder_.Load(stopped_)}), [&] {
     body();
-    When(builder_.Load(stop_), [&] { builder_.CallRoutine(standstill_, {}); });
+    builder_.When(builder_.Load(stop_), [&] { builder_.CallRoutine(standstill_, {}); });
   });
 }
 
 void Lowering::Cycle() {
   const auto now = [&] { return builder_.Load(now_); };
-  When(Pure(OpKind::kBitNot, {builder_.Load(started_)}), [&] {
+  builder_.When(Pure(OpKind::kBitNot, {builder_.Load(started_)}), [&] {
     builder_.Store(started_, builder_.Bit(1));
     Parameters();
     WhenRunning([&] {
@@ -169,11 +171,11 @@ void Lowering::Cycle() {
   builder_.Store(due_slow_, is_due(next_slow_));
   Exchange("inputs", "Before the parts: the host fills X[0] to X[99], F and P.", ir::HostAccess::kWritesState);
   if (settings_.x_mirror > 0) {
-    When(builder_.Load(due_slow_), [&] { Copy(Area::kX, kMirror, 0, settings_.x_mirror); });
+    builder_.When(builder_.Load(due_slow_), [&] { Copy(Area::kX, kMirror, 0, settings_.x_mirror); });
   }
   const auto part = [&](ir::PlaceId due, ir::RoutineId routine, ir::PlaceId next, ir::PlaceId period,
                         ir::PlaceId done) {
-    When(builder_.Load(due), [&] {
+    builder_.When(builder_.Load(due), [&] {
       WhenRunning([&] {
         builder_.CallRoutine(routine, {});
         const ValueId after = Pure(OpKind::kWiden16To32, {builder_.Load(period)});
@@ -188,7 +190,7 @@ void Lowering::Cycle() {
     for (uint32_t c = 0; c < 4; ++c) builder_.CallRoutine(complete_, {Long(c)});
   };
   if (stop_.valid()) {
-    When(Pure(OpKind::kBitNot, {builder_.Load(stopped_)}), complete);
+    builder_.When(Pure(OpKind::kBitNot, {builder_.Load(stopped_)}), complete);
   } else {
     complete();
   }

@@ -250,7 +250,6 @@ void Lowering::ClearObject(ObjectId object) {
   }
   const ir::PlaceId at = AddLocal("clear", ir::Type::kI32);
   builder_.Store(at, Long(0));
-  const ir::RegionId behind = builder_.region();
   ir::Loop loop{.kind = ir::LoopBound::kProven,
                 .bound = size,
                 .budget = {},
@@ -258,13 +257,11 @@ void Lowering::ClearObject(ObjectId object) {
                 .body = builder_.NewRegion(),
                 .step = builder_.NewRegion(),
                 .exhausted = {}};
-  builder_.SetRegion(loop.condition);
-  Pure(OpKind::kLess32, {builder_.Load(at), Long(size)});
-  builder_.SetRegion(loop.body);
-  builder_.Store(IndexedPlaceAt(object, 0, 1, ir::Type::kI8), builder_.Constant(ir::Type::kI8, 0), builder_.Load(at));
-  builder_.SetRegion(loop.step);
-  builder_.Store(at, Pure(OpKind::kAdd32, {builder_.Load(at), Long(1)}));
-  builder_.SetRegion(behind);
+  builder_.Into(loop.condition, [&] { Pure(OpKind::kLess32, {builder_.Load(at), Long(size)}); });
+  builder_.Into(loop.body, [&] {
+    builder_.Store(IndexedPlaceAt(object, 0, 1, ir::Type::kI8), builder_.Constant(ir::Type::kI8, 0), builder_.Load(at));
+  });
+  builder_.Into(loop.step, [&] { builder_.Increment(at); });
   builder_.LoopWith(loop);
 }
 
@@ -353,13 +350,13 @@ void Lowering::If(StatementId id, const Statement& statement, bool last) {
     then = flow_;
   };
   if (statement.otherwise.valid()) {
-    Choose(condition, lower_then, [&] {
+    builder_.Choose(condition, lower_then, [&] {
       flow_ = before;
       Refine(statement.expression, false);
       Lower(statement.otherwise, last);
     });
   } else {
-    When(condition, lower_then);
+    builder_.When(condition, lower_then);
     flow_ = before;
     Refine(statement.expression, false);
   }

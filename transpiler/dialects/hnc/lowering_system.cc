@@ -124,7 +124,7 @@ ir::RoutineId Lowering::SystemRoutine(SystemFunction function) {
   const auto found = system_routines_.find(static_cast<uint32_t>(function));
   if (found != system_routines_.end()) return found->second;
   const std::string name(SystemFunctions()[static_cast<size_t>(function)].name);
-  const ir::RoutineId id = AddRoutine(name, ir::RoutineKind::kSubroutine, "The control's own " + name + ".");
+  const ir::RoutineId id = builder_.AddRoutine(name, ir::RoutineKind::kSubroutine, "The control's own " + name + ".");
   system_routines_[static_cast<uint32_t>(function)] = id;
   const ir::RegionId outside = builder_.region();
   const ir::SpaceId outer_locals = std::exchange(
@@ -174,7 +174,7 @@ void Lowering::BuildSystemRoutine(SystemFunction function, ir::RoutineId id) {
   const ir::PlaceId result = program_.routines[id].result_place;
   switch (function) {
     case SystemFunction::kSetAxisHome:
-      Choose(
+      builder_.Choose(
           Pure(OpKind::kNotEqual16, {parameter(1), Word(0)}),
           [&] {
             const ValueId word = AxisWord(Area::kG, 0, ir::Type::kI16, axis());
@@ -191,21 +191,21 @@ void Lowering::BuildSystemRoutine(SystemFunction function, ir::RoutineId id) {
       SetAxisWord(4, ir::Type::kI16, parameter(1), axis());
       return;
     case SystemFunction::kSetAxisStep:
-      When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
+      builder_.When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
         const ir::PlaceId l = local("l", ir::Type::kI32, Pure(OpKind::kAdd32, {pic_a(), parameter(1)}));
         const ValueId parts = Pure(OpKind::kSignedDiv32, {Pure(OpKind::kAbs32, {builder_.Load(l)}), Long(200)});
         const ir::PlaceId v = local("v", ir::Type::kI32, Pure(OpKind::kMul32, {parts, iip()}));
         const auto vmax = [&] {
           return Pure(OpKind::kSignExtend16To32, {AxisWord(Area::kF, 7, ir::Type::kI16, axis())});
         };
-        When(Pure(OpKind::kSignedGreater32, {builder_.Load(v), vmax()}), [&] { builder_.Store(v, vmax()); });
-        When(Pure(OpKind::kSignedLess32, {builder_.Load(v), Long(2)}), [&] { builder_.Store(v, Long(2)); });
+        builder_.When(Pure(OpKind::kSignedGreater32, {builder_.Load(v), vmax()}), [&] { builder_.Store(v, vmax()); });
+        builder_.When(Pure(OpKind::kSignedLess32, {builder_.Load(v), Long(2)}), [&] { builder_.Store(v, Long(2)); });
         SetAxisWord(1, ir::Type::kI32, builder_.Load(l), axis());
         SetAxisWord(3, ir::Type::kI16, Pure(OpKind::kLowHalf32, {builder_.Load(v)}), axis());
       });
       return;
     case SystemFunction::kSetAxisMove:
-      When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
+      builder_.When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
         const auto magnitude16 = [&](ValueId value) {
           return Pure(OpKind::kSignExtend16To32, {Pure(OpKind::kAbs16, {value})});
         };
@@ -235,15 +235,15 @@ void Lowering::BuildSystemRoutine(SystemFunction function, ir::RoutineId id) {
       const ir::PlaceId l = local("l", ir::Type::kI32, pic_a());
       const ValueId product = Pure(OpKind::kMul32, {Pure(OpKind::kSignExtend16To32, {speed()}), iip()});
       const ir::PlaceId b = local("b", ir::Type::kI32, Pure(OpKind::kSignedDiv32, {product, Long(200)}));
-      Choose(
+      builder_.Choose(
           Pure(OpKind::kSignedGreater32, {builder_.Load(l), Long(0)}),
           [&] {
-            When(Pure(OpKind::kSignedGreater32, {builder_.Load(l), builder_.Load(b)}),
-                 [&] { builder_.Store(l, builder_.Load(b)); });
+            builder_.When(Pure(OpKind::kSignedGreater32, {builder_.Load(l), builder_.Load(b)}),
+                          [&] { builder_.Store(l, builder_.Load(b)); });
           },
           [&] {
             const ValueId rest = Pure(OpKind::kMinus32, {builder_.Load(l)});
-            When(Pure(OpKind::kSignedGreater32, {rest, builder_.Load(b)}), [&] {
+            builder_.When(Pure(OpKind::kSignedGreater32, {rest, builder_.Load(b)}), [&] {
               // As printed, the axis would go back by all that is left of its way (D14).
               const ir::PlaceId way = settings_.stop == StopOption::kPrinted ? l : b;
               builder_.Store(l, Pure(OpKind::kMinus32, {builder_.Load(way)}));
@@ -357,7 +357,7 @@ Lowering::CallResult Lowering::CallSystem(const Expr& expr) {
       const bool den = function == SystemFunction::kGetAxisDen;
       builder_.Store(kept, builder_.Constant(type, den ? 1 : 0));
     }
-    Choose(outside, [&] { RecordFault(Fault::kIndex); }, call);
+    builder_.Choose(outside, [&] { RecordFault(Fault::kIndex); }, call);
     if (kept.valid()) called = builder_.Load(kept);
   } else {
     called = call();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/hnc/files.h"
 #include "transpiler/dialects/hnc/module_loading.h"
 #include "transpiler/dialects/hnc/options.h"
@@ -177,9 +178,8 @@ std::string PrintTokens(dialects::Request& request) {
   Reporter(request, parsed).Run();
   std::string text;
   for (const TokenText& token : parsed.output.tokens) {
-    const source::Position position = request.sources->Locate(token.place);
-    text += std::to_string(position.line) + ":" + std::to_string(position.column) + " " + std::string(token.kind) +
-            " " + token.text + "\n";
+    text +=
+        dialects::PlaceText(*request.sources, token.place) + " " + std::string(token.kind) + " " + token.text + "\n";
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #include "transpiler/dialects/host50/host50.h"
 
+#include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/host50/locate.h"
 #include "transpiler/dialects/host50/lowering.h"
 #include "transpiler/dialects/host50/options.h"
@@ -15,16 +16,6 @@ namespace {
 constexpr std::string_view kExtensions[] = {".il"};
 constexpr source::Encoding kEncodings[] = {source::Encoding::kUtf8, source::Encoding::kGb18030};
 constexpr uint32_t kMostErrors = 100;  // of section 10
-
-void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
-  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
-}
-
-std::string Tokens(dialects::Request& request) {
-  std::string text;
-  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
-  return text;
-}
 
 Program ParseProgram(const dialects::Request& request) {
   return Parse(*request.sources, request.files, request.options, *request.diagnostics);
@@ -71,17 +62,16 @@ const dialects::Dialect kHost50 = {
              .line_ends = source::LineEnds::kLfOrCrLf,
              .end_marks = ""},
     .recognize = Recognize,
-    .report_load_error = ReportLoadError,
+    .report_load_error = dialects::ReportCannotRead,
     .check_options = CheckOptions,
-    .print_tokens = Tokens,
+    .print_tokens = dialects::TokensOfFiles<PrintTokens>,
     .print_syntax = Syntax,
     .lower = LowerProgram,
     .locate = Locate,
     .parse_value = ParseValue,
     .make_stub = MakeStub,
-    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
-                             diag::Engine&) {},  // it has no options for budgets
-    .lints = {},                                 // its own warnings are those of warnings.h
+    .report_over_budget = dialects::ReportNoBudget,
+    .lints = {},  // its own warnings are those of warnings.h
     .options_ignore_case = true,
     .message_text = MessageText,
 };

@@ -257,8 +257,6 @@ ir::Program Lowering::Run() {
   CollectSymbols();
   CountOwnNames();
   FindJumps();
-  AddHostFunctions();
-  facts_.Begin(settings_.facts);
   AddRoutines();
   Sections();
   Init();

@@ -35,7 +35,7 @@ ir::PlaceId Lowering::AxisField(const AxisRequest& request, std::string_view fie
 void Lowering::SwitchOverAxes(ValueId axis, const std::function<void(uint32_t)>& arm) {
   ir::Switch cases;
   for (uint32_t i = 0; i < kAxes; ++i) {
-    cases.cases.push_back({.values = {i}, .region = RegionOf([&] { arm(i); })});
+    cases.cases.push_back({.values = {i}, .region = builder_.RegionOf([&] { arm(i); })});
   }
   builder_.SwitchOn(axis, std::move(cases));
 }
@@ -106,19 +106,19 @@ void Lowering::SendRequest(const AxisRequest& request, ValueId axis) {
     changed =
         Or(changed, real ? RealsDiffer(number.now, before) : builder_.Pure(OpKind::kNotEqual32, {number.now, before}));
   }
-  builder_.If(changed, RegionOf([&] {
-                const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(1);
-                CallHost(HostCall::kAxisCommand, {axis, kind, active, request.method, request.position, request.speed});
-                for (const Kept& number : kept) builder_.Store(AxisField(request, number.field), number.now);
-                builder_.Store(AxisField(request, "active"), builder_.Bit(1));
-              }));
+  builder_.If(changed, builder_.RegionOf([&] {
+    const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(1);
+    host_(HostCall::kAxisCommand, {axis, kind, active, request.method, request.position, request.speed});
+    for (const Kept& number : kept) builder_.Store(AxisField(request, number.field), number.now);
+    builder_.Store(AxisField(request, "active"), builder_.Bit(1));
+  }));
 }
 
 void Lowering::StopAxis(const AxisRequest& request, ValueId axis) {
   builder_.Store(AxisField(request, "active"), builder_.Bit(0));
   const ValueId kind = builder_.Constant(ir::Type::kI8, request.kind), active = builder_.Bit(0);
   const ValueId zero = builder_.Constant(ir::Type::kI32, 0), none = builder_.Constant(ir::Type::kF32, 0);
-  CallHost(HostCall::kAxisCommand, {axis, kind, active, zero, none, none});
+  host_(HostCall::kAxisCommand, {axis, kind, active, zero, none, none});
 }
 
 void Lowering::CommandKnownAxis(AxisRequest request, uint32_t axis, ValueId input) {
@@ -129,13 +129,13 @@ void Lowering::CommandKnownAxis(AxisRequest request, uint32_t axis, ValueId inpu
     SendRequest(request, number());
   };
   if (IsConstant(input, 1)) return run();
-  const ir::RegionId running = RegionOf(run);
-  const ir::RegionId idle = RegionOf([&] {
+  const ir::RegionId running = builder_.RegionOf(run);
+  const ir::RegionId idle = builder_.RegionOf([&] {
     const ValueId active = builder_.Load(AxisField(request, "active"));
-    builder_.If(active, RegionOf([&] {
-                  Store(SignalAt(Area::kQ, kAxisMove + axis), builder_.Bit(0));
-                  StopAxis(request, number());
-                }));
+    builder_.If(active, builder_.RegionOf([&] {
+      Store(SignalAt(Area::kQ, kAxisMove + axis), builder_.Bit(0));
+      StopAxis(request, number());
+    }));
   });
   builder_.If(input, running, idle);
 }
@@ -146,19 +146,19 @@ void Lowering::CommandComputedAxis(AxisRequest request, ValueId axis, ValueId in
   const ValueId active = builder_.Load(AxisField(request, "active"));
   const ValueId other = builder_.Pure(OpKind::kNotEqual32, {axis, builder_.Load(AxisField(request, "axis"))});
   const ValueId withdrawn = And(active, Or(Not(valid), other));
-  builder_.If(withdrawn, RegionOf([&] {
-                const ValueId before = builder_.Load(AxisField(request, "axis"));
-                SwitchOverAxes(before, [&](uint32_t i) { Store(SignalAt(Area::kQ, kAxisMove + i), builder_.Bit(0)); });
-                StopAxis(request, before);
-              }));
+  builder_.If(withdrawn, builder_.RegionOf([&] {
+    const ValueId before = builder_.Load(AxisField(request, "axis"));
+    SwitchOverAxes(before, [&](uint32_t i) { Store(SignalAt(Area::kQ, kAxisMove + i), builder_.Bit(0)); });
+    StopAxis(request, before);
+  }));
   const ValueId wrong = And(input, Not(exists));
-  builder_.If(wrong, RegionOf([&] { CallFault(Fault::kAxisRange); }));
-  builder_.If(valid, RegionOf([&] {
-                ReadNumbers(request);
-                builder_.Store(AxisField(request, "axis"), axis);
-                SwitchOverAxes(axis, [&](uint32_t i) { WriteAxisSignals(request, i); });
-                SendRequest(request, axis);
-              }));
+  builder_.If(wrong, builder_.RegionOf([&] { CallFault(Fault::kAxisRange); }));
+  builder_.If(valid, builder_.RegionOf([&] {
+    ReadNumbers(request);
+    builder_.Store(AxisField(request, "axis"), axis);
+    SwitchOverAxes(axis, [&](uint32_t i) { WriteAxisSignals(request, i); });
+    SendRequest(request, axis);
+  }));
 }
 
 void Lowering::CommandAxis(InstructionId id) {

@@ -96,7 +96,7 @@ void Lowering::Jump(const Instruction& instruction) {
   const NetworkId target = OperandOf(tree_, instruction, 0).network;
   if (target > now_.network) return builder_.Jump(target.index, condition);
   now_.end_is_used = true;
-  const ir::RegionId refused = RegionOf([this] {
+  const ir::RegionId refused = builder_.RegionOf([this] {
     CallFault(Fault::kJumpLoop);
     builder_.Jump(now_.end_label);
   });
@@ -111,7 +111,7 @@ void Lowering::CallFault(Fault fault) {
                                                                : section.number;
   const ValueId code = builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(fault));
   const ValueId where = builder_.Constant(ir::Type::kI32, number);
-  CallHost(HostCall::kFault, {code, where, builder_.Constant(ir::Type::kI32, tree_.networks[now_.network].number)});
+  host_(HostCall::kFault, {code, where, builder_.Constant(ir::Type::kI32, tree_.networks[now_.network].number)});
 }
 
 /// What the block does; its condition holds.

@@ -96,17 +96,17 @@ ValueId Lowering::Rotate(const Instruction& instruction, ValueId input) {
   const auto write = [&] {
     if (IsConstant(steps_only, 1)) return store_steps();
     if (IsConstant(steps_only, 0)) return store_position();
-    const ir::RegionId steps = RegionOf(store_steps);
-    builder_.If(steps_only, steps, RegionOf(store_position));
+    const ir::RegionId steps = builder_.RegionOf(store_steps);
+    builder_.If(steps_only, steps, builder_.RegionOf(store_position));
   };
   const auto turn = [&] {
-    const ir::RegionId inside = RegionOf(write);
-    builder_.If(on_ring, inside, RegionOf([&] { CallFault(Fault::kRotRange); }));
+    const ir::RegionId inside = builder_.RegionOf(write);
+    builder_.If(on_ring, inside, builder_.RegionOf([&] { CallFault(Fault::kRotRange); }));
   };
   if (IsConstant(input, 1)) {
     turn();
   } else {
-    builder_.If(input, RegionOf(turn));
+    builder_.If(input, builder_.RegionOf(turn));
   }
   return q;
 }

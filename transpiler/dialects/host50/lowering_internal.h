@@ -8,10 +8,11 @@
 #include <unordered_set>
 #include <vector>
 
+#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/host_calls.h"
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/host50/lowering.h"
 #include "transpiler/dialects/host50/places.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 
 namespace plcxx::host50 {
@@ -114,8 +115,6 @@ class Lowering {
   // --- blocks (lowering_blocks.cc) ---
   void Jump(const Instruction& instruction);
   /// The region that `fill` fills, and that the caller gives an owner.
-  template <class Fill>
-  ir::RegionId RegionOf(Fill&& fill);
   void Act(const Instruction& instruction);
   void Calculate(const Instruction& instruction);
   void Negate(const Instruction& instruction);
@@ -190,16 +189,12 @@ class Lowering {
   void EndSliceBefore(uint32_t index, uint32_t slice);
 
   // --- the schedule (lowering_schedule.cc) ---
-  void AddHostFunctions();
   void AddRoutines();
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
   void Init();
   void Period();
   void RunSlow();
   void ReportAlarms();
   void Schedule();
-  ir::ValueId CallHost(HostCall call, std::vector<ir::ValueId> arguments = {});
-  void Increment(ir::PlaceId place);
 
   // --- tables (lowering_tables.cc), documentation (lowering_documentation.cc) ---
   void Tables();
@@ -212,7 +207,7 @@ class Lowering {
   const Settings& settings_;
   const source::SourceManager& sources_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
   ir::FactChecks facts_{builder_};
   dialects::StatementIds statement_ids_;
 
@@ -234,7 +229,7 @@ class Lowering {
   std::unordered_map<uint32_t, SymbolId> symbols_;       // by KeyOf: the one that names the address
   std::vector<Address> used_;
   std::vector<InstructionId> edges_;  // in order
-  std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
+  dialects::HostCalls<HostCall> host_{builder_};
   std::bitset<kAlarmCount> driven_alarms_;
   ir::RoutineId init_, fast_, slow_, period_;
   ir::PlaceId tick_, slow_done_, slice_;
@@ -253,15 +248,6 @@ constexpr uint32_t kMostJumps = 10'000;  // backward, for each execution of a se
 inline const Operand& OperandOf(const Program& tree, const Instruction& instruction, uint32_t index) {
   PLCXX_CHECK(index < instruction.operands.count);
   return tree.operands[instruction.operands.first + index];
-}
-
-template <class Fill>
-ir::RegionId Lowering::RegionOf(Fill&& fill) {
-  const ir::RegionId behind = builder_.region(), region = builder_.NewRegion();
-  builder_.SetRegion(region);
-  fill();
-  builder_.SetRegion(behind);
-  return region;
 }
 
 template <class Visit>

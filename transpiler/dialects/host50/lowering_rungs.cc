@@ -249,11 +249,7 @@ void Lowering::ActIf(InstructionId id) {
   if (open_if_.then.valid() && SameInput(open_if_.input, instruction.input)) {
     Release(instruction.input);
     if (Endangered(writes).empty()) {
-      const ir::RegionId behind = builder_.region();
-      builder_.SetRegion(open_if_.then);
-      act();
-      builder_.SetRegion(behind);
-      return;
+      return builder_.Into(open_if_.then, act);
     }
     Retain(instruction.input);
   }
@@ -262,7 +258,7 @@ void Lowering::ActIf(InstructionId id) {
   builder_.SetRange(instruction.range);
   open_if_ = {};
   if (IsConstant(condition, 1)) return act();
-  open_if_ = {RegionOf(act), instruction.input};
+  open_if_ = {builder_.RegionOf(act), instruction.input};
   builder_.If(condition, open_if_.then);
 }
 

@@ -40,7 +40,7 @@ void Lowering::SlicesByChoice(const Section& section, const std::vector<uint32_t
   ir::Switch choice;
   for (uint32_t i = 0; i < section.networks.count;) {
     const uint32_t slice = slices[i];
-    const ir::RegionId region = RegionOf([&] {
+    const ir::RegionId region = builder_.RegionOf([&] {
       for (; i < section.networks.count && slices[i] == slice; ++i) {
         BeginNetwork(NetworkId(section.networks.first + i));
         LowerNetwork(NetworkId(section.networks.first + i));
@@ -59,10 +59,10 @@ void Lowering::SlicesByCursor(const Section& section, const std::vector<uint32_t
   if (has_way_back_[now_.section.index]) CountJumps(ir::Lifetime::kVolatile);
   const ValueId slice = builder_.Load(slice_), zero = number(0);
   const ValueId begins = builder_.Pure(OpKind::kEqual32, {slice, zero});
-  builder_.If(begins, RegionOf([&] {
-                builder_.Store(now_.cursor, number(0));
-                if (now_.jumps_left.valid()) builder_.Store(now_.jumps_left, number(kMostJumps));
-              }));
+  builder_.If(begins, builder_.RegionOf([&] {
+    builder_.Store(now_.cursor, number(0));
+    if (now_.jumps_left.valid()) builder_.Store(now_.jumps_left, number(kMostJumps));
+  }));
   // Where no network ends this tick's part below, the pass is over until slice 0 begins the next one.
   const ValueId next = builder_.Load(now_.cursor), behind = number(count);
   builder_.Store(now_.cursor, behind);
@@ -90,10 +90,10 @@ void Lowering::EndSliceBefore(uint32_t index, uint32_t slice) {
   AddStatement(range, {});
   const ValueId now = builder_.Load(slice_), own = builder_.Constant(ir::Type::kI32, slice);
   const ValueId later = builder_.Pure(OpKind::kLess32, {now, own});
-  builder_.If(later, RegionOf([&] {
-                builder_.Store(now_.cursor, builder_.Constant(ir::Type::kI32, index));
-                builder_.Jump(now_.end_label);
-              }));
+  builder_.If(later, builder_.RegionOf([&] {
+    builder_.Store(now_.cursor, builder_.Constant(ir::Type::kI32, index));
+    builder_.Jump(now_.end_label);
+  }));
 }
 
 void Lowering::SlicedSlow(SectionId id) {

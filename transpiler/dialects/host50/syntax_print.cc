@@ -2,17 +2,13 @@
 #include <bit>
 #include <charconv>
 
+#include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/host50/lexer.h"
 #include "transpiler/dialects/host50/parser.h"
 #include "transpiler/support/text_writer.h"
 
 namespace plcxx::host50 {
 namespace {
-
-std::string PlaceOf(const source::SourceManager& sources, source::Offset offset) {
-  const source::Position position = sources.Locate(offset);
-  return std::to_string(position.line) + ":" + std::to_string(position.column);
-}
 
 std::string_view OperatorName(ExprKind kind) {
   switch (kind) {
@@ -91,7 +87,7 @@ class SyntaxPrinter {
   }
 
  private:
-  std::string PlaceText(source::Range range) const { return PlaceOf(sources_, range.begin) + " "; }
+  std::string PlaceText(source::Range range) const { return dialects::PlaceText(sources_, range.begin) + " "; }
 
   void PrintSettings() {
     const Settings& settings = program_.settings;
@@ -218,12 +214,7 @@ class SyntaxPrinter {
 
 std::string PrintTokens(const source::SourceManager& sources, source::FileId file) {
   const LexedFile lexed = Lex(sources, file);
-  std::string out;
-  for (const Token& token : lexed.tokens) {
-    out += PlaceOf(sources, token.range.begin) + " " + std::string(Name(token.kind)) + " " +
-           std::string(sources.Text(token.range)) + "\n";
-  }
-  return out;
+  return dialects::TokenLines(sources, lexed.tokens);
 }
 
 std::string PrintSyntax(const source::SourceManager& sources, const Program& program) {

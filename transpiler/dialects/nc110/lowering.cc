@@ -7,13 +7,9 @@
 namespace plcxx::nc110 {
 namespace {
 
-constexpr uint32_t kFnvBasis = 2166136261U, kFnvPrime = 16777619U;
-
-constexpr uint32_t Fnv(uint32_t hash, uint32_t byte) { return (hash ^ byte) * kFnvPrime; }
-
 /// Of the tokens: blanks, line ends and comments do not count.
-uint32_t HashOfTokens(std::string_view text) {
-  uint32_t hash = kFnvBasis;
+dialects::TextHash HashOfTokens(std::string_view text) {
+  dialects::TextHash hash;
   bool quoted = false, comment = false;
   for (const char c : text) {
     if (comment) {
@@ -25,7 +21,7 @@ uint32_t HashOfTokens(std::string_view text) {
       if (c == ';') comment = true;
       if (c == ';' || c == ' ' || c == '\t' || c == '\f' || c == '\n' || c == '\r') continue;
     }
-    hash = Fnv(hash, static_cast<unsigned char>(c));
+    hash.Add(c);
   }
   return hash;
 }
@@ -49,18 +45,6 @@ void Lowering::Reserve() {
   program_.insts.Reserve(exprs + 4 * statements + 64);
   program_.regions.Reserve(2 * size_t{tree_.blocks.size()} + tree_.mux_inputs.size() + 16);
   flags_.resize(tree_.literals.size());
-  used_numbers_.reserve(statements);
-  equal_texts_.reserve(statements);
-}
-
-uint32_t Lowering::StatementNumber(source::Range range) {
-  const uint32_t text = HashOfTokens(sources_.Text(range));
-  // The first of equal texts keeps the text's own hash; 0 is no number.
-  for (uint32_t count = equal_texts_[text]++;; ++count) {
-    uint32_t number = text;
-    for (uint32_t rest = count; rest > 0; rest >>= 8) number = Fnv(number, rest & 0xFF);
-    if (number != 0 && used_numbers_.insert(number).second) return number;
-  }
 }
 
 /// The comment without its ';': how a comment begins is the language's matter, not the text's.
@@ -94,7 +78,7 @@ ir::StatementId Lowering::Begin(ItemId id) {
   ir::Statement statement{.range = item.range,
                           .comments = std::exchange(waiting_comments_, {}),
                           .subject = {},
-                          .id = StatementNumber(item.range)};
+                          .id = statement_ids_.Next(HashOfTokens(sources_.Text(item.range)))};
   switch (item.kind) {
     case ItemKind::kAssignment:
       statement.subject = SubjectOf(tree_.assignments[item.assignment()].target.operand);
@@ -200,8 +184,6 @@ ir::Program Lowering::Run() {
   Reserve();
   AddSpaces(program_, settings_.processes, settings_.t_initial);
   CollectSymbols();
-  AddHostFunctions();
-  facts_.Begin(settings_.facts);
   AddRoutines();
   Items();
   FastFrame();

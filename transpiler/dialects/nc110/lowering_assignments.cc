@@ -88,12 +88,8 @@ void Lowering::StepCounter(const Assignment& assignment, ir::ValueId input) {
     if (parameter != nullptr && facts_.on()) facts_.Check(ir::FactKind::kResult, counted, modulus);
     return;
   }
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId refused = builder_.NewRegion();
-  builder_.If(builder_.Pure(OpKind::kBitNot, {counted}), refused);
-  builder_.SetRegion(refused);
-  CallFault(Fault::kParamRange, builder_.Constant(ir::Type::kI32, target.number));
-  builder_.SetRegion(behind);
+  builder_.When(builder_.Pure(OpKind::kBitNot, {counted}),
+                [&] { CallFault(Fault::kParamRange, builder_.Constant(ir::Type::kI32, target.number)); });
 }
 
 void Lowering::StepOneShot(const Operand& target, ir::ValueId input) {
@@ -110,7 +106,7 @@ void Lowering::StepOneShot(const Operand& target, ir::ValueId input) {
 
 void Lowering::CallFault(Fault kind, ir::ValueId index) {
   const ir::ValueId which = builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(kind));
-  CallHost(HostCall::kFault, {which, index});
+  host_(HostCall::kFault, {which, index});
 }
 
 }  // namespace plcxx::nc110

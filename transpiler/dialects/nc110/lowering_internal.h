@@ -6,9 +6,11 @@
 #include <unordered_set>
 #include <vector>
 
+#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/host_calls.h"
+#include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/nc110/lowering.h"
 #include "transpiler/dialects/nc110/places.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 
 namespace plcxx::nc110 {
@@ -46,7 +48,6 @@ class Lowering {
   void CollectFileComments(ItemId next);
   source::Range TextOf(const Comment& comment) const;
   void AddComments(const Item& item);
-  uint32_t StatementNumber(source::Range range);
   void EnterPart(Part part);
 
   // --- blocks (lowering_blocks.cc) ---
@@ -92,8 +93,6 @@ class Lowering {
 
   // --- the schedule (lowering_schedule.cc) ---
   void AddRoutines();
-  void AddHostFunctions();
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
   void FastFrame();
   void SlowFrame();
   void Init();
@@ -102,9 +101,7 @@ class Lowering {
   void BeginPeriod();
   void AdvanceSlice();
   void StoreRetentive();
-  void Increment(SystemPlace place);
   ir::ValueId Rose(const Operand& signal, SystemPlace before);
-  ir::ValueId CallHost(HostCall call, std::vector<ir::ValueId> arguments = {});
   void MessagePlaces();
   bool sliced() const { return settings_.slices > 1 || settings_.slices_by_cost; }
 
@@ -112,7 +109,7 @@ class Lowering {
   const Settings& settings_;
   const source::SourceManager& sources_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
   ir::FactChecks facts_{builder_};
   Part part_ = Part::kFast;
   ir::RegionId fast_body_, slow_body_;
@@ -131,7 +128,7 @@ class Lowering {
   std::unordered_map<uint32_t, ir::StateId> instances_;  // by kind and number
   std::vector<ir::PlaceId> flags_;                       // by LiteralId
   std::array<ir::PlaceId, static_cast<size_t>(SystemPlace::kCount)> system_;
-  std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
+  dialects::HostCalls<HostCall> host_{builder_};
   std::unordered_map<uint32_t, SymbolId> symbols_;      // first one of exactly this operand
   std::unordered_map<uint32_t, SymbolId> bit_symbols_;  // first one of this bit, I or U
 
@@ -147,8 +144,7 @@ class Lowering {
 
   std::vector<source::Range> waiting_comments_;  // of the file and of '$': printed above the next statement
   size_t next_file_ = 0;
-  std::unordered_map<uint32_t, uint32_t> equal_texts_;
-  std::unordered_set<uint32_t> used_numbers_;
+  dialects::StatementIds statement_ids_;
 };
 
 /// One number for each operand, I and U told apart.

@@ -52,18 +52,15 @@ const FieldRow* FieldOf(OperandKind kind) {
 std::string NameOfText(std::string_view text) {
   std::string name = "TEXT_";
   bool exact = true;
-  uint32_t hash = 2166136261U;
+  dialects::TextHash hash;
   for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    hash.Add(c);
     const bool safe = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     exact = exact && safe;
     name.push_back(safe ? c : '_');
   }
   if (exact) return name;
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  name.push_back('_');
-  for (int shift = 12; shift >= 0; shift -= 4) name.push_back(kDigits[(hash >> shift) & 0xF]);
-  return name;
+  return dialects::NameInStatement(name, hash.value());
 }
 
 }  // namespace

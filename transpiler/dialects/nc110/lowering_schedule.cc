@@ -6,30 +6,47 @@
 namespace plcxx::nc110 {
 namespace {
 
-struct HostRow {
-  HostCall call;
-  std::string_view name;
-  ir::Type result;
-  ir::HostAccess access;
-  bool routine_exchange;
-  std::string_view comment;
-};
-constexpr HostRow kHost[] = {
-    {HostCall::kNow, "now_ms", ir::Type::kI32, ir::HostAccess::kNone, true,
-     "Monotonic time in ms; it may wrap. Latched once at the start of each period."},
-    {HostCall::kReadInputs, "read_inputs", ir::Type::kNone, ir::HostAccess::kWritesState, true,
-     "Start of each period: fill the input connectors of package A, the NC -> PLC signals of packages K and N, and "
-     "what else the control writes."},
-    {HostCall::kWriteOutputs, "write_outputs", ir::Type::kNone, ir::HostAccess::kReadsState, true,
-     "End of each period: deliver the output connectors of package A and the PLC -> NC signals of packages K and N."},
-    {HostCall::kRetentiveLoad, "retentive_load", ir::Type::kNone, ir::HostAccess::kWritesRetentive, true,
-     "At power-on: fill package T with the image stored last; leave it alone if there is none."},
-    {HostCall::kRetentiveStore, "retentive_store", ir::Type::kNone, ir::HostAccess::kReadsRetentive, false,
-     "Store package T: U10K0 (machine off, retention enabled) or U10N4 (request of the program) rose."},
-    {HostCall::kFault, "fault", ir::Type::kNone, ir::HostAccess::kNone, false,
-     "A diagnostic that never stops the logic. Index: the counter's number (PARAM_RANGE), otherwise the statement's id "
-     "as the map lists it."},
-};
+const std::vector<dialects::HostRow<HostCall>>& HostRows() {
+  static const std::vector<dialects::HostRow<HostCall>> rows = {
+      {.call = HostCall::kNow,
+       .name = "now_ms",
+       .routine_exchange = true,
+       .comment = "Monotonic time in ms; it may wrap. Latched once at the start of each period.",
+       .result = ir::Type::kI32},
+      {.call = HostCall::kReadInputs,
+       .name = "read_inputs",
+       .access = ir::HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment =
+           "Start of each period: fill the input connectors of package A, the NC -> PLC signals of packages K and N, "
+           "and what else the control writes."},
+      {.call = HostCall::kWriteOutputs,
+       .name = "write_outputs",
+       .access = ir::HostAccess::kReadsState,
+       .routine_exchange = true,
+       .comment =
+           "End of each period: deliver the output connectors of package A and the PLC -> NC signals of packages K "
+           "and N."},
+      {.call = HostCall::kRetentiveLoad,
+       .name = "retentive_load",
+       .access = ir::HostAccess::kWritesRetentive,
+       .routine_exchange = true,
+       .comment = "At power-on: fill package T with the image stored last; leave it alone if there is none."},
+      {.call = HostCall::kRetentiveStore,
+       .name = "retentive_store",
+       .access = ir::HostAccess::kReadsRetentive,
+       .comment = "Store package T: U10K0 (machine off, retention enabled) or U10N4 (request of the program) rose."},
+      {.call = HostCall::kFault,
+       .name = "fault",
+       .comment = "A diagnostic that never stops the logic. Index: the counter's number (PARAM_RANGE), otherwise the "
+                  "statement's id as the map lists it.",
+       .parameters = {{.name = "kind",
+                       .type = ir::Type::kI8,
+                       .enumerators = {"PARAM_RANGE", "LOOP_LIMIT", "BCD_RANGE", "BIN_DIGIT"}},
+                      {.name = "index", .type = ir::Type::kI32, .enumerators = {}}}},
+  };
+  return rows;
+}
 
 constexpr Operand Output(Package package, uint16_t connector, uint8_t bit) {
   return {.kind = OperandKind::kOutput, .package = package, .number = connector, .index = bit};
@@ -42,39 +59,15 @@ constexpr uint32_t kMessageBits = 64;
 
 }  // namespace
 
-void Lowering::AddHostFunctions() {
-  for (const HostRow& row : kHost) {
-    ir::HostFunction function{.name = std::string(row.name),
-                              .result = row.result,
-                              .access = row.access,
-                              .routine_exchange = row.routine_exchange,
-                              .comment = std::string(row.comment)};
-    if (row.call == HostCall::kFault) {
-      function.parameters = {{.name = "kind",
-                              .type = ir::Type::kI8,
-                              .enumerators = {"PARAM_RANGE", "LOOP_LIMIT", "BCD_RANGE", "BIN_DIGIT"}},
-                             {.name = "index", .type = ir::Type::kI32, .enumerators = {}}};
-    }
-    host_[static_cast<size_t>(row.call)] = program_.host_functions.Add(std::move(function));
-  }
-}
-
-ir::ValueId Lowering::CallHost(HostCall call, std::vector<ir::ValueId> arguments) {
-  return builder_.CallHost(host_[static_cast<size_t>(call)], std::move(arguments));
-}
-
-ir::RoutineId Lowering::AddRoutine(std::string name, ir::RoutineKind kind, std::string comment) {
-  ir::Routine routine{.name = std::move(name), .kind = kind, .comment = std::move(comment)};
-  routine.body = builder_.NewRegion();
-  return program_.routines.Add(std::move(routine));
-}
-
 void Lowering::AddRoutines() {
-  init_ = AddRoutine("init", ir::RoutineKind::kInit, "Power-on: everything is 0 but package T, which gets its values.");
-  fast_ = AddRoutine("fast", ir::RoutineKind::kFast, "The fast part: all of it in every period.");
-  slow_ = AddRoutine("slow", ir::RoutineKind::kSlow, "The slow part: one slice in every period.");
-  period_ = AddRoutine("period", ir::RoutineKind::kSchedule, "One period of the control.");
-  fast_only_ = AddRoutine("fast_only", ir::RoutineKind::kSchedule, "A period without the slow part.");
+  host_.Add(HostRows());
+  facts_.Begin(settings_.facts);
+  init_ = builder_.AddRoutine("init", ir::RoutineKind::kInit,
+                              "Power-on: everything is 0 but package T, which gets its values.");
+  fast_ = builder_.AddRoutine("fast", ir::RoutineKind::kFast, "The fast part: all of it in every period.");
+  slow_ = builder_.AddRoutine("slow", ir::RoutineKind::kSlow, "The slow part: one slice in every period.");
+  period_ = builder_.AddRoutine("period", ir::RoutineKind::kSchedule, "One period of the control.");
+  fast_only_ = builder_.AddRoutine("fast_only", ir::RoutineKind::kSchedule, "A period without the slow part.");
   fast_body_ = program_.routines[fast_].body;
   slow_body_ = program_.routines[slow_].body;
 
@@ -94,16 +87,11 @@ void Lowering::AddRoutines() {
   schedule.slot_ms = settings_.slot_ms;
   schedule.slices_by_cost = settings_.slices_by_cost;
   schedule.slow_done = SystemPlaceOf(SystemPlace::kSlowDone);
-  schedule.now = host_[static_cast<size_t>(HostCall::kNow)];
-  schedule.retentive_load = host_[static_cast<size_t>(HostCall::kRetentiveLoad)];
-  schedule.retentive_store = host_[static_cast<size_t>(HostCall::kRetentiveStore)];
+  schedule.now = host_[HostCall::kNow];
+  schedule.retentive_load = host_[HostCall::kRetentiveLoad];
+  schedule.retentive_store = host_[HostCall::kRetentiveStore];
   schedule.retention = settings_.retention;
   if (settings_.retention) schedule.retain_at_power_off = PlaceOf(kMachineOff);
-}
-
-void Lowering::Increment(SystemPlace place) {
-  const ir::ValueId count = LoadSystem(place);
-  StoreSystem(place, builder_.Pure(ir::OpKind::kAdd32, {count, builder_.Constant(ir::Type::kI32, 1)}));
 }
 
 void Lowering::FastFrame() {
@@ -114,7 +102,7 @@ void Lowering::FastFrame() {
   if (system_[static_cast<size_t>(SystemPlace::kFastCount)].valid()) {
     program_.routines[fast_].prologue = builder_.NewRegion();
     builder_.SetRegion(program_.routines[fast_].prologue);
-    Increment(SystemPlace::kFastCount);
+    builder_.Increment(SystemPlaceOf(SystemPlace::kFastCount));
   }
   program_.routines[fast_].epilogue = builder_.NewRegion();
   builder_.SetRegion(program_.routines[fast_].epilogue);
@@ -133,7 +121,7 @@ void Lowering::SlowFrame() {
   const ir::RegionId prologue = builder_.NewRegion();
   builder_.SetRegion(prologue);
   const bool counts_cycles = system_[static_cast<size_t>(SystemPlace::kSlowCycle)].valid();
-  if (counts_cycles) Increment(SystemPlace::kSlowCycle);
+  if (counts_cycles) builder_.Increment(SystemPlaceOf(SystemPlace::kSlowCycle));
   if (sliced()) StoreSystem(SystemPlace::kSlowOpen, builder_.Constant(ir::Type::kI8, 1));
   for (uint32_t i = 0; i < flags_.size(); ++i) {
     if (!flags_[i].valid()) continue;
@@ -150,7 +138,7 @@ void Lowering::SlowFrame() {
   const ir::RegionId epilogue = builder_.NewRegion();
   builder_.SetRegion(epilogue);
   if (sliced()) StoreSystem(SystemPlace::kSlowOpen, builder_.Constant(ir::Type::kI8, 0));
-  Increment(SystemPlace::kSlowDone);
+  builder_.Increment(SystemPlaceOf(SystemPlace::kSlowDone));
   for (const ir::StateId state : driven) {
     const bool counter = program_.states[state].kind == ir::StateKind::kRingCounter;
     builder_.Step(counter ? ir::OpKind::kExpireCounterSlow : ir::OpKind::kExpirePulseSlow, state,
@@ -161,29 +149,26 @@ void Lowering::SlowFrame() {
 
 void Lowering::Init() {
   builder_.SetRegion(program_.routines[init_].body);
-  if (settings_.retention) CallHost(HostCall::kRetentiveLoad);
+  if (settings_.retention) host_(HostCall::kRetentiveLoad);
 }
 
 void Lowering::BeginPeriod() {
   if (system_[static_cast<size_t>(SystemPlace::kNow)].valid()) {
-    StoreSystem(SystemPlace::kNow, CallHost(HostCall::kNow));
+    StoreSystem(SystemPlace::kNow, host_(HostCall::kNow));
   }
-  CallHost(HostCall::kReadInputs);
+  host_(HostCall::kReadInputs);
   builder_.CallRoutine(fast_, {});
 }
 
 void Lowering::AdvanceSlice() {
-  const ir::RegionId behind = builder_.region();
   const ir::ValueId zero = builder_.Constant(ir::Type::kI8, 0);
   const ir::ValueId done = builder_.Pure(ir::OpKind::kEqual8, {LoadSystem(SystemPlace::kSlowOpen), zero});
-  const ir::RegionId from_start = builder_.NewRegion(), next = builder_.NewRegion();
-  builder_.If(done, from_start, next);
-  builder_.SetRegion(from_start);
-  StoreSystem(SystemPlace::kSlice, builder_.Constant(ir::Type::kI8, 0));
-  builder_.SetRegion(next);
-  const ir::ValueId slice = LoadSystem(SystemPlace::kSlice);
-  StoreSystem(SystemPlace::kSlice, builder_.Pure(ir::OpKind::kAdd8, {slice, builder_.Constant(ir::Type::kI8, 1)}));
-  builder_.SetRegion(behind);
+  builder_.Choose(
+      done, [&] { StoreSystem(SystemPlace::kSlice, builder_.Constant(ir::Type::kI8, 0)); },
+      [&] {
+        const ir::ValueId slice = LoadSystem(SystemPlace::kSlice), one = builder_.Constant(ir::Type::kI8, 1);
+        StoreSystem(SystemPlace::kSlice, builder_.Pure(ir::OpKind::kAdd8, {slice, one}));
+      });
 }
 
 /// 1 in the period in which `signal` has risen; remembers it for the next one.
@@ -196,17 +181,12 @@ ir::ValueId Lowering::Rose(const Operand& signal, SystemPlace before) {
 }
 
 void Lowering::StoreRetentive() {
-  const ir::RegionId behind = builder_.region();
   ir::ValueId store = Rose(kSaveRequest, SystemPlace::kSaveWas);
   if (settings_.retention) {
     const ir::ValueId off = Rose(kMachineOff, SystemPlace::kPowerWas);
     store = builder_.Pure(ir::OpKind::kBitOr, {store, off});
   }
-  const ir::RegionId then = builder_.NewRegion();
-  builder_.If(store, then);
-  builder_.SetRegion(then);
-  CallHost(HostCall::kRetentiveStore);
-  builder_.SetRegion(behind);
+  builder_.When(store, [&] { host_(HostCall::kRetentiveStore); });
 }
 
 void Lowering::Period() {
@@ -214,14 +194,14 @@ void Lowering::Period() {
   BeginPeriod();
   builder_.CallRoutine(slow_, {sliced() ? LoadSystem(SystemPlace::kSlice) : builder_.Constant(ir::Type::kI8, 0)});
   if (sliced()) AdvanceSlice();
-  CallHost(HostCall::kWriteOutputs);
+  host_(HostCall::kWriteOutputs);
   StoreRetentive();
 }
 
 void Lowering::FastOnly() {
   builder_.SetRegion(program_.routines[fast_only_].body);
   BeginPeriod();
-  CallHost(HostCall::kWriteOutputs);
+  host_(HostCall::kWriteOutputs);
 }
 
 void Lowering::MessagePlaces() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "transpiler/dialects/common/signal_rows.h"
 #include "transpiler/dialects/nc110/machine.h"
 #include "transpiler/dialects/nc110/tokens.h"
 
@@ -13,40 +14,19 @@ auto Order(const Operand& operand) {
   return std::tuple(operand.kind == OperandKind::kWord, operand.package, operand.number, operand.index);
 }
 
-/// The next field of a line of comma separated values; quotes around it are removed.
-std::string_view TakeField(std::string_view& line) {
-  std::string_view field;
-  if (line.starts_with('"')) {
-    const size_t end = std::min(line.find('"', 1), line.size());
-    field = line.substr(1, end - 1);
-    line.remove_prefix(std::min(end + 1, line.size()));
-  } else {
-    field = line.substr(0, std::min(line.find(','), line.size()));
-    line.remove_prefix(field.size());
-  }
-  if (!line.empty()) line.remove_prefix(1);
-  return field;
-}
-
 std::vector<Signal> ReadTable() {
   std::vector<Signal> signals;
   signals.reserve(1100);
-  std::string_view rest(kSignalTable[0].text, kSignalTable[0].size);
-  rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));  // the heads of the columns
-  while (!rest.empty()) {
-    const size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line.empty()) continue;
-    const Decoded decoded = Decode(TakeField(line));
+  dialects::ForEachSignalRow({kSignalTable[0].text, kSignalTable[0].size}, [&](std::string_view line) {
+    const Decoded decoded = Decode(dialects::TakeField(line));
     PLCXX_CHECK(decoded.fault == OperandFault::kNone);
-    Signal signal{.operand = decoded.operand, .name = TakeField(line), .meaning = {}};
+    Signal signal{.operand = decoded.operand, .name = dialects::TakeField(line), .meaning = {}};
     if (signal.operand.kind == OperandKind::kInput) signal.operand.kind = OperandKind::kOutput;
-    TakeField(line);  // width: the address tells it
-    TakeField(line);  // direction: machine.def has it
-    signal.meaning = TakeField(line);
+    dialects::TakeField(line);  // width: the address tells it
+    dialects::TakeField(line);  // direction: machine.def has it
+    signal.meaning = dialects::TakeField(line);
     signals.push_back(std::move(signal));
-  }
+  });
   std::stable_sort(signals.begin(), signals.end(),
                    [](const Signal& a, const Signal& b) { return Order(a.operand) < Order(b.operand); });
   return signals;

@@ -22,7 +22,7 @@ extern const unsigned kSignalTableCount;
 
 struct Signal {
   Operand operand;  // I is stored as U: one bit
-  std::string_view name;
+  std::string name;
   std::string meaning;
 };
 

@@ -1,14 +1,10 @@
 // `plcxx print tokens` and `plcxx print syntax`: one line per token or item, stable, places as line:column.
+#include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/nc110/lexer.h"
 #include "transpiler/dialects/nc110/parser.h"
 
 namespace plcxx::nc110 {
 namespace {
-
-std::string Place(const source::SourceManager& sources, source::Offset offset) {
-  const source::Position position = sources.Locate(offset);
-  return std::to_string(position.line) + ":" + std::to_string(position.column);
-}
 
 std::string_view OperatorName(ExprKind kind) {
   switch (kind) {
@@ -71,13 +67,14 @@ class SyntaxPrinter {
     const source::Range whole = sources_.WholeFile(file.file);
     for (const Symbol& symbol : program_.symbols) {
       if (symbol.range.begin >= whole.begin && symbol.range.begin < whole.end) {
-        out_ += "  " + Place(sources_, symbol.range.begin) + " !" + symbol.name + " = " + ToText(symbol.operand) + "\n";
+        out_ += "  " + dialects::PlaceText(sources_, symbol.range.begin) + " !" + symbol.name + " = " +
+                ToText(symbol.operand) + "\n";
       }
     }
   }
 
   void Print(const Item& item) {
-    out_ += "  " + Place(sources_, item.range.begin) + " ";
+    out_ += "  " + dialects::PlaceText(sources_, item.range.begin) + " ";
     switch (item.kind) {
       case ItemKind::kError:
         out_ += "error";
@@ -208,7 +205,7 @@ std::string PrintTokens(const source::SourceManager& sources, source::FileId fil
       Lex(sources, file, options.accept_homoglyphs ? Homoglyphs::kAccept : Homoglyphs::kReject, unused);
   std::string out;
   for (const Token& token : lexed.tokens) {
-    out += Place(sources, token.range.begin) + " ";
+    out += dialects::PlaceText(sources, token.range.begin) + " ";
     out += Name(token.kind);
     if (token.kind != TokenKind::kEndOfFile) {
       out += " ";

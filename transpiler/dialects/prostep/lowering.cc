@@ -62,7 +62,7 @@ void Lowering::AddModuleRoutines() {
       continue;
     }
     const ir::RoutineKind kind = IsCalled(id) ? ir::RoutineKind::kSubroutine : KindOf(number);
-    routines_[i] = AddRoutine("PM" + std::to_string(number), kind, CommentOf(number));
+    routines_[i] = builder_.AddRoutine("PM" + std::to_string(number), kind, CommentOf(number));
   }
 }
 
@@ -98,8 +98,9 @@ void Lowering::LowerModule(ModuleId id) {
     if (label.uses > 0) label_at_[label.at.index - module.begin_of().index] = true;
   }
   CutStatements(module);
-  AddComments(module.comments, CommentPlace::kLeading, waiting_comments_);
-  waiting_comments_.push_back(LinesOf(module.open.begin, module.open.end));
+  dialects::AddComments(tree_.comments, module.comments.first, module.comments.count, CommentPlace::kLeading,
+                        waiting_comments_);
+  waiting_comments_.push_back(dialects::LinesOf(sources_, module.open.begin, module.open.end));
   for (uint32_t i = module.begin_of().index; i < module.end_of().index; ++i) Execute(InstructionId(i));
   Fold();  // END ends a sequence, too: its S is the caller's
   EndComments(module);
@@ -228,8 +229,6 @@ ir::Program Lowering::Run() {
   program_.dialect = "prostep";
   InitialData();
   FindCalledModules();
-  AddHostFunctions();
-  facts_.Begin(settings_.facts);
   AddScheduleRoutines();
   AddModuleRoutines();
   Init();

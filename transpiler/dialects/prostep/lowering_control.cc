@@ -19,7 +19,7 @@ void Lowering::ForgetAll() {
 }
 
 void Lowering::CallFault(Fault fault) {
-  CallHost(HostCall::kFault, {builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(fault)), Number(module_->number)});
+  host_(HostCall::kFault, {builder_.Constant(ir::Type::kI8, static_cast<uint64_t>(fault)), Number(module_->number)});
 }
 
 void Lowering::Jump(InstructionId id, const Instruction& instruction, bool conditional) {
@@ -32,13 +32,11 @@ void Lowering::Jump(InstructionId id, const Instruction& instruction, bool condi
     end_is_used_ |= to_end;
     builder_.Jump(to_end ? kEndLabel : LabelBefore(at), condition);
   } else {
-    const ir::RegionId behind = builder_.region();
-    const ir::RegionId refused = builder_.NewRegion();
-    builder_.SetRegion(refused);
-    CallFault(Fault::kLoopBudget);
-    builder_.Jump(kEndLabel);
+    const ir::RegionId refused = builder_.RegionOf([&] {
+      CallFault(Fault::kLoopBudget);
+      builder_.Jump(kEndLabel);
+    });
     end_is_used_ = true;
-    builder_.SetRegion(behind);
     builder_.JumpBack(LabelBefore(at), condition, PlaceOf(ScalarPlace::kRounds), refused);
   }
   // A jump that is not taken tells its condition.
@@ -50,7 +48,7 @@ void Lowering::Call(const Instruction& instruction, bool conditional) {
   SpillAll();
   const ir::RoutineId routine = routines_[instruction.module.index];
   if (conditional) {
-    When(condition, [&] { builder_.CallRoutine(routine, {}); });
+    builder_.When(condition, [&] { builder_.CallRoutine(routine, {}); });
   } else {
     builder_.CallRoutine(routine, {});
   }

@@ -7,16 +7,16 @@ namespace plcxx::prostep {
 using ir::OpKind;
 using ir::ValueId;
 
-ValueId Lowering::ReadPort(uint32_t port) { return CallHost(HostCall::kReadPort, {Number(port)}); }
+ValueId Lowering::ReadPort(uint32_t port) { return host_(HostCall::kReadPort, {Number(port)}); }
 
 void Lowering::SendLatch(uint32_t port) {
-  CallHost(HostCall::kWritePort, {Number(port), builder_.Load(LatchPlace(port))});
+  host_(HostCall::kWritePort, {Number(port), builder_.Load(LatchPlace(port))});
 }
 
 /// Beyond the twelve output bytes there are extra cards, which keep no latch.
 void Lowering::WritePort(uint32_t port, ValueId byte) {
   if (port < kMostOutputBytes) builder_.Store(LatchPlace(port), byte);
-  CallHost(HostCall::kWritePort, {Number(port), byte});
+  host_(HostCall::kWritePort, {Number(port), byte});
 }
 
 ValueId Lowering::ReadData(const Operand& operand) {

@@ -82,7 +82,7 @@ void Lowering::Perform(const Instruction& instruction, bool conditional) {
   if (registers != Registers::kNone) ax_->Get();
   if (sets_s) s_->Spill();
   if (sets_ax) ax_->Spill();
-  When(condition, [&] {
+  builder_.When(condition, [&] {
     PerformNow(instruction);
     if (sets_s) s_->Spill();
     if (sets_ax) ax_->Spill();
@@ -252,7 +252,7 @@ void Lowering::Divide(const Instruction& instruction) {
     } else {
       overflow = builder_.Pure(OpKind::kGreater32, {quotient, Number(0xFFFF)});
     }
-    Choose(
+    builder_.Choose(
         overflow, [&] { CallFault(Fault::kDivOverflow); },
         [&] {
           StoreField(result, ir::Type::kI16, builder_.Pure(OpKind::kLowHalf32, {quotient}));
@@ -263,7 +263,7 @@ void Lowering::Divide(const Instruction& instruction) {
     if (second.value == 0) return CallFault(Fault::kDivZero);
     return divide();
   }
-  Choose(builder_.Pure(OpKind::kEqual32, {divisor, Number(0)}), [&] { CallFault(Fault::kDivZero); }, divide);
+  builder_.Choose(builder_.Pure(OpKind::kEqual32, {divisor, Number(0)}), [&] { CallFault(Fault::kDivZero); }, divide);
 }
 
 /// FM 4: S tells that AX has more than four digits, and is left as it is.
@@ -272,7 +272,7 @@ void Lowering::ToBcd() {
   const ValueId too_large = builder_.Pure(OpKind::kGreater16, {word, Word(kHighestBcd)});
   s_->Set(too_large);
   ax_->Spill();
-  When(dialects::Inverted(builder_, too_large), [&] {
+  builder_.When(dialects::Inverted(builder_, too_large), [&] {
     ax_->Set(builder_.Pure(OpKind::kToBcd16, {word}));
     ax_->Spill();
   });

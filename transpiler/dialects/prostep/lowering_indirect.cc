@@ -46,7 +46,7 @@ void Lowering::ReadIndirect(const Instruction& instruction, ir::Type type) {
     return CallFault(Fault::kIndex);
   }
   set(LoadIndexed(space, reach.address, type));
-  if (reach.outside.valid()) When(reach.outside, [&] { CallFault(Fault::kIndex); });
+  if (reach.outside.valid()) builder_.When(reach.outside, [&] { CallFault(Fault::kIndex); });
 }
 
 void Lowering::WriteIndirect(const Instruction& instruction, ir::Type type) {
@@ -58,7 +58,7 @@ void Lowering::WriteIndirect(const Instruction& instruction, ir::Type type) {
     return CallFault(Fault::kIndex);
   }
   StoreIndexed(space, reach.address, type, value);
-  if (reach.outside.valid()) When(reach.outside, [&] { CallFault(Fault::kIndex); });
+  if (reach.outside.valid()) builder_.When(reach.outside, [&] { CallFault(Fault::kIndex); });
 }
 
 }  // namespace plcxx::prostep

@@ -11,11 +11,14 @@
 #include <unordered_set>
 #include <vector>
 
+#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/host_calls.h"
 #include "transpiler/dialects/common/logic_stack.h"
 #include "transpiler/dialects/common/register.h"
+#include "transpiler/dialects/common/statement_ids.h"
+#include "transpiler/dialects/common/statement_texts.h"
 #include "transpiler/dialects/prostep/lowering.h"
 #include "transpiler/dialects/prostep/memory.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 
 namespace plcxx::prostep {
@@ -79,8 +82,6 @@ class Lowering {
   void EndComments(const Module& module);
   std::string SubjectOf(InstructionId first, InstructionId end) const;
   uint32_t StatementNumber(InstructionId first, InstructionId end);
-  source::Range LinesOf(source::Offset begin, source::Offset end) const;
-  void AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const;
 
   // --- logic and setting operations (lowering_logic.cc) ---
   /// As 5.3 and 6.1.2: `first` decided by the text, or at run time.
@@ -200,17 +201,8 @@ class Lowering {
   ir::ValueId Word(uint32_t value) { return builder_.Constant(ir::Type::kI16, value & 0xFFFF); }
   ir::ValueId Number(uint32_t value) { return builder_.Constant(ir::Type::kI32, value); }
   /// Runs `body` in a new region that is executed when `condition` is 1.
-  template <class Body>
-  void When(ir::ValueId condition, Body&& body);
-  template <class Body, class Otherwise>
-  void Choose(ir::ValueId condition, Body&& body, Otherwise&& otherwise);
 
   // --- the schedule (lowering_schedule.cc, lowering_refresh.cc) ---
-  void AddHostFunctions();
-  ir::ValueId CallHost(HostCall call, std::vector<ir::ValueId> arguments, ir::PlaceId out = {});
-  /// A call of the regular exchange, which scenarios do not list.
-  ir::ValueId CallExchange(HostCall call, std::vector<ir::ValueId> arguments = {});
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
   void AddScheduleRoutines();
   /// A place that lives as long as the routine that uses it.
   ir::PlaceId AddLocal(std::string name, ir::Type type);
@@ -245,7 +237,7 @@ class Lowering {
   const Settings& settings_;
   const source::SourceManager& sources_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
   ir::FactChecks facts_{builder_};
   Memory memory_;
 
@@ -266,7 +258,7 @@ class Lowering {
   std::unordered_map<std::string, ir::PlaceId> indexed_;  // by name
   std::unordered_map<std::string, ir::PlaceId> fields_;   // by name
   std::array<ir::PlaceId, static_cast<size_t>(ScalarPlace::kCount)> scalars_;
-  std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
+  dialects::HostCalls<HostCall> host_{builder_};
   std::array<ir::StateId, kTimers> timers_;
   std::array<ir::StateId, kCounters> counters_;
   std::array<ir::PlaceId, kTimers> outputs_;
@@ -282,27 +274,5 @@ class Lowering {
   std::unordered_map<uint32_t, uint32_t> equal_texts_;
   std::unordered_set<uint32_t> used_numbers_;
 };
-
-template <class Body>
-void Lowering::When(ir::ValueId condition, Body&& body) {
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId then = builder_.NewRegion();
-  builder_.If(condition, then);
-  builder_.SetRegion(then);
-  body();
-  builder_.SetRegion(behind);
-}
-
-template <class Body, class Otherwise>
-void Lowering::Choose(ir::ValueId condition, Body&& body, Otherwise&& otherwise) {
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId then = builder_.NewRegion(), other = builder_.NewRegion();
-  builder_.If(condition, then, other);
-  builder_.SetRegion(then);
-  body();
-  builder_.SetRegion(other);
-  otherwise();
-  builder_.SetRegion(behind);
-}
 
 }  // namespace plcxx::prostep

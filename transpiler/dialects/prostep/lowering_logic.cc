@@ -88,7 +88,7 @@ void Lowering::Assign(const Operand& target) {
 void Lowering::SetOrReset(const Operand& target, bool set) {
   const ir::PlaceId place = BitPlace(target);
   if (target.space() == Space::kP) {  // with S = 0 the port is not touched
-    return When(logic_->Value(), [&] {
+    return builder_.When(logic_->Value(), [&] {
       builder_.Store(place, builder_.Bit(set ? 1 : 0));
       SendLatch(target.number);
     });

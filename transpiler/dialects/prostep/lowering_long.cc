@@ -60,7 +60,7 @@ void Lowering::DivideLong(const Instruction& instruction) {
                                dialects::Joined(builder_, dialects::Join::kAnd, lowest, minus_one));
   }
   const Operand& result = tree_.Argument(instruction, 2);
-  When(dialects::Inverted(builder_, refused), [&] {
+  builder_.When(dialects::Inverted(builder_, refused), [&] {
     const ValueId quotient = builder_.Pure(is_signed ? OpKind::kSignedDiv32 : OpKind::kUnsignedDiv32, {a, b});
     const ValueId remainder = builder_.Pure(is_signed ? OpKind::kSignedRem32 : OpKind::kUnsignedRem32, {a, b});
     StoreField(result, Type::kI32, quotient);

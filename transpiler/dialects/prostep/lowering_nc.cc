@@ -10,8 +10,8 @@ using ir::ValueId;
 void Lowering::NcRead(const Instruction& instruction, ir::Type type) {
   const ValueId index = Value16(tree_.Argument(instruction, 0)), offset = Value16(tree_.Argument(instruction, 1));
   const ir::PlaceId answer = PlaceOf(ScalarPlace::kNcValue);
-  const ValueId given = CallHost(HostCall::kNcRead, {Number(ir::Bytes(type)), index, offset}, answer);
-  Choose(
+  const ValueId given = host_(HostCall::kNcRead, {Number(ir::Bytes(type)), index, offset}, answer);
+  builder_.Choose(
       given,
       [&] {
         ValueId value = builder_.Load(answer);
@@ -27,8 +27,8 @@ void Lowering::NcWrite(const Instruction& instruction, ir::Type type) {
   if (type == ir::Type::kI8) value = builder_.Pure(OpKind::kWiden8To32, {value});
   if (type == ir::Type::kI16) value = builder_.Pure(OpKind::kWiden16To32, {value});
   const ValueId index = Value16(tree_.Argument(instruction, 1)), offset = Value16(tree_.Argument(instruction, 2));
-  const ValueId taken = CallHost(HostCall::kNcWrite, {Number(ir::Bytes(type)), index, offset, value});
-  When(dialects::Inverted(builder_, taken), [&] { CallFault(Fault::kNcAccess); });
+  const ValueId taken = host_(HostCall::kNcWrite, {Number(ir::Bytes(type)), index, offset, value});
+  builder_.When(dialects::Inverted(builder_, taken), [&] { CallFault(Fault::kNcAccess); });
 }
 
 }  // namespace plcxx::prostep

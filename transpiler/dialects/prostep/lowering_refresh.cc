@@ -12,8 +12,8 @@ void Lowering::RefreshInputs() {
   builder_.SetRegion(program_.routines[refresh_inputs_].body);
   const ValueId count = LoadAt(Space::kD, kInputCountAddress, ir::Type::kI16);
   for (uint32_t port = 0; port < kMostInputBytes; ++port) {
-    When(builder_.Pure(OpKind::kGreater16, {count, Word(port)}), [&] {
-      const ValueId byte = CallExchange(HostCall::kReadPort, {Number(port)});
+    builder_.When(builder_.Pure(OpKind::kGreater16, {count, Word(port)}), [&] {
+      const ValueId byte = builder_.AsExchange(host_(HostCall::kReadPort, {Number(port)}));
       StoreAt(Space::kI, InputByteOfPort(port), ir::Type::kI8, byte);
     });
   }
@@ -23,9 +23,9 @@ void Lowering::RefreshOutputs() {
   builder_.SetRegion(program_.routines[refresh_outputs_].body);
   const ValueId count = LoadAt(Space::kD, kOutputCountAddress, ir::Type::kI16);
   for (uint32_t port = 0; port < kMostOutputBytes; ++port) {
-    When(builder_.Pure(OpKind::kGreater16, {count, Word(port)}), [&] {
+    builder_.When(builder_.Pure(OpKind::kGreater16, {count, Word(port)}), [&] {
       builder_.Store(LatchPlace(port), LoadAt(Space::kO, port, ir::Type::kI8));
-      CallExchange(HostCall::kWritePort, {Number(port), builder_.Load(LatchPlace(port))});
+      builder_.AsExchange(host_(HostCall::kWritePort, {Number(port), builder_.Load(LatchPlace(port))}));
     });
   }
 }

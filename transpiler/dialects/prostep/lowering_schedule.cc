@@ -10,75 +10,59 @@ using ir::ValueId;
 
 namespace {
 
-struct HostRow {
-  HostCall call;
-  std::string_view name;
-  std::vector<ir::Parameter> parameters;
-  Type result = Type::kNone;
-  ir::HostAccess access = ir::HostAccess::kNone;
-  bool routine_exchange = false;
-  std::string_view comment;
-};
-
-const std::vector<HostRow>& HostRows() {
-  static const std::vector<HostRow> rows = {
-      {HostCall::kNow, "now_ms", {}, Type::kI32, ir::HostAccess::kNone, true, "Time since power-on in ms."},
-      {HostCall::kReadPort,
-       "read_port",
-       {{"port", Type::kI32, {}}},
-       Type::kI8,
-       ir::HostAccess::kNone,
-       false,
-       "A byte of direct inputs: 0 to 23 (inputs 8 n + 1 to 8 n + 8), 100 to 131 extra cards (ports 340H to 35FH)."},
-      {HostCall::kWritePort,
-       "write_port",
-       {{"port", Type::kI32, {}}, {"value", Type::kI8, {}}},
-       Type::kNone,
-       ir::HostAccess::kNone,
-       false,
-       "A byte of direct outputs: 0 to 11, 100 to 131 extra cards."},
-      {HostCall::kNcRead,
-       "nc_read",
-       {{"width", Type::kI32, {}}, {"index", Type::kI16, {}}, {"offset", Type::kI16, {}}},
-       Type::kBit,
-       ir::HostAccess::kNone,
-       false,
-       "FM 41, 42, 44: a system variable of 1, 2 or 4 bytes; offset is signed. False: there is none."},
-      {HostCall::kNcWrite,
-       "nc_write",
-       {{"width", Type::kI32, {}}, {"index", Type::kI16, {}}, {"offset", Type::kI16, {}}, {"value", Type::kI32, {}}},
-       Type::kBit,
-       ir::HostAccess::kNone,
-       false,
-       "FM 51, 52, 54: as nc_read; the value has no bits above its width."},
-      {HostCall::kNcToPlc,
-       "nc_to_plc",
-       {},
-       Type::kNone,
-       ir::HostAccess::kWritesState,
-       true,
-       "In each tick before the interrupt modules: the NC sets its signals in I, F and D."},
-      {HostCall::kPlcToNc,
-       "plc_to_nc",
-       {},
-       Type::kNone,
-       ir::HostAccess::kWritesState,
-       true,
-       "In each tick behind the output refresh: the NC looks at the signals in O and F, and clears handshake bits."},
-      {HostCall::kRetentiveLoad,
-       "retentive_load",
-       {},
-       Type::kNone,
-       ir::HostAccess::kWritesRetentive,
-       true,
-       "At power-on: fill the retentive block with the copy saved at power-off; leave it alone if there is none."},
-      {HostCall::kFault,
-       "fault",
-       {{"code", Type::kI8, {"div_zero", "div_overflow", "index", "nc_access", "loop_budget"}}, {"pm", Type::kI32, {}}},
-       Type::kNone,
-       ir::HostAccess::kNone,
-       false,
-       "A fault in module PM pm. It never stops the PLC."},
+const std::vector<dialects::HostRow<HostCall>>& HostRows() {
+  static const std::vector<dialects::HostRow<HostCall>> rows = {
+      {.call = HostCall::kNow,
+       .name = "now_ms",
+       .routine_exchange = true,
+       .comment = "Time since power-on in ms.",
+       .result = Type::kI32},
+      {.call = HostCall::kReadPort,
+       .name = "read_port",
+       .comment =
+           "A byte of direct inputs: 0 to 23 (inputs 8 n + 1 to 8 n + 8), 100 to 131 extra cards (ports 340H to 35FH).",
+       .result = Type::kI8,
+       .parameters = {{"port", Type::kI32, {}}}},
+      {.call = HostCall::kWritePort,
+       .name = "write_port",
+       .comment = "A byte of direct outputs: 0 to 11, 100 to 131 extra cards.",
+       .parameters = {{"port", Type::kI32, {}}, {"value", Type::kI8, {}}}},
+      {.call = HostCall::kNcRead,
+       .name = "nc_read",
+       .comment = "FM 41, 42, 44: a system variable of 1, 2 or 4 bytes; offset is signed. False: there is none.",
+       .result = Type::kBit,
+       .parameters = {{"width", Type::kI32, {}}, {"index", Type::kI16, {}}, {"offset", Type::kI16, {}}},
+       .out = {.name = "value", .type = Type::kI32, .enumerators = {}}},
+      {.call = HostCall::kNcWrite,
+       .name = "nc_write",
+       .comment = "FM 51, 52, 54: as nc_read; the value has no bits above its width.",
+       .result = Type::kBit,
+       .parameters = {{"width", Type::kI32, {}},
+                      {"index", Type::kI16, {}},
+                      {"offset", Type::kI16, {}},
+                      {"value", Type::kI32, {}}}},
+      {.call = HostCall::kNcToPlc,
+       .name = "nc_to_plc",
+       .access = ir::HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment = "In each tick before the interrupt modules: the NC sets its signals in I, F and D."},
+      {.call = HostCall::kPlcToNc,
+       .name = "plc_to_nc",
+       .access = ir::HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment = "In each tick behind the output refresh: the NC looks at the signals in O and F, and clears "
+                  "handshake bits."},
+      {.call = HostCall::kRetentiveLoad,
+       .name = "retentive_load",
+       .access = ir::HostAccess::kWritesRetentive,
+       .routine_exchange = true,
+       .comment =
+           "At power-on: fill the retentive block with the copy saved at power-off; leave it alone if there is none."},
+      {.call = HostCall::kFault,
+       .name = "fault",
+       .comment = "A fault in module PM pm. It never stops the PLC.",
+       .parameters = {{"code", Type::kI8, {"div_zero", "div_overflow", "index", "nc_access", "loop_budget"}},
+                      {"pm", Type::kI32, {}}}},
   };
   return rows;
 }
@@ -95,35 +79,6 @@ constexpr Operand ActivityOf(uint32_t module) {
 constexpr uint32_t kFirstParameter = 16;  // byte of the registers where parameters and locals of routines begin
 
 }  // namespace
-
-void Lowering::AddHostFunctions() {
-  for (const HostRow& row : HostRows()) {
-    ir::HostFunction function{.name = std::string(row.name),
-                              .parameters = row.parameters,
-                              .result = row.result,
-                              .access = row.access,
-                              .routine_exchange = row.routine_exchange,
-                              .comment = std::string(row.comment)};
-    if (row.call == HostCall::kNcRead) function.out = {.name = "value", .type = Type::kI32, .enumerators = {}};
-    host_[static_cast<size_t>(row.call)] = program_.host_functions.Add(std::move(function));
-  }
-}
-
-ValueId Lowering::CallHost(HostCall call, std::vector<ValueId> arguments, ir::PlaceId out) {
-  return builder_.CallHost(host_[static_cast<size_t>(call)], std::move(arguments), out);
-}
-
-ValueId Lowering::CallExchange(HostCall call, std::vector<ValueId> arguments) {
-  const ValueId result = CallHost(call, std::move(arguments));
-  program_.calls[ir::CallId(program_[result].payload)].exchange = true;
-  return result;
-}
-
-ir::RoutineId Lowering::AddRoutine(std::string name, ir::RoutineKind kind, std::string comment) {
-  ir::Routine routine{.name = std::move(name), .kind = kind, .comment = std::move(comment)};
-  routine.body = builder_.NewRegion();
-  return program_.routines.Add(std::move(routine));
-}
 
 ir::PlaceId Lowering::AddLocal(std::string name, Type type) {
   const uint32_t offset = kFirstParameter + 4 * local_count_++;
@@ -142,24 +97,28 @@ ir::PlaceId Lowering::AddParameter(ir::RoutineId routine, std::string name, Type
 }
 
 void Lowering::AddScheduleRoutines() {
+  host_.Add(HostRows());
+  facts_.Begin(settings_.facts);
   using Kind = ir::RoutineKind;
-  init_ = AddRoutine("init", Kind::kInit,
-                     "Power-on: everything is 0 but the declared data and the retentive block; then PM 0.");
-  fast_ = AddRoutine("fast", Kind::kSchedule, "PM 1 to PM 8, each while its bit of F 250 is 1.");
-  slow_ = AddRoutine("slow", Kind::kSchedule,
-                     "One slice of a slow pass, 0 to 7: PM 9 + slice while its bit of F 251 is 1.");
-  advance_ = AddRoutine("advance", Kind::kSchedule, "Time passes for the timers.");
-  refresh_inputs_ = AddRoutine("refresh_inputs", Kind::kSchedule, "DW 496 bytes of direct inputs go into I.");
-  refresh_outputs_ = AddRoutine("refresh_outputs", Kind::kSchedule, "DW 498 bytes of O go to the direct outputs.");
-  tick_ = AddRoutine("tick", Kind::kSchedule,
-                     "The interrupt: call it every " + std::to_string(settings_.tick_ms) +
-                         " ms with the time that has passed since the last call. Nothing here preempts anything: a "
-                         "host that calls it while slow runs must protect the state itself.");
-  slow_pass_ = AddRoutine("slow_pass", Kind::kSchedule, "One whole pass of the loop modules.");
-  slow_step_ = AddRoutine("slow_step", Kind::kSchedule, "The next loop module whose bit is 1.");
-  period_ = AddRoutine("period", Kind::kSchedule, "A tick and a whole slow pass.");
-  fast_only_ = AddRoutine("fast_only", Kind::kSchedule, "A tick alone.");
-  elapse_ = AddRoutine("elapse", Kind::kSchedule, "Time passes between two ticks.");
+  init_ = builder_.AddRoutine("init", Kind::kInit,
+                              "Power-on: everything is 0 but the declared data and the retentive block; then PM 0.");
+  fast_ = builder_.AddRoutine("fast", Kind::kSchedule, "PM 1 to PM 8, each while its bit of F 250 is 1.");
+  slow_ = builder_.AddRoutine("slow", Kind::kSchedule,
+                              "One slice of a slow pass, 0 to 7: PM 9 + slice while its bit of F 251 is 1.");
+  advance_ = builder_.AddRoutine("advance", Kind::kSchedule, "Time passes for the timers.");
+  refresh_inputs_ = builder_.AddRoutine("refresh_inputs", Kind::kSchedule, "DW 496 bytes of direct inputs go into I.");
+  refresh_outputs_ =
+      builder_.AddRoutine("refresh_outputs", Kind::kSchedule, "DW 498 bytes of O go to the direct outputs.");
+  tick_ = builder_.AddRoutine(
+      "tick", Kind::kSchedule,
+      "The interrupt: call it every " + std::to_string(settings_.tick_ms) +
+          " ms with the time that has passed since the last call. Nothing here preempts anything: a "
+          "host that calls it while slow runs must protect the state itself.");
+  slow_pass_ = builder_.AddRoutine("slow_pass", Kind::kSchedule, "One whole pass of the loop modules.");
+  slow_step_ = builder_.AddRoutine("slow_step", Kind::kSchedule, "The next loop module whose bit is 1.");
+  period_ = builder_.AddRoutine("period", Kind::kSchedule, "A tick and a whole slow pass.");
+  fast_only_ = builder_.AddRoutine("fast_only", Kind::kSchedule, "A tick alone.");
+  elapse_ = builder_.AddRoutine("elapse", Kind::kSchedule, "Time passes between two ticks.");
   for (const ir::RoutineId id : {period_, fast_only_, elapse_}) program_.routines[id].simulation_only = true;
 }
 
@@ -174,7 +133,7 @@ void Lowering::Enter(ModuleId module) {
 
 /// The bit is looked at right before the module's turn (D50).
 void Lowering::EnterWhenActive(ModuleId module) {
-  When(builder_.Load(BitPlace(ActivityOf(tree_.modules[module].number))), [&] { Enter(module); });
+  builder_.When(builder_.Load(BitPlace(ActivityOf(tree_.modules[module].number))), [&] { Enter(module); });
 }
 
 void Lowering::Init() {
@@ -183,7 +142,7 @@ void Lowering::Init() {
   const ir::RegionId prologue = builder_.NewRegion();
   init.prologue = prologue;
   builder_.SetRegion(prologue);
-  if (memory_[SpaceKey::kDKept].valid()) CallExchange(HostCall::kRetentiveLoad);
+  if (memory_[SpaceKey::kDKept].valid()) builder_.AsExchange(host_(HostCall::kRetentiveLoad));
   if (loops_) StoreScalar(ScalarPlace::kRounds, Number(settings_.loop_budget));
   const ModuleId module = ModuleOf(0);
   if (!module.valid() || !IsCalled(module)) return;
@@ -205,27 +164,20 @@ void Lowering::Slow() {
   builder_.SetRegion(program_.routines[slow_].body);
   const ValueId selected = builder_.Load(slice);
   if (loops_) {
-    When(builder_.Pure(OpKind::kEqual8, {selected, Byte(0)}),
-         [&] { StoreScalar(ScalarPlace::kSlowRounds, Number(settings_.loop_budget)); });
+    builder_.When(builder_.Pure(OpKind::kEqual8, {selected, Byte(0)}),
+                  [&] { StoreScalar(ScalarPlace::kSlowRounds, Number(settings_.loop_budget)); });
     StoreScalar(ScalarPlace::kRounds, LoadScalar(ScalarPlace::kSlowRounds));
   }
   ir::Switch arms;
-  const ir::RegionId behind = builder_.region();
   for (uint32_t k = 0; k < kSlices; ++k) {
     const ModuleId module = ModuleOf(kFirstLoopModule + k);
     if (!module.valid() && k + 1 < kSlices) continue;
-    const ir::RegionId arm = builder_.NewRegion();
-    builder_.SetRegion(arm);
-    if (module.valid()) EnterWhenActive(module);
-    if (k + 1 == kSlices) {
-      const ValueId done = LoadScalar(ScalarPlace::kSlowDone);
-      StoreScalar(ScalarPlace::kSlowDone, builder_.Pure(OpKind::kAdd32, {done, Number(1)}));
-    }
-    arms.cases.push_back({.values = {k}, .region = arm});
+    builder_.AddArm(arms, {k}, [&] {
+      if (module.valid()) EnterWhenActive(module);
+      if (k + 1 == kSlices) builder_.Increment(PlaceOf(ScalarPlace::kSlowDone));
+    });
   }
-  const ir::RegionId nothing = builder_.NewRegion();
-  arms.cases.push_back({.values = {}, .region = nothing});
-  builder_.SetRegion(behind);
+  builder_.AddArm(arms, {}, [] {});
   builder_.SwitchOn(selected, std::move(arms));
   if (loops_) StoreScalar(ScalarPlace::kSlowRounds, LoadScalar(ScalarPlace::kRounds));
 }
@@ -258,10 +210,10 @@ void Lowering::Tick() {
   builder_.CallRoutine(advance_, {builder_.Load(elapsed)});
   builder_.CallRoutine(refresh_inputs_, {});
   SystemSignals();
-  CallExchange(HostCall::kNcToPlc);
+  builder_.AsExchange(host_(HostCall::kNcToPlc));
   builder_.CallRoutine(fast_, {});
   builder_.CallRoutine(refresh_outputs_, {});
-  CallExchange(HostCall::kPlcToNc);
+  builder_.AsExchange(host_(HostCall::kPlcToNc));
 }
 
 void Lowering::SlowPass() {
@@ -297,13 +249,10 @@ void Lowering::SlowStep() {
   ir::Switch arms;
   for (uint32_t k = 0; k < kSlices; ++k) {
     if (!ModuleOf(kFirstLoopModule + k).valid()) continue;
-    const ir::RegionId arm = builder_.NewRegion();
-    builder_.SetRegion(arm);
-    builder_.Store(active, builder_.Load(BitPlace(ActivityOf(kFirstLoopModule + k))));
-    arms.cases.push_back({.values = {k}, .region = arm});
+    builder_.AddArm(arms, {k},
+                    [&] { builder_.Store(active, builder_.Load(BitPlace(ActivityOf(kFirstLoopModule + k)))); });
   }
-  arms.cases.push_back({.values = {}, .region = builder_.NewRegion()});
-  builder_.SetRegion(loop.body);
+  builder_.AddArm(arms, {}, [] {});
   builder_.SwitchOn(slice, std::move(arms));
   builder_.CallRoutine(slow_, {slice});
   const ValueId next = builder_.Pure(OpKind::kAdd8, {slice, Byte(1)});
@@ -314,7 +263,7 @@ void Lowering::SlowStep() {
 /// For simulations: what a host does that knows the time.
 void Lowering::Periods() {
   const auto elapsed = [&] {
-    const ValueId now = CallHost(HostCall::kNow, {});
+    const ValueId now = host_(HostCall::kNow, {});
     const ValueId passed = builder_.Pure(OpKind::kSub32, {now, LoadScalar(ScalarPlace::kNow)});
     StoreScalar(ScalarPlace::kNow, now);
     return passed;
@@ -342,9 +291,9 @@ void Lowering::FillSchedule() {
   schedule.period_ms = settings_.tick_ms;
   schedule.slot_ms = settings_.tick_ms;
   schedule.slow_done = PlaceOf(ScalarPlace::kSlowDone);
-  schedule.now = host_[static_cast<size_t>(HostCall::kNow)];
+  schedule.now = host_[HostCall::kNow];
   schedule.retention = memory_[SpaceKey::kDKept].valid();
-  if (schedule.retention) schedule.retentive_load = host_[static_cast<size_t>(HostCall::kRetentiveLoad)];
+  if (schedule.retention) schedule.retentive_load = host_[HostCall::kRetentiveLoad];
 }
 
 }  // namespace plcxx::prostep

@@ -12,11 +12,10 @@
 namespace plcxx::prostep {
 namespace {
 
-constexpr uint32_t kFnvBasis = 2166136261U, kFnvPrime = 16777619U;
-
-uint32_t Fnv(uint32_t hash, std::string_view text) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kFnvPrime;
-  return (hash ^ 0xFFU) * kFnvPrime;  // texts end: "A", "N" is not "AN"
+/// Texts end: "A", "N" is not "AN".
+void Add(dialects::TextHash& hash, std::string_view text) {
+  for (const char c : text) hash.Add(c);
+  hash.Add('\xFF');
 }
 
 /// What an instruction that ends a sequence takes from what stands before it.
@@ -67,23 +66,6 @@ void Lowering::CutStatements(const Module& module) {
   }
 }
 
-/// Whole lines, from the first column on, so that the columns of the source stand as they are.
-source::Range Lowering::LinesOf(source::Offset begin, source::Offset end) const {
-  const source::Position first = sources_.Locate(begin), last = sources_.Locate(end);
-  const source::File& file = sources_.Get(first.file);
-  const auto start = [&file](uint32_t line) { return file.base + file.line_starts[line - 1]; };
-  std::string_view text = sources_.Line(last.file, last.line);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return {start(first.line), start(last.line) + static_cast<source::Offset>(text.size())};
-}
-
-void Lowering::AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const {
-  for (uint32_t i = 0; i < comments.count; ++i) {
-    const Comment& comment = tree_.comments[comments.first + i];
-    if (comment.place == place) to.push_back(comment.range);
-  }
-}
-
 std::string Lowering::SubjectOf(InstructionId first, InstructionId end) const {
   for (uint32_t i = first.index; i < end.index; ++i) {
     const Instruction& instruction = tree_.instructions[InstructionId(i)];
@@ -96,20 +78,21 @@ std::string Lowering::SubjectOf(InstructionId first, InstructionId end) const {
 }
 
 uint32_t Lowering::StatementNumber(InstructionId first, InstructionId end) {
-  uint32_t text = kFnvBasis;
+  dialects::TextHash text;
   for (uint32_t i = first.index; i < end.index; ++i) {
     const Instruction& instruction = tree_.instructions[InstructionId(i)];
-    text = Fnv(text, Info(instruction.op).mnemonic);
-    if (instruction.operand.exists()) text = Fnv(text, ToText(instruction.operand));
-    if (instruction.target.valid()) text = Fnv(text, tree_.labels[instruction.target].name);
+    Add(text, Info(instruction.op).mnemonic);
+    if (instruction.operand.exists()) Add(text, ToText(instruction.operand));
+    if (instruction.target.valid()) Add(text, tree_.labels[instruction.target].name);
     for (uint32_t k = 0; k < instruction.arguments.count; ++k) {
-      text = Fnv(text, ToText(tree_.Argument(instruction, k)));
+      Add(text, ToText(tree_.Argument(instruction, k)));
     }
   }
   // The first of equal texts keeps the text's own hash; 0 is no number.
-  for (uint32_t count = equal_texts_[text]++;; ++count) {
-    const uint32_t number = count == 0 ? text : Fnv(text, std::to_string(count));
-    if (number != 0 && used_numbers_.insert(number).second) return number;
+  for (uint32_t count = equal_texts_[text.value()]++;; ++count) {
+    dialects::TextHash number = text;
+    if (count > 0) Add(number, std::to_string(count));
+    if (number.value() != 0 && used_numbers_.insert(number.value()).second) return number.value();
   }
 }
 
@@ -120,11 +103,11 @@ void Lowering::BeginStatement(InstructionId first, InstructionId end) {
     const Label& label = tree_.labels[LabelId(module_->labels.first + i)];
     if (label.at == first) begin = std::min(begin, label.range.begin);
   }
-  const source::Range lines = LinesOf(begin, tree_.instructions[InstructionId(end.index - 1)].whole.end);
+  const source::Range lines =
+      dialects::LinesOf(sources_, begin, tree_.instructions[InstructionId(end.index - 1)].whole.end);
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
-  AddComments(head.comments, CommentPlace::kLeading, comments);
-  std::erase_if(comments,
-                [&](const source::Range& comment) { return comment.begin >= lines.begin && comment.end <= lines.end; });
+  dialects::AddComments(tree_.comments, head.comments.first, head.comments.count, CommentPlace::kLeading, comments);
+  dialects::RemoveCommentsIn(lines, comments);
   const ir::StatementId id = program_.statements.Add({.range = lines,
                                                       .comments = std::move(comments),
                                                       .subject = SubjectOf(first, end),
@@ -136,7 +119,8 @@ void Lowering::BeginStatement(InstructionId first, InstructionId end) {
 /// What stands before END belongs to no instruction.
 void Lowering::EndComments(const Module& module) {
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
-  AddComments(module.end_comments, CommentPlace::kLeading, comments);
+  dialects::AddComments(tree_.comments, module.end_comments.first, module.end_comments.count, CommentPlace::kLeading,
+                        comments);
   if (comments.empty()) return;
   s_->EndStatement();
   ax_->EndStatement();

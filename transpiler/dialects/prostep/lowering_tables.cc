@@ -30,21 +30,19 @@ void Lowering::Messages() {
 }
 
 void Lowering::SetDeclaredBits(ir::ValueId number, bool value, bool also_static) {
-  const ir::RegionId behind = builder_.region();
   ir::Switch arms;
   for (const MFunction& function : tree_.m_functions) {
-    const ir::RegionId arm = builder_.NewRegion();
-    builder_.SetRegion(arm);
-    if (also_static && function.static_bit != 0) {
-      builder_.Store(BitPlace(Flag(kFirstStaticByte, function.static_bit - 1u)), builder_.Bit(value ? 1 : 0));
-    }
-    if (function.dynamic_bit != 0) {
-      builder_.Store(BitPlace(Flag(kFirstDynamicByte, function.dynamic_bit - 1u)), builder_.Bit(value ? 1 : 0));
-    }
+    const ir::RegionId arm = builder_.RegionOf([&] {
+      if (also_static && function.static_bit != 0) {
+        builder_.Store(BitPlace(Flag(kFirstStaticByte, function.static_bit - 1u)), builder_.Bit(value ? 1 : 0));
+      }
+      if (function.dynamic_bit != 0) {
+        builder_.Store(BitPlace(Flag(kFirstDynamicByte, function.dynamic_bit - 1u)), builder_.Bit(value ? 1 : 0));
+      }
+    });
     if (!program_.regions[arm].insts.empty()) arms.cases.push_back({.values = {function.number}, .region = arm});
   }
   arms.cases.push_back({.values = {}, .region = builder_.NewRegion()});
-  builder_.SetRegion(behind);
   if (arms.cases.size() > 1) builder_.SwitchOn(number, std::move(arms));
 }
 
@@ -66,8 +64,8 @@ void Lowering::MFunctions() {
   }
   program_.tables.push_back(std::move(table));
 
-  const ir::RoutineId begin = AddRoutine("m_begin", ir::RoutineKind::kSchedule,
-                                         "The NC begins to send an M function: number, strobe and declared bits.");
+  const ir::RoutineId begin = builder_.AddRoutine(
+      "m_begin", ir::RoutineKind::kSchedule, "The NC begins to send an M function: number, strobe and declared bits.");
   const ir::PlaceId begun = AddParameter(begin, "number", Type::kI8);
   builder_.SetRange({});
   builder_.SetRegion(program_.routines[begin].body);
@@ -76,9 +74,9 @@ void Lowering::MFunctions() {
   builder_.Store(BitPlace(Flag(kMStrobeByte, 0)), builder_.Bit(1));
   SetDeclaredBits(number, true, true);
 
-  const ir::RoutineId end =
-      AddRoutine("m_end", ir::RoutineKind::kSchedule,
-                 "The NC has sent an M function: strobe and dynamic bit go, a static bit is cleared by the program.");
+  const ir::RoutineId end = builder_.AddRoutine(
+      "m_end", ir::RoutineKind::kSchedule,
+      "The NC has sent an M function: strobe and dynamic bit go, a static bit is cleared by the program.");
   const ir::PlaceId ended = AddParameter(end, "number", Type::kI8);
   builder_.SetRegion(program_.routines[end].body);
   builder_.Store(BitPlace(Flag(kMStrobeByte, 0)), builder_.Bit(0));

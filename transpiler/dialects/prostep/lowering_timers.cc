@@ -51,7 +51,7 @@ ir::PlaceId Lowering::ValueOf(uint32_t counter) {
 ValueId Lowering::PortWord(const Operand& operand, ValueId needed) {
   const ir::PlaceId word = PlaceOf(ScalarPlace::kPortWord);
   builder_.Store(word, Word(0));
-  When(needed, [&] { builder_.Store(word, ReadData(operand)); });
+  builder_.When(needed, [&] { builder_.Store(word, ReadData(operand)); });
   return builder_.Load(word);
 }
 

@@ -1,5 +1,6 @@
 #include "transpiler/dialects/prostep/prostep.h"
 
+#include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/prostep/lexer.h"
 #include "transpiler/dialects/prostep/locate.h"
 #include "transpiler/dialects/prostep/lowering.h"
@@ -15,16 +16,6 @@ namespace {
 constexpr std::string_view kExtensions[] = {".plc", ".pst"};
 constexpr source::Encoding kEncodings[] = {source::Encoding::kMazovia, source::Encoding::kCp852,
                                            source::Encoding::kCp1250, source::Encoding::kUtf8};
-
-void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
-  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
-}
-
-std::string Tokens(dialects::Request& request) {
-  std::string text;
-  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
-  return text;
-}
 
 Program ParseProgram(const dialects::Request& request, const Settings& settings) {
   diag::Engine& diagnostics = *request.diagnostics;
@@ -83,16 +74,15 @@ const dialects::Dialect kProstep = {
              .line_ends = source::LineEnds::kEveryCrAndLf,
              .end_marks = "\x03\x1A"},
     .recognize = Recognize,
-    .report_load_error = ReportLoadError,
+    .report_load_error = dialects::ReportCannotRead,
     .check_options = CheckOptions,
-    .print_tokens = Tokens,
+    .print_tokens = dialects::TokensOfFiles<PrintTokens>,
     .print_syntax = Syntax,
     .lower = LowerProgram,
     .locate = Locate,
     .parse_value = ParseValue,
     .make_stub = MakeStub,
-    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
-                             diag::Engine&) {},
+    .report_over_budget = dialects::ReportNoBudget,
     .lints = {},
     .message_text = MessageText,
 };

@@ -6,33 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/dialects/common/signal_rows.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::prostep {
 namespace {
 
 auto Order(const Signal& signal) { return std::tuple(signal.space, signal.byte, signal.bit, signal.width); }
-
-/// The next field of a line of comma separated values. Quotes around it are removed; within them '""' is a quote.
-std::string TakeField(std::string_view& line) {
-  std::string field;
-  if (line.starts_with('"')) {
-    size_t at = 1;
-    for (; at < line.size(); ++at) {
-      if (line[at] == '"') {
-        if (at + 1 >= line.size() || line[at + 1] != '"') break;
-        ++at;
-      }
-      field += line[at];
-    }
-    line.remove_prefix(std::min(at + 1, line.size()));
-  } else {
-    field = line.substr(0, line.find(','));
-    line.remove_prefix(field.size());
-  }
-  if (!line.empty()) line.remove_prefix(1);
-  return field;
-}
 
 uint32_t TakeColumnNumber(std::string_view& text) {
   uint32_t number = 0;
@@ -74,23 +54,17 @@ SignalDirection DirectionByName(std::string_view name) {
 std::vector<Signal> ReadTable() {
   std::vector<Signal> signals;
   signals.reserve(1000);
-  std::string_view rest(kSignalTable[0].text, kSignalTable[0].size);
-  rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));  // the heads of the columns
-  while (!rest.empty()) {
-    const size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line.empty()) continue;
+  dialects::ForEachSignalRow({kSignalTable[0].text, kSignalTable[0].size}, [&](std::string_view line) {
     Signal signal;
-    TakeAddress(TakeField(line), signal);
-    signal.name = TakeField(line);
-    const std::string width = TakeField(line);
+    TakeAddress(dialects::TakeField(line), signal);
+    signal.name = dialects::TakeField(line);
+    const std::string width = dialects::TakeField(line);
     std::string_view digits = width;
     signal.width = static_cast<uint8_t>(TakeColumnNumber(digits));
-    signal.direction = DirectionByName(TakeField(line));
-    signal.meaning = TakeField(line);
+    signal.direction = DirectionByName(dialects::TakeField(line));
+    signal.meaning = dialects::TakeField(line);
     signals.push_back(std::move(signal));
-  }
+  });
   std::ranges::stable_sort(signals, {}, Order);
   return signals;
 }

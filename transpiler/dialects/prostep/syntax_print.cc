@@ -1,14 +1,10 @@
 // `plcxx print tokens` and `plcxx print syntax`: one line per token or item, stable, places as line:column.
+#include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/prostep/lexer.h"
 #include "transpiler/dialects/prostep/parser.h"
 
 namespace plcxx::prostep {
 namespace {
-
-std::string Place(const source::SourceManager& sources, source::Offset offset) {
-  const source::Position position = sources.Locate(offset);
-  return std::to_string(position.line) + ":" + std::to_string(position.column);
-}
 
 class SyntaxPrinter {
  public:
@@ -28,7 +24,7 @@ class SyntaxPrinter {
  private:
   bool IsIn(source::FileId file, source::Range range) const { return sources_.FileAt(range.begin) == file; }
 
-  void Begin(source::Range range) { out_ += "  " + Place(sources_, range.begin) + " "; }
+  void Begin(source::Range range) { out_ += "  " + dialects::PlaceText(sources_, range.begin) + " "; }
 
   void PrintDeclarations(source::FileId file) {
     for (const DataDeclaration& data : program_.data) {
@@ -94,13 +90,7 @@ class SyntaxPrinter {
 std::string PrintTokens(const source::SourceManager& sources, source::FileId file) {
   diag::Engine unused;
   const LexedFile lexed = Lex(sources, file, unused);
-  std::string out;
-  for (const Token& token : lexed.tokens) {
-    out += Place(sources, token.range.begin) + " " + std::string(Name(token.kind)) + " ";
-    out += sources.Text(token.range);
-    out += "\n";
-  }
-  return out;
+  return dialects::TokenLines(sources, lexed.tokens);
 }
 
 std::string PrintSyntax(const source::SourceManager& sources, const Program& program) {

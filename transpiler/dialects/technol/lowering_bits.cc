@@ -24,10 +24,10 @@ void Lowering::WriteBit(const Operand& operand, ValueId value) {
   };
   const std::optional<uint64_t> known = KnownValue(value);
   if (known) {
-    if (*known == 0) When(builder_.Bit(1), rewind);
+    if (*known == 0) builder_.When(builder_.Bit(1), rewind);
     return;
   }
-  When(Not(value), rewind);
+  builder_.When(Not(value), rewind);
 }
 
 void Lowering::SetFlag(const Instruction& instruction) {
@@ -35,7 +35,7 @@ void Lowering::SetFlag(const Instruction& instruction) {
   const auto set = [&] { WriteBit(bit, builder_.Bit(static_cast<uint64_t>(tree_.OperandOf(instruction, 0).value))); };
   if (instruction.op == Op::kFl) return set();
   const ValueId rlo = rlo_->Get();
-  When(instruction.op == Op::kFl1 ? rlo : Not(rlo), set);
+  builder_.When(instruction.op == Op::kFl1 ? rlo : Not(rlo), set);
 }
 
 InstructionId Lowering::TargetOf(const Instruction& instruction) const {
@@ -51,12 +51,10 @@ void Lowering::Jump(InstructionId target, ValueId condition) {
     const bool to_end_of_own = to_other_stretch && body_->stretches_are_cases && body_->IsEntry(target);
     return builder_.Jump(to_end_of_own ? EndOfStretch(target) : target.index + 1, condition);
   }
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId refused = builder_.NewRegion();
-  builder_.SetRegion(refused);
-  CallFault(Fault::kLoop);
-  LeaveAll();
-  builder_.SetRegion(behind);
+  const ir::RegionId refused = builder_.RegionOf([&] {
+    CallFault(Fault::kLoop);
+    LeaveAll();
+  });
   if (to_other_stretch) return JumpToEntry(stretch, condition, refused);
   builder_.JumpBack(target.index + 1, condition, Local("rounds_left", Type::kI32), refused);
 }
@@ -67,12 +65,9 @@ void Lowering::JumpToEntry(size_t step, ValueId condition, ir::RegionId refused)
     builder_.Repeat(loop_, {}, refused);
   };
   if (!condition.valid()) return go();
-  const ir::RegionId behind = builder_.region();
   const ir::RegionId taken = builder_.NewRegion();
   program_[builder_.If(condition, taken)].payload = static_cast<uint32_t>(ir::IfOrigin::kJumps);
-  builder_.SetRegion(taken);
-  go();
-  builder_.SetRegion(behind);
+  builder_.Into(taken, go);
 }
 
 void Lowering::LeaveAll() {
@@ -106,7 +101,7 @@ void Lowering::Call(const Instruction& instruction) {
     end_is_used_ = true;
     builder_.Jump(kEndLabel, left);
   } else if (body.leaves) {
-    When(left, [&] { LeaveAll(); });  // the caller's own caller asks, too
+    builder_.When(left, [&] { LeaveAll(); });  // the caller's own caller asks, too
   }
   if (!may_be_stopped) return;
   end_is_used_ = true;
@@ -131,7 +126,7 @@ void Lowering::RaiseError(const Instruction& instruction) {
   };
   builder_.Store(SystemPlace("BZH11"), stored(number(0)));
   builder_.Store(SystemPlace("BZH22"), stored(number(1)));
-  CallHost(HostCall::kErrorRaised, {Byte(number(0)), Byte(number(1))});
+  host_(HostCall::kErrorRaised, {Byte(number(0)), Byte(number(1))});
 }
 
 }  // namespace plcxx::technol

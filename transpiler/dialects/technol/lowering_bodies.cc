@@ -38,8 +38,8 @@ void Lowering::AddBodyRoutines() {
   using Kind = ir::RoutineKind;
   for (Body& body : bodies_) {
     if (!body.unit.valid()) {
-      body.routine = AddRoutine(tree_.labels[flow_.subprograms()[body.subprograms.front()].label].name,
-                                Kind::kSubroutine, CommentOf(body));
+      body.routine = builder_.AddRoutine(tree_.labels[flow_.subprograms()[body.subprograms.front()].label].name,
+                                         Kind::kSubroutine, CommentOf(body));
       ir::Routine& routine = program_.routines[body.routine];
       if (body.subprograms.size() > 1) {
         body.entry = AddLocal("entry", Type::kI8);
@@ -55,7 +55,7 @@ void Lowering::AddBodyRoutines() {
     const Unit& unit = tree_.units[body.unit];
     if (unit.kind == UnitKind::kMechanism) {
       ActivationPlace(body.unit);  // scenarios name it, whether the program does or not
-      body.routine = AddRoutine("mech_" + unit.name, Kind::kSubroutine, CommentOf(body));
+      body.routine = builder_.AddRoutine("mech_" + unit.name, Kind::kSubroutine, CommentOf(body));
     } else if (unit.module == ModuleKind::kInit) {
       body.routine = init_;
     } else if (unit.module == ModuleKind::kFast) {
@@ -63,9 +63,9 @@ void Lowering::AddBodyRoutines() {
     } else if (unit.module == ModuleKind::kOther) {
       std::string name = unit.name;
       for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      body.routine = AddRoutine(std::move(name), Kind::kInterrupt, CommentOf(body));
+      body.routine = builder_.AddRoutine(std::move(name), Kind::kInterrupt, CommentOf(body));
     } else {
-      body.routine = AddRoutine(unit.name, Kind::kSubroutine, CommentOf(body));
+      body.routine = builder_.AddRoutine(unit.name, Kind::kSubroutine, CommentOf(body));
     }
   }
 }
@@ -93,18 +93,13 @@ void Lowering::BeginBody(Body& body) {
     return;
   }
   ir::Switch choice;
-  const ir::RegionId behind = builder_.region();
   const auto choose = [&](uint64_t value, InstructionId at) {
-    const ir::RegionId arm = builder_.NewRegion();
-    builder_.SetRegion(arm);
-    builder_.Jump(at.index + 1);
-    choice.cases.push_back({.values = {value}, .region = arm});
+    builder_.AddArm(choice, {value}, [&] { builder_.Jump(at.index + 1); });
   };
   for (size_t i = 0; i < body.entries.size(); ++i) choose(i + 1, body.entries[i]);
   for (size_t i = 0; body.entry.valid() && i < body.subprograms.size(); ++i) {
     if (flow_.EntryOf(body.subprograms[i]) != body.instructions.front()) choose(i, flow_.EntryOf(body.subprograms[i]));
   }
-  builder_.SetRegion(behind);
   choice.cases.push_back({.values = {}, .region = builder_.NewRegion()});
   builder_.SwitchOn(selector, std::move(choice));
 }
@@ -186,8 +181,9 @@ void Lowering::LowerBody(Body& body) {
   CutStatements(body);
   if (body.unit.valid() && tree_.units[body.unit].kind == UnitKind::kModule) {
     const Unit& unit = tree_.units[body.unit];
-    AddComments(unit.comments, CommentPlace::kLeading, waiting_comments_);
-    waiting_comments_.push_back(LinesOf(unit.open.begin, unit.open.end));
+    dialects::AddComments(tree_.comments, unit.comments.first, unit.comments.count, CommentPlace::kLeading,
+                          waiting_comments_);
+    waiting_comments_.push_back(dialects::LinesOf(sources_, unit.open.begin, unit.open.end));
   }
   for (const InstructionId id : body.instructions) Execute(id);
   EndComments(body);
@@ -211,7 +207,8 @@ void Lowering::Execute(InstructionId id) {
   }
   const bool ends_module = instruction.op == Op::kModuleEnd && !Info(tree_.units[body_->unit].module).waits;
   if (ends_module) {
-    AddComments(instruction.comments, CommentPlace::kLeading, waiting_comments_);
+    dialects::AddComments(tree_.comments, instruction.comments.first, instruction.comments.count,
+                          CommentPlace::kLeading, waiting_comments_);
     return;
   }
   if (begins_statement_[index]) {  // as each label does
@@ -242,7 +239,7 @@ void Lowering::CallMechanism(const Body& body) {
     builder_.CallRoutine(body.routine, {});
     builder_.Store(rounds, builder_.Load(own));
   };
-  When(builder_.Load(ActivationPlace(body.unit)), run);
+  builder_.When(builder_.Load(ActivationPlace(body.unit)), run);
 }
 
 void Lowering::Dispatch(const Instruction& instruction) {

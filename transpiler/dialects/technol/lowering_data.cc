@@ -137,11 +137,12 @@ void Lowering::Compare(const Instruction& instruction) {
 void Lowering::ToBcd() {
   const ValueId dr = Dr(width_);
   if (width_ == 16) {
-    When(Pure(OpKind::kGreater32, {ToWidth(dr, 32), Number(kMostBcd16)}), [&] { CallFault(Fault::kBcdRange); });
+    builder_.When(Pure(OpKind::kGreater32, {ToWidth(dr, 32), Number(kMostBcd16)}),
+                  [&] { CallFault(Fault::kBcdRange); });
     return SetDr(Pure(OpKind::kToBcd16, {dr}), 16);
   }
   const ValueId magnitude = Pure(OpKind::kAbs32, {dr});
-  When(Pure(OpKind::kGreater32, {magnitude, Number(kMostBcd32)}), [&] { CallFault(Fault::kBcdRange); });
+  builder_.When(Pure(OpKind::kGreater32, {magnitude, Number(kMostBcd32)}), [&] { CallFault(Fault::kBcdRange); });
   SetDr(Pure(OpKind::kToSignedBcd32, {dr}), 32);
 }
 
@@ -150,7 +151,7 @@ void Lowering::FromBcd() {
   const bool word = width_ == 16;
   const ValueId digits =
       word ? ToWidth(dr, 32) : Pure(OpKind::kAnd32, {dr, builder_.Constant(ir::Type::kI32, 0x7FFFFFFF, 16)});
-  When(Pure(OpKind::kHasNoDigit32, {digits}), [&] { CallFault(Fault::kBcdDigit); });
+  builder_.When(Pure(OpKind::kHasNoDigit32, {digits}), [&] { CallFault(Fault::kBcdDigit); });
   SetDr(Pure(word ? OpKind::kFromBcd16 : OpKind::kFromSignedBcd32, {dr}), width_);
 }
 

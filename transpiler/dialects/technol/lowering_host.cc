@@ -12,17 +12,6 @@ using ir::ValueId;
 
 namespace {
 
-struct HostRow {
-  HostCall call;
-  std::string_view name;
-  std::vector<ir::Parameter> parameters;
-  Type result = Type::kNone;
-  ir::HostAccess access = ir::HostAccess::kNone;
-  bool routine_exchange = false;
-  bool polled = false;
-  std::string_view comment;
-};
-
 constexpr uint64_t kRequestDone = 1;  // of the results of request()
 
 const std::vector<std::string>& RequestNames() {
@@ -38,135 +27,88 @@ const std::vector<std::string>& NcTableFields() {
   return names;
 }
 
-const std::vector<HostRow>& HostRows() {
+const std::vector<dialects::HostRow<HostCall>>& HostRows() {
   using ir::HostAccess;
-  static const std::vector<HostRow> rows = {
-      {HostCall::kReadInputs,
-       "read_inputs",
-       {},
-       Type::kNone,
-       HostAccess::kWritesState,
-       true,
-       false,
-       "Before each slow pass: fill IN0 to IN63, MATTL, UPS_STAT, UPS_FAULT; set bits of SYSNC."},
-      {HostCall::kWriteOutputs,
-       "write_outputs",
-       {},
-       Type::kNone,
-       HostAccess::kReadsState,
-       true,
-       false,
-       "Behind each slow pass: OUT0 to OUT63, UPS_CMD, BZH11, BZH21, BZH22."},
-      {HostCall::kMachineConstants,
-       "machine_constants",
-       {},
-       Type::kNone,
-       HostAccess::kWritesState,
-       true,
-       false,
-       "At power-on: fill BUKON00 to BUKON99 with the machine constants, packed BCD with a sign."},
-      {HostCall::kRestore,
-       "restore",
-       {},
-       Type::kNone,
-       HostAccess::kWritesRetentive,
-       true,
-       false,
-       "At power-on: fill LABEL_MEM and TAB_TECHNOL with the copy saved last; leave them alone if there is none."},
-      {HostCall::kRequest,
-       "request",
-       {{"id", Type::kI8, RequestNames()}},
-       Type::kI8,
-       HostAccess::kNone,
-       false,
-       true,
-       "Behind each slow pass for each request that stands: 0 busy, 1 done, 2 failed. Done clears the request."},
-      {HostCall::kSendPlcmem,
-       "send_plcmem",
-       {},
-       Type::kNone,
-       HostAccess::kReadsRetentive,
-       false,
-       true,
-       "Right before request(SEND_PLCMEM): archive LABEL_MEM."},
-      {HostCall::kSendTabtech,
-       "send_tabtech",
-       {},
-       Type::kNone,
-       HostAccess::kReadsRetentive,
-       false,
-       true,
-       "Right before request(SEND_TABTECH): write TAB_TECHNOL back to its table."},
-      {HostCall::kSetNcTable,
-       "set_nc_table",
-       {{"ver", Type::kI8, {}},
-        {"mode", Type::kI8, {}},
-        {"table", Type::kI8, {}},
-        {"column", Type::kI8, {}},
-        {"row", Type::kI8, {}},
-        {"bcd", Type::kI32, {}}},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       true,
-       "Right before request(SEND_NCTAB): set one item of an NC table; the arguments are valid."},
-      {HostCall::kNcTableRefused,
-       "nc_table_refused",
-       {{"field", Type::kI8, NcTableFields()}},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       true,
-       "Instead of request(SEND_NCTAB), which has failed: the first field of SET_NCTAB that is not valid."},
-      {HostCall::kBackupPos,
-       "backup_pos",
-       {},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       true,
-       "Right before request(BACKUP_POS): save the positions of the axes."},
-      {HostCall::kBackupMem,
-       "backup_mem",
-       {},
-       Type::kNone,
-       HostAccess::kReadsRetentive,
-       false,
-       true,
-       "Right before request(BACKUP_MEM): save LABEL_MEM and TAB_TECHNOL."},
-      {HostCall::kCloseAll,
-       "close_all",
-       {},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       true,
-       "Right before request(CLOSE_ALL): close all files."},
-      {HostCall::kHaltPass,
-       "halt_pass",
-       {},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       true,
-       "In each slow pass in which MODULE_HALT has run."},
-      {HostCall::kErrorRaised,
-       "error_raised",
-       {{"main", Type::kI8, {}}, {"sub", Type::kI8, {}}},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       false,
-       "An ESET has been executed."},
-      {HostCall::kFault,
-       "fault",
-       {{"kind", Type::kI8, {"BOUNDS", "LOOP", "DIVIDE", "BCD_RANGE", "BCD_DIGIT"}},
-        {.name = "statement", .type = Type::kI32, .enumerators = {}, .is_statement = true}},
-       Type::kNone,
-       HostAccess::kNone,
-       false,
-       false,
-       "A fault in a statement (the map file tells its line). Execution goes on."},
+  static const std::vector<dialects::HostRow<HostCall>> rows = {
+      {.call = HostCall::kReadInputs,
+       .name = "read_inputs",
+       .access = HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment = "Before each slow pass: fill IN0 to IN63, MATTL, UPS_STAT, UPS_FAULT; set bits of SYSNC."},
+      {.call = HostCall::kWriteOutputs,
+       .name = "write_outputs",
+       .access = HostAccess::kReadsState,
+       .routine_exchange = true,
+       .comment = "Behind each slow pass: OUT0 to OUT63, UPS_CMD, BZH11, BZH21, BZH22."},
+      {.call = HostCall::kMachineConstants,
+       .name = "machine_constants",
+       .access = HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment = "At power-on: fill BUKON00 to BUKON99 with the machine constants, packed BCD with a sign."},
+      {.call = HostCall::kRestore,
+       .name = "restore",
+       .access = HostAccess::kWritesRetentive,
+       .routine_exchange = true,
+       .comment =
+           "At power-on: fill LABEL_MEM and TAB_TECHNOL with the copy saved last; leave them alone if there is none."},
+      {.call = HostCall::kRequest,
+       .name = "request",
+       .comment =
+           "Behind each slow pass for each request that stands: 0 busy, 1 done, 2 failed. Done clears the request.",
+       .result = Type::kI8,
+       .parameters = {{"id", Type::kI8, RequestNames()}},
+       .polled = true},
+      {.call = HostCall::kSendPlcmem,
+       .name = "send_plcmem",
+       .access = HostAccess::kReadsRetentive,
+       .comment = "Right before request(SEND_PLCMEM): archive LABEL_MEM.",
+       .polled = true},
+      {.call = HostCall::kSendTabtech,
+       .name = "send_tabtech",
+       .access = HostAccess::kReadsRetentive,
+       .comment = "Right before request(SEND_TABTECH): write TAB_TECHNOL back to its table.",
+       .polled = true},
+      {.call = HostCall::kSetNcTable,
+       .name = "set_nc_table",
+       .comment = "Right before request(SEND_NCTAB): set one item of an NC table; the arguments are valid.",
+       .parameters = {{"ver", Type::kI8, {}},
+                      {"mode", Type::kI8, {}},
+                      {"table", Type::kI8, {}},
+                      {"column", Type::kI8, {}},
+                      {"row", Type::kI8, {}},
+                      {"bcd", Type::kI32, {}}},
+       .polled = true},
+      {.call = HostCall::kNcTableRefused,
+       .name = "nc_table_refused",
+       .comment = "Instead of request(SEND_NCTAB), which has failed: the first field of SET_NCTAB that is not valid.",
+       .parameters = {{"field", Type::kI8, NcTableFields()}},
+       .polled = true},
+      {.call = HostCall::kBackupPos,
+       .name = "backup_pos",
+       .comment = "Right before request(BACKUP_POS): save the positions of the axes.",
+       .polled = true},
+      {.call = HostCall::kBackupMem,
+       .name = "backup_mem",
+       .access = HostAccess::kReadsRetentive,
+       .comment = "Right before request(BACKUP_MEM): save LABEL_MEM and TAB_TECHNOL.",
+       .polled = true},
+      {.call = HostCall::kCloseAll,
+       .name = "close_all",
+       .comment = "Right before request(CLOSE_ALL): close all files.",
+       .polled = true},
+      {.call = HostCall::kHaltPass,
+       .name = "halt_pass",
+       .comment = "In each slow pass in which MODULE_HALT has run.",
+       .polled = true},
+      {.call = HostCall::kErrorRaised,
+       .name = "error_raised",
+       .comment = "An ESET has been executed.",
+       .parameters = {{"main", Type::kI8, {}}, {"sub", Type::kI8, {}}}},
+      {.call = HostCall::kFault,
+       .name = "fault",
+       .comment = "A fault in a statement (the map file tells its line). Execution goes on.",
+       .parameters = {{"kind", Type::kI8, {"BOUNDS", "LOOP", "DIVIDE", "BCD_RANGE", "BCD_DIGIT"}},
+                      {.name = "statement", .type = Type::kI32, .enumerators = {}, .is_statement = true}}},
   };
   return rows;
 }
@@ -189,25 +131,11 @@ constexpr NcTable kNcTables[] = {{1, 5, 1, 99}, {2, 6, 53, 59}, {6, 1, 0, 95}};
 
 }  // namespace
 
-void Lowering::AddHostFunctions() {
-  for (const HostRow& row : HostRows()) {
-    host_[static_cast<size_t>(row.call)] = program_.host_functions.Add({.name = std::string(row.name),
-                                                                        .parameters = row.parameters,
-                                                                        .result = row.result,
-                                                                        .access = row.access,
-                                                                        .routine_exchange = row.routine_exchange,
-                                                                        .polled = row.polled,
-                                                                        .comment = std::string(row.comment)});
-  }
-}
-
-ValueId Lowering::CallHost(HostCall call, std::vector<ValueId> arguments) {
-  return builder_.CallHost(host_[static_cast<size_t>(call)], std::move(arguments));
-}
+void Lowering::AddHostFunctions() { host_.Add(HostRows()); }
 
 void Lowering::CallFault(Fault fault) {
   const ValueId kind = Byte(static_cast<uint64_t>(fault));
-  CallHost(HostCall::kFault, {kind, Number(program_.statements[statement_].id)});
+  host_(HostCall::kFault, {kind, Number(program_.statements[statement_].id)});
 }
 
 /// Whether the program can set a request: by its bit, its byte, or an index.
@@ -274,7 +202,8 @@ void Lowering::CheckNcTable(const std::function<void(std::vector<ValueId>)>& tra
       }};
   const std::function<void(size_t)> check = [&](size_t number) {
     if (number == std::size(bad)) return transfer({version, mode, table, column, row, data});
-    Choose(bad[number](), [&] { CallHost(HostCall::kNcTableRefused, {Byte(number)}); }, [&] { check(number + 1); });
+    builder_.Choose(
+        bad[number](), [&] { host_(HostCall::kNcTableRefused, {Byte(number)}); }, [&] { check(number + 1); });
   };
   check(0);
 }
@@ -287,17 +216,17 @@ void Lowering::Requests() {
     if (!CanRequest(row.bit)) continue;
     const ir::PlaceId bit = SystemPlace(row.bit);
     const auto ask = [&] {
-      const ValueId result = CallHost(HostCall::kRequest, {Byte(i)});
-      When(Pure(OpKind::kEqual8, {result, Byte(kRequestDone)}), [&] { builder_.Store(bit, builder_.Bit(0)); });
+      const ValueId result = host_(HostCall::kRequest, {Byte(i)});
+      builder_.When(Pure(OpKind::kEqual8, {result, Byte(kRequestDone)}), [&] { builder_.Store(bit, builder_.Bit(0)); });
     };
-    When(builder_.Load(bit), [&] {
+    builder_.When(builder_.Load(bit), [&] {
       if (row.data != HostCall::kSetNcTable) {
-        CallHost(row.data);
+        host_(row.data);
         return ask();
       }
       // What is not valid is not handed on, and the request stays (8.4).
       CheckNcTable([&](std::vector<ValueId> arguments) {
-        CallHost(row.data, std::move(arguments));
+        host_(row.data, std::move(arguments));
         ask();
       });
     });

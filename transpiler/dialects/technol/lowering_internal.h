@@ -13,13 +13,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/host_calls.h"
 #include "transpiler/dialects/common/logic_stack.h"
 #include "transpiler/dialects/common/register.h"
 #include "transpiler/dialects/common/statement_ids.h"
+#include "transpiler/dialects/common/statement_texts.h"
 #include "transpiler/dialects/technol/lowering.h"
 #include "transpiler/dialects/technol/lowering_body.h"
 #include "transpiler/dialects/technol/memory.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 
 namespace plcxx::technol {
@@ -101,8 +103,6 @@ class Lowering {
   uint32_t StatementNumber(size_t first, size_t end);
   void FindTargets();
   std::string SubjectOf(size_t first, size_t end) const;
-  source::Range LinesOf(source::Offset begin, source::Offset end) const;
-  void AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const;
   bool CanFault(InstructionId id) const;
 
   // --- bits, flags, jumps, calls (lowering_bits.cc) ---
@@ -259,18 +259,12 @@ class Lowering {
   ir::ValueId Pure(ir::OpKind op, std::initializer_list<ir::ValueId> operands) { return builder_.Pure(op, operands); }
   ir::ValueId Not(ir::ValueId bit) { return dialects::Inverted(builder_, bit); }
   /// Runs `body` in a new region that is executed when `condition` is 1.
-  template <class Then>
-  void When(ir::ValueId condition, Then&& run);
-  template <class Then, class Otherwise>
-  void Choose(ir::ValueId condition, Then&& run, Otherwise&& otherwise);
 
   // --- the host (lowering_host.cc), the schedule (lowering_schedule.cc) ---
-  void AddHostFunctions();
-  ir::ValueId CallHost(HostCall call, std::vector<ir::ValueId> arguments = {});
   void CallFault(Fault fault);
   /// With --set bounds=trap a fault leaves everything.
   void LeaveAll();
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment);
+  void AddHostFunctions();
   void AddScheduleRoutines();
   void Init();
   void Slow();
@@ -294,7 +288,7 @@ class Lowering {
   const Settings& settings_;
   const source::SourceManager& sources_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
   ir::FactChecks facts_{builder_};
   Memory memory_;
 
@@ -335,7 +329,7 @@ class Lowering {
   std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
   std::map<uint32_t, ir::SpaceId> own_spaces_;                      // locals of one routine alone, by its number
   uint32_t step_bytes_ = 0, local_count_ = 0;
-  std::array<ir::HostFunctionId, static_cast<size_t>(HostCall::kCount)> host_;
+  dialects::HostCalls<HostCall> host_{builder_};
   ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;
 
   std::vector<source::Range> waiting_comments_;
@@ -344,28 +338,6 @@ class Lowering {
   std::unordered_map<uint32_t, uint32_t> statement_numbers_;  // by InstructionId of the first one
   source::Range last_lines_;                                  // of the statement before
 };
-
-template <class Then>
-void Lowering::When(ir::ValueId condition, Then&& run) {
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId then = builder_.NewRegion();
-  builder_.If(condition, then);
-  builder_.SetRegion(then);
-  run();
-  builder_.SetRegion(behind);
-}
-
-template <class Then, class Otherwise>
-void Lowering::Choose(ir::ValueId condition, Then&& run, Otherwise&& otherwise) {
-  const ir::RegionId behind = builder_.region();
-  const ir::RegionId then = builder_.NewRegion(), other = builder_.NewRegion();
-  builder_.If(condition, then, other);
-  builder_.SetRegion(then);
-  run();
-  builder_.SetRegion(other);
-  otherwise();
-  builder_.SetRegion(behind);
-}
 
 template <class Then, class Otherwise>
 void Lowering::SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& otherwise) {
@@ -376,7 +348,7 @@ void Lowering::SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& oth
     SpillAll();
     ForgetAll();
   };
-  Choose(condition, [&] { arm(run); }, [&] { arm(otherwise); });
+  builder_.Choose(condition, [&] { arm(run); }, [&] { arm(otherwise); });
 }
 
 template <class Visit>

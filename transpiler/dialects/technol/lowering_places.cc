@@ -160,7 +160,7 @@ Lowering::Reach Lowering::ReachOf(const Operand& operand) {
     const ValueId at = address.offset == 0 ? index : Pure(OpKind::kAdd32, {index, Number(offset)});
     // Without a sign: what is below 0 is above everything else.
     const ValueId outside = bytes > size ? builder_.Bit(1) : Pure(OpKind::kGreater32, {at, Number(size - bytes)});
-    When(outside, [&] {
+    builder_.When(outside, [&] {
       CallFault(Fault::kBounds);
       if (settings_.bounds == Bounds::kTrap) LeaveAll();
     });

@@ -8,23 +8,18 @@ namespace plcxx::technol {
 
 using ir::ValueId;
 
-ir::RoutineId Lowering::AddRoutine(std::string name, ir::RoutineKind kind, std::string comment) {
-  ir::Routine routine{.name = std::move(name), .kind = kind, .comment = std::move(comment)};
-  routine.body = builder_.NewRegion();
-  return program_.routines.Add(std::move(routine));
-}
-
 void Lowering::AddScheduleRoutines() {
   using Kind = ir::RoutineKind;
   const std::string slow_ms = std::to_string(settings_.slow_ms), fast_ms = std::to_string(settings_.fast_ms);
-  init_ = AddRoutine("init", Kind::kInit,
-                     "Power-on: everything is 0 but the declared data and the retentive memory; then MODULE_INIT.");
-  fast_ = AddRoutine("fast", Kind::kFast, "A fast pass: call it every " + fast_ms + " ms, before a slow one.");
-  slow_ = AddRoutine("slow", Kind::kSlow, "The modules of a slow pass, from the annulment to MODULE_HALT.");
-  requests_ = AddRoutine("requests", Kind::kSchedule, "The control looks at the requests of the program.");
-  period_ = AddRoutine("period", Kind::kSchedule,
-                       "A slow pass with its exchange of signals: call it every " + slow_ms + " ms.");
-  fast_only_ = AddRoutine("fast_only", Kind::kSchedule, "A fast pass alone.");
+  init_ = builder_.AddRoutine(
+      "init", Kind::kInit,
+      "Power-on: everything is 0 but the declared data and the retentive memory; then MODULE_INIT.");
+  fast_ = builder_.AddRoutine("fast", Kind::kFast, "A fast pass: call it every " + fast_ms + " ms, before a slow one.");
+  slow_ = builder_.AddRoutine("slow", Kind::kSlow, "The modules of a slow pass, from the annulment to MODULE_HALT.");
+  requests_ = builder_.AddRoutine("requests", Kind::kSchedule, "The control looks at the requests of the program.");
+  period_ = builder_.AddRoutine("period", Kind::kSchedule,
+                                "A slow pass with its exchange of signals: call it every " + slow_ms + " ms.");
+  fast_only_ = builder_.AddRoutine("fast_only", Kind::kSchedule, "A fast pass alone.");
   program_.routines[fast_only_].simulation_only = true;
 }
 
@@ -41,8 +36,8 @@ void Lowering::Init() {
   const ir::RegionId prologue = builder_.NewRegion();
   program_.routines[init_].prologue = prologue;
   builder_.SetRegion(prologue);
-  CallHost(HostCall::kRestore);
-  if (IsUsed(Area::kBukon)) CallHost(HostCall::kMachineConstants);
+  host_(HostCall::kRestore);
+  if (IsUsed(Area::kBukon)) host_(HostCall::kMachineConstants);
 }
 
 /// A module of functions runs while its bit is 1; else it begins anew the next time (7.4).
@@ -53,9 +48,9 @@ void Lowering::RunFunctions(ModuleKind kind, std::string_view bit) {
   const auto run = [&] { builder_.CallRoutine(body->routine, {}); };
   const bool keeps = !body->entries.empty() || tree_.units[body->unit].timers > 0;
   if (keeps) {
-    Choose(builder_.Load(active), run, [&] { Rewind(body->unit); });
+    builder_.Choose(builder_.Load(active), run, [&] { Rewind(body->unit); });
   } else {
-    When(builder_.Load(active), run);
+    builder_.When(builder_.Load(active), run);
   }
 }
 
@@ -76,7 +71,7 @@ void Lowering::Slow() {
   const ir::PlaceId annulment = SystemPlace("NC_CLEAR");
   const Body* clear = BodyOfModule(ModuleKind::kClear);
   if (clear != nullptr) {
-    When(builder_.Load(annulment), [&] {
+    builder_.When(builder_.Load(annulment), [&] {
       builder_.CallRoutine(clear->routine, {});
       builder_.Store(annulment, builder_.Bit(0));
     });
@@ -93,17 +88,17 @@ void Lowering::Slow() {
   RunFunctions(ModuleKind::kZaverecne, "NC_ZAVERECNE");
   const Body* halt = BodyOfModule(ModuleKind::kHalt);
   if (halt == nullptr) return;
-  When(builder_.Load(SystemPlace("REQ_PIS_HALT")), [&] {
+  builder_.When(builder_.Load(SystemPlace("REQ_PIS_HALT")), [&] {
     builder_.CallRoutine(halt->routine, {});
-    CallHost(HostCall::kHaltPass);
+    host_(HostCall::kHaltPass);
   });
 }
 
 void Lowering::Period() {
   builder_.SetRegion(program_.routines[period_].body);
-  CallHost(HostCall::kReadInputs);
+  host_(HostCall::kReadInputs);
   builder_.CallRoutine(slow_, {});
-  CallHost(HostCall::kWriteOutputs);
+  host_(HostCall::kWriteOutputs);
   builder_.CallRoutine(requests_, {});
   builder_.SetRegion(program_.routines[fast_only_].body);
   builder_.CallRoutine(fast_, {});
@@ -118,7 +113,7 @@ void Lowering::FillSchedule() {
   schedule.slot_ms = settings_.slow_ms;
   schedule.fast_ms = settings_.fast_ms;
   schedule.retention = true;
-  schedule.retentive_load = host_[static_cast<size_t>(HostCall::kRestore)];
+  schedule.retentive_load = host_[HostCall::kRestore];
   // With battery-backed memory the host keeps whatever power-off finds, else what was backed up (8.3).
   if (settings_.retain == Retain::kDual) schedule.retain_at_power_off = NeverPlace();
 }

@@ -112,23 +112,6 @@ void Lowering::CutStatements(const Body& body) {
   }
 }
 
-/// Whole lines, from the first column on, so that the columns of the source stand as they are.
-source::Range Lowering::LinesOf(source::Offset begin, source::Offset end) const {
-  const source::Position first = sources_.Locate(begin), last = sources_.Locate(end);
-  const source::File& file = sources_.Get(first.file);
-  const auto start = [&file](uint32_t line) { return file.base + file.line_starts[line - 1]; };
-  std::string_view text = sources_.Line(last.file, last.line);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return {start(first.line), start(last.line) + static_cast<source::Offset>(text.size())};
-}
-
-void Lowering::AddComments(const Span& comments, CommentPlace place, std::vector<source::Range>& to) const {
-  for (uint32_t i = 0; i < comments.count; ++i) {
-    const Comment& comment = tree_.comments[comments.first + i];
-    if (comment.place == place) to.push_back(comment.range);
-  }
-}
-
 /// The first thing that is written, or the mechanism that is entered.
 std::string Lowering::SubjectOf(size_t first, size_t end) const {
   for (size_t i = first; i < end; ++i) {
@@ -170,15 +153,14 @@ void Lowering::BeginStatement(size_t first, size_t end) {
     const Label& label = tree_.labels[LabelId(head.labels.first + i)];
     if (sources_.FileAt(label.range.begin) == sources_.FileAt(begin)) begin = std::min(begin, label.range.begin);
   }
-  source::Range lines = LinesOf(begin, last.range.end);
+  source::Range lines = dialects::LinesOf(sources_, begin, last.range.end);
   // The line of a macro's call stands above the first of its statements only.
   const bool is_told = lines.begin == last_lines_.begin;
   if (is_told) lines.end = lines.begin;
   last_lines_ = lines;
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
-  AddComments(head.comments, CommentPlace::kLeading, comments);
-  std::erase_if(comments,
-                [&](const source::Range& comment) { return comment.begin >= lines.begin && comment.end <= lines.end; });
+  dialects::AddComments(tree_.comments, head.comments.first, head.comments.count, CommentPlace::kLeading, comments);
+  dialects::RemoveCommentsIn(lines, comments);
   uint32_t line = sources_.Locate(head.range.begin).line;
   for (size_t i = first; i < end; ++i) {
     if (!CanFault(body_->instructions[i])) continue;

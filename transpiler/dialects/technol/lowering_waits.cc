@@ -88,7 +88,7 @@ void Lowering::Wait(const Instruction& instruction) {
 void Lowering::WaitFor(const Instruction& /*instruction*/, uint64_t rlo) {
   const ValueId value = rlo_->Get();
   SpillAll();
-  When(rlo == 0 ? value : Not(value), [&] { Leave(flow_.ResumeOf(now_)); });
+  builder_.When(rlo == 0 ? value : Not(value), [&] { Leave(flow_.ResumeOf(now_)); });
   rlo_->Know(rlo);
 }
 
@@ -102,14 +102,14 @@ void Lowering::WaitAtMost(const Instruction& instruction, uint64_t rlo) {
   const ValueId limit = TimerLimit(tree_.OperandOf(instruction, 1));
   const ValueId zero = Constant(0, 16), one = Constant(1, 16);
   SpillAll();
-  When(rlo == 0 ? value : Not(value), [&] {
+  builder_.When(rlo == 0 ? value : Not(value), [&] {
     const auto expire = [&] {
       builder_.Store(timer.place, zero, timer.index);
       Jump(TargetOf(instruction), {});
     };
     if (KnownValue(limit) == 0) return expire();
     const ValueId count = builder_.Load(timer.place, timer.index);
-    When(Pure(OpKind::kGreaterEqual32, {ToWidth(count, 32), ToWidth(limit, 32)}), expire);
+    builder_.When(Pure(OpKind::kGreaterEqual32, {ToWidth(count, 32), ToWidth(limit, 32)}), expire);
     builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, one}), timer.index);
     Leave(flow_.ResumeOf(now_));
   });
@@ -123,7 +123,7 @@ void Lowering::Delay(const Instruction& instruction) {
   SpillAll();
   if (KnownValue(limit) != 0) {
     const ValueId count = builder_.Load(timer.place, timer.index);
-    When(Pure(OpKind::kLess32, {ToWidth(count, 32), ToWidth(limit, 32)}), [&] {
+    builder_.When(Pure(OpKind::kLess32, {ToWidth(count, 32), ToWidth(limit, 32)}), [&] {
       builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, Constant(1, 16)}), timer.index);
       Leave(flow_.ResumeOf(now_));
     });
@@ -140,7 +140,7 @@ void Lowering::Rewind(UnitId unit) {
 void Lowering::RewindIfCleared(UnitId unit) {
   const Body* body = BodyOfMechanism(unit);
   if ((body == nullptr || body->entries.empty()) && tree_.units[unit].timers == 0) return;
-  When(Not(builder_.Load(ActivationPlace(unit))), [&] { Rewind(unit); });
+  builder_.When(Not(builder_.Load(ActivationPlace(unit))), [&] { Rewind(unit); });
 }
 
 void Lowering::EndMechanism(UnitId unit) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "transpiler/dialects/common/signal_rows.h"
 #include "transpiler/dialects/technol/lexer.h"
 #include "transpiler/support/check.h"
 
@@ -19,27 +20,6 @@ constexpr ArrayRow kArrays[] = {
 #define TECHNOL_ARRAY(Text, Width) {Text, Width},
 #include "transpiler/dialects/technol/machine.def"
 };
-
-/// The next field of a line of comma separated values. Quotes around it are removed; within them '""' is a quote.
-std::string TakeField(std::string_view& line) {
-  std::string field;
-  if (line.starts_with('"')) {
-    size_t at = 1;
-    for (; at < line.size(); ++at) {
-      if (line[at] == '"') {
-        if (at + 1 >= line.size() || line[at + 1] != '"') break;
-        ++at;
-      }
-      field += line[at];
-    }
-    line.remove_prefix(std::min(at + 1, line.size()));
-  } else {
-    field = line.substr(0, line.find(','));
-    line.remove_prefix(field.size());
-  }
-  if (!line.empty()) line.remove_prefix(1);
-  return field;
-}
 
 std::optional<uint32_t> ReadDecimal(std::string_view text) {
   uint32_t value = 0;
@@ -71,16 +51,11 @@ bool IsPlainName(std::string_view name) {
 
 std::vector<Signal> ReadTable() {
   std::vector<Signal> signals;
-  std::string_view rest(kSignalTable[0].text, kSignalTable[0].size);
-  while (!rest.empty()) {
-    const size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view row = TrimBlanks(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (row.empty() || IsSignalHead(row)) continue;
-    std::optional<Signal> signal = ReadSignal(row);
+  dialects::ForEachSignalRow({kSignalTable[0].text, kSignalTable[0].size}, [&](std::string_view row) {
+    std::optional<Signal> signal = ReadSignal(TrimBlanks(row));
     PLCXX_CHECK(signal.has_value());
     signals.push_back(std::move(*signal));
-  }
+  });
   return signals;
 }
 
@@ -95,11 +70,11 @@ bool IsSignalHead(std::string_view row) { return row.starts_with("address,"); }
 
 std::optional<Signal> ReadSignal(std::string_view row) {
   Signal signal;
-  const std::string address = TakeField(row);
-  signal.name = TakeField(row);
-  const std::optional<uint32_t> width = ReadDecimal(TakeField(row));
-  const std::string direction = TakeField(row);
-  signal.meaning = TakeField(row);
+  const std::string address = dialects::TakeField(row);
+  signal.name = dialects::TakeField(row);
+  const std::optional<uint32_t> width = ReadDecimal(dialects::TakeField(row));
+  const std::string direction = dialects::TakeField(row);
+  signal.meaning = dialects::TakeField(row);
   const auto known = std::ranges::find(kDirections, direction);
   if (!width || (*width != 1 && (*width == 0 || *width % 8 != 0)) || known == std::end(kDirections))
     return std::nullopt;

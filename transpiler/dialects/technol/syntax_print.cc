@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/technol/lexer.h"
 #include "transpiler/dialects/technol/macros.h"
 #include "transpiler/dialects/technol/parser.h"
@@ -111,9 +112,8 @@ std::string PrintTokens(const source::SourceManager& sources, source::FileId fil
     tokens.clear();
     LexLine(sources.Line(file, i + 1), {.begin = text.base + text.line_starts[i]}, tokens);
     for (const Token& token : tokens) {
-      const source::Position position = sources.Locate(token.range.begin);
-      printed += std::to_string(position.line) + ":" + std::to_string(position.column) + " " +
-                 std::string(Name(token.kind)) + " " + std::string(token.text) + "\n";
+      printed += dialects::PlaceText(sources, token.range.begin) + " " + std::string(Name(token.kind)) + " " +
+                 std::string(token.text) + "\n";
     }
   }
   return printed;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/technol/flow_checks.h"
 #include "transpiler/dialects/technol/locate.h"
 #include "transpiler/dialects/technol/lowering.h"
@@ -19,12 +20,6 @@ namespace plcxx::technol {
 namespace {
 
 constexpr std::string_view kExtensions[] = {".plc", ".tch"};
-
-std::string Tokens(dialects::Request& request) {
-  std::string text;
-  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
-  return text;
-}
 
 std::string Syntax(dialects::Request& request) {
   return PrintSyntax(*request.sources, Parse(request, ReadSettings(request.options)));
@@ -71,15 +66,14 @@ const dialects::Dialect kTechnol = {
     .recognize = Recognize,
     .report_load_error = ReportLoadError,
     .check_options = CheckOptions,
-    .print_tokens = Tokens,
+    .print_tokens = dialects::TokensOfFiles<PrintTokens>,
     .print_syntax = Syntax,
     .lower = LowerProgram,
     .locate = Locate,
     .parse_value = ParseValue,
     .make_stub = MakeStub,
-    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
-                             diag::Engine&) {},  // it has no options for budgets
-    .lints = {},                                 // its own warnings are those of warnings.h
+    .report_over_budget = dialects::ReportNoBudget,
+    .lints = {},  // its own warnings are those of warnings.h
     .reads_empty_files = true,
     .takes_system_includes = true,
 };

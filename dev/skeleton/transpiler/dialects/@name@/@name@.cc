@@ -1,5 +1,6 @@
 #include "transpiler/dialects/@name@/@name@.h"
 
+#include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/@name@/locate.h"
 #include "transpiler/dialects/@name@/lowering.h"
 #include "transpiler/dialects/@name@/options.h"
@@ -11,16 +12,6 @@ namespace plcxx::@name@ {
 namespace {
 
 constexpr std::string_view kExtensions[] = {".@name@"};
-
-void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
-  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
-}
-
-std::string Tokens(dialects::Request& request) {
-  std::string text;
-  for (const source::FileId file : request.files) text += PrintTokens(*request.sources, file);
-  return text;
-}
 
 std::string Syntax(dialects::Request& request) {
   return PrintSyntax(*request.sources, Parse(*request.sources, request.files, *request.diagnostics));
@@ -45,16 +36,15 @@ const dialects::Dialect k@Name@ = {
     .options = Options(),
     .load = {},
     .recognize = Recognize,
-    .report_load_error = ReportLoadError,
+    .report_load_error = dialects::ReportCannotRead,
     .check_options = CheckOptions,
-    .print_tokens = Tokens,
+    .print_tokens = dialects::TokensOfFiles<PrintTokens>,
     .print_syntax = Syntax,
     .lower = LowerProgram,
     .locate = Locate,
     .parse_value = ParseValue,
     .make_stub = MakeStub,
-    .report_over_budget = [](dialects::Budget, uint64_t, uint64_t, source::FileId, const source::SourceManager&,
-                             diag::Engine&) {},  // it has no options for budgets
+    .report_over_budget = dialects::ReportNoBudget,
     .lints = {},
 };
 

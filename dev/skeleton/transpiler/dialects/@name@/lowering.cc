@@ -2,10 +2,29 @@
 
 #include <utility>
 
-#include "transpiler/ir/builder.h"
+#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/host_calls.h"
 
 namespace plcxx::@name@ {
 namespace {
+
+enum class HostCall : uint8_t { kReadInputs, kWriteOutputs, kCount };
+
+const std::vector<dialects::HostRow<HostCall>>& HostRows() {
+  static const std::vector<dialects::HostRow<HostCall>> rows = {
+      {.call = HostCall::kReadInputs,
+       .name = "read_inputs",
+       .access = ir::HostAccess::kWritesState,
+       .routine_exchange = true,
+       .comment = "At the start of each period: fill the inputs."},
+      {.call = HostCall::kWriteOutputs,
+       .name = "write_outputs",
+       .access = ir::HostAccess::kReadsState,
+       .routine_exchange = true,
+       .comment = "At the end of each period: deliver the outputs."},
+  };
+  return rows;
+}
 
 class Lowering {
  public:
@@ -14,7 +33,7 @@ class Lowering {
   ir::Program Run() {
     program_.dialect = "@name@";
     AddMemory();
-    AddHostFunctions();
+    host_.Add(HostRows());
     AddRoutines();
     builder_.SetRegion(program_.routines[fast_].body);
     for (const Statement& statement : tree_.statements) Execute(statement);
@@ -38,37 +57,19 @@ class Lowering {
     periods_ = program_.places.Add({.name = "periods", .address = {}, .type = ir::Type::kI32, .space = system});
   }
 
-  void AddHostFunctions() {
-    read_inputs_ = program_.host_functions.Add({.name = "read_inputs",
-                                                .access = ir::HostAccess::kWritesState,
-                                                .routine_exchange = true,
-                                                .comment = "At the start of each period: fill the inputs."});
-    write_outputs_ = program_.host_functions.Add({.name = "write_outputs",
-                                                  .access = ir::HostAccess::kReadsState,
-                                                  .routine_exchange = true,
-                                                  .comment = "At the end of each period: deliver the outputs."});
-  }
-
-  ir::RoutineId AddRoutine(std::string name, ir::RoutineKind kind, std::string comment) {
-    ir::Routine routine{.name = std::move(name), .kind = kind, .comment = std::move(comment)};
-    routine.body = builder_.NewRegion();
-    return program_.routines.Add(std::move(routine));
-  }
-
   void AddRoutines() {
-    init_ = AddRoutine("init", ir::RoutineKind::kInit, "Power-on: everything is 0.");
-    fast_ = AddRoutine("fast", ir::RoutineKind::kFast, "The program, in every period.");
-    period_ = AddRoutine("period", ir::RoutineKind::kSchedule, "One period of the control.");
+    init_ = builder_.AddRoutine("init", ir::RoutineKind::kInit, "Power-on: everything is 0.");
+    fast_ = builder_.AddRoutine("fast", ir::RoutineKind::kFast, "The program, in every period.");
+    period_ = builder_.AddRoutine("period", ir::RoutineKind::kSchedule, "One period of the control.");
   }
 
   void Period() {
     builder_.SetRange({});
     builder_.SetRegion(program_.routines[period_].body);
-    builder_.CallHost(read_inputs_, {});
+    host_(HostCall::kReadInputs);
     builder_.CallRoutine(fast_, {});
-    builder_.CallHost(write_outputs_, {});
-    const ir::ValueId one = builder_.Constant(ir::Type::kI32, 1);
-    builder_.Store(periods_, builder_.Pure(ir::OpKind::kAdd32, {builder_.Load(periods_), one}));
+    host_(HostCall::kWriteOutputs);
+    builder_.Increment(periods_);
   }
 
   void FillSchedule() {
@@ -84,9 +85,9 @@ class Lowering {
   const Program& tree_;
   const Settings& settings_;
   ir::Program program_;
-  ir::Builder builder_{program_};
+  dialects::Builder builder_{program_};
+  dialects::HostCalls<HostCall> host_{builder_};
   ir::PlaceId periods_;
-  ir::HostFunctionId read_inputs_, write_outputs_;
   ir::RoutineId init_, fast_, period_;
 };
 

@@ -1,0 +1,12 @@
+#include "transpiler/dialects/common/wiring.h"
+
+namespace plcxx::dialects {
+
+void ReportCannotRead(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+}
+
+void ReportNoBudget(Budget /*budget*/, uint64_t /*needed*/, uint64_t /*limit*/, source::FileId /*first*/,
+                    const source::SourceManager& /*sources*/, diag::Engine& /*diagnostics*/) {}
+
+}  // namespace plcxx::dialects
