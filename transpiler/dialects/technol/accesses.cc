@@ -6,14 +6,9 @@ namespace {
 /// Which of its operands an instruction writes.
 bool IsWritten(const Instruction& instruction, uint32_t index) {
   const InstructionInfo& info = Info(instruction.op);
-  switch (info.form) {
-    case Form::kFlag:
-      return index == 1;
-    case Form::kExchange:
-      return true;
-    default:
-      return index == 0 && (info.first == Access::kWrite || info.first == Access::kReadWrite);
-  }
+  if (info.form == Form::kFlag) return index == 1;
+  if (info.form == Form::kExchange) return true;
+  return index == 0 && (info.first == Access::kWrite || info.first == Access::kReadWrite);
 }
 
 bool IsRead(const Instruction& instruction, uint32_t index) {
@@ -24,16 +19,34 @@ bool IsRead(const Instruction& instruction, uint32_t index) {
 }
 
 AccessKind WriteKind(const Program& program, const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kWr:
+  switch (Info(instruction.op).form) {
+    case Form::kWriteBit:
       return AccessKind::kCoil;
-    case Op::kFl:
-    case Op::kFl1:
-    case Op::kFl0:
+    case Form::kFlag:
       return program.OperandOf(instruction, 0).value == 0 ? AccessKind::kClear : AccessKind::kSet;
-    default:
+    case Form::kNone:
+    case Form::kBit:
+    case Form::kJump:
+    case Form::kCall:
+    case Form::kWaitLimit:
+    case Form::kDelay:
+    case Form::kMechanism:
+    case Form::kData:
+    case Form::kNarrowData:
+    case Form::kWideData:
+    case Form::kStore:
+    case Form::kRotation:
+    case Form::kError:
+    case Form::kTwo:
+    case Form::kOne:
+    case Form::kMultiply:
+    case Form::kShift:
+    case Form::kExchange:
+    case Form::kExtend:
+    case Form::kStack:
       return AccessKind::kStore;
   }
+  PLCXX_UNREACHABLE();
 }
 
 }  // namespace

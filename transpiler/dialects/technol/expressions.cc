@@ -1,4 +1,5 @@
 #include "transpiler/dialects/technol/expressions.h"
+#include "transpiler/support/check.h"
 
 #include <algorithm>
 #include <limits>
@@ -125,9 +126,16 @@ class ExpressionReader {
         if (token->text == "?" || IsReserved(Upper(token->text))) return Missing();
         reader_.Take();
         return Named(*token);
-      default:
+      case TokenKind::kQuoted:
+      case TokenKind::kOpenString:
+      case TokenKind::kPunctuation:
+      case TokenKind::kPath:
+      case TokenKind::kText:
+      case TokenKind::kComment:
+      case TokenKind::kInvalid:
         return Missing();
     }
+    PLCXX_UNREACHABLE();
   }
 
   Value Literal(const Token& token) {

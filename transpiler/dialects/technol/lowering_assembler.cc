@@ -79,10 +79,17 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kXchg:
       return Exchange(instruction);
     case Op::kCbw:
-    case Op::kCwd:
+      return WriteRegister(Register::kAx, Pure(OpKind::kSignExtend8To16, {ReadRegister(Register::kAl)}));
+    case Op::kCwd: {
+      const ValueId wide = SignedTo32(ReadRegister(Register::kAx));
+      return WriteRegister(Register::kDx, Pure(OpKind::kHighHalf32, {wide}));
+    }
     case Op::kCwde:
-    case Op::kCdq:
-      return Convert(instruction);
+      return WriteRegister(Register::kEax, SignedTo32(ReadRegister(Register::kAx)));
+    case Op::kCdq: {
+      const ValueId low = ReadRegister(Register::kEax);
+      return WriteRegister(Register::kEdx, Pure(OpKind::kArithmeticShiftRight32, {low, Number(31)}));
+    }
     case Op::kDaa:
     case Op::kDas:
       return Decimal(instruction);

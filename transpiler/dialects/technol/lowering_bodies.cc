@@ -7,6 +7,7 @@
 
 namespace plcxx::technol {
 
+using ir::OpKind;
 using ir::Type;
 
 std::string Lowering::CommentOf(const Body& body) const {
@@ -275,12 +276,17 @@ void Lowering::Dispatch(const Instruction& instruction) {
     case Op::kRet:
       return Return();
     case Op::kEx:
+      return Wait();
     case Op::kEx0:
+      return WaitFor(instruction, 1);
     case Op::kEx1:
+      return WaitFor(instruction, 0);
     case Op::kTex0:
+      return WaitAtMost(instruction, 1);
     case Op::kTex1:
+      return WaitAtMost(instruction, 0);
     case Op::kTim:
-      return Wait(instruction);
+      return Delay(instruction);
     case Op::kMechInit:
       return InitMechanism(instruction);
     case Op::kLod:
@@ -288,11 +294,15 @@ void Lowering::Dispatch(const Instruction& instruction) {
     case Op::kSto:
       return StoreData(instruction);
     case Op::kAd:
+      return Combine(instruction, {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32});
     case Op::kSu:
+      return Combine(instruction, {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32});
     case Op::kAnd:
+      return Combine(instruction, {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32});
     case Op::kOr:
+      return Combine(instruction, {OpKind::kOr8, OpKind::kOr16, OpKind::kOr32});
     case Op::kXor:
-      return Combine(instruction);
+      return Combine(instruction, {OpKind::kXor8, OpKind::kXor16, OpKind::kXor32});
     case Op::kMulb:
     case Op::kMulw:
       return MultiplyData(instruction);
@@ -307,12 +317,17 @@ void Lowering::Dispatch(const Instruction& instruction) {
     case Op::kBin:
       return FromBcd();
     case Op::kEq:
+      return Compare(instruction, OpKind::kEqual32);
     case Op::kNe:
+      return Compare(instruction, OpKind::kNotEqual32);
     case Op::kLt:
+      return Compare(instruction, OpKind::kLess32);
     case Op::kLe:
+      return Compare(instruction, OpKind::kLessEqual32);
     case Op::kGt:
+      return Compare(instruction, OpKind::kGreater32);
     case Op::kGe:
-      return Compare(instruction);
+      return Compare(instruction, OpKind::kGreaterEqual32);
     case Op::kEset:
       return RaiseError(instruction);
     case Op::kMechanismBegin:
@@ -323,8 +338,13 @@ void Lowering::Dispatch(const Instruction& instruction) {
     case Op::kModuleEnd:
       if (Info(tree_.units[body_->unit].module).waits) EndMechanism(body_->unit);
       return;
-    default:
-      PLCXX_UNREACHABLE();  // marks of an area's end are behind a RET; assembler instructions are dispatched above
+      // The marks of an area's end are after a RET; assembler instructions are dispatched above.
+#define TECHNOL_INSTRUCTION(...)
+#define TECHNOL_ASSEMBLER(Key, ...) case Op::k##Key:
+#include "transpiler/dialects/technol/machine.def"
+    case Op::kAreaEnd:
+    case Op::kUnknown:
+      PLCXX_UNREACHABLE();
   }
 }
 

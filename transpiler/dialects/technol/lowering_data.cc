@@ -12,44 +12,6 @@ namespace {
 constexpr uint32_t kDrNumber = 2;  // of ECX
 constexpr uint64_t kMostBcd16 = 9'999, kMostBcd32 = 79'999'999;
 
-/// The rows of ops.def by width.
-ByWidth OperationOf(Op op) {
-  switch (op) {
-    case Op::kAd:
-      return {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32};
-    case Op::kSu:
-      return {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32};
-    case Op::kAnd:
-      return {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32};
-    case Op::kOr:
-      return {OpKind::kOr8, OpKind::kOr16, OpKind::kOr32};
-    case Op::kXor:
-      return {OpKind::kXor8, OpKind::kXor16, OpKind::kXor32};
-    default:
-      PLCXX_UNREACHABLE();
-  }
-}
-
-/// Of 32 bits; equality has a row of its own for 16.
-OpKind ComparisonOf(Op op) {
-  switch (op) {
-    case Op::kEq:
-      return OpKind::kEqual32;
-    case Op::kNe:
-      return OpKind::kNotEqual32;
-    case Op::kLt:
-      return OpKind::kLess32;
-    case Op::kLe:
-      return OpKind::kLessEqual32;
-    case Op::kGt:
-      return OpKind::kGreater32;
-    case Op::kGe:
-      return OpKind::kGreaterEqual32;
-    default:
-      PLCXX_UNREACHABLE();
-  }
-}
-
 }  // namespace
 
 /// dr of 6.1 as `width` bits: what lies above the static width does not count.
@@ -75,11 +37,11 @@ void Lowering::StoreData(const Instruction& instruction) {
   Write(target, value);
 }
 
-void Lowering::Combine(const Instruction& instruction) {
+void Lowering::Combine(const Instruction& instruction, const ByWidth& operation) {
   const Operand& operand = tree_.OperandOf(instruction, 0);
   const uint32_t width = OperationWidth(width_, operand.width);
   const ValueId dr = Dr(width), value = ReadAs(operand, width);
-  SetDr(Pure(OperationOf(instruction.op).At(width), {dr, value}), width);
+  SetDr(Pure(operation.At(width), {dr, value}), width);
 }
 
 void Lowering::MultiplyData(const Instruction& instruction) {
@@ -127,11 +89,11 @@ void Lowering::RotateData(const Instruction& instruction) {
   SetDr(Pure(shift.At(width_), {dr, count}), width_);
 }
 
-void Lowering::Compare(const Instruction& instruction) {
+void Lowering::Compare(const Instruction& instruction, OpKind comparison) {
   const Operand& operand = tree_.OperandOf(instruction, 0);
   const uint32_t width = OperationWidth(width_, operand.width);
   const ValueId dr = Dr(width), value = ReadAs(operand, width);
-  rlo_->Set(Pure(ComparisonOf(instruction.op), {ToWidth(dr, 32), ToWidth(value, 32)}));
+  rlo_->Set(Pure(comparison, {ToWidth(dr, 32), ToWidth(value, 32)}));
 }
 
 void Lowering::ToBcd() {

@@ -119,7 +119,7 @@ class Lowering {
   InstructionId TargetOf(const Instruction& instruction) const;
 
   // --- mechanisms (lowering_waits.cc) ---
-  void Wait(const Instruction& instruction);
+  void Wait();
   void WaitFor(const Instruction& instruction, uint64_t rlo);
   void WaitAtMost(const Instruction& instruction, uint64_t rlo);
   void Delay(const Instruction& instruction);
@@ -143,11 +143,11 @@ class Lowering {
   // --- DR (lowering_data.cc) ---
   void Load(const Instruction& instruction);
   void StoreData(const Instruction& instruction);
-  void Combine(const Instruction& instruction);
+  void Combine(const Instruction& instruction, const ByWidth& operation);
   void MultiplyData(const Instruction& instruction);
   void DivideData(const Instruction& instruction);
   void RotateData(const Instruction& instruction);
-  void Compare(const Instruction& instruction);
+  void Compare(const Instruction& instruction, ir::OpKind comparison);
   void ToBcd();
   void FromBcd();
   ir::ValueId Dr(uint32_t width);
@@ -163,7 +163,6 @@ class Lowering {
   void Extend(const Instruction& instruction);
   void Push(const Instruction& instruction);
   void Pop(const Instruction& instruction);
-  void Convert(const Instruction& instruction);
   void Decimal(const Instruction& instruction);
   void Unpack(const Instruction& instruction);
   void LoopJump(const Instruction& instruction);

@@ -99,23 +99,6 @@ void Lowering::DivideRegister(const Instruction& instruction) {
       });
 }
 
-void Lowering::Convert(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kCbw:
-      return WriteRegister(Register::kAx, Pure(OpKind::kSignExtend8To16, {ReadRegister(Register::kAl)}));
-    case Op::kCwde:
-      return WriteRegister(Register::kEax, SignedTo32(ReadRegister(Register::kAx)));
-    case Op::kCwd: {
-      const ValueId wide = SignedTo32(ReadRegister(Register::kAx));
-      return WriteRegister(Register::kDx, Pure(OpKind::kHighHalf32, {wide}));
-    }
-    default: {
-      const ValueId low = ReadRegister(Register::kEax);
-      return WriteRegister(Register::kEdx, Pure(OpKind::kArithmeticShiftRight32, {low, Number(31)}));
-    }
-  }
-}
-
 void Lowering::Decimal(const Instruction& instruction) {
   const ValueId al = ReadRegister(Register::kAl), carry = FlagValue(kCf), half = FlagValue(kAf);
   const ValueId digit = Pure(OpKind::kLowNibble8, {al});

@@ -188,9 +188,14 @@ ValueId Lowering::Read(const Operand& operand) {
       const Reach reach = ReachOf(operand);
       return builder_.Load(reach.place, reach.index);
     }
-    default:
-      PLCXX_UNREACHABLE();
+    case OperandKind::kError:
+    case OperandKind::kBit:
+    case OperandKind::kLabel:
+    case OperandKind::kMechanism:
+    case OperandKind::kAutomaticTimer:
+      break;
   }
+  PLCXX_UNREACHABLE();
 }
 
 ValueId Lowering::ReadAs(const Operand& operand, uint32_t width) {

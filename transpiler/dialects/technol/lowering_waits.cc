@@ -67,22 +67,9 @@ void Lowering::Leave(InstructionId resume) {
   builder_.Jump(kEndLabel);
 }
 
-void Lowering::Wait(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::kEx0:
-      return WaitFor(instruction, 1);
-    case Op::kEx1:
-      return WaitFor(instruction, 0);
-    case Op::kTex0:
-      return WaitAtMost(instruction, 1);
-    case Op::kTex1:
-      return WaitAtMost(instruction, 0);
-    case Op::kTim:
-      return Delay(instruction);
-    default:
-      Leave(flow_.ResumeOf(now_));
-      return ForgetAll();  // nothing survives
-  }
+void Lowering::Wait() {
+  Leave(flow_.ResumeOf(now_));
+  ForgetAll();  // nothing survives
 }
 
 void Lowering::WaitFor(const Instruction& /*instruction*/, uint64_t rlo) {

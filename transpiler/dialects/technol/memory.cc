@@ -58,9 +58,13 @@ uint32_t BytesOf(SpaceKey key, const Memory::Sizes& sizes) {
       return sizes.steps;
     case SpaceKey::kRegisters:
       return kRegisterBytes;
-    default:
+#define TECHNOL_AREA(Key, ...) case SpaceKey::k##Key:
+#include "transpiler/dialects/technol/machine.def"
       return technol::BytesOf(static_cast<Area>(key));
+    case SpaceKey::kCount:
+      break;
   }
+  PLCXX_UNREACHABLE();
 }
 
 }  // namespace
