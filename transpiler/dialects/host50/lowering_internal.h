@@ -114,7 +114,6 @@ class Lowering {
 
   // --- blocks (lowering_blocks.cc) ---
   void Jump(const Instruction& instruction);
-  /// The region that `fill` fills, and that the caller gives an owner.
   void Act(const Instruction& instruction);
   void Calculate(const Instruction& instruction);
   void Negate(const Instruction& instruction);

@@ -200,7 +200,6 @@ class Lowering {
   ir::ValueId Byte(uint32_t value) { return builder_.Constant(ir::Type::kI8, value & 0xFF); }
   ir::ValueId Word(uint32_t value) { return builder_.Constant(ir::Type::kI16, value & 0xFFFF); }
   ir::ValueId Number(uint32_t value) { return builder_.Constant(ir::Type::kI32, value); }
-  /// Runs `body` in a new region that is executed when `condition` is 1.
 
   // --- the schedule (lowering_schedule.cc, lowering_refresh.cc) ---
   void AddScheduleRoutines();

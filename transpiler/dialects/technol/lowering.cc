@@ -44,7 +44,7 @@ void Lowering::FindWideRegisters() {
     for (const Register reg :
          {Register::kEax, Register::kEbx, Register::kEcx, Register::kEdx, Register::kEsi, Register::kEdi}) {
       const Resources upper = PartsOf(reg) & ~(PartsOf(reg) >> 1) & ~(PartsOf(reg) >> 2);
-      if ((reads & upper) != 0) wide_[WholeIndex(reg)] = true;
+      if ((reads & upper) != 0) registers_.MakeWide(reg);
     }
   }
 }

@@ -51,7 +51,7 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kNot: {
       const Operand& target = tree_.OperandOf(instruction, 0);
       const Reach reach = ReachOfTarget(target);
-      return WriteAt(target, reach, Pure(kNot.At(target.width), {ReadAt(target, reach)}));
+      return WriteAt(target, reach, builder_.Pure(kNot.At(target.width), {ReadAt(target, reach)}));
     }
     case Op::kShl:
     case Op::kShr:
@@ -79,16 +79,17 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kXchg:
       return Exchange(instruction);
     case Op::kCbw:
-      return WriteRegister(Register::kAx, Pure(OpKind::kSignExtend8To16, {ReadRegister(Register::kAl)}));
+      return registers_.Write(Register::kAx, builder_.Pure(OpKind::kSignExtend8To16, {registers_.Read(Register::kAl)}));
     case Op::kCwd: {
-      const ValueId wide = SignedTo32(ReadRegister(Register::kAx));
-      return WriteRegister(Register::kDx, Pure(OpKind::kHighHalf32, {wide}));
+      const ValueId wide = builder_.SignedTo32(registers_.Read(Register::kAx));
+      return registers_.Write(Register::kDx, builder_.Pure(OpKind::kHighHalf32, {wide}));
     }
     case Op::kCwde:
-      return WriteRegister(Register::kEax, SignedTo32(ReadRegister(Register::kAx)));
+      return registers_.Write(Register::kEax, builder_.SignedTo32(registers_.Read(Register::kAx)));
     case Op::kCdq: {
-      const ValueId low = ReadRegister(Register::kEax);
-      return WriteRegister(Register::kEdx, Pure(OpKind::kArithmeticShiftRight32, {low, Number(31)}));
+      const ValueId low = registers_.Read(Register::kEax);
+      return registers_.Write(Register::kEdx,
+                              builder_.Pure(OpKind::kArithmeticShiftRight32, {low, builder_.Number(31)}));
     }
     case Op::kDaa:
     case Op::kDas:
@@ -102,12 +103,12 @@ void Lowering::Assemble(const Instruction& instruction) {
       return Flag(kCf, [&] { return builder_.Bit(1); });
     case Op::kCmc: {
       const ValueId carry = FlagValue(kCf);
-      return Flag(kCf, [&] { return Not(carry); });
+      return Flag(kCf, [&] { return builder_.Not(carry); });
     }
     case Op::kNop:
       return;
     case Op::kJmp:
-      SpillAll();
+      registers_.Spill();
       return Jump(TargetOf(instruction), {});
     case Op::kLoop:
     case Op::kJcxz:
@@ -127,7 +128,7 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kJo:
     case Op::kJno: {
       const ValueId condition = Condition(instruction.op);
-      SpillAll();
+      registers_.Spill();
       return Jump(TargetOf(instruction), condition);
     }
     // TECHNOL's own instructions, and marks
@@ -149,7 +150,7 @@ void Lowering::AddOrSubtract(const Instruction& instruction) {
   const bool adds = instruction.op == Op::kAdd || instruction.op == Op::kAdc;
   const bool carries = instruction.op == Op::kAdc || instruction.op == Op::kSbb;
   if (IsClearing(tree_, instruction)) {
-    WriteRegister(target.reg, Constant(0, width));
+    registers_.Write(target.reg, builder_.Constant(0, width));
     UndefineFlags(kFlags & ~kZf);  // 0 is what SUB r,r leaves in them
     return Flag(kZf, [&] { return builder_.Bit(1); });
   }
@@ -157,19 +158,22 @@ void Lowering::AddOrSubtract(const Instruction& instruction) {
   const ValueId left = ReadAt(target, reach);
   const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
   const ByWidth& row = adds ? kAdd : kSub;
-  ValueId result = Pure(row.At(width), {left, right});
+  ValueId result = builder_.Pure(row.At(width), {left, right});
   if (carries) {
-    const ValueId carry = Pure(OpKind::kWiden1To32, {FlagValue(kCf)});
-    result = Pure(row.At(width), {result, ToWidth(carry, width)});
+    const ValueId carry = builder_.Pure(OpKind::kWiden1To32, {FlagValue(kCf)});
+    result = builder_.Pure(row.At(width), {result, builder_.ToWidth(carry, width)});
   }
   if (instruction.op != Op::kCmp) WriteAt(target, reach, result);
   Flag(kCf, [&] {
-    if (carries) return Pure((adds ? kCarry : kBorrow).At(width), {left, right, result});
-    if (adds) return Pure(OpKind::kLess32, {ToWidth(result, 32), ToWidth(left, 32)});
-    return Pure(OpKind::kLess32, {ToWidth(left, 32), ToWidth(right, 32)});
+    if (carries) return builder_.Pure((adds ? kCarry : kBorrow).At(width), {left, right, result});
+    if (adds) return builder_.Pure(OpKind::kLess32, {builder_.ToWidth(result, 32), builder_.ToWidth(left, 32)});
+    return builder_.Pure(OpKind::kLess32, {builder_.ToWidth(left, 32), builder_.ToWidth(right, 32)});
   });
-  Flag(kOf, [&] { return Pure((adds ? kAddOverflow : kSubOverflow).At(width), {left, right, result}); });
-  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {ToWidth(left, 8), ToWidth(right, 8), ToWidth(result, 8)}); });
+  Flag(kOf, [&] { return builder_.Pure((adds ? kAddOverflow : kSubOverflow).At(width), {left, right, result}); });
+  Flag(kAf, [&] {
+    return builder_.Pure(OpKind::kHalfCarry8,
+                         {builder_.ToWidth(left, 8), builder_.ToWidth(right, 8), builder_.ToWidth(result, 8)});
+  });
   ResultFlags(result, width);
   if (!adds && !carries) compared_ = {.left = left, .right = right, .width = width};
 }
@@ -179,8 +183,8 @@ void Lowering::Logic(const Instruction& instruction) {
   const uint32_t width = target.width;
   ValueId result;
   if (IsClearing(tree_, instruction)) {
-    result = Constant(0, width);
-    WriteRegister(target.reg, result);
+    result = builder_.Constant(0, width);
+    registers_.Write(target.reg, result);
   } else {
     const Reach reach = ReachOfTarget(target);
     const ValueId left = ReadAt(target, reach);
@@ -188,12 +192,12 @@ void Lowering::Logic(const Instruction& instruction) {
     const ByWidth& row = instruction.op == Op::kAsmOr ? kOr : instruction.op == Op::kAsmXor ? kXor : kAnd;
     // TEST AX,AX and OR AX,AX ask for the value as it is.
     const bool same = left == right && instruction.op != Op::kAsmXor;
-    result = same ? left : Pure(row.At(width), {left, right});
+    result = same ? left : builder_.Pure(row.At(width), {left, right});
     if (instruction.op != Op::kTest && !same) WriteAt(target, reach, result);
   }
   UndefineFlags(kCf | kOf);  // both are 0
   ResultFlags(result, width);
-  compared_ = {.left = result, .right = Constant(0, width), .width = width};
+  compared_ = {.left = result, .right = builder_.Constant(0, width), .width = width};
 }
 
 void Lowering::Increment(const Instruction& instruction) {
@@ -202,11 +206,14 @@ void Lowering::Increment(const Instruction& instruction) {
   const bool up = instruction.op == Op::kInc;
   const Reach reach = ReachOfTarget(target);
   const ValueId left = ReadAt(target, reach);
-  const ValueId one = Constant(1, width);
-  const ValueId result = Pure((up ? kAdd : kSub).At(width), {left, one});
+  const ValueId one = builder_.Constant(1, width);
+  const ValueId result = builder_.Pure((up ? kAdd : kSub).At(width), {left, one});
   WriteAt(target, reach, result);
-  Flag(kOf, [&] { return Pure((up ? kAddOverflow : kSubOverflow).At(width), {left, one, result}); });
-  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {ToWidth(left, 8), Byte(1), ToWidth(result, 8)}); });
+  Flag(kOf, [&] { return builder_.Pure((up ? kAddOverflow : kSubOverflow).At(width), {left, one, result}); });
+  Flag(kAf, [&] {
+    return builder_.Pure(OpKind::kHalfCarry8,
+                         {builder_.ToWidth(left, 8), builder_.Byte(1), builder_.ToWidth(result, 8)});
+  });
   ResultFlags(result, width);
 }
 
@@ -215,12 +222,15 @@ void Lowering::Negate(const Instruction& instruction) {
   const uint32_t width = target.width;
   const Reach reach = ReachOfTarget(target);
   const ValueId value = ReadAt(target, reach);
-  const ValueId zero = Constant(0, width);
-  const ValueId result = Pure(kSub.At(width), {zero, value});
+  const ValueId zero = builder_.Constant(0, width);
+  const ValueId result = builder_.Pure(kSub.At(width), {zero, value});
   WriteAt(target, reach, result);
-  Flag(kCf, [&] { return Not(IsZero(value, width)); });
-  Flag(kOf, [&] { return Pure(kSubOverflow.At(width), {zero, value, result}); });
-  Flag(kAf, [&] { return Pure(OpKind::kHalfCarry8, {Byte(0), ToWidth(value, 8), ToWidth(result, 8)}); });
+  Flag(kCf, [&] { return builder_.Not(IsZero(value, width)); });
+  Flag(kOf, [&] { return builder_.Pure(kSubOverflow.At(width), {zero, value, result}); });
+  Flag(kAf, [&] {
+    return builder_.Pure(OpKind::kHalfCarry8,
+                         {builder_.Byte(0), builder_.ToWidth(value, 8), builder_.ToWidth(result, 8)});
+  });
   ResultFlags(result, width);
 }
 
@@ -242,9 +252,9 @@ void Lowering::Exchange(const Instruction& instruction) {
 void Lowering::Extend(const Instruction& instruction) {
   const Operand &target = tree_.OperandOf(instruction, 0), &source = tree_.OperandOf(instruction, 1);
   const ValueId value = Read(source);
-  if (instruction.op == Op::kMovzx) return Write(target, ToWidth(value, target.width));
-  if (source.width == 8 && target.width == 16) return Write(target, Pure(OpKind::kSignExtend8To16, {value}));
-  Write(target, SignedTo32(value));
+  if (instruction.op == Op::kMovzx) return Write(target, builder_.ToWidth(value, target.width));
+  if (source.width == 8 && target.width == 16) return Write(target, builder_.Pure(OpKind::kSignExtend8To16, {value}));
+  Write(target, builder_.SignedTo32(value));
 }
 
 /// Each depth of the stack is a local of its own; subprograms use those behind their callers'.
@@ -265,15 +275,15 @@ void Lowering::Pop(const Instruction& instruction) {
 }
 
 void Lowering::LoopJump(const Instruction& instruction) {
-  ValueId count = ReadRegister(Register::kCx);
+  ValueId count = registers_.Read(Register::kCx);
   OpKind test = OpKind::kEqual16;
   if (instruction.op == Op::kLoop) {
-    count = Pure(OpKind::kSub16, {count, Constant(1, 16)});
-    WriteRegister(Register::kCx, count);
+    count = builder_.Pure(OpKind::kSub16, {count, builder_.Constant(1, 16)});
+    registers_.Write(Register::kCx, count);
     test = OpKind::kNotEqual16;
   }
-  const ValueId condition = Pure(test, {count, Constant(0, 16)});
-  SpillAll();
+  const ValueId condition = builder_.Pure(test, {count, builder_.Constant(0, 16)});
+  registers_.Spill();
   Jump(TargetOf(instruction), condition);
 }
 

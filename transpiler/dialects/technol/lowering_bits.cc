@@ -11,7 +11,7 @@ using ir::ValueId;
 
 ValueId Lowering::ReadBit(const Operand& operand) {
   const ValueId value = builder_.Load(PlaceAt(operand));
-  return operand.negated ? Not(value) : value;
+  return operand.negated ? builder_.Not(value) : value;
 }
 
 /// With mech-clear=abort a cleared mechanism is as after MECH_INIT, and one that clears itself is left.
@@ -22,20 +22,20 @@ void Lowering::WriteBit(const Operand& operand, ValueId value) {
     Rewind(operand.mechanism);
     LeaveStopped(operand.mechanism);
   };
-  const std::optional<uint64_t> known = KnownValue(value);
+  const std::optional<uint64_t> known = builder_.KnownValue(value);
   if (known) {
     if (*known == 0) builder_.When(builder_.Bit(1), rewind);
     return;
   }
-  builder_.When(Not(value), rewind);
+  builder_.When(builder_.Not(value), rewind);
 }
 
 void Lowering::SetFlag(const Instruction& instruction) {
   const Operand& bit = tree_.OperandOf(instruction, 1);
   const auto set = [&] { WriteBit(bit, builder_.Bit(static_cast<uint64_t>(tree_.OperandOf(instruction, 0).value))); };
   if (instruction.op == Op::kFl) return set();
-  const ValueId rlo = rlo_->Get();
-  builder_.When(instruction.op == Op::kFl1 ? rlo : Not(rlo), set);
+  const ValueId rlo = registers_.rlo().Get();
+  builder_.When(instruction.op == Op::kFl1 ? rlo : builder_.Not(rlo), set);
 }
 
 InstructionId Lowering::TargetOf(const Instruction& instruction) const {
@@ -61,7 +61,7 @@ void Lowering::Jump(InstructionId target, ValueId condition) {
 
 void Lowering::JumpToEntry(size_t step, ValueId condition, ir::RegionId refused) {
   const auto go = [&] {
-    builder_.Store(chosen_, Constant(step, 16));
+    builder_.Store(chosen_, builder_.Constant(step, 16));
     builder_.Repeat(loop_, {}, refused);
   };
   if (!condition.valid()) return go();
@@ -77,26 +77,26 @@ void Lowering::LeaveAll() {
 }
 
 void Lowering::JumpIfRlo(const Instruction& instruction, bool wanted) {
-  const ValueId rlo = rlo_->Get();
-  SpillAll();
-  Jump(TargetOf(instruction), wanted ? rlo : Not(rlo));
-  rlo_->Know(wanted ? 0 : 1);  // a jump that is not taken tells its condition
+  const ValueId rlo = registers_.rlo().Get();
+  registers_.Spill();
+  Jump(TargetOf(instruction), wanted ? rlo : builder_.Not(rlo));
+  registers_.rlo().Know(wanted ? 0 : 1);  // a jump that is not taken tells its condition
 }
 
 void Lowering::Call(const Instruction& instruction) {
   const uint32_t callee = *flow_.CalleeOf(instruction);
   const Body& body = bodies_[body_of_subprogram_[callee]];
-  SpillAll();
+  registers_.Spill();
   std::vector<ValueId> arguments;
   if (body.entry.valid()) {
     uint64_t entry = 0;
     while (body.subprograms[entry] != callee) ++entry;
-    arguments.push_back(Byte(entry));
+    arguments.push_back(builder_.Byte(entry));
   }
   const bool may_be_stopped = body_->stopped_by_callee && MayStop(body, body_->unit);
   if (may_be_stopped) builder_.Store(StoppedPlace(body_->unit), builder_.Bit(0));
   const ValueId left = builder_.CallRoutine(body.routine, std::move(arguments));
-  ForgetAll();
+  registers_.Forget();
   if (body.leaves && body_->unit.valid()) {
     end_is_used_ = true;
     builder_.Jump(kEndLabel, left);
@@ -109,7 +109,7 @@ void Lowering::Call(const Instruction& instruction) {
 }
 
 void Lowering::Return() {
-  SpillAll();
+  registers_.Spill();
   if (index_in_body_.at(now_.index) + 1 == body_->instructions.size()) return;
   end_is_used_ = true;
   builder_.Jump(kEndLabel);
@@ -121,12 +121,12 @@ void Lowering::RaiseError(const Instruction& instruction) {
     return static_cast<uint64_t>(tree_.OperandOf(instruction, index).value);
   };
   const auto stored = [&](uint64_t value) {
-    if (settings_.eset == EsetForm::kBinary) return Byte(value);
+    if (settings_.eset == EsetForm::kBinary) return builder_.Byte(value);
     return builder_.Constant(Type::kI8, value / 10 * 16 + value % 10, 16);
   };
   builder_.Store(SystemPlace("BZH11"), stored(number(0)));
   builder_.Store(SystemPlace("BZH22"), stored(number(1)));
-  host_(HostCall::kErrorRaised, {Byte(number(0)), Byte(number(1))});
+  host_(HostCall::kErrorRaised, {builder_.Byte(number(0)), builder_.Byte(number(1))});
 }
 
 }  // namespace plcxx::technol

@@ -75,10 +75,10 @@ void Lowering::AddBodyRoutines() {
 void Lowering::BeginBody(Body& body) {
   builder_.SetRegion(program_.routines[body.routine].body);
   builder_.SetRange({});
-  BeginRegisters();
+  registers_.Begin([this](std::string_view name, Type type) { return Local(name, type); });
   if (body.unit.valid()) {
-    ZeroRegisters();
-    if (body.loops) builder_.Store(Local("rounds_left", Type::kI32), Number(settings_.loop_limit));
+    registers_.Zero();
+    if (body.loops) builder_.Store(Local("rounds_left", Type::kI32), builder_.Number(settings_.loop_limit));
   } else if (body.leaves) {
     builder_.Store(Local("left", Type::kBit), builder_.Bit(0));
   }
@@ -108,7 +108,7 @@ void Lowering::BeginBody(Body& body) {
 ir::ValueId Lowering::ChosenEntry(const Body& body) {
   if (body.entry.valid()) return builder_.Load(body.entry);
   if (body.entries.empty()) return {};
-  SpillAll();
+  registers_.Spill();
   if (!body.goes_back) return builder_.Load(StepPlace(body.unit));
   // The step itself stays until a wait: a mechanism that the guard leaves keeps the one with which it came (6.4).
   chosen_ = OwnLocal("step", Type::kI16);
@@ -146,17 +146,17 @@ void Lowering::BeginStretches(const Body& body) {
   choice.cases.back().falls_through = false;
   builder_.SwitchOn(step, std::move(choice));
   if (body.tail) stretches_[*body.tail].region = body.tail_goes_back ? builder_.region() : around;
-  ForgetAll();
+  registers_.Forget();
 }
 
 /// A label that begins a stretch also ends the one before it, for the jumps in that.
 void Lowering::EnterStretch(InstructionId id) {
   const auto found = stretches_.find(id);
   if (found == stretches_.end()) return;
-  SpillAll();
+  registers_.Spill();
   if (found->second.is_jumped_to) builder_.Label(EndOfStretch(id));
   builder_.SetRegion(found->second.region);
-  ForgetAll();
+  registers_.Forget();
 }
 
 void Lowering::LowerBody(Body& body) {
@@ -202,9 +202,9 @@ void Lowering::Execute(InstructionId id) {
   wanted_flags_ = flow_.LiveBehind(id) & kFlags;
   EnterStretch(id);
   if (label_at_[index]) {
-    SpillAll();
+    registers_.Spill();
     builder_.Label(id.index + 1);
-    ForgetAll();
+    registers_.Forget();
   }
   const bool ends_module = instruction.op == Op::kModuleEnd && !Info(tree_.units[body_->unit].module).waits;
   if (ends_module) {
@@ -213,7 +213,7 @@ void Lowering::Execute(InstructionId id) {
     return;
   }
   if (begins_statement_[index]) {  // as each label does
-    EndStatementOfAll();
+    registers_.EndStatement();
     compared_ = {};
     size_t end = index + 1;
     while (end < begins_statement_.size() && !begins_statement_[end]) ++end;
@@ -247,12 +247,12 @@ void Lowering::Dispatch(const Instruction& instruction) {
   using dialects::Join;
   const auto combine = [&](Join join) {
     const ir::ValueId operand = ReadBit(tree_.OperandOf(instruction, 0));
-    rlo_->Set(dialects::Joined(builder_, join, rlo_->Get(), operand));
+    registers_.rlo().Set(dialects::Joined(builder_, join, registers_.rlo().Get(), operand));
   };
   if (Info(instruction.op).assembler) return Assemble(instruction);
   switch (instruction.op) {
     case Op::kLdr:
-      return rlo_->Set(ReadBit(tree_.OperandOf(instruction, 0)));
+      return registers_.rlo().Set(ReadBit(tree_.OperandOf(instruction, 0)));
     case Op::kLa:
       return combine(Join::kAnd);
     case Op::kLo:
@@ -260,7 +260,7 @@ void Lowering::Dispatch(const Instruction& instruction) {
     case Op::kLx:
       return combine(Join::kXor);
     case Op::kWr:
-      return WriteBit(tree_.OperandOf(instruction, 0), rlo_->Get());
+      return WriteBit(tree_.OperandOf(instruction, 0), registers_.rlo().Get());
     case Op::kFl:
     case Op::kFl1:
     case Op::kFl0:
@@ -332,7 +332,7 @@ void Lowering::Dispatch(const Instruction& instruction) {
       return RaiseError(instruction);
     case Op::kMechanismBegin:
       CallMechanism(*BodyOfMechanism(instruction.mechanism));
-      return ZeroRegisters();
+      return registers_.Zero();
     case Op::kMechanismEnd:
       return EndMechanism(body_->unit);
     case Op::kModuleEnd:

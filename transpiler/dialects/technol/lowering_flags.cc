@@ -24,15 +24,15 @@ constexpr SignedRow kSigned32 = {OpKind::kSignedLess32, OpKind::kSignedLessEqual
 }  // namespace
 
 ValueId Lowering::Sign(ValueId value, uint32_t width) {
-  if (width == 8) return Pure(OpKind::kSignBit8, {value});
-  return Pure(OpKind::kTestBit32, {ToWidth(value, 32), Number(width - 1)});
+  if (width == 8) return builder_.Pure(OpKind::kSignBit8, {value});
+  return builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(value, 32), builder_.Number(width - 1)});
 }
 
 ValueId Lowering::IsZero(ValueId value, uint32_t width) {
-  return Pure(width == 8    ? OpKind::kEqual8
-              : width == 16 ? OpKind::kEqual16
-                            : OpKind::kEqual32,
-              {value, Constant(0, width)});
+  return builder_.Pure(width == 8    ? OpKind::kEqual8
+                       : width == 16 ? OpKind::kEqual16
+                                     : OpKind::kEqual32,
+                       {value, builder_.Constant(0, width)});
 }
 
 void Lowering::ResultFlags(ValueId result, uint32_t width) {
@@ -48,57 +48,56 @@ void Lowering::UndefineFlags(Resources flags) {
   }
 }
 
-ValueId Lowering::FlagValue(Resources flag) {
-  uint32_t number = 0;
-  while (kCf << number != flag) ++number;
-  return flags_[number]->Get();
-}
+ValueId Lowering::FlagValue(Resources flag) { return registers_.Flag(flag).Get(); }
 
 ValueId Lowering::Condition(Op op) {
   const bool known = compared_.left.valid();
   const SignedRow& row = compared_.width == 8 ? kSigned8 : compared_.width == 16 ? kSigned16 : kSigned32;
-  const auto compare = [&](OpKind kind) { return Pure(kind, {compared_.left, compared_.right}); };
+  const auto compare = [&](OpKind kind) { return builder_.Pure(kind, {compared_.left, compared_.right}); };
   const auto unsigned_compare = [&](OpKind kind) {
-    return Pure(kind, {ToWidth(compared_.left, 32), ToWidth(compared_.right, 32)});
+    return builder_.Pure(kind, {builder_.ToWidth(compared_.left, 32), builder_.ToWidth(compared_.right, 32)});
   };
-  const auto less = [&] { return known ? compare(row.less) : Pure(OpKind::kBitXor, {FlagValue(kSf), FlagValue(kOf)}); };
+  const auto less = [&] {
+    return known ? compare(row.less) : builder_.Pure(OpKind::kBitXor, {FlagValue(kSf), FlagValue(kOf)});
+  };
   const auto less_equal = [&] {
     if (known) return compare(row.less_equal);
-    return Pure(OpKind::kBitOr, {FlagValue(kZf), Pure(OpKind::kBitXor, {FlagValue(kSf), FlagValue(kOf)})});
+    return builder_.Pure(OpKind::kBitOr,
+                         {FlagValue(kZf), builder_.Pure(OpKind::kBitXor, {FlagValue(kSf), FlagValue(kOf)})});
   };
   const auto below_equal = [&] {
     if (known) return unsigned_compare(OpKind::kLessEqual32);
-    return Pure(OpKind::kBitOr, {FlagValue(kCf), FlagValue(kZf)});
+    return builder_.Pure(OpKind::kBitOr, {FlagValue(kCf), FlagValue(kZf)});
   };
   switch (op) {
     case Op::kJe:
       return known ? unsigned_compare(OpKind::kEqual32) : FlagValue(kZf);
     case Op::kJne:
-      return known ? unsigned_compare(OpKind::kNotEqual32) : Not(FlagValue(kZf));
+      return known ? unsigned_compare(OpKind::kNotEqual32) : builder_.Not(FlagValue(kZf));
     case Op::kJc:
       return known ? unsigned_compare(OpKind::kLess32) : FlagValue(kCf);
     case Op::kJnc:
-      return known ? unsigned_compare(OpKind::kGreaterEqual32) : Not(FlagValue(kCf));
+      return known ? unsigned_compare(OpKind::kGreaterEqual32) : builder_.Not(FlagValue(kCf));
     case Op::kJa:
-      return known ? unsigned_compare(OpKind::kGreater32) : Not(below_equal());
+      return known ? unsigned_compare(OpKind::kGreater32) : builder_.Not(below_equal());
     case Op::kJbe:
       return below_equal();
     case Op::kJg:
-      return known ? compare(row.greater) : Not(less_equal());
+      return known ? compare(row.greater) : builder_.Not(less_equal());
     case Op::kJle:
       return less_equal();
     case Op::kJge:
-      return known ? compare(row.greater_equal) : Not(less());
+      return known ? compare(row.greater_equal) : builder_.Not(less());
     case Op::kJl:
       return less();
     case Op::kJs:
       return FlagValue(kSf);
     case Op::kJns:
-      return Not(FlagValue(kSf));
+      return builder_.Not(FlagValue(kSf));
     case Op::kJo:
       return FlagValue(kOf);
     case Op::kJno:
-      return Not(FlagValue(kOf));
+      return builder_.Not(FlagValue(kOf));
     default:
       PLCXX_UNREACHABLE();
   }

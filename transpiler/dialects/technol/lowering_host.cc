@@ -134,8 +134,8 @@ constexpr NcTable kNcTables[] = {{1, 5, 1, 99}, {2, 6, 53, 59}, {6, 1, 0, 95}};
 void Lowering::AddHostFunctions() { host_.Add(HostRows()); }
 
 void Lowering::CallFault(Fault fault) {
-  const ValueId kind = Byte(static_cast<uint64_t>(fault));
-  host_(HostCall::kFault, {kind, Number(program_.statements[statement_].id)});
+  const ValueId kind = builder_.Byte(static_cast<uint64_t>(fault));
+  host_(HostCall::kFault, {kind, builder_.Number(program_.statements[statement_].id)});
 }
 
 /// Whether the program can set a request: by its bit, its byte, or an index.
@@ -169,41 +169,45 @@ void Lowering::CheckNcTable(const std::function<void(std::vector<ValueId>)>& tra
   };
   const ValueId version = field(0, Type::kI8), mode = field(1, Type::kI8), table = field(2, Type::kI8),
                 column = field(3, Type::kI8), row = field(4, Type::kI8), data = field(5, Type::kI32);
-  const auto is_table = [&](const NcTable& known) { return Pure(OpKind::kEqual8, {table, Byte(known.number)}); };
+  const auto is_table = [&](const NcTable& known) {
+    return builder_.Pure(OpKind::kEqual8, {table, builder_.Byte(known.number)});
+  };
   const auto outside = [&](ValueId value, uint64_t low, uint64_t high) {
-    const ValueId above = Pure(OpKind::kGreater8, {value, Byte(high)});
-    return low == 0 ? above : Pure(OpKind::kBitOr, {Pure(OpKind::kLess8, {value, Byte(low)}), above});
+    const ValueId above = builder_.Pure(OpKind::kGreater8, {value, builder_.Byte(high)});
+    return low == 0
+               ? above
+               : builder_.Pure(OpKind::kBitOr, {builder_.Pure(OpKind::kLess8, {value, builder_.Byte(low)}), above});
   };
   /// Whether what `bad` tells of the table holds for the one that is named.
   const auto in_its_table = [&](const std::function<ValueId(const NcTable&)>& bad) {
     ValueId any;
     for (const NcTable& known : kNcTables) {
-      const ValueId here = Pure(OpKind::kBitAnd, {is_table(known), bad(known)});
-      any = any.valid() ? Pure(OpKind::kBitOr, {any, here}) : here;
+      const ValueId here = builder_.Pure(OpKind::kBitAnd, {is_table(known), bad(known)});
+      any = any.valid() ? builder_.Pure(OpKind::kBitOr, {any, here}) : here;
     }
     return any;
   };
   const std::function<ValueId()> bad[] = {
-      [&] { return Pure(OpKind::kNotEqual8, {version, Byte(1)}); },
+      [&] { return builder_.Pure(OpKind::kNotEqual8, {version, builder_.Byte(1)}); },
       [&] { return outside(mode, 0, 1); },
       [&] {
         ValueId none;
         for (const NcTable& known : kNcTables) {
-          const ValueId other = Pure(OpKind::kNotEqual8, {table, Byte(known.number)});
-          none = none.valid() ? Pure(OpKind::kBitAnd, {none, other}) : other;
+          const ValueId other = builder_.Pure(OpKind::kNotEqual8, {table, builder_.Byte(known.number)});
+          none = none.valid() ? builder_.Pure(OpKind::kBitAnd, {none, other}) : other;
         }
         return none;
       },
       [&] { return in_its_table([&](const NcTable& known) { return outside(column, 1, known.last_column); }); },
       [&] { return in_its_table([&](const NcTable& known) { return outside(row, known.first_row, known.last_row); }); },
       [&] {
-        const ValueId digits = Pure(OpKind::kAnd32, {data, builder_.Constant(Type::kI32, 0x7FFFFFFF, 16)});
-        return Pure(OpKind::kHasNoDigit32, {digits});
+        const ValueId digits = builder_.Pure(OpKind::kAnd32, {data, builder_.Constant(Type::kI32, 0x7FFFFFFF, 16)});
+        return builder_.Pure(OpKind::kHasNoDigit32, {digits});
       }};
   const std::function<void(size_t)> check = [&](size_t number) {
     if (number == std::size(bad)) return transfer({version, mode, table, column, row, data});
     builder_.Choose(
-        bad[number](), [&] { host_(HostCall::kNcTableRefused, {Byte(number)}); }, [&] { check(number + 1); });
+        bad[number](), [&] { host_(HostCall::kNcTableRefused, {builder_.Byte(number)}); }, [&] { check(number + 1); });
   };
   check(0);
 }
@@ -216,8 +220,9 @@ void Lowering::Requests() {
     if (!CanRequest(row.bit)) continue;
     const ir::PlaceId bit = SystemPlace(row.bit);
     const auto ask = [&] {
-      const ValueId result = host_(HostCall::kRequest, {Byte(i)});
-      builder_.When(Pure(OpKind::kEqual8, {result, Byte(kRequestDone)}), [&] { builder_.Store(bit, builder_.Bit(0)); });
+      const ValueId result = host_(HostCall::kRequest, {builder_.Byte(i)});
+      builder_.When(builder_.Pure(OpKind::kEqual8, {result, builder_.Byte(kRequestDone)}),
+                    [&] { builder_.Store(bit, builder_.Bit(0)); });
     };
     builder_.When(builder_.Load(bit), [&] {
       if (row.data != HostCall::kSetNcTable) {

@@ -13,7 +13,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "transpiler/dialects/common/builder.h"
 #include "transpiler/dialects/common/host_calls.h"
 #include "transpiler/dialects/common/logic_stack.h"
 #include "transpiler/dialects/common/register.h"
@@ -22,6 +21,8 @@
 #include "transpiler/dialects/technol/lowering.h"
 #include "transpiler/dialects/technol/lowering_body.h"
 #include "transpiler/dialects/technol/memory.h"
+#include "transpiler/dialects/technol/register_file.h"
+#include "transpiler/dialects/technol/value_builder.h"
 #include "transpiler/ir/facts.h"
 
 namespace plcxx::technol {
@@ -192,30 +193,6 @@ class Lowering {
   ir::ValueId Condition(Op op);
   ir::ValueId FlagValue(Resources flag);
 
-  // --- registers (lowering_registers.cc) ---
-  void BeginRegisters();
-  void ZeroRegisters();
-  ir::ValueId ReadRegister(Register reg);
-  void WriteRegister(Register reg, ir::ValueId value);
-  void SpillAll();
-  void ForgetAll();
-  void EndStatementOfAll();
-  template <class Visit>
-  void ForEachRegister(Visit&& visit);
-  /// Choose, where the arms set registers.
-  template <class Then, class Otherwise>
-  void SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& otherwise);
-  /// Parts of a value that are known where it was put together.
-  ir::ValueId Low16(ir::ValueId value);
-  ir::ValueId High16(ir::ValueId value);
-  ir::ValueId Low8(ir::ValueId value);
-  ir::ValueId High8(ir::ValueId value);
-  /// Zero-extended, sign-extended or cut to 8, 16 or 32 bits.
-  ir::ValueId ToWidth(ir::ValueId value, uint32_t width);
-  ir::ValueId SignedTo32(ir::ValueId value);
-  uint32_t WidthOf(ir::ValueId value) const;
-  std::optional<uint64_t> KnownValue(ir::ValueId value) const;
-
   // --- memory (lowering_places.cc) ---
   /// A value of the operand's width: memory, constant or register.
   ir::ValueId Read(const Operand& operand);
@@ -252,13 +229,6 @@ class Lowering {
   /// The same, but of the routine alone.
   ir::PlaceId OwnLocal(std::string name, ir::Type type);
 
-  ir::ValueId Constant(uint64_t value, uint32_t width, uint32_t base = 10);
-  ir::ValueId Byte(uint64_t value) { return Constant(value, 8); }
-  ir::ValueId Number(uint64_t value) { return Constant(value, 32); }
-  ir::ValueId Pure(ir::OpKind op, std::initializer_list<ir::ValueId> operands) { return builder_.Pure(op, operands); }
-  ir::ValueId Not(ir::ValueId bit) { return dialects::Inverted(builder_, bit); }
-  /// Runs `body` in a new region that is executed when `condition` is 1.
-
   // --- the host (lowering_host.cc), the schedule (lowering_schedule.cc) ---
   void CallFault(Fault fault);
   /// With --set bounds=trap a fault leaves everything.
@@ -287,8 +257,9 @@ class Lowering {
   const Settings& settings_;
   const source::SourceManager& sources_;
   ir::Program program_;
-  dialects::Builder builder_{program_};
+  ValueBuilder builder_{program_};
   ir::FactChecks facts_{builder_};
+  RegisterFile registers_{builder_, facts_};
   Memory memory_;
 
   std::vector<Body> bodies_;
@@ -310,10 +281,6 @@ class Lowering {
   ir::StatementId statement_;
   std::unordered_map<uint32_t, size_t> index_in_body_;
 
-  std::array<bool, kWholeRegisters> wide_{};  // somebody reads the upper half
-  std::optional<dialects::Register> rlo_;
-  std::array<std::optional<dialects::Register>, kFlagCount> flags_;
-  std::array<std::optional<dialects::Register>, kWholeRegisters> registers_;
   /// What the last difference or logic operation of this statement compared.
   struct {
     ir::ValueId left, right;  // none: nothing
@@ -338,43 +305,23 @@ class Lowering {
   source::Range last_lines_;                                  // of the statement before
 };
 
-template <class Then, class Otherwise>
-void Lowering::SplitRegisters(ir::ValueId condition, Then&& run, Otherwise&& otherwise) {
-  SpillAll();
-  ForgetAll();
-  const auto arm = [this](auto&& body) {
-    body();
-    SpillAll();
-    ForgetAll();
-  };
-  builder_.Choose(condition, [&] { arm(run); }, [&] { arm(otherwise); });
-}
-
-template <class Visit>
-void Lowering::ForEachRegister(Visit&& visit) {
-  visit(*rlo_);
-  for (auto& flag : flags_) visit(*flag);
-  for (auto& reg : registers_) visit(*reg);
-}
-
 template <class Compute>
 void Lowering::KeepUnless(Resources flag, ir::ValueId count, Compute&& compute) {
   if (!Wants(flag)) return Flag(flag, compute);
   const ir::ValueId old = FlagValue(flag);
-  const ir::ValueId moves = Pure(ir::OpKind::kNotEqual32, {count, Number(0)});
-  const ir::ValueId changed = Pure(ir::OpKind::kBitAnd, {moves, compute()});
-  const ir::ValueId kept = Pure(ir::OpKind::kBitAnd, {Not(moves), old});
-  Flag(flag, [&] { return Pure(ir::OpKind::kBitOr, {changed, kept}); });
+  const ir::ValueId moves = builder_.Pure(ir::OpKind::kNotEqual32, {count, builder_.Number(0)});
+  const ir::ValueId changed = builder_.Pure(ir::OpKind::kBitAnd, {moves, compute()});
+  const ir::ValueId kept = builder_.Pure(ir::OpKind::kBitAnd, {builder_.Not(moves), old});
+  Flag(flag, [&] { return builder_.Pure(ir::OpKind::kBitOr, {changed, kept}); });
 }
 
 template <class Compute>
 void Lowering::Flag(Resources flag, Compute&& compute) {
-  uint32_t number = 0;
-  while (kCf << number != flag) ++number;
+  dialects::Register& reg = registers_.Flag(flag);
   if (Wants(flag)) {
-    flags_[number]->Set(compute());
+    reg.Set(compute());
   } else {
-    flags_[number]->Forget();  // nobody asks
+    reg.Forget();  // nobody asks
   }
 }
 

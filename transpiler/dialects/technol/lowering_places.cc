@@ -14,18 +14,11 @@ using ir::ValueId;
 
 namespace {
 
-Type TypeOf(uint32_t width) { return width == 8 ? Type::kI8 : width == 16 ? Type::kI16 : Type::kI32; }
-
 std::string_view PrefixOf(uint32_t width) { return width == 8 ? "BYTE" : width == 16 ? "WORD" : "DWRD"; }
 
 constexpr uint32_t kFirstLocal = 256;  // bytes of the registers' space below are RLO, flags and registers
 
 }  // namespace
-
-ValueId Lowering::Constant(uint64_t value, uint32_t width, uint32_t base) {
-  const uint64_t mask = width == 32 ? 0xFFFFFFFFU : width == 16 ? 0xFFFFU : 0xFFU;
-  return builder_.Constant(TypeOf(width), value & mask, base);
-}
 
 const Symbol* Lowering::FindSymbol(std::string_view name) const {
   const auto found = std::find_if(tree_.symbols.begin(), tree_.symbols.end(),
@@ -147,19 +140,21 @@ Lowering::Reach Lowering::ReachOf(const Operand& operand) {
   const Address& address = operand.address;
   if (operand.kind != OperandKind::kMemory || address.index == Register::kNone) return {PlaceAt(operand), {}};
   const uint32_t size = BytesOf(tree_, address.area), bytes = operand.width / 8U;
-  ValueId index = ReadRegister(address.index);
+  ValueId index = registers_.Read(address.index);
   if (Info(address.index).width == 16) {
-    const auto known = KnownValue(index);
-    index = known ? Number(*known > 0x7FFF ? *known | 0xFFFF0000U : *known) : Pure(OpKind::kSignExtend16To32, {index});
+    const auto known = builder_.KnownValue(index);
+    index = known ? builder_.Number(*known > 0x7FFF ? *known | 0xFFFF0000U : *known)
+                  : builder_.Pure(OpKind::kSignExtend16To32, {index});
   }
   const bool at_base = address.offset >= 0 && address.offset < size;
   const Bounds32 bounds = BoundsOf(index);
   const bool inside = bounds.low + address.offset >= 0 && bounds.high + address.offset + bytes <= size;
   if (!inside) {
     const auto offset = static_cast<uint64_t>(address.offset);
-    const ValueId at = address.offset == 0 ? index : Pure(OpKind::kAdd32, {index, Number(offset)});
+    const ValueId at = address.offset == 0 ? index : builder_.Pure(OpKind::kAdd32, {index, builder_.Number(offset)});
     // Without a sign: what is below 0 is above everything else.
-    const ValueId outside = bytes > size ? builder_.Bit(1) : Pure(OpKind::kGreater32, {at, Number(size - bytes)});
+    const ValueId outside =
+        bytes > size ? builder_.Bit(1) : builder_.Pure(OpKind::kGreater32, {at, builder_.Number(size - bytes)});
     builder_.When(outside, [&] {
       CallFault(Fault::kBounds);
       if (settings_.bounds == Bounds::kTrap) LeaveAll();
@@ -167,10 +162,11 @@ Lowering::Reach Lowering::ReachOf(const Operand& operand) {
     if (!at_base) index = at;
   } else {
     if (facts_.on()) {
-      const ValueId at = Pure(OpKind::kAdd32, {index, Number(static_cast<uint64_t>(address.offset))});
-      facts_.Check(ir::FactKind::kIndex, Pure(OpKind::kLessEqual32, {at, Number(size - bytes)}), at);
+      const ValueId at = builder_.Pure(OpKind::kAdd32, {index, builder_.Number(static_cast<uint64_t>(address.offset))});
+      facts_.Check(ir::FactKind::kIndex, builder_.Pure(OpKind::kLessEqual32, {at, builder_.Number(size - bytes)}), at);
     }
-    if (!at_base) index = Pure(OpKind::kAdd32, {index, Number(static_cast<uint64_t>(address.offset))});
+    if (!at_base)
+      index = builder_.Pure(OpKind::kAdd32, {index, builder_.Number(static_cast<uint64_t>(address.offset))});
   }
   return {IndexedPlace(operand, at_base ? static_cast<uint32_t>(address.offset) : 0), index};
 }
@@ -178,11 +174,11 @@ Lowering::Reach Lowering::ReachOf(const Operand& operand) {
 ValueId Lowering::Read(const Operand& operand) {
   switch (operand.kind) {
     case OperandKind::kRegister:
-      return ReadRegister(operand.reg);
+      return registers_.Read(operand.reg);
     case OperandKind::kConstant: {
       const std::string_view text = sources_.Text(operand.range);
       const bool hexadecimal = !text.empty() && (text.back() == 'h' || text.back() == 'H');
-      return Constant(static_cast<uint64_t>(operand.value), operand.width, hexadecimal ? 16 : 10);
+      return builder_.Constant(static_cast<uint64_t>(operand.value), operand.width, hexadecimal ? 16 : 10);
     }
     case OperandKind::kMemory: {
       const Reach reach = ReachOf(operand);
@@ -204,21 +200,21 @@ ValueId Lowering::ReadAs(const Operand& operand, uint32_t width) {
     wide.width = static_cast<uint8_t>(width);
     return Read(wide);
   }
-  return ToWidth(Read(operand), width);
+  return builder_.ToWidth(Read(operand), width);
 }
 
 void Lowering::Write(const Operand& operand, ValueId value) {
-  if (operand.kind == OperandKind::kRegister) return WriteRegister(operand.reg, value);
+  if (operand.kind == OperandKind::kRegister) return registers_.Write(operand.reg, value);
   const Reach reach = ReachOf(operand);
   builder_.Store(reach.place, value, reach.index);
 }
 
 ValueId Lowering::ReadAt(const Operand& operand, const Reach& reach) {
-  return reach.place.valid() ? builder_.Load(reach.place, reach.index) : ReadRegister(operand.reg);
+  return reach.place.valid() ? builder_.Load(reach.place, reach.index) : registers_.Read(operand.reg);
 }
 
 void Lowering::WriteAt(const Operand& operand, const Reach& reach, ValueId value) {
-  if (!reach.place.valid()) return WriteRegister(operand.reg, value);
+  if (!reach.place.valid()) return registers_.Write(operand.reg, value);
   builder_.Store(reach.place, value, reach.index);
 }
 

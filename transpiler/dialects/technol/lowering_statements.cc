@@ -179,7 +179,7 @@ void Lowering::BeginStatement(size_t first, size_t end) {
 /// What stands in front of the end of a module belongs to no instruction.
 void Lowering::EndComments(const Body& /*body*/) {
   if (waiting_comments_.empty()) return;
-  EndStatementOfAll();
+  registers_.EndStatement();
   const source::Range place{waiting_comments_.front().begin, waiting_comments_.front().begin};
   ir::Statement statement{.range = place, .comments = std::exchange(waiting_comments_, {}), .subject = {}, .id = 0};
   dialects::TextHash hash;

@@ -61,7 +61,7 @@ void Lowering::Leave(InstructionId resume) {
   const bool begins = at == body_->entries.end() || *at != resume;  // as if nothing had run
   if (!body_->entries.empty()) {
     const auto step = begins ? 0 : static_cast<uint64_t>(at - body_->entries.begin()) + 1;
-    builder_.Store(StepPlace(body_->unit), Constant(step, 16));
+    builder_.Store(StepPlace(body_->unit), builder_.Constant(step, 16));
   }
   end_is_used_ = true;
   builder_.Jump(kEndLabel);
@@ -69,14 +69,14 @@ void Lowering::Leave(InstructionId resume) {
 
 void Lowering::Wait() {
   Leave(flow_.ResumeOf(now_));
-  ForgetAll();  // nothing survives
+  registers_.Forget();  // nothing survives
 }
 
 void Lowering::WaitFor(const Instruction& /*instruction*/, uint64_t rlo) {
-  const ValueId value = rlo_->Get();
-  SpillAll();
-  builder_.When(rlo == 0 ? value : Not(value), [&] { Leave(flow_.ResumeOf(now_)); });
-  rlo_->Know(rlo);
+  const ValueId value = registers_.rlo().Get();
+  registers_.Spill();
+  builder_.When(rlo == 0 ? value : builder_.Not(value), [&] { Leave(flow_.ResumeOf(now_)); });
+  registers_.rlo().Know(rlo);
 }
 
 /// 16 bits: a constant, or a word that is looked at in each pass.
@@ -84,50 +84,51 @@ ValueId Lowering::TimerLimit(const Operand& operand) { return ReadAs(operand, 16
 
 void Lowering::WaitAtMost(const Instruction& instruction, uint64_t rlo) {
   const Operand& cell = tree_.OperandOf(instruction, 0);
-  const ValueId value = rlo_->Get();
+  const ValueId value = registers_.rlo().Get();
   const Reach timer = ReachOf(cell);
   const ValueId limit = TimerLimit(tree_.OperandOf(instruction, 1));
-  const ValueId zero = Constant(0, 16), one = Constant(1, 16);
-  SpillAll();
-  builder_.When(rlo == 0 ? value : Not(value), [&] {
+  const ValueId zero = builder_.Constant(0, 16), one = builder_.Constant(1, 16);
+  registers_.Spill();
+  builder_.When(rlo == 0 ? value : builder_.Not(value), [&] {
     const auto expire = [&] {
       builder_.Store(timer.place, zero, timer.index);
       Jump(TargetOf(instruction), {});
     };
-    if (KnownValue(limit) == 0) return expire();
+    if (builder_.KnownValue(limit) == 0) return expire();
     const ValueId count = builder_.Load(timer.place, timer.index);
-    builder_.When(Pure(OpKind::kGreaterEqual32, {ToWidth(count, 32), ToWidth(limit, 32)}), expire);
-    builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, one}), timer.index);
+    builder_.When(builder_.Pure(OpKind::kGreaterEqual32, {builder_.ToWidth(count, 32), builder_.ToWidth(limit, 32)}),
+                  expire);
+    builder_.Store(timer.place, builder_.Pure(OpKind::kAdd16, {count, one}), timer.index);
     Leave(flow_.ResumeOf(now_));
   });
   builder_.Store(timer.place, zero, timer.index);
-  rlo_->Know(rlo);
+  registers_.rlo().Know(rlo);
 }
 
 void Lowering::Delay(const Instruction& instruction) {
   const Reach timer = ReachOf(tree_.OperandOf(instruction, 0));
   const ValueId limit = TimerLimit(tree_.OperandOf(instruction, 1));
-  SpillAll();
-  if (KnownValue(limit) != 0) {
+  registers_.Spill();
+  if (builder_.KnownValue(limit) != 0) {
     const ValueId count = builder_.Load(timer.place, timer.index);
-    builder_.When(Pure(OpKind::kLess32, {ToWidth(count, 32), ToWidth(limit, 32)}), [&] {
-      builder_.Store(timer.place, Pure(OpKind::kAdd16, {count, Constant(1, 16)}), timer.index);
+    builder_.When(builder_.Pure(OpKind::kLess32, {builder_.ToWidth(count, 32), builder_.ToWidth(limit, 32)}), [&] {
+      builder_.Store(timer.place, builder_.Pure(OpKind::kAdd16, {count, builder_.Constant(1, 16)}), timer.index);
       Leave(flow_.ResumeOf(now_));
     });
   }
-  builder_.Store(timer.place, Constant(0, 16), timer.index);
+  builder_.Store(timer.place, builder_.Constant(0, 16), timer.index);
 }
 
 void Lowering::Rewind(UnitId unit) {
   const Body* body = BodyOfMechanism(unit);
-  if (body != nullptr && !body->entries.empty()) builder_.Store(StepPlace(unit), Constant(0, 16));
-  for (uint32_t i = 0; i < tree_.units[unit].timers; ++i) builder_.Store(TimerPlace(unit, i), Constant(0, 16));
+  if (body != nullptr && !body->entries.empty()) builder_.Store(StepPlace(unit), builder_.Constant(0, 16));
+  for (uint32_t i = 0; i < tree_.units[unit].timers; ++i) builder_.Store(TimerPlace(unit, i), builder_.Constant(0, 16));
 }
 
 void Lowering::RewindIfCleared(UnitId unit) {
   const Body* body = BodyOfMechanism(unit);
   if ((body == nullptr || body->entries.empty()) && tree_.units[unit].timers == 0) return;
-  builder_.When(Not(builder_.Load(ActivationPlace(unit))), [&] { Rewind(unit); });
+  builder_.When(builder_.Not(builder_.Load(ActivationPlace(unit))), [&] { Rewind(unit); });
 }
 
 void Lowering::EndMechanism(UnitId unit) {
@@ -139,7 +140,7 @@ void Lowering::InitMechanism(const Instruction& instruction) {
   const UnitId mechanism = tree_.OperandOf(instruction, 0).mechanism;
   EndMechanism(mechanism);
   LeaveStopped(mechanism);
-  if (mechanism == body_->unit) ForgetAll();
+  if (mechanism == body_->unit) registers_.Forget();
 }
 
 /// A mechanism that stops itself is left at once. A subprogram runs to its end, so that one that stops everything does,

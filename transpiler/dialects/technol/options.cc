@@ -9,7 +9,6 @@
 namespace plcxx::technol {
 namespace {
 
-using dialects::Number;
 using dialects::OneOf;
 using dialects::Switch;
 
@@ -18,9 +17,9 @@ constexpr uint32_t kMostLoops = 16'777'216;
 
 constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"slow-ms", "1..1000, a multiple of fast-ms", "20", "period of the slow part in ms"},
-     [](std::string_view t, Settings& s) { return Number(t, 1, kMostMilliseconds, s.slow_ms); }},
+     [](std::string_view t, Settings& s) { return dialects::Number(t, 1, kMostMilliseconds, s.slow_ms); }},
     {{"fast-ms", "1..1000", "1", "period of MODULE_FAST in ms"},
-     [](std::string_view t, Settings& s) { return Number(t, 1, kMostMilliseconds, s.fast_ms); }},
+     [](std::string_view t, Settings& s) { return dialects::Number(t, 1, kMostMilliseconds, s.fast_ms); }},
     {{"strict", "off or on", "off", "a missing standard module is an error"},
      [](std::string_view t, Settings& s) { return Switch(t, s.strict); }},
     {{"evidence", "all or strict", "all", "strict warns of instructions that the manual does not show"},
@@ -38,7 +37,7 @@ constexpr dialects::OptionRow<Settings> kRows[] = {
        return OneOf(t, "check", Bounds::kCheck, "trap", Bounds::kTrap, s.bounds);
      }},
     {{"loop-limit", "1..16777216", "65536", "backward jumps of one run of a module or mechanism"},
-     [](std::string_view t, Settings& s) { return Number(t, 1, kMostLoops, s.loop_limit); }},
+     [](std::string_view t, Settings& s) { return dialects::Number(t, 1, kMostLoops, s.loop_limit); }},
     {{"rl", "rotate or shift", "rotate", "what RL and RR do"},
      [](std::string_view t, Settings& s) {
        return OneOf(t, "rotate", Rotation::kRotate, "shift", Rotation::kShift, s.rotation);
