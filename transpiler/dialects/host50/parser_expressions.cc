@@ -9,23 +9,22 @@ namespace {
 constexpr uint32_t kMostOperandsOfExpression = 1024;
 constexpr uint32_t kMostParentheses = 64;
 
-std::optional<ExprKind> RelationOf(TokenKind kind) {
-  switch (kind) {
-    case TokenKind::kGreater:
-      return ExprKind::kGreater;
-    case TokenKind::kLess:
-      return ExprKind::kLess;
-    case TokenKind::kGreaterEqual:
-      return ExprKind::kGreaterEqual;
-    case TokenKind::kLessEqual:
-      return ExprKind::kLessEqual;
-    case TokenKind::kEquals:
-      return ExprKind::kEqual;
-    case TokenKind::kNotEqual:
-      return ExprKind::kNotEqual;
-    default:
-      return std::nullopt;
+struct Relation {
+  TokenKind token;
+  ExprKind kind;
+};
+constexpr Relation kRelations[] = {{TokenKind::kGreater, ExprKind::kGreater},
+                                   {TokenKind::kLess, ExprKind::kLess},
+                                   {TokenKind::kGreaterEqual, ExprKind::kGreaterEqual},
+                                   {TokenKind::kLessEqual, ExprKind::kLessEqual},
+                                   {TokenKind::kEquals, ExprKind::kEqual},
+                                   {TokenKind::kNotEqual, ExprKind::kNotEqual}};
+
+std::optional<ExprKind> RelationOf(TokenKind token) {
+  for (const Relation& relation : kRelations) {
+    if (relation.token == token) return relation.kind;
   }
+  return std::nullopt;
 }
 
 }  // namespace

@@ -31,9 +31,28 @@ Type WantedBy(OperandRole role) {
     case OperandRole::kNumberInPlace:
     case OperandRole::kPosition:
       return Type::kUnknown;  // any number
-    default:
+    case OperandRole::kIntSource:
+    case OperandRole::kIntDivisor:
+    case OperandRole::kIntResult:
+    case OperandRole::kBit:
+    case OperandRole::kBitOrConstant:
+    case OperandRole::kCoil:
+    case OperandRole::kFieldSource:
+    case OperandRole::kFieldResult:
+    case OperandRole::kBitCount:
+    case OperandRole::kTimer:
+    case OperandRole::kCounter:
+    case OperandRole::kUnit:
+    case OperandRole::kSubroutine:
+    case OperandRole::kJumpTarget:
+    case OperandRole::kAxisNumber:
+    case OperandRole::kHomingMethod:
+    case OperandRole::kComparison:
+    case OperandRole::kAssignment:
+    case OperandRole::kText:
       return Type::kInteger;
   }
+  PLCXX_UNREACHABLE();
 }
 
 bool Suits(Type wanted, Type type) {

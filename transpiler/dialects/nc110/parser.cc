@@ -98,32 +98,16 @@ bool Parser::Require(TokenKind kind, std::string_view what) {
 bool Parser::LooksLikeTarget(size_t ahead) const {
   const Token& token = Peek(ahead);
   const TokenKind next = Peek(ahead + 1).kind;
-  switch (token.kind) {
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-      return next == TokenKind::kAssign || next == TokenKind::kOpenParenthesis;
-    case TokenKind::kRun:
-      return next == TokenKind::kAssign;
-    default:
-      return false;
-  }
+  if (token.kind == TokenKind::kRun) return next == TokenKind::kAssign;
+  const bool is_named = token.kind == TokenKind::kOperand || token.kind == TokenKind::kSymbol;
+  return is_named && (next == TokenKind::kAssign || next == TokenKind::kOpenParenthesis);
 }
 
 bool Parser::AtItemStart() const {
-  switch (Peek().kind) {
-    case TokenKind::kEndOfFile:
-    case TokenKind::kCycleMark:
-    case TokenKind::kMsg:
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-    case TokenKind::kRun:
-    case TokenKind::kSlash:
-    case TokenKind::kEnd:
-    case TokenKind::kBad:
-      return true;
-    default:
-      return IsBlockWord(Peek().kind);
-  }
+  constexpr TokenKind kStarts[] = {TokenKind::kEndOfFile, TokenKind::kCycleMark, TokenKind::kMsg,
+                                   TokenKind::kOperand,   TokenKind::kSymbol,    TokenKind::kRun,
+                                   TokenKind::kSlash,     TokenKind::kEnd,       TokenKind::kBad};
+  return std::ranges::find(kStarts, Peek().kind) != std::end(kStarts) || IsBlockWord(Peek().kind);
 }
 
 /// After a fault. An operand in front of '=' inside of brackets is part of a comparison, unless it begins a line.

@@ -31,9 +31,22 @@ uint32_t UpperBound(const Expr& expr) {
   case ExprKind::k##Kind:                                        \
     return greatest;
 #include "transpiler/dialects/nc110/functions.def"
-    default:
+    case ExprKind::kError:
+    case ExprKind::kOperand:
+    case ExprKind::kAscii:
+    case ExprKind::kNot:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kXor:
+    case ExprKind::kAdd:
+    case ExprKind::kSubtract:
+    case ExprKind::kLess:
+    case ExprKind::kEqual:
+    case ExprKind::kGreater:
+    case ExprKind::kSgn:
       return 255;
   }
+  PLCXX_UNREACHABLE();
 }
 
 uint32_t LowerBound(const Expr& expr) { return expr.kind == ExprKind::kConstant ? expr.value : 0; }
@@ -51,12 +64,14 @@ ExprId Parser::ParseFunction(Type type) {
         Fault(token.range, diag::Nc110SgnAsWord);
       }
       return ParseSgn();
-    default:
+#define PLCXX_WORD_FUNCTION(Kind, ...) case Function::k##Kind:
+#include "transpiler/dialects/nc110/functions.def"
       if (type == Type::kSignal) {
         Fault(token.range, MessagesOf(token.function).as_signal);
       }
       return ParseWordFunction();
   }
+  PLCXX_UNREACHABLE();
 }
 
 ExprId Parser::ParseWordFunction() {

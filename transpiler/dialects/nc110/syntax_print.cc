@@ -178,7 +178,18 @@ class SyntaxPrinter {
       case ExprKind::kError:
         out_ += "error";
         return;
-      default:
+      case ExprKind::kNot:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kXor:
+      case ExprKind::kAdd:
+      case ExprKind::kSubtract:
+      case ExprKind::kLess:
+      case ExprKind::kEqual:
+      case ExprKind::kGreater:
+      case ExprKind::kSgn:
+#define PLCXX_WORD_FUNCTION(Kind, ...) case ExprKind::k##Kind:
+#include "transpiler/dialects/nc110/functions.def"
         break;
     }
     out_ += "(";
