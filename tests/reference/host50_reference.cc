@@ -373,8 +373,8 @@ class Host50 : public Host50Machine {
         Counter& counter = counters_[OperandOf(id, 0).address.number];
         counter.Step(rung.acc, pins['P'], pins['M'], pins['N'], Number(OperandOf(id, 1)).whole,
                      tree_.settings.cnud == CnudOption::kHold);
-        PutBackForced();
         rung.acc = counter.q;
+        PutBackForced();
         return true;
       }
       case Op::kRot:
@@ -420,8 +420,11 @@ class Host50 : public Host50Machine {
     } else {
       timer.StepPulseManual(input, preset, unit, period_);
     }
+    // A forced Q has its value for whoever reads it from the next instruction on: the block's own output is what it
+    // computed.
+    const bool q = timer.q;
     PutBackForced();
-    return timer.q;
+    return q;
   }
 
   // --- coils and blocks without Q (6.2 to 6.4, 6.6 to 6.8) ---

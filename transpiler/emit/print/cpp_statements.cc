@@ -126,6 +126,7 @@ void PartPrinter::LoadRetentive(ir::InstId id) {
   Line("Retentive copy{};");
   Line(Spelled(name + "(host, copy);", id));
   Line("if (copy.layout == kRetentiveLayout) m.retentive = copy;");
+  if (debug()) Line("m.ReapplyForces();");  // a force outlives a power cycle
 }
 
 void PartPrinter::Store(ir::InstId id) {
