@@ -22,8 +22,13 @@ class Generator {
 
   RandomProgram Run() {
     Options();
+    const auto channels = program_.options.find("channels");
+    networks_.ChooseHabits(channels == program_.options.end() ? 1 : static_cast<uint32_t>(channels->second[0] - '0'));
+    const auto predefined = program_.options.find("predefined");
+    if (predefined != program_.options.end()) networks_.UsePredefinedNames();
+    long_times_ = random_.OneIn(50);
     const bool is_large = size_ == ProgramSize::kLarge;
-    const uint32_t statements = is_large ? random_.Between(150, 600) : random_.Between(3, 40);
+    const uint32_t statements = is_large ? random_.Between(150, 600) : random_.Between(3, random_.OneIn(4) ? 150 : 40);
     const uint32_t subroutines = random_.OneIn(2) ? random_.Between(1, is_large ? 6 : 3) : 0;
     std::vector<Piece> parts;
     const bool has_slow = !random_.OneIn(20);  // W19
@@ -55,8 +60,11 @@ class Generator {
     maybe("edgeinit", "OFF");
     maybe("slices", "SLICED");
     if (random_.OneIn(10)) options["predefined"] = "ON";
-    if (random_.OneIn(8)) options["channels"] = "2";
-    if (!random_.OneIn(4)) options["slowdiv"] = random_.Pick(Texts{"1", "2", "3", "5", "20", "50", "100", "250"});
+    if (random_.OneIn(8)) options["channels"] = random_.Pick(Texts{"2", "2", "2", "3", "2", "8"});
+    if (!random_.OneIn(4))
+      options["slowdiv"] = random_.Pick(random_.OneIn(30)  ? Texts{"250", "1000"}
+                                        : random_.OneIn(6) ? Texts{"50", "100"}
+                                                           : Texts{"1", "2", "3", "5", "7", "20"});
   }
 
   /// Texts for the operator and the archive (3.1), and options in the source, which the scenario's own override.
@@ -126,6 +134,17 @@ class Generator {
   // --- the scenario ---
 
   std::string Setting() {
+    if (random_.OneIn(3)) {
+      const Texts& from = random_.OneIn(4) ? networks_.words() : networks_.bits();
+      const std::string& address = random_.Pick(from);
+      const bool is_word = &from == &networks_.words();
+      const std::string name =
+          address.starts_with("%T") && !address.starts_with("%TM") ? "TM" + address.substr(2) : address.substr(1);
+      const bool is_input = name[0] == 'I';
+      if (is_input || random_.OneIn(4)) {
+        return name + ": " + (is_word ? Whole() : std::to_string(random_.Below(2)));
+      }
+    }
     switch (random_.Below(8)) {
       case 0:
         return random_.Pick(Texts{"IW0", "IW110", "IW300", "W0", "W1", "W101", "W300", "QW5"}) + ": " + Whole();
@@ -156,6 +175,10 @@ class Generator {
       if (random_.OneIn(25)) program_.steps.push_back("force: {" + Setting() + "}");
       if (random_.OneIn(25)) program_.steps.push_back("release: [I0, I1, B500, W0, Q0, C1.V]");
       if (random_.OneIn(20)) program_.steps.push_back("power_cycle: {}");
+      if (long_times_ && random_.OneIn(8)) {
+        program_.steps.push_back("run: {s: " + std::to_string(random_.Between(1, random_.OneIn(8) ? 62 : 3)) + "}");
+        continue;
+      }
       switch (random_.Below(5)) {
         case 0:
           program_.steps.push_back("run: {fast: " + std::to_string(random_.Between(1, 5)) + "}");
@@ -175,6 +198,7 @@ class Generator {
   Random& random_;
   ProgramSize size_;
   Networks networks_;
+  bool long_times_ = false;
   RandomProgram program_;
 };
 

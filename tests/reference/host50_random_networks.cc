@@ -13,7 +13,7 @@ struct NamedAddress {
 constexpr NamedAddress kNames[] = {{"%I0", "START"}, {"%B1", "axis4-"}, {"%Q0", "PUMP"}, {"%W1", "Count_1"},
                                    {"%F0", "speed"}, {"%TM1", "T_RUN"}, {"%C1", "TURNS"}};
 
-/// By number: TM0, TM1 ...
+/// By number: TM0, TM1 ..., again from TM9 on.
 constexpr const char* kTimerKinds[] = {"TONMS", "TONS", "TOFMS", "TPMS", "TOFS", "TPS", "TONM", "TOFM", "TPM"};
 
 std::string Joined(const std::vector<std::string>& lines) {
@@ -46,7 +46,9 @@ std::string Networks::Address(const std::string& address) {
   for (char& c : small) c = static_cast<char>(std::tolower(c));
   std::string padded = address;
   const size_t digit = padded.find_first_of("0123456789");
-  if (digit != std::string::npos) padded.insert(digit, address.size() - digit < 4 ? "00" : "0");
+  // At most five digits (2.4).
+  const size_t digits = digit == std::string::npos ? 5 : std::min(padded.find('.', digit), padded.size()) - digit;
+  if (digits < 5) padded.insert(digit, digits < 4 ? "00" : "0");
   if (address.starts_with("%TM")) padded.erase(2, 1);  // %T is %TM
   return Spelled({address, address, address, address, address, address, address, address, small, padded});
 }
@@ -73,17 +75,74 @@ std::string Networks::Chain(Texts parts, Texts operators, const std::string& tig
   return parts[0];
 }
 
+void Networks::ChooseHabits(uint32_t channels) {
+  if (random_.OneIn(3)) return;
+  const auto any_of = [&](uint32_t size) {
+    return random_.OneIn(4) ? size - 1 - random_.Below(2) : random_.OneIn(4) ? random_.Below(3) : random_.Below(size);
+  };
+  // The addresses of channel k are 2000 or 200 higher (5).
+  const auto with_channel = [&](uint32_t number, uint32_t first, uint32_t step) {
+    return std::to_string(number + (number >= first ? step * random_.Below(channels) : 0));
+  };
+  const auto bits = [&](const char* area) {
+    const bool has_channels = area[1] != 'B';
+    return area + (has_channels ? with_channel(any_of(2001), 500, 2000) : std::to_string(any_of(2001)));
+  };
+  const auto numbers = [&](const char* area) {
+    const bool has_channels = area[1] == 'I' || area[1] == 'Q';
+    return area + (has_channels ? with_channel(any_of(301), 100, 200) : std::to_string(any_of(301)));
+  };
+  timers_ = {1};
+  for (uint32_t i = random_.Between(1, 8); i > 0; --i) timers_.push_back(any_of(101));
+  counters_ = {"%C1"};
+  for (uint32_t i = random_.Between(1, 3); i > 0; --i) counters_.push_back("%C" + std::to_string(any_of(101)));
+  bits_ = {"%I0", "%B1"};
+  coils_.clear();
+  for (uint32_t i = random_.Between(2, 6); i > 0; --i) bits_.push_back(bits("%I"));
+  for (uint32_t i = random_.Between(2, 8); i > 0; --i) {
+    coils_.push_back(bits(random_.OneIn(2) ? "%Q" : "%B"));
+    bits_.push_back(coils_.back());
+  }
+  words_.clear(), results_.clear(), floats_.clear(), float_results_.clear();
+  for (uint32_t i = random_.Between(2, 6); i > 0; --i) {
+    results_.push_back(numbers(random_.OneIn(4) ? "%QW" : "%W"));
+    float_results_.push_back(numbers(random_.OneIn(4) ? "%QF" : "%F"));
+    words_.push_back(results_.back());
+    floats_.push_back(float_results_.back());
+    if (random_.OneIn(3)) words_.push_back(numbers("%IW"));
+    if (random_.OneIn(3)) floats_.push_back(numbers("%IF"));
+  }
+  for (const uint32_t timer : timers_) {
+    const std::string name = "%TM" + std::to_string(timer);
+    bits_.push_back(name + (random_.OneIn(2) ? ".Q" : ""));
+    words_.push_back(name + (random_.OneIn(3) ? ".P" : ".V"));
+  }
+  for (const std::string& counter : counters_) {
+    bits_.push_back(counter + (random_.OneIn(2) ? ".Q" : ""));
+    words_.push_back(counter + (random_.OneIn(3) ? ".P" : ".V"));
+    if (random_.OneIn(2)) results_.push_back(counter + ".V");
+  }
+  deepest_ = random_.Between(0, 5);
+  most_contacts_ = random_.Between(1, 8);
+  most_outputs_ = random_.Between(1, 6);
+  one_drawing_in_ = random_.Between(1, 12);
+  one_jump_in_ = random_.Between(1, 12);
+  one_branch_in_ = random_.Between(2, 12);
+  one_coil_in_ = random_.Between(1, 4);
+}
+
 std::string Networks::Bit() {
-  static const Texts kBits = {"%I0",    "%I1",   "%I2",    "%I3",    "%I4", "%I199",  "%I500", "%I2000", "%Q0",
-                              "%Q1",    "%Q400", "%Q1000", "%Q2000", "%B0", "%B1",    "%B499", "%B500",  "%B501",
-                              "%B2000", "%TM0",  "%TM1.Q", "%TM2",   "%T3", "%TM4.Q", "%C0",   "%C1.Q",  "%C100"};
-  return Address(random_.Pick(kBits));
+  // The control's own, by their names (option PREDEFINED).
+  if (predefined_ && random_.OneIn(8)) {
+    static const std::vector<std::pair<std::string, std::string>> kSignals = {
+        {"%I500", "NC_ESTOP_STATE"}, {"%I503", "NC_RESET"},   {"%I540", "NC_M_STROBE"},
+        {"%I600", "NC_MODE_AUTO"},   {"%I522", "NC_RUNNING"}, {"%I401", "USER_PARAM_1"}};
+    const auto& [address, name] = random_.Pick(kSignals);
+    return is_plain_ ? address : name;
+  }
+  return Address(random_.Pick(bits_));
 }
-std::string Networks::Coil() {
-  static const Texts kCoils = {"%Q0", "%Q1", "%Q2", "%Q400", "%Q401", "%Q499", "%Q1000", "%Q2000",
-                               "%B0", "%B1", "%B2", "%B499", "%B500", "%B501", "%B2000"};
-  return Address(random_.Pick(kCoils));
-}
+std::string Networks::Coil() { return Address(random_.Pick(coils_)); }
 std::string Networks::WholeConstant() {
   if (random_.OneIn(6)) {
     static const std::vector<Texts> kForms = {{"2147483647", "$7FFFFFFF", "02147483647"},
@@ -97,15 +156,8 @@ std::string Networks::WholeConstant() {
   }
   return Padded(random_.Below(10));
 }
-std::string Networks::Whole() {
-  static const Texts kWords = {"%W0",  "%W1",  "%W2",    "%W100",  "%W101",  "%W300",  "%IW0",  "%IW110", "%IW300",
-                               "%QW0", "%QW5", "%TM0.V", "%TM1.V", "%TM2.P", "%TM3.V", "%C0.V", "%C1.V",  "%C100.P"};
-  return random_.OneIn(3) ? WholeConstant() : Address(random_.Pick(kWords));
-}
-std::string Networks::WholeResult() {
-  static const Texts kWords = {"%W0", "%W1", "%W2", "%W100", "%W101", "%W300", "%QW0", "%QW5", "%IW0", "%C1.V"};
-  return Address(random_.Pick(kWords));
-}
+std::string Networks::Whole() { return random_.OneIn(3) ? WholeConstant() : Address(random_.Pick(words_)); }
+std::string Networks::WholeResult() { return Address(random_.Pick(results_)); }
 std::string Networks::RealConstant() {
   static const std::vector<Texts> kForms = {{"1.5", "+1.50", "15e-1", "015E-1"},
                                             {"1.", "1.0", "1e0"},
@@ -124,14 +176,8 @@ std::string Networks::RealConstant() {
                                             {"-1", "$FFFFFFFF"}};
   return Spelled(random_.Pick(kForms));
 }
-std::string Networks::Real() {
-  static const Texts kFloats = {"%F0", "%F1", "%F100", "%F101", "%F300", "%IF0", "%IF300", "%QF0", "%QF10"};
-  return random_.OneIn(3) ? RealConstant() : Address(random_.Pick(kFloats));
-}
-std::string Networks::RealResult() {
-  static const Texts kFloats = {"%F0", "%F1", "%F100", "%F101", "%F300", "%QF0", "%QF10", "%IF0"};
-  return Address(random_.Pick(kFloats));
-}
+std::string Networks::Real() { return random_.OneIn(3) ? RealConstant() : Address(random_.Pick(floats_)); }
+std::string Networks::RealResult() { return Address(random_.Pick(float_results_)); }
 
 /// The address behind a name of an expression.
 std::string Networks::Plain(const std::string& operand) const {
@@ -146,18 +192,21 @@ std::string Networks::Plain(const std::string& operand) const {
 }
 
 std::string Networks::Primary(uint32_t depth, bool whole_only) {
-  static const Texts kWords = {"%W0",     "'Count_1'", "Count_1", "%W300", "%IW0",  "%QW5",  "%TM0.V",
-                               "T_RUN.V", "'T_RUN'.P", "%C1.V",   "%I0",   "START", "%B500", "%TM1.Q"};
+  static const Texts kWords = {"%W0",     "'Count_1'", "Count_1", "%W300", "%IW0",   "%QW5",  "%TM0.V",
+                               "T_RUN.V", "'T_RUN'.P", "%C1.V",   "%I0",   "START",  "%B500", "%TM1.Q",
+                               "%C1.P",   "%C1.Q",     "%QW0",    "%Q0",   "%IW110", "%TM2.P"};
   static const Texts kFloats = {"%F0", "speed", "%F101", "%IF0", "%QF10", "1.5", ".5", "1e3", "0.1"};
   const std::string sign = random_.OneIn(6) ? random_.Pick(Texts{"-", "+"}) : "";
   if (depth > 0 && random_.OneIn(4)) return sign + "(" + Expression(depth - 1, whole_only) + ")";
-  if (!whole_only && random_.OneIn(2)) return sign + Plain(random_.Pick(kFloats));
+  if (!whole_only && random_.OneIn(2)) {
+    return sign + Plain(random_.OneIn(2) ? random_.Pick(kFloats) : random_.Pick(floats_));
+  }
   if (random_.OneIn(3)) {
     static const std::vector<Texts> kForms = {{"0", "$0"},    {"1", "001"},  {"2"},         {"3"},          {"7"},
                                               {"100", "$64"}, {"15", "$0F"}, {"$FFFFFFFF"}, {"2147483647"}, {"65536"}};
     return sign + Spelled(random_.Pick(kForms));
   }
-  return sign + Plain(random_.Pick(kWords));
+  return sign + Plain(random_.OneIn(2) ? random_.Pick(kWords) : random_.Pick(random_.OneIn(3) ? bits_ : words_));
 }
 
 std::string Networks::Expression(uint32_t depth, bool whole_only) {
@@ -179,8 +228,13 @@ std::string Networks::Expression(uint32_t depth, bool whole_only) {
 }
 
 std::string Networks::Relation() {
-  const std::string left = Expression(2, random_.OneIn(2));
-  return left + " " + random_.Pick(Texts{">", "<", ">=", "<=", "=", "<>"}) + " " + Expression(2, random_.OneIn(2));
+  const auto side = [&] {
+    const bool whole = random_.OneIn(2);
+    return random_.OneIn(2) ? Primary(0, whole) : Expression(2, whole);
+  };
+  const std::string left = side();
+  const std::string relation = random_.Pick(Texts{">", "<", ">=", "<=", "=", "<>"});
+  return left + " " + relation + " " + side();
 }
 
 // --- instruction lists ---
@@ -237,7 +291,7 @@ void Networks::Load() {
 
 /// Behind something live.
 void Networks::Contacts(uint32_t depth) {
-  for (uint32_t i = random_.Below(3); i > 0; --i) {
+  for (uint32_t i = random_.Below(most_contacts_ + 1); i > 0; --i) {
     const uint32_t choice = random_.Below(depth > 0 ? 8 : 5);
     if (choice < 3) {
       std::string word = Edge("AND");
@@ -294,7 +348,7 @@ void Networks::Counter() {
       pins += ", " + Pin(name);
     }
   }
-  Line("CNUD " + Address(random_.Pick(Texts{"%C0", "%C1", "%C100"})) + ", " + Whole() + pins);
+  Line("CNUD " + Address(random_.Pick(counters_)) + ", " + Whole() + pins);
 }
 
 void Networks::Rotation() {
@@ -314,10 +368,10 @@ std::string Networks::Pin(const std::string& name) {
 }
 
 std::string Networks::Timer() {
-  const uint32_t number = random_.Below(std::size(kTimerKinds));
+  const uint32_t number = random_.Pick(timers_);
   const std::string preset = random_.OneIn(3) ? Whole() : std::to_string(random_.Below(4));
   const std::string address = Address("%TM" + std::to_string(number));
-  const std::string kind = kTimerKinds[number];
+  const std::string kind = kTimerKinds[number % std::size(kTimerKinds)];
   const size_t letters = kind.starts_with("TP") ? 2 : 3;  // TON, TOF, TP, then the unit
   const std::string unit = kind.substr(letters);
   const std::string other = unit == "S" ? "SEC" : unit == "M" ? "MIN" : unit;
@@ -327,7 +381,7 @@ std::string Networks::Timer() {
 }
 
 std::string Networks::Compare() {
-  if (random_.OneIn(3)) {
+  if (random_.OneIn(2)) {
     const std::string relation = Relation();
     return "COMP " + InQuotes(relation);
   }
@@ -402,7 +456,7 @@ std::string Networks::BlockWithoutQ() {
 }
 
 void Networks::Output() {
-  if (random_.OneIn(2)) {
+  if (random_.OneIn(one_coil_in_)) {
     Line(random_.Pick(Texts{"OUT", "OUT", "OUTI", "SET", "RST"}) + " " + Coil());
     return;
   }
@@ -411,7 +465,7 @@ void Networks::Output() {
 
 void Networks::Outputs() {
   Output();
-  for (uint32_t i = random_.Below(3); i > 0; --i) {
+  for (uint32_t i = random_.Below(most_outputs_ + 1); i > 0; --i) {
     if (random_.OneIn(3)) {
       Line("AND " + Bit());
     } else if (random_.OneIn(4)) {
@@ -429,9 +483,9 @@ Piece Networks::Rung() {
     Line("OUT " + Coil());
     return {Joined(lines_), {}, ""};
   }
-  Logic(3);
+  Logic(deepest_);
   if (random_.OneIn(4)) Rest(2);
-  if (random_.OneIn(6)) {
+  if (random_.OneIn(one_branch_in_)) {
     const uint32_t branches = random_.Between(1, 3);
     Line("MPS");
     for (uint32_t i = 0; i <= branches; ++i) {
@@ -468,7 +522,7 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
   if (section_ == Section::kFast && random_.OneIn(3)) head = "NETWORK";
   head += Spelled({"", "", " \"network\"", " \"say \"\"go\"\"; \xE4\xB8\xAD\xE6\x96\x87\"", " ; comment"});
   Piece network{head, {}, ""};
-  if (random_.OneIn(5)) {
+  if (random_.OneIn(one_drawing_in_)) {
     network.body.push_back(Drawing());
     return network;
   }
@@ -477,8 +531,8 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
     network.body.push_back(Rung());
   } while (made_ < wanted);
   // A jump: forward as a rule; backward ones may end at the guard.
-  if (section_ == Section::kOther && random_.OneIn(5)) {
-    const bool backward = random_.OneIn(8);
+  if (section_ == Section::kOther && random_.OneIn(one_jump_in_)) {
+    const bool backward = random_.OneIn(6);
     const uint32_t target = backward               ? random_.Between(0, position)
                             : position + 1 < count ? random_.Between(position + 1, count - 1)
                                                    : count;
@@ -495,69 +549,6 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
     }
   }
   return network;
-}
-
-// --- drawings (3.6): parallel contacts, a line of elements, several outputs ---
-
-std::string Networks::DrawnContact() {
-  ++made_;
-  return random_.Pick(Texts{"[ ", "[ ", "[/", "[P ", "[N "}) + Bit() + " ]";
-}
-
-/// A row of a drawing has no tabs and no second line.
-std::string Networks::OneLine(std::string text) {
-  for (size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n")) text.erase(at, 2);
-  std::ranges::replace(text, '\t', ' ');
-  return text;
-}
-
-std::string Networks::DrawnOutput() {
-  ++made_;
-  if (random_.OneIn(3)) return "{" + OneLine(BlockWithoutQ()) + "}";
-  if (random_.OneIn(8)) return "{" + OneLine(Timer()) + "}";
-  return random_.Pick(Texts{"( ", "( ", "(/", "(S ", "(R "}) + Coil() + " )";
-}
-
-Piece Networks::Drawing() {
-  const uint32_t contacts = random_.Between(1, 3), outputs = random_.Between(1, 3);
-  std::vector<std::string> rows(std::max(contacts, outputs), "  |");
-  const auto widest = [&] {
-    size_t width = 0;
-    for (const std::string& row : rows) width = std::max(width, row.size());
-    return width;
-  };
-  for (uint32_t i = 0; i < contacts; ++i) {
-    rows[i] += "--" + DrawnContact();
-    if (random_.OneIn(3)) rows[i] += "--" + DrawnContact();
-  }
-  const size_t first = widest() + 2;
-  for (uint32_t i = 0; i < contacts; ++i) rows[i] += std::string(first - rows[i].size(), '-') + "+";
-  for (uint32_t i = random_.Below(3); i > 0; --i) {
-    switch (random_.Below(5)) {
-      case 0:
-        rows[0] += "--{" + OneLine(Timer()) + "}";
-        break;
-      case 1:
-        rows[0] += "--{" + OneLine(Compare()) + "}";
-        break;
-      case 2:
-        rows[0] += "--{CNUD %C0, " + Whole() + ", " + Pin("P") + ", " + Pin("M") + ", " + Pin("N") + "}";
-        break;
-      default:
-        rows[0] += "--" + DrawnContact();
-        break;
-    }
-  }
-  const size_t second = std::max(rows[0].size(), widest()) + 1;
-  rows[0] += std::string(second - rows[0].size(), '-') + "+";
-  for (uint32_t i = 1; i < outputs; ++i) rows[i] += std::string(second - rows[i].size(), ' ') + "+";
-  for (uint32_t i = 0; i < outputs; ++i) {
-    if (random_.OneIn(3)) rows[i] += "--" + DrawnContact();
-    rows[i] += "----" + DrawnOutput();
-  }
-  std::string remark;
-  if (random_.OneIn(8)) remark = "REMARK \"a drawing\"\n";
-  return {remark + "LADDER\n" + Joined(rows) + "\nEND_LADDER", {}, ""};
 }
 
 }  // namespace plcxx::reference::host50_random

@@ -1,7 +1,8 @@
 // Random networks of host50: instruction lists and drawings, all of them legal.
 //
 // Few addresses, so that rungs meet: both sides of the border of retentive memory, alarms, the signals of axes, the
-// ends of every area. Each timer number has a kind and a unit of its own (E501).
+// ends of every area. Two programs in three have addresses and a mixture of their own. Each timer number has a kind and
+// a unit of its own (E501).
 #pragma once
 
 #include <algorithm>
@@ -24,6 +25,13 @@ struct Callees {
 class Networks {
  public:
   Networks(Random& random, Spelling spelling) : random_(random), is_plain_(spelling == Spelling::kPlain) {}
+
+  /// What this program is like: its addresses, how deep, how many of each. Before anything else.
+  void ChooseHabits(uint32_t channels);
+  void UsePredefinedNames() { predefined_ = true; }
+  /// Bits that a scenario may set, and words.
+  const Texts& bits() const { return bits_; }
+  const Texts& words() const { return words_; }
 
   void Begin(Section section, Callees callees) {
     section_ = section;
@@ -88,11 +96,18 @@ class Networks {
   std::string Axis();
   std::string Pin(const std::string& name);
 
-  // --- drawings ---
+  // --- drawings (host50_random_drawings.cc) ---
+  /// A part of a drawing: its rows, all of one width; it is entered at the left end of the first row.
+  using Rows = std::vector<std::string>;
   Piece Drawing();
   static std::string OneLine(std::string text);
   std::string DrawnContact();
+  std::string DrawnElement();
   std::string DrawnOutput();
+  static Rows InSeries(const Rows& left, const Rows& right);
+  static Rows InParallel(const Rows& upper, const Rows& lower);
+  Rows Conducting(uint32_t depth, uint32_t elements);
+  Rows Ending(uint32_t depth, uint32_t elements);
 
   /// first op part op part ...: the plain text has the brackets that precedence puts there.
   std::string Chain(Texts parts, Texts operators, const std::string& tighter) const;
@@ -104,6 +119,23 @@ class Networks {
   std::vector<std::string> lines_;
   uint32_t made_ = 0;
   uint32_t position_ = 0, count_ = 1;
+
+  // of this program
+  std::vector<uint32_t> timers_ = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  Texts counters_ = {"%C0", "%C1", "%C100"};
+  Texts bits_ = {"%I0",    "%I1",   "%I2",    "%I3",    "%I4", "%I199",  "%I500", "%I2000", "%Q0",
+                 "%Q1",    "%Q400", "%Q1000", "%Q2000", "%B0", "%B1",    "%B499", "%B500",  "%B501",
+                 "%B2000", "%TM0",  "%TM1.Q", "%TM2",   "%T3", "%TM4.Q", "%C0",   "%C1.Q",  "%C100"};
+  Texts coils_ = {"%Q0", "%Q1", "%Q2", "%Q400", "%Q401", "%Q499", "%Q1000", "%Q2000",
+                  "%B0", "%B1", "%B2", "%B499", "%B500", "%B501", "%B2000"};
+  Texts words_ = {"%W0",  "%W1",  "%W2",    "%W100",  "%W101",  "%W300",  "%IW0",  "%IW110", "%IW300",
+                  "%QW0", "%QW5", "%TM0.V", "%TM1.V", "%TM2.P", "%TM3.V", "%C0.V", "%C1.V",  "%C100.P"};
+  Texts results_ = {"%W0", "%W1", "%W2", "%W100", "%W101", "%W300", "%QW0", "%QW5", "%IW0", "%C1.V"};
+  Texts floats_ = {"%F0", "%F1", "%F100", "%F101", "%F300", "%IF0", "%IF300", "%QF0", "%QF10"};
+  Texts float_results_ = {"%F0", "%F1", "%F100", "%F101", "%F300", "%QF0", "%QF10", "%IF0"};
+  bool predefined_ = false;
+  uint32_t deepest_ = 3, most_contacts_ = 2, most_outputs_ = 2;
+  uint32_t one_drawing_in_ = 5, one_jump_in_ = 5, one_branch_in_ = 6, one_coil_in_ = 2;
 };
 
 }  // namespace plcxx::reference::host50_random

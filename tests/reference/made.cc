@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "tests/reference/made_forms.h"
 #include "transpiler/dialects/dialect.h"
 
 namespace plcxx::reference {
@@ -85,6 +86,20 @@ std::vector<std::string> ValuesOf(std::string_view text) {
   return is_choice ? values : std::vector<std::string>();
 }
 
+/// As the dialect's own front end reads it; the plain spelling has no included files.
+std::string SyntaxOf(const RandomProgram& program, const dialects::Dialect& dialect) {
+  source::SourceManager sources;
+  diag::Engine diagnostics;
+  dialects::Request request;
+  request.sources = &sources;
+  request.options = program.options;
+  request.diagnostics = &diagnostics;
+  std::vector<RenderedFile> files = Render(program, std::string(dialect.name));
+  files.pop_back();  // the scenario
+  for (RenderedFile& file : files) request.files.push_back(sources.AddText(file.name, std::move(file.text)));
+  return dialect.print_syntax(request);
+}
+
 constexpr const char *kSeveralFiles = "several files", *kBeyondAscii = "letters beyond ASCII";
 
 /// Of programs: what is not a word of the grammar.
@@ -105,6 +120,7 @@ std::vector<MadeRow> CountMade(const ReferenceDialect& dialect, uint32_t program
   const std::set<std::string> terminals =
       Terminals(Contents(std::string(PLCXX_ROOT) + "/grammars/" + std::string(dialect.name) + ".ebnf"));
   std::map<std::string, uint64_t> signs;
+  FormCounts operands;
   for (uint32_t seed = 0; seed < programs; ++seed) {
     Random random(seed);
     const ProgramSize size = seed % 20 == 19 ? ProgramSize::kLarge : ProgramSize::kSmall;
@@ -126,6 +142,9 @@ std::vector<MadeRow> CountMade(const ReferenceDialect& dialect, uint32_t program
       }
     }
     forms[kSeveralFiles] += sources > 1 ? 1 : 0;
+    Random again(seed);
+    const RandomProgram plain = dialect.generate(again, size, Spelling::kPlain);
+    CountForms(dialect.name, SyntaxOf(plain, *dialects::DialectByName(dialect.name)), operands);
     for (const auto& [key, value] : program.options) {
       ++options[Upper(key)];
       ++options[Upper(key + "=" + value)];
@@ -140,6 +159,7 @@ std::vector<MadeRow> CountMade(const ReferenceDialect& dialect, uint32_t program
     const uint64_t as_word = words[terminal];
     rows.push_back({"word", terminal, IsWord(terminal) && as_word != 0 ? as_word : signs[terminal]});
   }
+  for (const std::string& form : FormsOf(dialect.name)) rows.push_back({"operand", form, operands[form]});
   for (const dialects::OptionInfo& option : dialects::DialectByName(dialect.name)->options) {
     const std::string key(option.key);
     rows.push_back({"option", key, options[Upper(key)]});

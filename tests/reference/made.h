@@ -1,8 +1,9 @@
-// What the generators of random programs make: rows of the grammar, options with their values, steps of scenarios.
+// What the generators of random programs make: rows of the grammar, instructions with their operands, options with
+// their values, steps of scenarios.
 //
 // A construct that no generator makes is one that no random program tests. The rows come from the grammars
-// (grammars/<dialect>.ebnf: every word and sign), from the dialect's own table of options, and from what a scenario can
-// do; how often each was made is counted in the programs' texts.
+// (grammars/<dialect>.ebnf: every word and sign), from the machine's tables (made_forms.h), from the dialect's own
+// table of options, and from what a scenario can do; how often each was made is counted in the programs' texts.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 namespace plcxx::reference {
 
 struct MadeRow {
-  std::string group;  // "word", "option", "step", "form"
+  std::string group;  // "word", "operand", "option", "step", "form"
   std::string name;
   uint64_t count = 0;
 };

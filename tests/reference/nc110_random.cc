@@ -1,7 +1,8 @@
 // Random programs of nc110, from the grammar (section 3) and the ranges (section 5) of the specification.
 //
 // Few addresses, so that statements meet: bits of one word, words of one pair, inputs, outputs, work memory, the ends
-// of every package. All of it is legal; warnings are no matter.
+// of every package. Two programs in three have addresses and a mixture of their own (Habits). All of it is legal;
+// warnings are no matter.
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +17,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr uint32_t kDeepestBlock = 6;
+constexpr uint32_t kDeepestBlock = 9;
 
 class Generator {
  public:
@@ -24,10 +25,12 @@ class Generator {
       : random_(random), size_(size), is_plain_(spelling == Spelling::kPlain) {}
 
   RandomProgram Run() {
+    Habits();
     Options();
     Names();
     std::vector<Piece> pieces;
-    const uint32_t statements = size_ == ProgramSize::kLarge ? random_.Between(150, 600) : random_.Between(3, 30);
+    const uint32_t statements =
+        size_ == ProgramSize::kLarge ? random_.Between(150, 600) : random_.Between(3, random_.OneIn(4) ? 150 : 30);
     const bool has_mark = !random_.OneIn(12);
     const uint32_t fast = !has_mark ? statements : random_.OneIn(3) ? 0 : random_.Below(statements);
     while (made_ < fast) pieces.push_back(Item(1));
@@ -39,19 +42,55 @@ class Generator {
   }
 
  private:
+  /// What this program is like.
+  void Habits() {
+    if (random_.OneIn(3)) return;
+    const auto any_of = [&](uint32_t size) {
+      return random_.OneIn(4) ? size - 1 - random_.Below(2) : random_.OneIn(4) ? random_.Below(2) : random_.Below(size);
+    };
+    if (!random_.OneIn(3)) {
+      connectors_.clear();
+      for (uint32_t i = random_.Between(2, 8); i > 0; --i) {
+        const char package = "AKKNT"[random_.Below(5)];
+        connectors_.push_back({package, any_of(package == 'A' ? 32 : package == 'T' ? 16 : 256)});
+      }
+      bits_.clear();
+      for (uint32_t i = random_.Between(2, 10); i > 0; --i) bits_.push_back(random_.Below(32));
+    }
+    const auto some = [&](std::vector<uint32_t>& numbers, uint32_t size) {
+      if (random_.OneIn(3)) return;
+      numbers.clear();
+      for (uint32_t i = random_.Between(1, 6); i > 0; --i) numbers.push_back(any_of(size));
+    };
+    some(timers_, 255);
+    some(counters_, 100);
+    some(one_shots_, 100);
+    if (random_.OneIn(3)) timers_.push_back(random_.Between(47, 64));
+    deepest_ = random_.Between(0, 5);
+    most_terms_ = random_.Between(1, random_.OneIn(8) ? 40 : 5);
+    one_block_in_ = random_.Between(2, 20);
+    most_in_block_ = random_.Between(1, 12);
+    most_members_ = random_.Between(1, 12);
+    one_word_in_ = random_.Between(1, 8);
+    most_kind_ = random_.Between(3, 9);
+    long_times_ = random_.OneIn(12);
+    is_deep_ = random_.OneIn(8);
+  }
+
   // --- options, files ---
 
   void Options() {
     std::map<std::string, std::string>& options = program_.options;
-    if (random_.OneIn(3)) options["slices"] = std::to_string(random_.Between(2, 5));
+    if (random_.OneIn(3)) options["slices"] = std::to_string(random_.Between(2, random_.OneIn(8) ? 64 : 5));
     if (random_.OneIn(6)) options["latch-slow-inputs"] = "on";
     if (random_.OneIn(3)) options["carry"] = random_.Pick(Texts{"input", "next"});
-    if (random_.OneIn(4)) options["tim"] = std::to_string(random_.Between(1, 7));
-    if (random_.OneIn(4)) options["clo"] = random_.Pick(Texts{"5,1", "20,4", "1,1", "12,3"});
+    if (random_.OneIn(4)) options["tim"] = std::to_string(random_.Between(1, random_.OneIn(8) ? 1000 : 7));
+    if (random_.OneIn(4)) options["clo"] = random_.Pick(Texts{"5,1", "20,4", "1,1", "12,3", "100,50", "7,7", "997,1"});
     xor_first_ = random_.OneIn(5);
     if (xor_first_) options["xor-prec"] = "above-or";
     if (random_.OneIn(5)) options["old"] = "on";
-    if (random_.OneIn(5)) options["t-init"] = random_.Pick(Texts{"1=02", "1=05,2=01", "64=FF", "17=A0,03=0C"});
+    if (random_.OneIn(5))
+      options["t-init"] = random_.Pick(Texts{"1=02", "1=05,2=01", "64=FF", "17=A0,03=0C", "3=1,4=1"});
     if (random_.OneIn(8)) options["processes"] = std::to_string(random_.Between(2, 5));
     if (random_.OneIn(12)) {
       options["nc-stub"] = "on";
@@ -64,7 +103,7 @@ class Generator {
     if (random_.OneIn(10)) options["extern"] = random_.Pick(Texts{"W60N2", "W100N1,I10N4"});
     if (random_.OneIn(12)) options["slices"] = "auto";
     if (random_.OneIn(12)) options["ladder-lint"] = "on";
-    loops_ = random_.OneIn(4);
+    loops_ = random_.OneIn(3);
     if (loops_) options["enable-dow"] = "on";
   }
 
@@ -96,7 +135,7 @@ class Generator {
   }
 
   void Files(std::vector<Piece> pieces) {
-    const uint32_t count = random_.OneIn(2) ? 1 : random_.Between(2, 4);
+    const uint32_t count = random_.OneIn(2) ? 1 : random_.Between(2, random_.OneIn(6) ? 9 : 4);
     const size_t part = pieces.size() / count + 1;
     for (uint32_t i = 0; i < count; ++i) {
       RandomFile file{"part" + std::to_string(i) + ".plc", {{"; part of a machine", {}, ""}}};
@@ -131,7 +170,8 @@ class Generator {
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       operators.erase(operators.begin() + static_cast<std::ptrdiff_t>(i));
     };
-    if (!is_plain_) {
+    // A long chain stays as it is: 32 brackets may be open (6.1).
+    if (!is_plain_ || operators.size() > 4) {
       std::string text = parts[0];
       for (size_t i = 0; i < operators.size(); ++i) text += operators[i] + parts[i + 1];
       return text;
@@ -158,17 +198,10 @@ class Generator {
     char package;
     uint32_t number;
   };
-  Connector AnyConnector() {
-    static const std::vector<Connector> kConnectors = {
-        {'A', 0},   {'A', 1}, {'A', 4},  {'A', 5},  {'A', 14},  {'A', 31}, {'T', 0},  {'T', 1},
-        {'T', 15},  {'K', 0}, {'K', 3},  {'K', 9},  {'K', 10},  {'K', 26}, {'K', 40}, {'K', 41},
-        {'K', 255}, {'N', 0}, {'N', 10}, {'N', 60}, {'N', 255}, {'K', 157}};
-    return random_.Pick(kConnectors);
-  }
+  Connector AnyConnector() { return random_.Pick(connectors_); }
   std::string Bit(char letter) {
     const Connector c = AnyConnector();
-    static const std::vector<uint32_t> kBits = {0, 1, 2, 7, 8, 15, 16, 31};
-    return letter + Number(c.number) + c.package + Number(random_.Pick(kBits));
+    return letter + Number(c.number) + c.package + Number(random_.Pick(bits_));
   }
   std::string Word() {
     const Connector c = AnyConnector();
@@ -185,9 +218,9 @@ class Generator {
       if (!last || index != 3) return "W" + Number(c.number) + c.package + std::to_string(index);
     }
   }
-  std::string Timer() { return "T" + Number(random_.Pick(kTimers)); }
-  std::string Counter() { return "C" + Number(random_.Pick(kCounters)); }
-  std::string OneShot() { return "P" + Number(random_.Pick(kOneShots)); }
+  std::string Timer() { return "T" + Number(random_.Pick(timers_)); }
+  std::string Counter() { return "C" + Number(random_.Pick(counters_)); }
+  std::string OneShot() { return "P" + Number(random_.Pick(one_shots_)); }
 
   std::string Constant(uint32_t least, uint32_t most) {
     const uint32_t value =
@@ -280,10 +313,12 @@ class Generator {
     return nots + SignalPrimary(depth);
   }
   std::string SignalAnd(uint32_t depth) {
-    return Repeated(2, {"*"}, [&] { return SignalNot(depth); });
+    return Repeated(std::min(most_terms_, depth == 0 ? 5u : 2u), {"*"}, [&] { return SignalNot(depth); });
   }
   std::string Signal(uint32_t depth) {
-    return Repeated(2, {"+", "+", "&"}, [&] { return SignalAnd(depth); });
+    // A long one has no long ones in its brackets: a statement has at most 1,024 operands.
+    const uint32_t most = depth == 0 ? most_terms_ : std::min(most_terms_, 2u);
+    return Repeated(most, {"+", "+", "&"}, [&] { return SignalAnd(depth); });
   }
   template <class Part>
   std::string Repeated(uint32_t most, const Texts& operators, Part&& part) {
@@ -346,15 +381,15 @@ class Generator {
 
   std::string Assignment() {
     ++made_;
-    if (random_.OneIn(4)) {
+    if (random_.OneIn(one_word_in_)) {
       const std::string target = random_.OneIn(6)                           ? Counter() + "W"
                                  : random_.OneIn(6) && !word_names_.empty() ? random_.Pick(word_names_)
                                                                             : Word();
-      return target + Infix({"="}) + (random_.OneIn(4) ? Mux() : WordExpression(random_.Below(4)));
+      return target + Infix({"="}) + (random_.OneIn(4) ? Mux() : WordExpression(random_.Below(deepest_ + 1)));
     }
-    std::string target = random_.OneIn(8) ? "/" : "";
+    std::string target = random_.OneIn(4) ? "/" : "";
     bool is_element = false;
-    switch (random_.Below(9)) {
+    switch (random_.Below(most_kind_)) {
       case 0:
         target += !timer_names_.empty() && random_.OneIn(2) ? random_.Pick(timer_names_) : Timer() + "I";
         target += Gap() + "(" + (random_.OneIn(3) ? Pair() : Constant(1, 255)) + ")";
@@ -381,8 +416,8 @@ class Generator {
         break;
     }
     // A long expression is seldom the same for long: elements also have one input of the machine.
-    const uint32_t depth = is_element && !random_.OneIn(3) ? 0 : random_.Below(4);
-    if (is_element && random_.OneIn(2)) return target + Infix({"="}) + SignalNot(0);
+    const uint32_t depth = is_element && !random_.OneIn(2) ? 0 : random_.Below(deepest_ + 1);
+    if (is_element && random_.OneIn(2)) return target + Infix({"="}) + SignalNot(random_.Below(2));
     return target + Infix({"="}) + Signal(depth);
   }
 
@@ -405,7 +440,7 @@ class Generator {
   }
 
   Piece Item(uint32_t level) {
-    if (level <= kDeepestBlock && random_.OneIn(level == 1 ? 6 : 8)) return Blocks(level);
+    if (level <= kDeepestBlock && random_.OneIn(one_block_in_ + (level == 1 ? 0 : 2))) return Blocks(level);
     std::string text = Assignment();
     if (random_.OneIn(15)) text += " " + Assignment();
     const std::string remark = " ; " + std::to_string(made_);
@@ -430,7 +465,8 @@ class Generator {
 
   std::vector<Piece> BlockBody(uint32_t level) {
     std::vector<Piece> body;
-    for (uint32_t i = random_.Below(5); i > 0; --i) body.push_back(Item(level + 1));
+    if (is_deep_ && level < kDeepestBlock && !random_.OneIn(4)) body.push_back(Blocks(level + 1));
+    for (uint32_t i = random_.Below(level > 2 ? 3 : most_in_block_ + 1); i > 0; --i) body.push_back(Item(level + 1));
     return body;
   }
 
@@ -441,20 +477,25 @@ class Generator {
                  BlockBody(level), end};
     const std::string again = " " + (name == "LongName1" ? "LongName2" : name);
     if (!name.empty()) member.end += Spelled("", {"", again});
+    // An absent condition is known by what follows (3.4).
+    if (condition.empty() && random_.OneIn(2)) {
+      const std::string same_line = Assignment();
+      if (head == "DOE") member.text += Spelled("\n", {"\n", " ", "\t"}) + same_line;
+    }
     return member;
   }
 
   /// A chain of blocks, or a loop.
   Piece Blocks(uint32_t level) {
-    if (loops_ && random_.OneIn(3)) {
+    if (loops_ && random_.OneIn(2)) {
       loops_ = false;  // one within another could take 255 * 255 passes
-      Piece loop = Member("DOW", "ENDW", Signal(random_.OneIn(2) ? 0 : 1), level);
+      Piece loop = Member("DOW", "ENDW", random_.OneIn(2) ? SignalNot(1) : Signal(1), level);
       loop.body.push_back({"W51K0=[W51K0+1]", {}, ""});  // counts the passes
       loops_ = true;
       return loop;
     }
     Piece chain = Member("DOF", Spelled("ENDF", {"ENDF", "ENDF", "END F", "END\tF"}), Signal(2), level);
-    const uint32_t members = random_.OneIn(2) ? random_.Below(4) : 0;
+    const uint32_t members = random_.OneIn(2) ? random_.Below(level > 2 ? 3 : most_members_ + 1) : 0;
     if (members == 0) return chain;
     Piece whole{"; a chain", {std::move(chain)}, ""};
     for (uint32_t i = 0; i < members; ++i) {
@@ -468,6 +509,11 @@ class Generator {
   // --- the scenario ---
 
   std::string Setting() {
+    if (random_.OneIn(3)) {
+      const std::string bit = Bit('I'), word = Word();
+      return random_.OneIn(3) ? word + ": " + std::to_string(random_.Below(random_.OneIn(2) ? 256 : 5))
+                              : bit + ": " + std::to_string(random_.Below(2));
+    }
     static const Texts kInputs = {"I0A0", "I0A1", "I0A2", "I1A7",  "I0A8",  "I1A15", "I0A31",  "I0K0",
                                   "I3K1", "I9K2", "I0N0", "I10K0", "I10N4", "I26K1", "I31A31", "I157K0"};
     static const Texts kWords = {"W0A0",  "W1A1",  "W0K0",  "W3K3",  "W0T0",   "W0T1", "W1T0",
@@ -478,10 +524,10 @@ class Generator {
         return random_.Pick(kParameters) + ": " +
                std::to_string(random_.OneIn(8) ? random_.Below(256) : random_.Below(7));
       case 0:
-        return "C" + std::to_string(random_.Pick(kCounters)) + "W: " + std::to_string(random_.Below(256));
+        return "C" + std::to_string(random_.Pick(counters_)) + "W: " + std::to_string(random_.Below(256));
       case 1:
-        return random_.OneIn(2) ? "T" + std::to_string(random_.Pick(kTimers)) + "A: " + std::to_string(random_.Below(2))
-                                : "C" + std::to_string(random_.Pick(kCounters)) + random_.Pick(Texts{"A", "Z", "I"}) +
+        return random_.OneIn(2) ? "T" + std::to_string(random_.Pick(timers_)) + "A: " + std::to_string(random_.Below(2))
+                                : "C" + std::to_string(random_.Pick(counters_)) + random_.Pick(Texts{"A", "Z", "I"}) +
                                       ": " + std::to_string(random_.Below(2));
       case 2:
       case 3:
@@ -493,6 +539,10 @@ class Generator {
   }
 
   std::string RunStep() {
+    if (long_times_ && random_.OneIn(4)) {
+      return random_.OneIn(2) ? "run: {s: " + std::to_string(random_.Between(1, 12)) + "}"
+                              : "run: {ms: " + std::to_string(random_.Between(1000, 12000)) + "}";
+    }
     switch (random_.Below(6)) {
       case 0:
         return "run: {fast: " + std::to_string(random_.Between(1, 4)) + "}";
@@ -518,9 +568,6 @@ class Generator {
   }
 
   inline static const Texts kParameters = {"W2T0", "W2T2", "W50K0", "W50K3", "W100N1", "W22A1"};
-  inline static const std::vector<uint32_t> kTimers = {0, 3, 47, 48, 63, 64, 254};
-  inline static const std::vector<uint32_t> kCounters = {0, 5, 99};
-  inline static const std::vector<uint32_t> kOneShots = {0, 1, 6, 99};
   inline static const Texts kLiterals = {"OK", "ok", "TOOL 4", "a;b$c!d", "12345678901234567890123456789012", " "};
 
   Random& random_;
@@ -528,6 +575,15 @@ class Generator {
   RandomProgram program_;
   const bool is_plain_;
   Texts input_names_, output_names_, word_names_, timer_names_, counter_names_, element_names_, parameter_names_;
+  std::vector<Connector> connectors_ = {{'A', 0},  {'A', 1},  {'A', 4},   {'A', 5},  {'A', 14},  {'A', 31},
+                                        {'T', 0},  {'T', 1},  {'T', 15},  {'K', 0},  {'K', 3},   {'K', 9},
+                                        {'K', 10}, {'K', 26}, {'K', 40},  {'K', 41}, {'K', 255}, {'N', 0},
+                                        {'N', 10}, {'N', 60}, {'N', 255}, {'K', 157}};
+  std::vector<uint32_t> bits_ = {0, 1, 2, 7, 8, 15, 16, 31};
+  std::vector<uint32_t> timers_ = {0, 3, 47, 48, 63, 64, 254}, counters_ = {0, 5, 99}, one_shots_ = {0, 1, 6, 99};
+  uint32_t deepest_ = 3, most_terms_ = 2, one_block_in_ = 7, most_in_block_ = 4, most_members_ = 3;
+  uint32_t one_word_in_ = 4, most_kind_ = 9;
+  bool long_times_ = false, is_deep_ = false;
   uint32_t symbols_ = 0, made_ = 0, messages_ = 0;
   bool loops_ = false, xor_first_ = false;
 };

@@ -7,16 +7,18 @@
 #include <vector>
 
 #include "tests/reference/prostep.h"
+#include "tests/reference/prostep_random_operands.h"
 
 namespace plcxx::reference {
 namespace {
 
-class ProstepGenerator {
+class ProstepGenerator : ProstepOperands {
  public:
   ProstepGenerator(Random& random, uint32_t instructions, Spelling spelling)
-      : random_(random), instructions_(instructions), is_plain_(spelling == Spelling::kPlain) {}
+      : ProstepOperands(random, spelling), instructions_(instructions) {}
 
   RandomProgram Run() {
+    ChooseHabits();
     ChooseOptions();
     Declarations();
     std::vector<uint32_t> modules;
@@ -49,20 +51,8 @@ class ProstepGenerator {
   }
 
  private:
-  uint32_t Below(uint32_t n) { return random_.Below(n); }
-  bool Chance(uint32_t percent) { return Below(100) < percent; }
-  template <size_t N>
-  std::string One(const std::array<const char*, N>& texts) {
-    return texts[Below(N)];
-  }
-
   // --- spelling (2): both spellings draw alike ---------------------------------------------------------------------
 
-  /// One of several texts that mean the same; the first of them is the plain one.
-  std::string Spelled(const std::vector<std::string>& any) {
-    const std::string& chosen = random_.Pick(any);
-    return is_plain_ ? any.front() : chosen;
-  }
   /// Blanks, leading zeros, case; a comment behind what is complete.
   std::string Respelled(const std::string& text, bool may_be_alone) {
     const uint32_t form = Below(16);
@@ -180,8 +170,14 @@ class ProstepGenerator {
     if (Chance(15)) options_["counter-set"] = "edge";
     if (Chance(15)) options_["muldiv"] = "unsigned";
     if (Chance(10)) options_["io-refresh"] = "1ms";
-    if (Chance(15)) options_["retentive"] = One(std::array{"600-700", "500-501", "510-998", "999-999", "500-998"});
-    if (Chance(10)) options_["tick"] = std::to_string(1 + Below(30));
+    if (Chance(15)) {
+      options_["retentive"] = One(std::array{"600-700", "500-501", "510-998", "999-999", "500-998", "0-999"});
+      // DW 4, which scenarios force, is in one block (4.5).
+      const uint32_t first = Chance(20) ? 0 : 6 + Below(994);
+      const uint32_t last = std::max(first, 6u) + Below(1000 - std::max(first, 6u));
+      if (Chance(40)) options_["retentive"] = std::to_string(first) + "-" + std::to_string(last);
+    }
+    if (Chance(10)) options_["tick"] = std::to_string(1 + Below(Chance(80) ? 30 : 1000));
     if (Chance(10)) options_["plc-axes"] = std::to_string(Below(6));
     if (Chance(5)) options_["text-encoding"] = "mazovia";
   }
@@ -198,127 +194,6 @@ class ProstepGenerator {
                              : "DDD " + std::to_string(number) + " " + std::to_string(random_.Next() & 0xFFFFFFFF);
       pieces_.push_back({std::move(text), {}, ""});
     }
-  }
-
-  /// The same sixteen bits.
-  std::string Number(uint32_t value) {
-    const std::string text = std::to_string(value);
-    std::vector<std::string> forms = {text, text, "00" + text, "0" + Hex(value) + "H"};
-    if (value >= 32768) forms.push_back("-" + std::to_string(65536 - value));
-    if (Hex(value).find_first_of("ABCDEF") == std::string::npos && value != 0) forms.push_back(Hex(value) + "D");
-    return Spelled(forms);
-  }
-  static std::string Hex(uint32_t value) {
-    std::string text;
-    for (; value != 0; value >>= 4) text.insert(text.begin(), "0123456789ABCDEF"[value & 15]);
-    return text.empty() ? "0" : text;
-  }
-
-  std::string Constant() {
-    switch (Below(6)) {
-      case 0:
-        return Number(Below(20));
-      case 1:
-        return "-" + std::to_string(1 + Below(Chance(50) ? 20 : 32768));
-      case 2:
-        return Number(Below(65536));
-      case 3:
-        return One(std::array{"0", "1", "32767", "-32768", "65535", "255", "256", "9999", "10000", "0FFH", "8000H"});
-      case 4:
-        return std::to_string(Below(10000)) + "D";
-      default: {
-        constexpr std::string_view kDigits = "0123456789ABCDEF";
-        std::string text = "0";
-        for (uint32_t k = Below(4) + 1; k > 0; --k) text += kDigits[Below(16)];
-        return text + "H";
-      }
-    }
-  }
-
-  std::string Bit() {
-    if (Chance(3)) return One(std::array{"F 250.", "F 251."}) + std::to_string(Below(8));
-    // What the control writes and reads: time, keys, messages, axes.
-    if (Chance(4)) {
-      return One(std::array{"I 20.0", "I 20.1", "I 20.7", "I 62.0", "O 106.7", "F 221.7", "O 100.0", "F 222.0",
-                            "I 21.0", "O 64.3"});
-    }
-    const uint32_t byte = Chance(92) ? Below(4) : One(std::array{"20", "44", "47", "254", "255"}) == "20" ? 20 : 255;
-    return One(std::array{"I ", "O ", "F ", "F "}) + std::to_string(byte) + "." + std::to_string(Below(8));
-  }
-  std::string CounterNumber() { return std::to_string(Chance(92) ? Below(5) : 63); }
-  std::string TimerNumber() { return std::to_string(Chance(92) ? Below(6) : 63); }
-
-  std::string ReadableBit() {
-    switch (Below(12)) {
-      case 0:
-        return "C " + CounterNumber();
-      case 1:
-        return "T " + TimerNumber();
-      case 2:
-        return Chance(40) ? "P " + std::to_string(Below(24)) + "." + std::to_string(Below(8)) : Bit();
-      default:
-        return Bit();
-    }
-  }
-  std::string WritableBit() {
-    return Chance(6) ? "P " + std::to_string(Below(12)) + "." + std::to_string(Below(8)) : Bit();
-  }
-
-  /// `width` bytes of a space; near its ends now and then.
-  std::string Field(uint32_t width, bool borders_matter) {
-    const uint32_t space = Below(5);
-    if (space < 3) {
-      const uint32_t last = 256 - width;
-      const uint32_t number = Chance(80) ? Below(5) : Chance(50) ? last - Below(3) : Below(last + 1);
-      return std::string(1, "IOF"[space]) + (Chance(50) || width == 1 ? "B " : Wide(number, 255)) +
-             std::to_string(number);
-    }
-    uint32_t number = 0;
-    do {
-      switch (Below(5)) {
-        case 0:
-          number = 490 + Below(20);
-          break;
-        case 1:
-          number = 1000 - width - Below(4);
-          break;
-        default:
-          number = Below(6);
-          break;
-      }
-    } while (borders_matter && number < 500 && number + width > 500);
-    return "D" + (Chance(50) || width == 1 ? "B " : Wide(number, 999)) + std::to_string(number);
-  }
-  /// A word operand unless the number is the last byte of the space.
-  static std::string Wide(uint32_t number, uint32_t last) { return number < last ? "W " : "B "; }
-
-  std::string Data(uint32_t width) {
-    std::string text = Field(width, false);
-    if (width == 1 || text[1] == 'W') return text;
-    text[1] = 'W';  // Field has left room for `width` bytes
-    return text;
-  }
-  std::string Port(uint32_t width, uint32_t count) {
-    const uint32_t number = Chance(70) ? Below(count - width + 1) : 100 + Below(33 - width);
-    return std::string(width == 1 ? "PB " : "PW ") + std::to_string(number);
-  }
-  std::string ReadableData() {
-    const uint32_t width = 1 + Below(2);
-    return Chance(6) ? Port(width, 24) : Data(width);
-  }
-  std::string WritableData() {
-    const uint32_t width = 1 + Below(2);
-    return Chance(6) ? Port(width, 12) : Data(width);
-  }
-  std::string DataOrConstant() { return Chance(40) ? "K " + Constant() : ReadableData(); }
-
-  std::string Digits(uint32_t count) {
-    std::string text;
-    for (; count > 0; --count) text += static_cast<char>('0' + (Chance(50) ? 0 : Below(10)));
-    return text + "D";
-  }
-  std::string WordOr(const std::string& constant) {
-    return Chance(65) ? "K " + constant : Chance(5) ? Port(2, 24) : Data(2);
   }
 
   // --- sequences ---------------------------------------------------------------------------------------------------
@@ -350,21 +225,22 @@ class ProstepGenerator {
   }
 
   void LogicOperation(uint32_t depth) {
-    const uint32_t choice = Below(100);
+    const uint32_t choice = Below(76 + habits_.percent_of_strings + habits_.percent_of_brackets);
+    const uint32_t strings = 60 + habits_.percent_of_strings, brackets = strings + habits_.percent_of_brackets;
     if (choice < 60) {
       const std::string mnemonic = One(std::array{"A ", "AN ", "O ", "ON "});
       Line(mnemonic + ReadableBit());
       if (mnemonic[0] == 'O') string_open_ = false;
-    } else if (choice < 72) {
+    } else if (choice < strings) {
       Line("O");
       string_open_ = true;
-    } else if (choice < 84 && depth < 8) {
+    } else if (choice < brackets && depth < habits_.most_depth) {
       const bool is_or = Chance(50);
       const bool outer = string_open_ && !is_or;
       string_open_ = false;
       Around(is_or ? "O(" : "A(", ")", [&] { Bracket(depth + 1); });
       string_open_ = outer;
-    } else if (choice < 90) {
+    } else if (choice < brackets + 6) {
       Compare();
       string_open_ = false;
     } else {
@@ -383,7 +259,7 @@ class ProstepGenerator {
           Compare();
         }
       } else {
-        LogicOperation(Chance(60) ? 8 : depth);
+        LogicOperation(Chance(60) ? kNoMore : depth);
       }
     }
   }
@@ -392,33 +268,53 @@ class ProstepGenerator {
     string_open_ = false;
     const std::string timer = "T " + TimerNumber();
     const std::string counter = "C " + CounterNumber();
-    const uint32_t choice = Below(100);
-    if (choice < 26) {
-      Line(One(std::array{"= ", "= ", "S ", "R "}) + WritableBit());
-    } else if (choice < 34) {
-      Line(One(std::array{"CU ", "CD "}) + counter);
-    } else if (choice < 38) {
-      Line("S " + counter);
-      OperandLine(WordOr(Digits(3)));
-    } else if (choice < 42) {
-      Line("R " + (Chance(50) ? counter : timer));
-    } else if (choice < 54) {
-      Line(One(std::array{"SP ", "SE ", "SR ", "SS ", "SF "}) + timer);
-      OperandLine(WordOr(std::to_string(Chance(80) ? Below(2) : Below(4)) + Digits(3)));
-    } else if (choice < 64) {
-      Line("T " + WritableData());
-    } else if (choice < 72 && labels_ > 0) {
-      const std::string jump = One(std::array{"JU ", "JC ", "JC ", "JC "});
-      Line(jump + Label(Below(labels_)));
-    } else if (choice < 77) {
-      Call();
-    } else if (choice < 97) {
-      FunctionCall();
-    } else if (choice < 99) {
-      Line("EMC");
-    } else {
-      Line(Chance(50) ? "EM" : "EMC");
+    switch (WhichEnd()) {
+      case 0:
+        Line(One(std::array{"= ", "= ", "S ", "R "}) + WritableBit());
+        break;
+      case 1:
+        Line(One(std::array{"CU ", "CD "}) + counter);
+        break;
+      case 2:
+        Line("S " + counter);
+        OperandLine(WordOr(Digits(3)));
+        break;
+      case 3:
+        Line("R " + (Chance(50) ? counter : timer));
+        break;
+      case 4:
+        Line(One(std::array{"SP ", "SE ", "SR ", "SS ", "SF "}) + timer);
+        OperandLine(WordOr(std::to_string(Chance(habits_.long_times ? 20 : 80) ? Below(2) : Below(4)) + Digits(3)));
+        break;
+      case 5:
+        Line("T " + WritableData());
+        break;
+      case 6:
+        if (labels_ > 0) {
+          const std::string jump = One(std::array{"JU ", "JC ", "JC ", "JC "});
+          Line(jump + Label(Below(labels_)));
+        } else {
+          Line(Chance(80) ? "EMC" : "EM");
+        }
+        break;
+      case 7:
+        Call();
+        break;
+      default:
+        FunctionCall();
+        break;
     }
+    if (Chance(2)) Line(Chance(75) ? "EMC" : "EM");
+  }
+  size_t WhichEnd() {
+    uint32_t all = 0;
+    for (const uint32_t weight : habits_.ends) all += weight;
+    uint32_t left = Below(all);
+    for (size_t kind = 0; kind < habits_.ends.size(); ++kind) {
+      if (left < habits_.ends[kind]) return kind;
+      left -= habits_.ends[kind];
+    }
+    return 0;
   }
 
   /// Upwards only, so that there is no ring.
@@ -427,7 +323,7 @@ class ProstepGenerator {
     for (const uint32_t number : subroutines_) {
       if (number > module_) targets.push_back(number);
     }
-    if (targets.empty() || calls_ >= 2) {
+    if (targets.empty() || calls_ >= std::min(habits_.most_calls, subroutines_.size() > 5 ? 2u : 4u)) {
       Line("= " + WritableBit());
       return;
     }
@@ -436,12 +332,28 @@ class ProstepGenerator {
          std::to_string(targets[Below(static_cast<uint32_t>(targets.size()))]));
   }
 
-  std::string LongOperand(uint32_t width) { return Chance(4) ? "K " + Constant() : Field(width, true); }
+  std::string LongOperand(uint32_t width) { return Chance(8) ? "K " + Constant() : Field(width, true); }
+
+  /// A field is its space and number, whatever its class (6.9).
+  std::string AnyClass(std::string field) {
+    const uint32_t last = field[0] == 'D' ? 999 : 255;
+    if (Chance(50) && std::stoul(field.substr(3)) < last) field[1] = 'W';
+    return field;
+  }
+
+  /// Index and offset of a variable of the control.
+  void Variable() {
+    OperandLine(Chance(50) ? "K " + std::to_string(Below(47)) : Chance(80) ? ReadableData() : Port(1 + Below(2), 24));
+    OperandLine(Chance(50)   ? "K " + std::to_string(static_cast<int>(Below(6)) - 1)
+                : Chance(80) ? ReadableData()
+                             : Port(1 + Below(2), 24));
+  }
 
   void FunctionCall() {
-    static constexpr std::array<uint32_t, 52> kNumbers = {
-        0,  0,  1,  1,  2,  2,  3,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 30, 31, 32,
-        33, 34, 41, 42, 44, 51, 52, 54, 60, 61, 62, 63, 64, 65, 66, 70, 71, 72, 73, 74, 75, 76, 77, 78, 80, 81};
+    static constexpr std::array<uint32_t, 65> kNumbers = {
+        0,  0,  1,  1,  2,  2,  3,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17,
+        18, 30, 31, 32, 33, 34, 41, 42, 44, 51, 52, 54, 60, 61, 62, 63, 64, 65, 66, 70, 71, 72,
+        73, 74, 75, 76, 77, 78, 80, 81, 81, 81, 81, 81, 6,  7,  8,  9,  10, 15, 16, 17, 18};
     uint32_t number = kNumbers[Below(kNumbers.size())];
     if (number == 81) number += Below(8);
     Line(One(std::array{"JU FM ", "JU FM ", "JC FM "}) + std::to_string(number));
@@ -454,18 +366,19 @@ class ProstepGenerator {
       OperandLine(DataOrConstant());
       OperandLine(number < 2 ? WritableData() : Field(4, true));
     } else if (number >= 6 && number <= 10) {
-      OperandLine(number <= 7 && Chance(70) ? "K " + std::to_string(Below(18)) : DataOrConstant());
+      OperandLine(Chance(35)   ? "K " + (number <= 7 ? std::to_string(Below(18)) : Constant())
+                  : Chance(70) ? ReadableData()
+                               : Port(1 + Below(2), 24));
     } else if (number >= 15 && number <= 18) {
-      OperandLine(Field(1, false));
-      OperandLine(Chance(50) ? "K " + std::to_string(static_cast<int>(Below(24)) - 8) : DataOrConstant());
+      const std::string base = AnyClass(Field(1, false));
+      OperandLine(base);
+      OperandLine(Displacement(base));
     } else if (number >= 41 && number <= 44) {
-      OperandLine(Chance(80) ? "K " + std::to_string(Below(47)) : DataOrConstant());
-      OperandLine(Chance(80) ? "K " + std::to_string(static_cast<int>(Below(6)) - 1) : DataOrConstant());
-      OperandLine(Field(number - 40, true));
+      Variable();
+      OperandLine(AnyClass(Field(number - 40, true)));
     } else if (number >= 51 && number <= 54) {
-      OperandLine(Field(number - 50, true));
-      OperandLine(Chance(80) ? "K " + std::to_string(Below(47)) : DataOrConstant());
-      OperandLine(Chance(80) ? "K " + std::to_string(static_cast<int>(Below(6)) - 1) : DataOrConstant());
+      OperandLine(AnyClass(Field(number - 50, true)));
+      Variable();
     } else if (number >= 60 || (number >= 30 && number <= 34)) {
       const bool quad = number == 62 || number == 63 || number == 32 || number == 33;
       const bool two = number == 34 || number == 70 || number >= 80 || (number >= 64 && number <= 66 && Chance(30));
@@ -481,16 +394,16 @@ class ProstepGenerator {
   void Module(uint32_t number, uint32_t size) {
     module_ = number;
     calls_ = 0;
-    labels_ = Chance(30) ? 0 : Below(2 + size / 12);
+    labels_ = Chance(30) ? 0 : Below(2 + size * habits_.labels_in_hundred / 100);
     string_open_ = false;
     uint32_t placed = 0;
     Around("MOD PM " + std::to_string(number), "END PM " + std::to_string(number), [&] {
       if (number == 0) Activate();
       for (uint32_t k = 0; k < size;) {
         if (!string_open_ && placed < labels_ && Below(size) < 3 * labels_) PlaceLabel(placed++);
-        const uint32_t logic = Chance(12) ? 0 : 1 + Below(5);
+        const uint32_t logic = Chance(12) ? 0 : 1 + Below(habits_.most_logic);
         for (uint32_t j = 0; j < logic; ++j) LogicOperation(0);
-        const uint32_t ends = 1 + Below(3);
+        const uint32_t ends = 1 + Below(habits_.most_ends);
         for (uint32_t j = 0; j < ends; ++j) End();
         k += logic + ends;
       }
@@ -512,7 +425,18 @@ class ProstepGenerator {
 
   std::string Assignment() {
     const auto number = [](uint32_t n) { return std::to_string(n); };
-    switch (Below(10)) {
+    switch (Below(13)) {
+      case 10:
+        return "IB" + number(random_.Pick(habits_.bytes)) + ": " + number(Chance(50) ? 1u << Below(8) : Below(256));
+      case 11:
+        return One(std::array{"FB", "OB", "FB"}) + number(random_.Pick(habits_.bytes)) + ": " + number(Below(256));
+      case 12: {
+        const uint32_t at = std::min(random_.Pick(habits_.data), 998u);
+        // Times and presets are BCD.
+        static const std::vector<uint32_t> kWords = {0,      1,      9,      0x10,   0x999, 0x1003,
+                                                     0x2001, 0x3001, 0x3999, 0xFFFF, 0x8000};
+        return "DW" + number(at) + ": " + number(Chance(60) ? random_.Pick(kWords) : Below(65536));
+      }
       case 8:
         return One(std::array{"DW", "FW", "IW"}) + number(Below(4)) + ": " + number(Below(65536));
       case 9:
@@ -551,6 +475,9 @@ class ProstepGenerator {
         steps_.push_back("power_cycle:");
       } else if (choice < 5) {
         steps_.push_back("run: {fast: " + std::to_string(1 + Below(3)) + "}");
+      } else if (choice < 7 && habits_.long_times) {
+        steps_.push_back(Chance(50) ? "run: {s: " + std::to_string(1 + Below(12)) + "}"
+                                    : "run: {ms: " + std::to_string(1000 + Below(9000)) + "}");
       } else if (choice < 10) {
         steps_.push_back("run: {ms: " + std::to_string(1 + Below(Chance(80) ? 60 : 600)) + "}");
       } else {
@@ -559,15 +486,14 @@ class ProstepGenerator {
     }
   }
 
-  Random& random_;
   uint32_t instructions_;
   std::vector<Piece> pieces_;
   std::vector<Piece>* at_ = &pieces_;
   std::map<std::string, std::string> options_;
   std::vector<std::string> steps_;
   std::vector<uint32_t> subroutines_;
-  const bool is_plain_;
-  std::string label_;  // of the next line
+  std::string label_;                     // of the next line
+  static constexpr uint32_t kNoMore = 8;  // no bracket fits in
   uint32_t m_functions_ = 0, texts_ = 0, menus_ = 0;
   uint32_t module_ = 0;
   uint32_t labels_ = 0;
@@ -578,7 +504,8 @@ class ProstepGenerator {
 }  // namespace
 
 RandomProgram MakeRandomProstep(Random& random, ProgramSize size, Spelling spelling) {
-  const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(5, 80);
+  const uint32_t instructions =
+      size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(5, random.OneIn(4) ? 150 : 80);
   return ProstepGenerator(random, instructions, spelling).Run();
 }
 

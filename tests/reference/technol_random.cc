@@ -21,10 +21,12 @@ class TechnolGenerator : StraightCode {
   }
 
   RandomProgram Run() {
+    ChooseHabits();
     ChooseOptions();
-    for (uint32_t k = Below(4); k > 0; --k) mechanisms_.push_back("M" + std::to_string(mechanisms_.size()));
+    for (uint32_t k = Below(habits_.most_mechanisms + 1); k > 0; --k)
+      mechanisms_.push_back("M" + std::to_string(mechanisms_.size()));
     top_level_ = mechanisms_.empty() ? 0 : Below(static_cast<uint32_t>(mechanisms_.size()) + 1);
-    for (uint32_t k = Below(5); k > 0; --k) segments_.push_back({});
+    for (uint32_t k = Below(habits_.most_subprograms + 1); k > 0; --k) segments_.push_back({});
     Data();
     const uint32_t parts = 5 + static_cast<uint32_t>(mechanisms_.size() + segments_.size());
     size_ = std::max(3u, instructions_ / parts);
@@ -36,6 +38,7 @@ class TechnolGenerator : StraightCode {
       if (next_top < top_level_ && Chance(50)) Mechanism(next_top++);
     }
     while (next_top < top_level_) Mechanism(next_top++);
+    if (Chance(12)) HostModule();
     Subprograms();
     Piece& end = pieces_.emplace_back();
     end.text = "  STOP";
@@ -120,6 +123,11 @@ class TechnolGenerator : StraightCode {
   void Data() {
     Piece data{"  DATA", {}, Spelled({"  DATA_END", "  START"})};
     const auto line = [&](const std::string& text) { data.body.push_back({text, {}, ""}); };
+    RandomData own(
+        random_, [this](const std::vector<std::string>& any) { return Spelled(any); },
+        [this](uint64_t value) { return Literal(value); });
+    for (const std::string& text : own.Lines()) line(text);
+    cells_ = own.cells();
     const std::string open = Spelled({"S0 STRUC", "S0 STRUCT", "S0 STRUC ; pole"});
     line(open + "\nP0 DB 3\nP1 DW ?\nP2 DD ?\nS0 ENDS");
     line("BITS: DFM A0,A1,A2,A3,A4,A5,A6,A7");
@@ -145,27 +153,36 @@ class TechnolGenerator : StraightCode {
 
   void Acting() {
     Loaded reads = 0;
-    const uint32_t choice = Below(100);
-    if (choice < 30) {
-      Ensure(kRlo);
-      EmitTechnol("WR " + Bit(true), kRlo, 0, false);
-    } else if (choice < 50) {
-      const std::string mnemonic = One(std::array{"FL ", "FL1 ", "FL0 "});
-      if (mnemonic != "FL ") Ensure(kRlo);
-      EmitTechnol(mnemonic + Text(Below(2)) + "," + Bit(true), mnemonic == "FL " ? 0 : kRlo, 0, false);
-    } else if (choice < 80) {
-      const std::string text = Memory(Width(), reads);
-      reads |= kDr;
-      Ensure(reads);
-      EmitTechnol("STO " + text, reads, 0, false);
-    } else if (choice < 84) {
-      EmitTechnol("ESET " + Text(1 + Below(99)) + (Chance(50) ? "," + Text(Below(100)) : ""), 0, 0, false);
-    } else if (choice < 87 && !mechanisms_.empty()) {
-      EmitTechnol("MECH_INIT " + random_.Pick(mechanisms_), 0, 0, false);
-    } else if (choice < 92) {
-      Macro();
-    } else {
-      Assembler(true);
+    switch (Weighed(habits_.acting)) {
+      case 0:
+        Ensure(kRlo);
+        EmitTechnol("WR " + Bit(true), kRlo, 0, false);
+        break;
+      case 1: {
+        const std::string mnemonic = One(std::array{"FL ", "FL1 ", "FL0 "});
+        if (mnemonic != "FL ") Ensure(kRlo);
+        EmitTechnol(mnemonic + Text(Below(2)) + "," + Bit(true), mnemonic == "FL " ? 0 : kRlo, 0, false);
+        break;
+      }
+      case 2: {
+        const std::string text = Memory(Width(), reads);
+        reads |= kDr;
+        Ensure(reads);
+        EmitTechnol("STO " + text, reads, 0, false);
+        break;
+      }
+      case 3:
+        EmitTechnol("ESET " + Text(1 + Below(99)) + (Chance(50) ? "," + Text(Below(100)) : ""), 0, 0, false);
+        break;
+      case 4:
+        if (!mechanisms_.empty()) EmitTechnol("MECH_INIT " + random_.Pick(mechanisms_), 0, 0, false);
+        break;
+      case 5:
+        Macro();
+        break;
+      default:
+        Assembler(true);
+        break;
     }
   }
 
@@ -236,7 +253,7 @@ class TechnolGenerator : StraightCode {
 
   void Call() {
     const uint32_t first = segment_ == kNone ? 0 : segment_ + 1;
-    if (first >= segments_.size() || calls_ >= 3) return;
+    if (first >= segments_.size() || calls_ >= std::min(habits_.most_calls, segments_.size() > 5 ? 2u : 3u)) return;
     ++calls_;
     const bool outer_zero = std::exchange(reads_zero_, false);
     Ensure(kSubprogramBase);
@@ -283,21 +300,32 @@ class TechnolGenerator : StraightCode {
   void Body(uint32_t size, bool waits) {
     for (uint32_t k = 0; k < size; ++k) {
       if (placed_ < labels_ && Below(size) < labels_ * 2) PlaceLabel();
-      const uint32_t choice = Below(100);
-      if (waits && choice < 12) {
-        Wait();
-      } else if (choice < 45) {
-        PureTechnol();
-      } else if (choice < 65) {
-        Assembler(true);
-      } else if (choice < 84) {
-        Acting();
-      } else if (choice < 93) {
-        Jump();
-      } else if (choice < 96) {
-        Call();
-      } else {
-        Stack(0);
+      switch (Weighed(habits_.body)) {
+        case 0:
+          if (waits) {
+            Wait();
+          } else {
+            PureTechnol();
+          }
+          break;
+        case 1:
+          PureTechnol();
+          break;
+        case 2:
+          Assembler(true);
+          break;
+        case 3:
+          Acting();
+          break;
+        case 4:
+          Jump();
+          break;
+        case 5:
+          Call();
+          break;
+        default:
+          Stack(0);
+          break;
       }
     }
   }
@@ -317,7 +345,7 @@ class TechnolGenerator : StraightCode {
     Piece piece{open, {}, close};
     at_ = &piece.body;
     unit_ = units_++;
-    labels_ = Chance(25) ? 0 : Below(2 + size_ / 8);
+    labels_ = Chance(25) ? 0 : Below(2 + size_ * habits_.labels_in_hundred / 100);
     placed_ = 0;
     calls_ = 0;
     base_ = 0;
@@ -352,6 +380,15 @@ class TechnolGenerator : StraightCode {
         Ensure(base_);
         Body(share / 2, false);
       }
+    });
+  }
+
+  /// Called by the host alone, which no scenario does: it has to be generated all the same.
+  void HostModule() {
+    const std::string name = One(std::array{"MODULE_SEST", "MODULE_?", "MODULE_@X?", "MODULE_main_2"});
+    Unit("  " + name, "  " + name + "_END", false, [&] {
+      reads_zero_ = true;
+      Body(size_ / 2 + 1, false);
     });
   }
 
@@ -401,6 +438,8 @@ class TechnolGenerator : StraightCode {
       case 5:
         return "BYTE.(LABEL_MEM+" + Text(Below(8)) + "): " + Text(Below(256));
       case 6:
+        if (!cells_.bytes.empty() && Chance(60)) return "'" + random_.Pick(cells_.bytes) + "': " + Text(Below(256));
+        if (!cells_.words.empty() && Chance(50)) return "'" + random_.Pick(cells_.words) + "': " + Text(Below(65536));
         return "BITS: " + Text(Below(256));
       default:
         return "IN" + Text(Below(2)) + ": " + Text(Below(256));
@@ -429,7 +468,7 @@ class TechnolGenerator : StraightCode {
       } else if (choice < 4) {
         steps_.push_back("run: {fast: " + Text(1 + Below(3)) + "}");
       } else if (choice < 7) {
-        steps_.push_back("run: {ms: " + Text(1 + Below(60)) + "}");
+        steps_.push_back(Chance(3) ? "run: {s: " + Text(1 + Below(3)) + "}" : "run: {ms: " + Text(1 + Below(60)) + "}");
       } else {
         steps_.push_back("run: {slow: " + Text(1 + Below(5)) + "}");
       }
@@ -458,7 +497,8 @@ class TechnolGenerator : StraightCode {
 }  // namespace
 
 RandomProgram MakeRandomTechnol(Random& random, ProgramSize size, Spelling spelling) {
-  const uint32_t instructions = size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(10, 90);
+  const uint32_t instructions =
+      size == ProgramSize::kLarge ? random.Between(150, 600) : random.Between(10, random.OneIn(4) ? 150 : 90);
   return TechnolGenerator(random, instructions, spelling).Run();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/reference/random_program.h"
+#include "tests/reference/technol_random_data.h"
 
 namespace plcxx::reference::technol_code {
 
@@ -23,6 +24,16 @@ constexpr Loaded Parts(uint32_t reg, Loaded parts) { return parts << (6 + 3 * re
 constexpr Loaded Whole(uint32_t reg) { return Parts(reg, 7); }
 constexpr Loaded Word(uint32_t reg) { return Parts(reg, 3); }
 constexpr Loaded kDr = Whole(kEcx);
+
+/// What one program is like.
+struct Habits {
+  uint32_t most_mechanisms = 3, most_subprograms = 4;
+  uint32_t labels_in_hundred = 12, most_calls = 3;
+  uint32_t percent_of_own_cells = 10, percent_of_names = 40;  // of the accesses to memory
+  // by kind, as TechnolGenerator::Body and Acting have them
+  std::array<uint32_t, 7> body = {12, 33, 20, 19, 9, 3, 4};
+  std::array<uint32_t, 7> acting = {30, 20, 30, 4, 3, 5, 8};
+};
 
 struct Name {
   std::string text;
@@ -110,6 +121,7 @@ class StraightCode {
       return One(std::array{"REQ_SEND_PLCMEM", "REQ_SEND_NCTAB", "REQ_BACKUP_POS", "REQ_CLOSE_ALL", "REQ_PIS_HALT",
                             "NC_PRIPRAVNE", "NC_ZAVERECNE", "NC_CLEAR", "UPS_SHUTDOWN", "UPS_LINEFAIL"});
     }
+    if (!cells_.bits.empty() && Chance(25)) return random_.Pick(cells_.bits);
     return Chance(30)   ? One(std::array{"I0", "I1", "I2", "I3", "I7"})
            : Chance(20) ? One(std::array{"O0", "O1", "O3", "O5"})
                         : "A" + Text(Below(8));
@@ -119,13 +131,22 @@ class StraightCode {
   std::string Memory(uint32_t width, Loaded& reads) {
     const uint32_t choice = Below(100);
     const std::string prefix = width == 8 ? "BYTE." : width == 16 ? "WORD." : "DWRD.";
-    if (choice < 40) {
+    if (Chance(habits_.percent_of_own_cells)) {
+      const std::vector<std::string>& own = width == 8 ? cells_.bytes : width == 16 ? cells_.words : cells_.longs;
+      if (!own.empty() && Chance(60)) return random_.Pick(own);
+      if (!cells_.any.empty()) {
+        const std::string& base = random_.Pick(cells_.any);
+        const std::string offset = Text(Below(5));
+        return prefix + (Chance(40) ? base : Chance(50) ? base + "+" + offset : "(" + base + "+" + offset + ")");
+      }
+    }
+    if (choice < habits_.percent_of_names) {
       if (width == 8)
         return One(std::array{"B0", "B1", "BITS", "IN1", "OUT1", "BZH21", "SYSREQ", "TAB", "ST.P0", "TEXT"});
       if (width == 16) return One(std::array{"W0", "W1", "W2", "ST.P1", "ST2.P1", "W0", "W1", "W2"});
       return One(std::array{"D0", "D1", "ST.P2"});
     }
-    if (choice < 65) {
+    if (choice < habits_.percent_of_names + 25) {
       return prefix + One(std::array{"B0",
                                      "B1",
                                      "BITS",
@@ -168,9 +189,22 @@ class StraightCode {
                                                   {"EDI", Whole(5), 32}}};
     const Name& index = kIndexes[Chance(60) ? 0 : Below(6)];
     reads |= index.parts;
-    const std::string area = One(
-        std::array{"TAB", "B0", "LABEL_MEM", "LABEL_MEM.P1", "TAB_TECHNOL", "SET_NCTAB", "W1", "IN0", "OUT0", "D1"});
-    return prefix + area + "[" + index.text + (Chance(30) ? One(std::array{"+1", "+4", "-1", "-3"}) : "") + "]";
+    const std::string area = !cells_.any.empty() && Chance(20)
+                                 ? random_.Pick(cells_.any)
+                                 : One(std::array{"TAB", "B0", "LABEL_MEM", "LABEL_MEM.P1", "TAB_TECHNOL", "SET_NCTAB",
+                                                  "W1", "IN0", "OUT0", "D1"});
+    const std::string in_brackets =
+        "[" + index.text + (Chance(30) ? One(std::array{"+1", "+4", "-1", "-3", "+996", "-1000"}) : "") + "]";
+    switch (Below(6)) {
+      case 0:
+        return prefix + area + "+" + Text(Below(5)) + in_brackets;
+      case 1:
+        return prefix + area + in_brackets + One(std::array{".P1", "+2", ".P2"});
+      case 2:
+        return prefix + "(" + area + "+" + Text(Below(3)) + ")" + in_brackets;
+      default:
+        return prefix + area + in_brackets;
+    }
   }
 
   std::string Constant(uint32_t width) {
@@ -258,7 +292,12 @@ class StraightCode {
     for (uint32_t reg = 0; reg < 6; ++reg) {
       if ((wanted & Whole(reg) & ~loaded_) == 0) continue;
       if (reads_zero_ && reg != kEcx && Chance(30)) continue;  // TW023: 0
-      const std::string value = Chance(60) ? Text(Below(12)) : Chance(50) ? "-" + Text(1 + Below(3)) : Constant(32);
+      // The ends of the areas that an index may reach (5.1).
+      const std::string value = Chance(50)   ? Text(Below(12))
+                                : Chance(40) ? One(std::array{"999", "998", "996", "1000", "1631", "1628", "1632", "63",
+                                                              "64", "60", "8", "9", "32767", "32768", "65535", "-1000"})
+                                : Chance(40) ? "-" + Text(1 + Below(3))
+                                             : Constant(32);
       Emit("MOV " + std::string(kLong[reg]) + "," + value, 0, Whole(reg), 0, true);
     }
     if ((wanted & kAllFlags & ~loaded_) != 0) {
@@ -315,7 +354,7 @@ class StraightCode {
     }
   }
 
-  uint32_t Width() { return One(std::array{"8", "16", "32"}) == "8" ? 8 : Chance(60) ? 16 : 32; }
+  uint32_t Width() { return 8u << Below(3); }
 
   /// `memory`: a destination in memory is wanted now and then.
   void Assembler(bool memory) {
@@ -461,8 +500,36 @@ class StraightCode {
     run_is_whole_ = true;
   }
 
+  /// One program in three is of the kind that it always was; the others have a mixture of their own.
+  void ChooseHabits() {
+    if (Chance(33)) return;
+    habits_.most_mechanisms = Below(9);
+    habits_.most_subprograms = Below(9);
+    habits_.labels_in_hundred = Below(40);
+    habits_.most_calls = 1 + Below(3);
+    habits_.percent_of_own_cells = Below(80);
+    habits_.percent_of_names = Below(70);
+    for (uint32_t& weight : habits_.body) weight = Chance(25) ? 0 : Below(40);
+    habits_.body[1 + Below(3)] += 10;
+    for (uint32_t& weight : habits_.acting) weight = Chance(25) ? 0 : Below(30);
+    habits_.acting[Below(3)] += 10;
+  }
+  template <size_t N>
+  size_t Weighed(const std::array<uint32_t, N>& weights) {
+    uint32_t all = 0;
+    for (const uint32_t weight : weights) all += weight;
+    uint32_t left = Below(all);
+    for (size_t kind = 0; kind < N; ++kind) {
+      if (left < weights[kind]) return kind;
+      left -= weights[kind];
+    }
+    return 0;
+  }
+
   Random& random_;
   const bool is_plain_;
+  Habits habits_;
+  Cells cells_;                       // of this program alone
   std::string waiting_label_;         // of the next line
   std::vector<Piece>* at_ = nullptr;  // where lines go
   std::vector<std::string> mechanisms_;
