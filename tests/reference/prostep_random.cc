@@ -469,6 +469,16 @@ class ProstepGenerator : ProstepOperands {
         steps_.push_back(
             "force: {" +
             One(std::array{"FB1: 3", "DB3: 7", "IB0: 1", "F 221.7: 1", "DW4: 9999", "FW2: 4660", "IB1: 255"}) + "}");
+      if (Chance(5)) {  // a place of this program's own
+        const std::string place = Chance(60)
+                                      ? One(std::array{"FB", "IB", "OB"}) + std::to_string(random_.Pick(habits_.bytes))
+                                      : "DB" + std::to_string(random_.Pick(habits_.data));
+        steps_.push_back("force: {" + place + ": " + std::to_string(Below(256)) + "}");
+        if (Chance(50)) {
+          steps_.push_back("run: {slow: 2}");
+          steps_.push_back("release: [" + place + "]");
+        }
+      }
       if (Chance(6)) steps_.push_back("release: [FB1, DB3, DW4, IB0, IB1, FW2, F 221.7]");
       const uint32_t choice = Below(20);
       if (choice == 0) {

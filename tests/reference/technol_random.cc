@@ -1,12 +1,14 @@
 // Random programs of dialect technol: valid ones, of the whole language (6), with few cells so that things meet.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/reference/technol.h"
 #include "tests/reference/technol_random_code.h"
+#include "tests/reference/technol_random_macros.h"
 
 namespace plcxx::reference {
 namespace {
@@ -16,12 +18,15 @@ using namespace technol_code;
 class TechnolGenerator : StraightCode {
  public:
   TechnolGenerator(Random& random, uint32_t instructions, Spelling spelling)
-      : StraightCode(random, spelling), instructions_(instructions) {
+      : StraightCode(random, spelling),
+        macros_(random, [this](const std::vector<std::string>& any) { return Spelled(any); }),
+        instructions_(instructions) {
     at_ = &pieces_;
   }
 
   RandomProgram Run() {
     ChooseHabits();
+    macro_definitions_ = macros_.Definitions();
     ChooseOptions();
     for (uint32_t k = Below(habits_.most_mechanisms + 1); k > 0; --k)
       mechanisms_.push_back("M" + std::to_string(mechanisms_.size()));
@@ -83,6 +88,7 @@ class TechnolGenerator : StraightCode {
     macro("DVAKRAT MACRO C2\n  PLUS C2,1\n  PLUS C2,2");
     macro("SKOK MACRO P1,V1\n  LOCAL DAL\n  LDR P1\n  JL1 DAL\n  FL 1,V1\nDAL:");
     macro("SPOJ MACRO P2\n  LOD W&P2\n  STO W&P2");
+    std::ranges::move(macro_definitions_, std::back_inserter(lines));
     return lines;
   }
 
@@ -192,6 +198,13 @@ class TechnolGenerator : StraightCode {
     const auto plus = [](const std::string& to, const std::string& by) {
       return "LOD " + to + "\n  AD CNST." + by + "\n  STO " + to;
     };
+    if (!macros_.empty() && Chance(60)) {
+      const MacroCall call = macros_.Call();
+      EmitTechnol(is_plain_ ? call.expanded : call.text, 0, (call.loads_dr ? kDr : 0) | (call.loads_rlo ? kRlo : 0),
+                  false);
+      if (call.has_label) AtLabel();
+      return;
+    }
     switch (Below(4)) {
       case 0:
         EmitTechnol(is_plain_ ? plus(cell, step) : "PLUS " + cell + "," + step, 0, kDr, false);
@@ -461,6 +474,16 @@ class TechnolGenerator : StraightCode {
                                                "force: {A3: 0}", "force: {IN0: 3}"};
         steps_.emplace_back(One(kForced));
       }
+      if (Chance(6)) {  // a cell of this program's own
+        const std::string own = !cells_.words.empty()  ? random_.Pick(cells_.words)
+                                : !cells_.bits.empty() ? random_.Pick(cells_.bits)
+                                                       : "A5";
+        steps_.push_back("force: {'" + own + "': 1}");
+        if (Chance(50)) {
+          steps_.emplace_back("run: {slow: 2}");
+          steps_.push_back("release: ['" + own + "']");
+        }
+      }
       if (Chance(6)) steps_.emplace_back("release: [A3, W1, B0, I2, OUT1, DWRD.D1, IN0]");
       const uint32_t choice = Below(20);
       if (choice == 0) {
@@ -480,6 +503,8 @@ class TechnolGenerator : StraightCode {
   uint32_t macro_labels_ = 0;
   static constexpr Loaded kSubprogramBase = kRlo | kDr | Whole(kEax) | Whole(kEbx);
 
+  RandomMacros macros_;
+  std::vector<Piece> macro_definitions_;
   uint32_t instructions_;
   uint32_t size_ = 0;  // of a unit
   std::vector<Piece> pieces_;
