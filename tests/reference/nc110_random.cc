@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/reference/nc110_random_habits.h"
 #include "tests/reference/nc110_reference.h"
 
 namespace plcxx::reference {
@@ -19,14 +20,19 @@ using Texts = std::vector<std::string>;
 
 constexpr uint32_t kDeepestBlock = 9;
 
-class Generator {
+class Generator : Nc110Habits {
  public:
   Generator(Random& random, ProgramSize size, Spelling spelling)
       : random_(random), size_(size), is_plain_(spelling == Spelling::kPlain) {}
 
   RandomProgram Run() {
-    Habits();
+    Choose(random_);
     Options();
+    if (program_.options.contains("nc-stub") || random_.OneIn(8)) {  // what the control answers (8.2)
+      for (const uint32_t number : {10, 12, 17, 21, 22}) connectors_.push_back({'K', number});
+      connectors_.push_back({'N', 10});
+      bits_.insert(bits_.end(), {4, 18, 20});
+    }
     Names();
     std::vector<Piece> pieces;
     const uint32_t statements =
@@ -35,48 +41,16 @@ class Generator {
     const uint32_t fast = !has_mark ? statements : random_.OneIn(3) ? 0 : random_.Below(statements);
     while (made_ < fast) pieces.push_back(Item(1));
     if (has_mark) pieces.push_back({Spelled("$", {"$", "$ slow part U4A0=1", "$;"}), {}, ""});
-    while (made_ < statements) pieces.push_back(Item(1));
+    while (made_ < statements) {
+      pieces.push_back(Item(1));
+      if (has_mark && random_.OneIn(60)) pieces.push_back({"$ again, without effect", {}, ""});
+    }
     Files(std::move(pieces));
     Steps();
     return std::move(program_);
   }
 
  private:
-  /// What this program is like.
-  void Habits() {
-    if (random_.OneIn(3)) return;
-    const auto any_of = [&](uint32_t size) {
-      return random_.OneIn(4) ? size - 1 - random_.Below(2) : random_.OneIn(4) ? random_.Below(2) : random_.Below(size);
-    };
-    if (!random_.OneIn(3)) {
-      connectors_.clear();
-      for (uint32_t i = random_.Between(2, 8); i > 0; --i) {
-        const char package = "AKKNT"[random_.Below(5)];
-        connectors_.push_back({package, any_of(package == 'A' ? 32 : package == 'T' ? 16 : 256)});
-      }
-      bits_.clear();
-      for (uint32_t i = random_.Between(2, 10); i > 0; --i) bits_.push_back(random_.Below(32));
-    }
-    const auto some = [&](std::vector<uint32_t>& numbers, uint32_t size) {
-      if (random_.OneIn(3)) return;
-      numbers.clear();
-      for (uint32_t i = random_.Between(1, 6); i > 0; --i) numbers.push_back(any_of(size));
-    };
-    some(timers_, 255);
-    some(counters_, 100);
-    some(one_shots_, 100);
-    if (random_.OneIn(3)) timers_.push_back(random_.Between(47, 64));
-    deepest_ = random_.Between(0, 5);
-    most_terms_ = random_.Between(1, random_.OneIn(8) ? 40 : 5);
-    one_block_in_ = random_.Between(2, 20);
-    most_in_block_ = random_.Between(1, 12);
-    most_members_ = random_.Between(1, 12);
-    one_word_in_ = random_.Between(1, 8);
-    most_kind_ = random_.Between(3, 9);
-    long_times_ = random_.OneIn(12);
-    is_deep_ = random_.OneIn(8);
-  }
-
   // --- options, files ---
 
   void Options() {
@@ -194,10 +168,6 @@ class Generator {
     return (n < 10 && !is_plain_ ? zero : "") + std::to_string(n);
   }
 
-  struct Connector {
-    char package;
-    uint32_t number;
-  };
   Connector AnyConnector() { return random_.Pick(connectors_); }
   std::string Bit(char letter) {
     const Connector c = AnyConnector();
@@ -344,7 +314,9 @@ class Generator {
   }
   std::string Function(uint32_t depth) {
     const std::string name = random_.Pick(Texts{"ENC", "DEC", "BCD", "BIN", "HIG", "LOW", "XCH", "ABS"});
-    const std::string inner = name == "ABS" ? Arithmetic(depth) : WordExpression(depth);
+    const std::string inner = depth > 0 && random_.OneIn(3) ? Function(depth - 1)
+                              : name == "ABS"               ? Arithmetic(depth)
+                                                            : WordExpression(depth);
     return name + Gap() + "(" + Gap() + inner + Gap() + ")";
   }
   std::string ArithmeticTerm(uint32_t depth) {
@@ -559,7 +531,9 @@ class Generator {
     const uint32_t steps = size_ == ProgramSize::kLarge ? 30 : random_.Between(8, 30);
     for (uint32_t i = 0; i < steps; ++i) {
       for (uint32_t sets = random_.Below(4); sets > 0; --sets) program_.steps.push_back("set: {" + Setting() + "}");
-      if (random_.OneIn(12)) program_.steps.push_back("set: {OPERATOR_TEXT: '" + random_.Pick(kLiterals) + "'}");
+      if (random_.OneIn(12))
+        program_.steps.push_back("set: {OPERATOR_TEXT: '" + (random_.OneIn(8) ? kTooLong : random_.Pick(kLiterals)) +
+                                 "'}");
       if (random_.OneIn(25)) program_.steps.push_back("force: {" + Setting() + "}");
       if (random_.OneIn(25)) program_.steps.push_back("release: [I0A0, W1A1, W40K0, I0A1, C5W, T3A]");
       if (random_.OneIn(25)) program_.steps.push_back("power_cycle: {}");
@@ -569,21 +543,13 @@ class Generator {
 
   inline static const Texts kParameters = {"W2T0", "W2T2", "W50K0", "W50K3", "W100N1", "W22A1"};
   inline static const Texts kLiterals = {"OK", "ok", "TOOL 4", "a;b$c!d", "12345678901234567890123456789012", " "};
+  inline static const std::string kTooLong = "12345678901234567890123456789012+";
 
   Random& random_;
   ProgramSize size_;
   RandomProgram program_;
   const bool is_plain_;
   Texts input_names_, output_names_, word_names_, timer_names_, counter_names_, element_names_, parameter_names_;
-  std::vector<Connector> connectors_ = {{'A', 0},  {'A', 1},  {'A', 4},   {'A', 5},  {'A', 14},  {'A', 31},
-                                        {'T', 0},  {'T', 1},  {'T', 15},  {'K', 0},  {'K', 3},   {'K', 9},
-                                        {'K', 10}, {'K', 26}, {'K', 40},  {'K', 41}, {'K', 255}, {'N', 0},
-                                        {'N', 10}, {'N', 60}, {'N', 255}, {'K', 157}};
-  std::vector<uint32_t> bits_ = {0, 1, 2, 7, 8, 15, 16, 31};
-  std::vector<uint32_t> timers_ = {0, 3, 47, 48, 63, 64, 254}, counters_ = {0, 5, 99}, one_shots_ = {0, 1, 6, 99};
-  uint32_t deepest_ = 3, most_terms_ = 2, one_block_in_ = 7, most_in_block_ = 4, most_members_ = 3;
-  uint32_t one_word_in_ = 4, most_kind_ = 9;
-  bool long_times_ = false, is_deep_ = false;
   uint32_t symbols_ = 0, made_ = 0, messages_ = 0;
   bool loops_ = false, xor_first_ = false;
 };

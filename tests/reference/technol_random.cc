@@ -447,7 +447,7 @@ class TechnolGenerator : StraightCode {
           return "DWRD.SET_NCTAB: " + item + ", BYTE.(SET_NCTAB+4): " + Text(50 + Below(12)) +
                  ", DWRD.(SET_NCTAB+5): " + Text(Below(9));
         }
-        return "SYSREQ: " + Text(Below(128));
+        return Chance(40) ? "REQ_BACKUP_MEM: " + Text(Below(2)) : "SYSREQ: " + Text(Below(128));
       case 5:
         return "BYTE.(LABEL_MEM+" + Text(Below(8)) + "): " + Text(Below(256));
       case 6:

@@ -118,8 +118,9 @@ class StraightCode {
   std::string Bit(bool written) {
     if (!mechanisms_.empty() && Chance(12) && !(written && inside_ && aborts_)) return random_.Pick(mechanisms_);
     if (Chance(6)) {
-      return One(std::array{"REQ_SEND_PLCMEM", "REQ_SEND_NCTAB", "REQ_BACKUP_POS", "REQ_CLOSE_ALL", "REQ_PIS_HALT",
-                            "NC_PRIPRAVNE", "NC_ZAVERECNE", "NC_CLEAR", "UPS_SHUTDOWN", "UPS_LINEFAIL"});
+      return One(std::array{"REQ_SEND_PLCMEM", "REQ_SEND_NCTAB", "REQ_BACKUP_MEM", "REQ_SEND_TABTECH", "UPS_BATLOW",
+                            "REQ_BACKUP_POS", "REQ_CLOSE_ALL", "REQ_PIS_HALT", "NC_PRIPRAVNE", "NC_ZAVERECNE",
+                            "NC_CLEAR", "UPS_SHUTDOWN", "UPS_LINEFAIL"});
     }
     if (!cells_.bits.empty() && Chance(25)) return random_.Pick(cells_.bits);
     return Chance(30)   ? One(std::array{"I0", "I1", "I2", "I3", "I7"})
