@@ -7,12 +7,6 @@
 namespace plcxx::reference::host50_random {
 namespace {
 
-struct NamedAddress {
-  const char *address, *name;
-};
-constexpr NamedAddress kNames[] = {{"%I0", "START"}, {"%B1", "axis4-"}, {"%Q0", "PUMP"}, {"%W1", "Count_1"},
-                                   {"%F0", "speed"}, {"%TM1", "T_RUN"}, {"%C1", "TURNS"}};
-
 /// By number: TM0, TM1 ..., again from TM9 on.
 constexpr const char* kTimerKinds[] = {"TONMS", "TONS", "TOFMS", "TPMS", "TOFS", "TPS", "TONM", "TOFM", "TPM"};
 
@@ -26,8 +20,8 @@ std::string Joined(const std::vector<std::string>& lines) {
 
 std::vector<Piece> Networks::Symbols() const {
   std::vector<Piece> lines;
-  for (const NamedAddress& named : kNames) {
-    lines.push_back({std::string(named.address) + " '" + named.name + "' \"a comment\"", {}, ""});
+  for (const NamedAddress& named : names_) {
+    lines.push_back({named.address + " '" + named.name + "' \"a comment\"", {}, ""});
   }
   return lines;
 }
@@ -36,11 +30,11 @@ std::vector<Piece> Networks::Symbols() const {
 
 /// In one of its spellings.
 std::string Networks::Address(const std::string& address) {
-  for (const NamedAddress& named : kNames) {
+  for (const NamedAddress& named : names_) {
     if (address != named.address || random_.OneIn(2)) continue;
-    const bool quoted = std::string(named.name).find('-') != std::string::npos || random_.OneIn(3);
+    const bool quoted = named.name.find('-') != std::string::npos || random_.OneIn(3);
     if (is_plain_) return address;
-    return quoted ? "'" + std::string(named.name) + "'" : named.name;
+    return quoted ? "'" + named.name + "'" : named.name;
   }
   std::string small = address;
   for (char& c : small) c = static_cast<char>(std::tolower(c));
@@ -122,6 +116,17 @@ void Networks::ChooseHabits(uint32_t channels) {
     words_.push_back(counter + (random_.OneIn(3) ? ".P" : ".V"));
     if (random_.OneIn(2)) results_.push_back(counter + ".V");
   }
+  AwkwardNames awkward;
+  for (const std::string& address : bits_) {
+    const bool is_named = std::ranges::find(names_, address, &NamedAddress::address) != names_.end();
+    if (is_named || address[1] == 'T' || address[1] == 'C' || !random_.OneIn(3)) continue;
+    if (const std::string name = awkward.Next(random_); !name.empty()) names_.push_back({address, name});
+  }
+  for (const std::string& address : results_) {
+    const bool is_named = std::ranges::find(names_, address, &NamedAddress::address) != names_.end();
+    if (is_named || address[1] == 'C' || !random_.OneIn(3)) continue;
+    if (const std::string name = awkward.Next(random_); !name.empty()) names_.push_back({address, name});
+  }
   deepest_ = random_.Between(0, 5);
   most_contacts_ = random_.Between(1, 8);
   most_outputs_ = random_.Between(1, 6);
@@ -185,7 +190,7 @@ std::string Networks::Plain(const std::string& operand) const {
   std::string name = operand;
   std::erase(name, '\'');
   const size_t dot = name.starts_with('%') ? std::string::npos : name.find('.');
-  for (const NamedAddress& named : kNames) {
+  for (const NamedAddress& named : names_) {
     if (name.substr(0, dot) == named.name) return named.address + (dot == std::string::npos ? "" : name.substr(dot));
   }
   return operand;

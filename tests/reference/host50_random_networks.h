@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/reference/awkward_names.h"
 #include "tests/reference/random_program.h"
 
 namespace plcxx::reference::host50_random {
@@ -121,6 +122,11 @@ class Networks {
   uint32_t position_ = 0, count_ = 1;
 
   // of this program
+  struct NamedAddress {
+    std::string address, name;
+  };
+  std::vector<NamedAddress> names_ = {{"%I0", "START"}, {"%B1", "axis4-"}, {"%Q0", "PUMP"}, {"%W1", "Count_1"},
+                                      {"%F0", "speed"}, {"%TM1", "T_RUN"}, {"%C1", "TURNS"}};
   std::vector<uint32_t> timers_ = {0, 1, 2, 3, 4, 5, 6, 7, 8};
   Texts counters_ = {"%C0", "%C1", "%C100"};
   Texts bits_ = {"%I0",    "%I1",   "%I2",    "%I3",    "%I4", "%I199",  "%I500", "%I2000", "%Q0",

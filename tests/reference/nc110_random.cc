@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/reference/awkward_names.h"
 #include "tests/reference/nc110_random_habits.h"
 #include "tests/reference/nc110_reference.h"
 
@@ -87,7 +88,10 @@ class Generator : Nc110Habits {
     Piece head{"* names of the machine", {}, ""};
     const auto name = [&](Texts& names, const std::string& operand) {
       static const Texts kStems = {"START", "stop", "Pump", "axis.x", "T#4", "9th", "@level", "door'open", "ready?"};
-      const std::string word = std::to_string(symbols_++) + random_.Pick(kStems);  // 10 characters count
+      const bool is_awkward = random_.OneIn(3);
+      const std::string awkward = is_awkward ? awkward_.Next(random_) : "";
+      const std::string word =
+          awkward.empty() ? std::to_string(symbols_++) + random_.Pick(kStems) : awkward;  // 10 characters count
       head.text +=
           "\n" + word + (random_.OneIn(2) ? " = " : "=") + operand + (random_.OneIn(3) ? " ; of the machine" : "");
       names.push_back(is_plain_ ? operand : "!" + word);
@@ -550,6 +554,7 @@ class Generator : Nc110Habits {
   RandomProgram program_;
   const bool is_plain_;
   Texts input_names_, output_names_, word_names_, timer_names_, counter_names_, element_names_, parameter_names_;
+  AwkwardNames awkward_;
   uint32_t symbols_ = 0, made_ = 0, messages_ = 0;
   bool loops_ = false, xor_first_ = false;
 };

@@ -29,9 +29,10 @@ class TechnolGenerator : StraightCode {
     macro_definitions_ = macros_.Definitions();
     ChooseOptions();
     for (uint32_t k = Below(habits_.most_mechanisms + 1); k > 0; --k)
-      mechanisms_.push_back("M" + std::to_string(mechanisms_.size()));
+      mechanisms_.push_back(NewName("M", mechanisms_.size()));
     top_level_ = mechanisms_.empty() ? 0 : Below(static_cast<uint32_t>(mechanisms_.size()) + 1);
-    for (uint32_t k = Below(habits_.most_subprograms + 1); k > 0; --k) segments_.push_back({});
+    for (uint32_t k = Below(habits_.most_subprograms + 1); k > 0; --k)
+      segments_.push_back(NewName("PP", segments_.size()));
     Data();
     const uint32_t parts = 5 + static_cast<uint32_t>(mechanisms_.size() + segments_.size());
     size_ = std::max(3u, instructions_ / parts);
@@ -131,7 +132,7 @@ class TechnolGenerator : StraightCode {
     const auto line = [&](const std::string& text) { data.body.push_back({text, {}, ""}); };
     RandomData own(
         random_, [this](const std::vector<std::string>& any) { return Spelled(any); },
-        [this](uint64_t value) { return Literal(value); });
+        [this](uint64_t value) { return Literal(value); }, awkward_);
     for (const std::string& text : own.Lines()) line(text);
     cells_ = own.cells();
     const std::string open = Spelled({"S0 STRUC", "S0 STRUCT", "S0 STRUC ; pole"});
@@ -229,7 +230,7 @@ class TechnolGenerator : StraightCode {
   std::string SomeLabel() {
     // The subprogram area is one unit (6.4): also a later subprogram's label, which makes no ring.
     if (segment_ != kNone && segment_ + 1 < segments_.size() && Chance(15)) {
-      return "PP" + Text(segment_ + 1 + Below(static_cast<uint32_t>(segments_.size()) - segment_ - 1));
+      return segments_[segment_ + 1 + Below(static_cast<uint32_t>(segments_.size()) - segment_ - 1)];
     }
     if (forward_only_) {
       return placed_ < labels_ ? Label(placed_ + Below(labels_ - placed_)) : "";
@@ -272,7 +273,7 @@ class TechnolGenerator : StraightCode {
     Ensure(kSubprogramBase);
     reads_zero_ = outer_zero;
     const uint32_t target = first + Below(static_cast<uint32_t>(segments_.size()) - first);
-    EmitTechnol("CALL PP" + Text(target), kSubprogramBase, 0, false);
+    EmitTechnol("CALL " + segments_[target], kSubprogramBase, 0, false);
   }
 
   void Wait() {
@@ -396,9 +397,15 @@ class TechnolGenerator : StraightCode {
     });
   }
 
+  std::string NewName(const char* stem, size_t number) {
+    const std::string awkward = Chance(25) ? awkward_.Next(random_) : "";
+    return awkward.empty() ? stem + std::to_string(number) : awkward;
+  }
+
   /// Called by the host alone, which no scenario does: it has to be generated all the same.
   void HostModule() {
-    const std::string name = One(std::array{"MODULE_SEST", "MODULE_?", "MODULE_@X?", "MODULE_main_2"});
+    const std::string name =
+        One(std::array{"MODULE_SEST", "MODULE_?", "MODULE_@X?", "MODULE_main_2", "MODULE_m", "MODULE_int"});
     Unit("  " + name, "  " + name + "_END", false, [&] {
       reads_zero_ = true;
       Body(size_ / 2 + 1, false);
@@ -418,7 +425,7 @@ class TechnolGenerator : StraightCode {
     reads_zero_ = false;
     for (segment_ = 0; segment_ < segments_.size(); ++segment_) {
       const bool falls = segment_ + 1 < segments_.size() && Chance(30);
-      Unit("PP" + Text(segment_) + ":", falls ? "" : "  RET", false, [&] {
+      Unit(segments_[segment_] + ":", falls ? "" : "  RET", false, [&] {
         base_ = kSubprogramBase;
         AtLabel();
         Body(size_, false);
@@ -435,7 +442,7 @@ class TechnolGenerator : StraightCode {
       case 0:
         return One(std::array{"NC_PRIPRAVNE: ", "NC_ZAVERECNE: ", "NC_CLEAR: "}) + Text(Chance(75) ? 1 : 0);
       case 1:
-        if (!mechanisms_.empty()) return random_.Pick(mechanisms_) + ": " + Text(Chance(70) ? 1 : 0);
+        if (!mechanisms_.empty()) return "'" + random_.Pick(mechanisms_) + "': " + Text(Chance(70) ? 1 : 0);
         [[fallthrough]];
       case 2:
         return "W" + Text(Below(3)) + ": " + Text(Below(Chance(50) ? 6 : 65536));
@@ -510,8 +517,9 @@ class TechnolGenerator : StraightCode {
   std::vector<Piece> pieces_;
   std::map<std::string, std::string> options_;
   std::vector<std::string> steps_;
-  uint32_t top_level_ = 0;  // of mechanisms_: the first ones
-  std::vector<char> segments_;
+  uint32_t top_level_ = 0;             // of mechanisms_: the first ones
+  std::vector<std::string> segments_;  // their names
+  AwkwardNames awkward_;
   uint32_t segment_ = kNone;
   uint32_t units_ = 0;
   // of the unit

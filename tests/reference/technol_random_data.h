@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/reference/awkward_names.h"
 #include "tests/reference/random_program.h"
 
 namespace plcxx::reference::technol_code {
@@ -21,8 +22,8 @@ class RandomData {
  public:
   using Spell = std::function<std::string(const std::vector<std::string>& any)>;
   using Literal = std::function<std::string(uint64_t value)>;
-  RandomData(Random& random, Spell spell, Literal literal)
-      : random_(random), spell_(std::move(spell)), literal_(std::move(literal)) {}
+  RandomData(Random& random, Spell spell, Literal literal, AwkwardNames& awkward)
+      : random_(random), spell_(std::move(spell)), literal_(std::move(literal)), awkward_(awkward) {}
 
   const Cells& cells() const { return cells_; }
 
@@ -37,7 +38,8 @@ class RandomData {
   std::string NewName() {
     static const std::array<const char*, 8> kStems = {"_x",     "?q",  "@",       "Z",
                                                       "CITAC_", "k__", "POLOHA?", "Dlouhe_Jmeno_Jako_Z_Prirucky_"};
-    return kStems[random_.Below(kStems.size())] + std::to_string(names_++);
+    const std::string awkward = random_.OneIn(3) ? awkward_.Next(random_) : "";
+    return awkward.empty() ? kStems[random_.Below(kStems.size())] + std::to_string(names_++) : awkward;
   }
 
   static const char* Directive(uint32_t width) { return width == 8 ? "DB" : width == 16 ? "DW" : "DD"; }
@@ -155,6 +157,7 @@ class RandomData {
   Cells cells_;
   std::vector<std::string> lines_;
   std::vector<StructureInfo> structures_;
+  AwkwardNames& awkward_;
   uint32_t names_ = 0;
 };
 
