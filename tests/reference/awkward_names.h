@@ -9,13 +9,13 @@
 
 namespace plcxx::reference {
 
-/// Letters and digits only, at most ten: a name in each of the languages.
+/// Letters and digits only, at most ten, and no two the same but for case: a name in each of the languages.
 inline constexpr std::array kAwkwardNames = {
-    "int",    "class",  "m",      "host",  "State",  "init",   "slow",   "fast",     "plcxx",     "true",   "auto",
-    "union",  "errno",  "NULL",   "main",  "new",    "delete", "bit",    "t1",       "t2",        "std",    "Host",
-    "signed", "static", "Forced", "left",  "entry",  "stepx",  "again",  "value",    "EOF",       "assert", "copy",
-    "mm",     "period", "Clear",  "Pins",  "resume", "now",    "masks",  "layout",   "retentive", "min",    "byte1",
-    "double", "void",   "this",   "const", "state",  "kind",   "rounds", "template", "explicit",  "goto"};
+    "int",     "class",  "m",      "host",  "State",  "init",   "slow",     "fast",     "plcxx",     "true",   "auto",
+    "union",   "errno",  "NULL",   "main",  "new",    "delete", "bit",      "t1",       "t2",        "std",    "signed",
+    "mutable", "static", "Forced", "left",  "entry",  "stepx",  "again",    "value",    "EOF",       "assert", "copy",
+    "mm",      "period", "Clear",  "Pins",  "resume", "now",    "masks",    "layout",   "retentive", "min",    "byte1",
+    "double",  "void",   "this",   "const", "kind",   "rounds", "template", "explicit", "goto"};
 
 /// Each of them at most once in a program; empty when there is none left.
 class AwkwardNames {
