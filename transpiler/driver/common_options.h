@@ -57,5 +57,6 @@ void AddBuild(CLI::App& app, Run& run);
 void AddVerify(CLI::App& app, Run& run);
 void AddDiff(CLI::App& app, Run& run);
 void AddProve(CLI::App& app, Run& run);
+void AddLsp(CLI::App& app, Run& run);
 
 }  // namespace plcxx::driver

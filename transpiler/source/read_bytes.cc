@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "transpiler/source/unsaved.h"
+
 namespace plcxx::source {
 namespace {
 
@@ -52,6 +54,10 @@ LoadError TooLarge(size_t max_bytes) {
 }
 
 std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t max_bytes) {
+  if (const std::string* unsaved = UnsavedBytesOf(path)) {
+    if (unsaved->size() > max_bytes) return TooLarge(max_bytes);
+    return *unsaved;
+  }
   struct stat status = {};
   if (stat(path.c_str(), &status) != 0) return FromErrno(errno);
   if (S_ISDIR(status.st_mode)) return LoadError{LoadProblem::kDirectory, "it is a directory"};

@@ -50,8 +50,13 @@ bool ExistsOnce(const Operand& signal) {
 
 }  // namespace
 
-std::span<const Signal> SignalsAt(const Operand& operand, uint32_t processes) {
+std::span<const Signal> AllSignals() {
   static const std::vector<Signal> signals = ReadTable();
+  return signals;
+}
+
+std::span<const Signal> SignalsAt(const Operand& operand, uint32_t processes) {
+  const std::span<const Signal> signals = AllSignals();
   if (!IsMemory(operand)) return {};
   const Operand wanted = Canonical(operand, processes);
   if (wanted.number != operand.number && ExistsOnce(wanted)) return {};

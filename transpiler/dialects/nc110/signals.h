@@ -26,6 +26,8 @@ struct Signal {
   std::string meaning;
 };
 
+/// All rows, by address; those of process 1.
+std::span<const Signal> AllSignals();
 /// All rows for one address of process 1 .. `processes` (an address may have one row per panel type).
 std::span<const Signal> SignalsAt(const Operand& operand, uint32_t processes);
 

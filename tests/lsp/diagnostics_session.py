@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+"""Diagnostics while typing: the same as `plcxx check` of the saved files, in all languages and encodings, after random
+edits as in a fresh server; and clients that are broken."""
+import json
+import pathlib
+import random
+import sys
+import tempfile
+import time
+
+from client import Client, uri_of
+from programs import FOLDERS, Sample, as_check_says, as_client_sees
+
+EDITS = 200  # of each language
+
+
+def found_by_client(client, sample):
+    """By file: only those of the sample's folder."""
+    prefix = uri_of(sample.folder) + "/"
+    return {uri[len(prefix):]: sorted(as_client_sees(one) for one in found)
+            for uri, found in client.diagnostics.items() if uri.startswith(prefix) and found}
+
+
+def found_by_check(plcxx, sample):
+    by_file = {}
+    for one in sample.check(plcxx):
+        name = pathlib.PurePath(one["file"] or sample.sources[0]).name
+        by_file.setdefault(name, []).append(as_check_says(one))
+    return {name: sorted(found) for name, found in by_file.items()}
+
+
+def position(text, offset):
+    line = text.count("\n", 0, offset)
+    return {"line": line, "character": offset - (text.rfind("\n", 0, offset) + 1)}
+
+
+def random_edit(rng, text, words):
+    """A change and the text behind it; line ends stay whole, for a text has one kind of them."""
+    kind = rng.randrange(4)
+    at = rng.randrange(len(text) + 1)
+    while 0 < at < len(text) and text[at - 1] == "\r":
+        at += 1
+    length, new = 0, ""
+    if kind == 0:
+        new = rng.choice(words)
+    elif kind == 1:
+        length = min(rng.randrange(12), len(text) - at)
+    elif kind == 2:
+        new, length = rng.choice(words), min(rng.randrange(6), len(text) - at)
+    else:
+        new = rng.choice([" ", "(", ")", ";", "1", "A", "\n", "="])
+    removed = text[at:at + length]
+    if "\r" in removed or (removed.startswith("\n") and at > 0 and text[at - 1] == "\r"):
+        length = 0
+    change = {"range": {"start": position(text, at), "end": position(text, at + length)}, "text": new}
+    return change, text[:at] + new + text[at + length:]
+
+
+def edited(plcxx, root, dialect, directory, rng):
+    sample = Sample(root, dialect, directory)
+    options = {"programs": [sample.program()]}
+    client = Client(plcxx, options, encodings=("utf-32",))
+    names = [name for name in sample.sources if sample.encoding_of(name) and not name.endswith(".TCH")]
+    texts = {name: sample.path(name).read_bytes().decode(sample.encoding_of(name)) for name in names}
+    originals = dict(texts)
+    for name in names:
+        client.open(sample.path(name), texts[name])
+    versions = dict.fromkeys(names, 1)
+    words = [word for text in texts.values() for word in text.split()][:2000]
+    for number in range(EDITS):
+        name = rng.choice(names)
+        change, texts[name] = random_edit(rng, texts[name], words)
+        versions[name] += 1
+        client.change(sample.path(name), [change], versions[name])
+        if number % 40 == 20:
+            client.wait_for(sample.path(name), versions[name])
+        if number % 50 == 49 and number + 1 < EDITS:  # a person undoes it, and the program is whole for a while
+            for other in names:
+                versions[other] += 1
+                texts[other] = originals[other]
+                client.change(sample.path(other), [{"text": texts[other]}], versions[other])
+    for name in names:
+        client.wait_for(sample.path(name), versions[name])
+    fresh = Client(plcxx, options, encodings=("utf-32",))
+    for name in names:
+        fresh.open(sample.path(name), texts[name])
+    for name in names:
+        fresh.wait_for(sample.path(name), 1)
+    assert found_by_client(client, sample) == found_by_client(fresh, sample), f"{dialect}: not as in a fresh server"
+    for name in names:
+        sample.path(name).write_bytes(texts[name].encode(sample.encoding_of(name), errors="replace"))
+    expected, found = found_by_check(plcxx, sample), found_by_client(fresh, sample)
+    assert found == expected, f"{dialect}: not as check says:\n{found}\n{expected}"
+    assert client.shut_down() == 0 and fresh.shut_down() == 0
+    count = sum(len(of_file) for of_file in found.values())
+    print(f"{dialect}: {EDITS} edits, {count} diagnostics in the end")
+    return count
+
+
+def whole(plcxx, root, dialect, directory):
+    """Nothing edited: the files on the disk, one of them open."""
+    sample = Sample(root, dialect, directory)
+    client = Client(plcxx, {"programs": [sample.program()]}, encodings=("utf-32",))
+    name = next(name for name in sample.sources if sample.encoding_of(name))
+    client.open(sample.path(name), sample.path(name).read_bytes().decode(sample.encoding_of(name)), version=7)
+    client.wait_for(sample.path(name), 7)
+    assert found_by_client(client, sample) == found_by_check(plcxx, sample), dialect
+    client.close(sample.path(name))
+    assert client.shut_down() == 0
+
+
+def fixits(plcxx, directory):
+    path = pathlib.Path(directory) / "lamp.plc"
+    text = "$\nU4A0=IOA7*I0A1\n"
+    client = Client(plcxx)
+    client.open(path, text)
+    found = client.wait_for(path, 1)
+    assert [one["code"] for one in found] == ["nc110-1"], found
+    actions = client.request("textDocument/codeAction", {
+        "textDocument": {"uri": uri_of(path)}, "range": found[0]["range"], "context": {"diagnostics": found}})
+    assert len(actions) == 1 and actions[0]["kind"] == "quickfix", actions
+    edits = actions[0]["edit"]["changes"][uri_of(path)]
+    client.change(path, [{"range": edit["range"], "text": edit["newText"]} for edit in edits], 2)
+    assert "nc110-1" not in [one["code"] for one in client.wait_for(path, 2)]
+    client.close(path)
+    assert client.shut_down() == 0
+
+
+def broken_clients(plcxx, directory):
+    path = pathlib.Path(directory) / "lamp.plc"
+    client = Client(plcxx, initialize=False)
+    early = client.raw_request("textDocument/hover", client.at(path, 0, 0))
+    assert early["error"]["code"] == -32002, early
+    for garbage in [b"Content-Length: 5\r\n\r\n{}{}}", b"Content-Length: x\r\n\r\n", b"Content-Length: 2\r\n\r\n\xff\xfe",
+                    b"GET / HTTP/1.1\r\n\r\n", b"Content-Length: 20\r\n\r\n{}"]:
+        client.send_bytes(garbage)
+    client.request("initialize", {"capabilities": {"general": {"positionEncodings": 7}}, "rootUri": 5})
+    assert client.raw_request("initialize", {})["error"]["code"] == -32600
+    client.open(path, "$\nU4A0=I0A1\n")
+    wrong = [("textDocument/hover", {}), ("textDocument/hover", []), ("textDocument/codeAction", {"textDocument": 7}),
+             ("textDocument/codeAction", {"textDocument": {"uri": "http://x/y"}}),
+             ("textDocument/codeAction", {"textDocument": {"uri": uri_of(path)}, "range": {"start": 1, "end": 2}})]
+    for method, params in wrong:
+        answer = client.raw_request(method, params)
+        assert answer["error"]["code"] in (-32602, -32601), (method, params, answer)
+    assert client.raw_request("no/such", {})["error"]["code"] == -32601
+    far = {"start": {"line": 4000000, "character": -5}, "end": {"line": -3, "character": 1 << 40}}
+    client.request("textDocument/codeAction", {"textDocument": {"uri": uri_of(path)}, "range": far})
+    for params in [{}, {"textDocument": {"uri": uri_of(path)}}, {"textDocument": {"uri": uri_of(path)}, "contentChanges": [7]},
+                   {"textDocument": {"uri": uri_of("/no/such")}, "contentChanges": []},
+                   {"textDocument": {"uri": uri_of(path)}, "contentChanges": [{"range": far, "text": "$"}]}]:
+        client.notify("textDocument/didChange", params)
+    client.close("/no/such")
+    client.notify("$/cancelRequest", {"id": {}})
+    client.notify("textDocument/didOpen", {"textDocument": {"uri": "file:///x%00y", "text": "", "languageId": "", "version": 1}})
+    client.open(path, "$\nU4A0=", 9)
+    assert client.wait_for(path, 9), "an error is found as before"
+    client.request("shutdown", None)
+    assert client.raw_request("textDocument/hover", {})["error"]["code"] == -32600
+    client.notify("exit", None)
+    assert client.process.wait(timeout=20) == 0
+    for last in [{"method": "exit"}, None]:
+        rude = Client(plcxx)
+        if last:
+            rude.send(last)
+        else:
+            rude.process.stdin.close()
+        assert rude.process.wait(timeout=20) == 1, "exit without shutdown"
+
+
+def main():
+    plcxx, root = sys.argv[1:3]
+    rng = random.Random(20)
+    with tempfile.TemporaryDirectory(prefix="plcxx-test-") as directory:
+        broken_clients(plcxx, directory)
+        fixits(plcxx, directory)
+        found = 0
+        for dialect in FOLDERS:
+            start = time.monotonic()
+            whole(plcxx, root, dialect, f"{directory}/whole")
+            found += edited(plcxx, root, dialect, f"{directory}/edited", rng)
+            print(f"{dialect}: {time.monotonic() - start:.1f} s")
+        assert found > 50, "random edits break something"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,26 @@
+// plcxx lsp: the language server.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/lsp/server.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kLspFooter =
+    R"(An editor starts it and talks to it over standard input and output (Language Server
+Protocol 3.17). docs/editor.md tells how Neovim, Helix, Kate and Emacs are told about it.
+Exit codes: 0 after 'shutdown' and 'exit', 1 when the editor is gone without them.)";
+
+}  // namespace
+
+void AddLsp(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("lsp", "Serve an editor: messages, meanings and names while typing");
+  const auto stdio = std::make_shared<bool>(false);
+  command->add_flag("--stdio", *stdio, "Standard input and output, which are used in any case");
+  command->footer(kLspFooter);
+  command->callback([&run, stdio] { run = [] { return lsp::Serve(); }; });
+}
+
+}  // namespace plcxx::driver

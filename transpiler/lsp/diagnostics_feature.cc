@@ -1,0 +1,81 @@
+// What `check` finds, as the protocol's diagnostics; their repairs as code actions.
+#include <set>
+
+#include "transpiler/diagnostics/places.h"
+#include "transpiler/lsp/features.h"
+#include "transpiler/lsp/workspace.h"
+
+namespace plcxx::lsp {
+namespace {
+
+int SeverityOf(diag::Severity severity) {
+  switch (severity) {
+    case diag::Severity::kError:
+      return 1;
+    case diag::Severity::kWarning:
+      return 2;
+    case diag::Severity::kNote:
+      return 3;
+  }
+  return 1;
+}
+
+Json ToJson(const Analysis& analysis, const diag::Diagnostic& diagnostic) {
+  std::string text = diagnostic.text;
+  if (!diagnostic.remedy.empty()) text += "\nhelp: " + diagnostic.remedy;
+  Json json = {{"range", ToJson(analysis.Locate(diagnostic.range))},
+               {"severity", SeverityOf(diagnostic.severity)},
+               {"code", diagnostic.row->code},
+               {"source", "plcxx"},
+               {"message", text}};
+  for (const diag::Note& note : diagnostic.notes) {
+    if (!diag::HasPlace(note.range)) continue;
+    const FileRange at = analysis.Locate(note.range);
+    json["relatedInformation"].push_back(
+        {{"location", {{"uri", UriOfPath(analysis.IdentityOf(at.file))}, {"range", ToJson(at)}}},
+         {"message", note.text}});
+  }
+  return json;
+}
+
+bool Touches(source::Range a, source::Range b) { return a.begin <= b.end && b.begin <= a.end; }
+
+}  // namespace
+
+std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis) {
+  std::map<std::string, Json> by_file;
+  for (const diag::Diagnostic& diagnostic : analysis.compilation().diagnostics.all()) {
+    if (analysis.sources().size() == 0) break;
+    const FileRange at = analysis.Locate(diagnostic.range);
+    Json& found = by_file[analysis.IdentityOf(at.file)];
+    found.push_back(ToJson(analysis, diagnostic));
+  }
+  return by_file;
+}
+
+Json CodeActions(const FeatureContext& context, const Json& params) {
+  const Json& range = rpc::ObjectOf(params, "range");
+  const source::Range asked = {context.analysis.OffsetOf(context.file, ReadPosition(rpc::ObjectOf(range, "start"))),
+                               context.analysis.OffsetOf(context.file, ReadPosition(rpc::ObjectOf(range, "end")))};
+  Json actions = Json::array();
+  for (const diag::Diagnostic& diagnostic : context.analysis.compilation().diagnostics.all()) {
+    if (diagnostic.fixits.empty() || !Touches(diagnostic.range, asked)) continue;
+    if (context.analysis.sources().FileAt(diagnostic.range.begin) != context.file) continue;
+    std::string title;
+    Json changes = Json::object();
+    for (const diag::FixIt& fixit : diagnostic.fixits) {
+      if (!title.empty()) title += ", ";
+      title += diag::DescriptionOf(context.analysis.sources(), fixit);
+      const FileRange at = context.analysis.Locate(fixit.range);
+      changes[context.UriOf(at.file)].push_back({{"range", ToJson(at)}, {"newText", fixit.replacement}});
+    }
+    actions.push_back({{"title", title},
+                       {"kind", "quickfix"},
+                       {"isPreferred", true},
+                       {"diagnostics", {ToJson(context.analysis, diagnostic)}},
+                       {"edit", {{"changes", changes}}}});
+  }
+  return actions;
+}
+
+}  // namespace plcxx::lsp

@@ -1,0 +1,70 @@
+// The programs of the client's folders, and which file belongs to which.
+//
+// A program is a row of the client's initialization options, or one file that is no part of any. Each is compiled anew
+// after an edit of one of its files, when the client is waited for or asks for something.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "transpiler/lsp/analysis.h"
+#include "transpiler/lsp/documents.h"
+
+namespace plcxx::lsp {
+
+struct WorkspaceProgram {
+  compilation::CompilationRequest request;
+  bool is_single_file = false;  // not configured: it goes with its document
+  bool changed = true;          // since `analysis`
+  std::unique_ptr<Analysis> analysis;
+  /// The last one without errors: names keep their meaning while a statement is being typed.
+  std::unique_ptr<Analysis> whole;
+  std::map<std::string, Json> diagnostics;  // by FileIdentity, arrays
+
+  const Analysis& Meaning() const { return whole != nullptr ? *whole : *analysis; }
+};
+
+class Workspace {
+ public:
+  using Publish = std::function<void(std::string_view identity)>;
+
+  void SetUnits(Units units) { units_ = units; }
+  Units units() const { return units_; }
+  /// `initializationOptions` of the client; throws rpc::Error where they are wrong.
+  void Configure(const Json& options);
+
+  Documents& documents() { return documents_; }
+  const Documents& documents() const { return documents_; }
+  /// To be called after a document was opened or changed, by its identity.
+  void Changed(const std::string& identity);
+  void Closed(const std::string& identity, const Publish& publish);
+  /// Files on the disk have changed.
+  void ChangedOnDisk();
+
+  /// Analyses one program that has changed; false: there is none.
+  bool AnalyseNext(const Publish& publish);
+  /// The program that a file belongs to, up to date; null: none.
+  WorkspaceProgram* ProgramOf(const std::string& identity, const Publish& publish);
+  const std::vector<std::unique_ptr<WorkspaceProgram>>& programs() const { return programs_; }
+
+  /// What has been found in a file, by whichever program reads it.
+  Json DiagnosticsOf(std::string_view identity) const;
+
+ private:
+  void Analyse(WorkspaceProgram& program, const Publish& publish);
+  /// Does the program read the file, as far as is known?
+  static bool Reads(const WorkspaceProgram& program, const std::string& identity);
+
+  Units units_ = Units::kUtf16;
+  Documents documents_;
+  std::vector<std::unique_ptr<WorkspaceProgram>> programs_;
+};
+
+/// The diagnostics of one compilation, by FileIdentity.
+std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis);
+
+}  // namespace plcxx::lsp
