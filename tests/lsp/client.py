@@ -15,7 +15,6 @@ def uri_of(path):
 class Client:
     def __init__(self, plcxx, options=None, encodings=("utf-16",), initialize=True):
         self.process = subprocess.Popen([plcxx, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        os.set_blocking(self.process.stdout.fileno(), False)
         self.buffer = b""
         self.next_id = 1
         self.diagnostics = {}  # by URI
@@ -52,10 +51,10 @@ class Client:
             left = end - time.monotonic()
             if left <= 0 or not select.select([self.process.stdout], [], [], left)[0]:
                 return None
-            data = self.process.stdout.read(1 << 16)
-            if data == b"":
+            data = os.read(self.process.stdout.fileno(), 1 << 20)  # not the stream, which would keep some for itself
+            if not data:
                 return None
-            self.buffer += data or b""
+            self.buffer += data
 
     def take(self, message):
         if message.get("method") == "textDocument/publishDiagnostics":

@@ -58,5 +58,6 @@ void AddVerify(CLI::App& app, Run& run);
 void AddDiff(CLI::App& app, Run& run);
 void AddProve(CLI::App& app, Run& run);
 void AddLsp(CLI::App& app, Run& run);
+void AddMcp(CLI::App& app, Run& run);
 
 }  // namespace plcxx::driver

@@ -64,6 +64,7 @@ int Main(int argc, char** argv) {
   AddDiff(app, run);
   AddProve(app, run);
   AddLsp(app, run);
+  AddMcp(app, run);
   std::vector<std::string> words(argv + 1, argv + argc);
   const std::string unknown = TakeHelpWord(app, words);
   if (!unknown.empty()) {

@@ -15,6 +15,7 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/report/ladder_lines.h"
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
 #include "transpiler/support/columns.h"
@@ -27,6 +28,7 @@ constexpr const char* kReportFooter = R"(Examples:
                                                           cross reference, memory map, budget
   plcxx report turret.sym turret.plc --ladder -o pictures writes pictures/turret.slow.svg ..., one for each routine
   plcxx report turret.sym turret.plc --ladder -o -        all of them as one picture, to standard output
+  plcxx report turret.plc --ladder-text --signal U4A8     the rungs of one signal as text
   plcxx report turret.sym turret.plc --print-symbols      names, addresses, number of reads and writes
   plcxx report turret.sym turret.plc --cross-reference    who reads and who writes, with file and line
   plcxx report turret.sym turret.plc --cost-listing       the estimated time of each statement
@@ -208,6 +210,8 @@ struct ReportOptions {
   CommonOptions common;
   OutputOptions output;
   bool ladder = false;
+  bool ladder_text = false;
+  std::string signal;
   bool symbols = false;
   bool cross_reference = false;
   bool costs = false;
@@ -258,6 +262,15 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
   return ExitCodeOf(compilation);
 }
 
+int PrintLadder(const ReportOptions& options, const compilation::CompilationRequest& request) {
+  const compilation::Compilation compilation = compilation::Compile(request);
+  PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
+  if (compilation.ok() && compilation.has_program) {
+    std::cout << diag::EscapedLines(report::LadderLines(PageInput(compilation), options.signal));
+  }
+  return ExitCodeOf(compilation);
+}
+
 int RunReport(const ReportOptions& options) {
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(options.common, options.output);
   if (!request) return kWrongUse;
@@ -265,6 +278,7 @@ int RunReport(const ReportOptions& options) {
     PrintUsageError("--ladder writes pictures: not together with a table");
     return kWrongUse;
   }
+  if (options.ladder_text) return PrintLadder(options, *request);
   if (!options.wants_table()) return WritePage(options, *request);
   const compilation::Compilation compilation = compilation::Compile(*request, compilation::Stage::kChecked);
   if (!compilation.ok()) {
@@ -293,6 +307,10 @@ void AddReport(CLI::App& app, Run& run) {
   options->output.to_standard_output = StandardOutput::kYes;
   command->add_flag("-q,--quiet", options->quiet, "Do not tell which files were written")->group("Output");
   command->add_flag("--ladder", options->ladder, "Only the ladder pictures, as SVG")->group("Output");
+  command->add_flag("--ladder-text", options->ladder_text, "The ladder as text, to standard output");
+  command
+      ->add_option("--signal", options->signal, "Of the ladder as text only the rungs that name this address or symbol")
+      ->type_name("NAME");
   command->add_flag("--print-symbols", options->symbols, "The symbols by name, with the number of reads and writes");
   command->add_flag("--cross-reference", options->cross_reference, "Every operand with who writes and who reads it");
   command->add_flag("--cost-listing", options->costs, "The estimated time and size of every statement");

@@ -1,0 +1,357 @@
+#include "transpiler/mcp/tools.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "transpiler/diagnostics/explain.h"
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/mcp/command.h"
+#include "transpiler/mcp/temporary_folder.h"
+
+namespace plcxx::mcp {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- what a folder holds -------------------------------------------------------------------------------------------
+
+constexpr size_t kMaxFilesListed = 2000;
+/// Of a language, or of what its sources include.
+bool IsSource(std::string_view extension) {
+  if (extension == ".inc" || extension == ".h") return true;
+  return std::ranges::any_of(dialects::AllDialects(), [&](const dialects::Dialect* dialect) {
+    return std::ranges::find(dialect->extensions, extension) != dialect->extensions.end();
+  });
+}
+
+Json ProjectSchema() {
+  return ObjectSchema({{"folder", TextSchema("below the server's folder; else all of it")}}, Json::array());
+}
+
+/// Files by what their names say; which of them are one program, a project file or a scenario says.
+Json RunProject(const Workplace& workplace, const Json& arguments) {
+  const Command command(workplace, arguments, "check");
+  const fs::path below =
+      fs::path(workplace.folder) / command.Checked(rpc::OptionalText(arguments, "folder").value_or("."));
+  Json sources = Json::array(), scenarios = Json::array(), projects = Json::array();
+  std::error_code error;
+  std::vector<std::string> names;
+  for (fs::recursive_directory_iterator entry(below, fs::directory_options::skip_permission_denied, error), end;
+       !error && entry != end && names.size() < kMaxFilesListed; entry.increment(error)) {
+    const bool hidden = entry->path().filename().string().starts_with('.');
+    if (hidden && entry->is_directory(error)) entry.disable_recursion_pending();
+    if (!hidden && entry->is_regular_file(error)) {
+      names.push_back(fs::relative(entry->path(), workplace.folder, error).string());
+    }
+  }
+  std::ranges::sort(names);
+  for (const std::string& name : names) {
+    std::string extension = fs::path(name).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (fs::path(name).filename() == "plcxx.yaml") {
+      projects.push_back(name);
+    } else if (extension == ".yaml") {
+      scenarios.push_back(name);
+    } else if (IsSource(extension)) {
+      sources.push_back(name);
+    }
+  }
+  return {{"folder", workplace.folder},
+          {"projects", projects},
+          {"sources", sources},
+          {"scenarios", scenarios},
+          {"cutOff", names.size() >= kMaxFilesListed}};
+}
+
+// --- a program -----------------------------------------------------------------------------------------------------
+
+Json SourcesSchema() { return ProgramSchema(Json::object(), {"sources"}); }
+
+Json RunCheck(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "check");
+  command.Add("--diagnostics=json");
+  command.AddProgram();
+  command.AddSources();
+  Json result = JsonResultOf(command.Run(), "diagnostics");
+  result["ok"] = result["exitCode"] == 0;
+  return result;
+}
+
+Json ExplainSchema() {
+  return ObjectSchema({{"code", TextSchema("of a message: nc110-41; without it all codes are listed")}}, Json::array());
+}
+
+Json RunExplain(const Workplace&, const Json& arguments) {
+  const auto code = rpc::OptionalText(arguments, "code");
+  if (!code) {
+    Json codes = Json::array();
+    for (const std::string_view known : diag::ExplainedCodes()) codes.push_back(known);
+    return {{"codes", codes}};
+  }
+  const auto page = diag::Explain(*code);
+  if (!page) throw rpc::Error(rpc::kInvalidParams, "there is no message '" + *code + "'");
+  return {{"code", *code}, {"page", *page}};
+}
+
+Json EmitSchema() {
+  return ProgramSchema({{"output", TextSchema("folder for the files, below the server's; else they are only shown")},
+                        {"name", TextSchema("of the program and its files")}},
+                       {"sources"});
+}
+
+std::string ReadFile(const fs::path& path, size_t most) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text(most, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<size_t>(in.gcount()));
+  return text;
+}
+
+Json RunEmit(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "emit");
+  command.Add("--diagnostics=json");
+  command.AddProgram();
+  if (const auto name = rpc::OptionalText(arguments, "name")) {
+    command.Add("--name");
+    command.AddWord(*name);
+  }
+  const auto output = rpc::OptionalText(arguments, "output");
+  const TemporaryFolder temporary;
+  command.Add("-o");
+  if (output) {
+    command.AddPath(*output);
+  } else {
+    command.Add(temporary.path());
+  }
+  command.AddSources();
+  Json result = JsonResultOf(command.Run(), "diagnostics");
+  const fs::path folder = output ? fs::path(workplace.folder) / *output : fs::path(temporary.path());
+  Json files = Json::array();
+  size_t left = workplace.most_bytes;
+  std::vector<fs::path> paths;
+  std::error_code error;
+  if (result["exitCode"] == 0 && !output) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) paths.push_back(entry.path());
+  }
+  std::ranges::sort(paths);
+  for (const fs::path& path : paths) {
+    std::string text = ReadFile(path, left);
+    left -= text.size();
+    if (left == 0) result["cutOff"] = true;
+    files.push_back({{"name", path.filename().string()}, {"text", std::move(text)}});
+  }
+  if (output) result["output"] = *output;
+  if (!output) result["files"] = std::move(files);
+  return result;
+}
+
+// --- a running program ---------------------------------------------------------------------------------------------
+
+Json SimulateSchema() {
+  return ProgramSchema({{"for", TextSchema("simulated time: 100ms, 3s, 2min; 1s if nothing is said")},
+                        {"watch", TextsSchema("locations to show, up to 16")},
+                        {"at", TextsSchema("what is written meanwhile: 100ms:I0A3=1")},
+                        {"force", TextsSchema("what is held against every writer: U4A8=1")},
+                        {"changes", {{"type", "boolean"}, {"description", "only rows in which something changed"}}}},
+                       {"sources", "watch"});
+}
+
+std::vector<std::string> WordsOf(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+Json RunSimulate(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "sim");
+  command.AddProgram();
+  command.Add("--for");
+  command.AddWord(rpc::OptionalText(arguments, "for").value_or("1s"));
+  if (rpc::OptionalFlag(arguments, "changes").value_or(true)) command.Add("--changes");
+  const auto add = [&](const char* key, const char* option) {
+    for (const std::string& word : TextsOf(arguments, key)) {
+      command.Add(option);
+      command.AddWord(word);
+    }
+  };
+  add("watch", "--watch");
+  add("at", "--at");
+  add("force", "--force");
+  command.AddSources();
+  const ChildResult run = command.Run();
+  Json result = ResultOf(run);
+  Json rows = Json::array();
+  std::istringstream lines(run.output);
+  std::vector<std::string> heads;
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> words = WordsOf(line);
+    if (words.empty()) continue;
+    if (heads.empty()) {
+      heads = words;
+      if (heads.front() == "time") heads.erase(heads.begin());  // "time ms" is one column
+    } else if (words.size() == heads.size()) {
+      Json row;
+      for (size_t i = 0; i < heads.size(); ++i) row[heads[i]] = words[i];
+      rows.push_back(std::move(row));
+    }
+  }
+  result["columns"] = heads;
+  result["rows"] = std::move(rows);
+  return result;
+}
+
+Json TestSchema() {
+  return ObjectSchema({{"scenarios", TextsSchema("scenario files, or folders: all *.yaml in them")},
+                       {"engine", TextSchema("sim (the default here), host, all")},
+                       {"seconds", NumberSchema("of real time, at most; 60 if nothing is said")}},
+                      {"scenarios"});
+}
+
+Json RunTest(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "test");
+  command.Add("--engine");
+  command.AddWord(rpc::OptionalText(arguments, "engine").value_or("sim"));
+  command.Add("--jobs");
+  command.Add("1");
+  const std::vector<std::string> scenarios = TextsOf(arguments, "scenarios");
+  if (scenarios.empty()) throw rpc::Error(rpc::kInvalidParams, "'scenarios' names no file");
+  for (const std::string& scenario : scenarios) command.AddPath(scenario);
+  Json result = TextResultOf(command.Run(), "report");
+  result["passed"] = result["exitCode"] == 0;
+  return result;
+}
+
+// --- what a reviewer asks ------------------------------------------------------------------------------------------
+
+Json DiffSchema() {
+  return ProgramSchema(
+      {{"old", TextSchema("file or folder of the old version")},
+       {"new", TextSchema("file or folder of the new version")},
+       {"revisions", TextSchema("of git instead of old and new: v1.2..HEAD, or v1.2.. for the work tree")}},
+      Json::array());
+}
+
+Json RunDiff(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "diff");
+  command.Add("--format=json");
+  command.AddProgram();
+  if (const auto revisions = rpc::OptionalText(arguments, "revisions")) {
+    command.Add("--git");
+    command.AddWord(*revisions);
+    command.AddSources();
+    return JsonResultOf(command.Run(), "diff");
+  }
+  command.AddPath(rpc::TextOf(arguments, "old"));
+  command.AddPath(rpc::TextOf(arguments, "new"));
+  if (!TextsOf(arguments, "sources").empty()) {
+    command.Add("--sources");
+    command.AddSources();
+  }
+  return JsonResultOf(command.Run(), "diff");
+}
+
+Json ProveSchema() {
+  return ProgramSchema(
+      {{"properties", TextsSchema("such as 'never U4A8 and U4A9', or 'I0K1 implies U21K8 within 1 slow'")}},
+      {"sources", "properties"});
+}
+
+Json RunProve(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "prove");
+  command.Add("--format=json");
+  command.AddProgram();
+  const TemporaryFolder temporary;
+  const std::string file = temporary.path() + "/properties";
+  {
+    std::ofstream out(file);
+    for (const std::string& property : TextsOf(arguments, "properties")) out << property << '\n';
+  }
+  command.Add("--property");
+  command.Add(file);
+  command.AddSources();
+  return JsonResultOf(command.Run(), "proof");
+}
+
+Json CrossReferenceSchema() {
+  return ProgramSchema({{"signal", TextSchema("only what has this in its address, name or meaning")}}, {"sources"});
+}
+
+Json PlacesOf(const std::string& line) {
+  Json places = Json::array();
+  const std::vector<std::string> words = WordsOf(line.substr(line.find(':') + 1));
+  for (const std::string& word : words) {
+    const size_t colon = word.rfind(':');
+    if (colon == std::string::npos) continue;  // "-": nobody
+    places.push_back({{"file", word.substr(0, colon)}, {"line", std::atoi(word.c_str() + colon + 1)}});
+  }
+  return places;
+}
+
+Json RunCrossReference(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "report");
+  command.Add("--cross-reference");
+  command.AddProgram();
+  command.AddSources();
+  const std::string wanted = rpc::OptionalText(arguments, "signal").value_or("");
+  const ChildResult run = command.Run();
+  Json result = ResultOf(run);
+  result["signals"] = Json::array();
+  std::istringstream lines(run.output);
+  std::string head, written, read;
+  while (std::getline(lines, head) && std::getline(lines, written) && std::getline(lines, read)) {
+    if (head.find(wanted) == std::string::npos) continue;
+    result["signals"].push_back({{"signal", head}, {"written", PlacesOf(written)}, {"read", PlacesOf(read)}});
+  }
+  return result;
+}
+
+Json LadderSchema() {
+  return ProgramSchema({{"signal", TextSchema("only the rungs that name this address or symbol")}}, {"sources"});
+}
+
+Json RunLadder(const Workplace& workplace, const Json& arguments) {
+  Command command(workplace, arguments, "report");
+  command.Add("--ladder-text");
+  if (const auto signal = rpc::OptionalText(arguments, "signal")) {
+    command.Add("--signal");
+    command.AddWord(*signal);
+  }
+  command.AddProgram();
+  command.AddSources();
+  return TextResultOf(command.Run(), "ladder");
+}
+
+}  // namespace
+
+std::span<const Tool> Tools() {
+  static const Tool kTools[] = {
+      {"project", "What the folder holds", "Project files, sources and scenarios of the server's folder", ProjectSchema,
+       RunProject},
+      {"check", "Check a program", "What is wrong or doubtful in a PLC program, each with file, line and column",
+       SourcesSchema, RunCheck},
+      {"explain", "Explain a message", "The page of a message: what it means, wrong and right programs", ExplainSchema,
+       RunExplain},
+      {"emit", "Emit C++", "The C++ that a program becomes; written only where 'output' names a folder", EmitSchema,
+       RunEmit, true},
+      {"simulate", "Simulate a program", "Runs a program in virtual time and shows locations as rows", SimulateSchema,
+       RunSimulate},
+      {"test", "Run scenarios", "Runs scenario files; a failure names its step, what was expected and who wrote last",
+       TestSchema, RunTest},
+      {"diff", "Compare behaviour", "Which outputs of two versions behave differently: proved equal, or shown by a run",
+       DiffSchema, RunDiff},
+      {"prove", "Prove properties", "Proves properties for all inputs and all scans, or shows a run that violates them",
+       ProveSchema, RunProve},
+      {"cross_reference", "Cross reference", "Who writes and who reads each signal, with file and line",
+       CrossReferenceSchema, RunCrossReference},
+      {"ladder", "Ladder as text", "The rungs of a program as text", LadderSchema, RunLadder},
+  };
+  return kTools;
+}
+
+}  // namespace plcxx::mcp
