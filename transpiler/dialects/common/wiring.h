@@ -14,11 +14,11 @@ void ReportCannotRead(const std::string& path, const source::LoadError& error, d
 void ReportNoBudget(Budget budget, uint64_t needed, uint64_t limit, source::FileId first,
                     const source::SourceManager& sources, diag::Engine& diagnostics);
 
-/// The tokens of all files, one after the other. `Print(sources, file)` is the dialect's.
-template <std::string (*Print)(const source::SourceManager&, source::FileId)>
+/// The tokens of all files, one after the other. `kPrint(sources, file)` is the dialect's.
+template <std::string (*kPrint)(const source::SourceManager&, source::FileId)>
 std::string TokensOfFiles(Request& request) {
   std::string text;
-  for (const source::FileId file : request.files) text += Print(*request.sources, file);
+  for (const source::FileId file : request.files) text += kPrint(*request.sources, file);
   return text;
 }
 
