@@ -105,8 +105,11 @@ void AddEmit(CLI::App& app, Run& run) {
   const auto settings = std::make_shared<EmitSettings>();
   AddCommonOptions(*command, settings->common);
   AddOutputOptions(*command, settings->output);
-  command->add_flag("--line-directives", settings->line_directives, "Put #line directives into the C++")
-      ->group("Output");
+  CLI::Option* lines =
+      command
+          ->add_flag("--line-directives", settings->line_directives,
+                     "Put #line directives into the C++: compilers and debuggers name the statement of the source")
+          ->group("Output");
   CLI::Option* parts =
       command
           ->add_option(
@@ -119,6 +122,7 @@ void AddEmit(CLI::App& app, Run& run) {
       ->add_flag("--single-file", settings->single_file,
                  "One NAME.hpp with runtime, program and, behind a macro that its first lines name, the code")
       ->excludes(parts)
+      ->excludes(lines)
       ->group("Output");
   CLI::Option* debug =
       command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");

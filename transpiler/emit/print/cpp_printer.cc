@@ -1,5 +1,7 @@
 #include "transpiler/emit/print/cpp_printer.h"
 
+#include <utility>
+
 #include "transpiler/emit/print/print.h"
 
 namespace plcxx::emit::print {
@@ -70,7 +72,9 @@ std::vector<OutputFile> PrintCpp(const Emittable& emittable, const source::Sourc
   std::vector<OutputFile> files;
   files.push_back({name + ".hpp", PrintHeader(emittable)});
   for (uint32_t part = 0; part < emittable.parts.size(); ++part) {
-    files.push_back(PrintPart(emittable, sources, part));
+    OutputFile file = PrintPart(emittable, sources, part);
+    if (emittable.options.line_directives) file = WithLineDirectives(file, *emittable.program, sources);
+    files.push_back(std::move(file));
   }
   return files;
 }

@@ -32,6 +32,8 @@ std::string PrintHeader(const Emittable& emittable);
 std::string PrintTags(const Emittable& emittable);
 std::string PrintState(const Emittable& emittable);
 OutputFile PrintPart(const Emittable& emittable, const source::SourceManager& sources, uint32_t part);
+/// A part whose #line directives lead to the statements of the source, and back to the file itself.
+OutputFile WithLineDirectives(const OutputFile& file, const ir::Program& program, const source::SourceManager& sources);
 
 /// Text of C++, and the instructions whose effects it spells.
 struct Text {
