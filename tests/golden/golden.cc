@@ -15,13 +15,16 @@
 namespace plcxx::golden {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kPhases = {{{".tokens", "tokens"},
+constexpr std::string_view kDebug = "debug";
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPhases = {{{".tokens", "tokens"},
                                                                                    {".syntax", "syntax"},
                                                                                    {".ir", "ir"},
                                                                                    {".ir-structured", "ir-structured"},
                                                                                    {".ir-optimized", "ir-optimized"},
                                                                                    {".ir-emittable", "ir-emittable"},
-                                                                                   {".cc", "cpp"}}};
+                                                                                   {".cc", "cpp"},
+                                                                                   {".debug", kDebug}}};
 
 constexpr int kToolSeconds = 600;
 
@@ -83,6 +86,22 @@ std::vector<std::string> Command(std::vector<std::string> words, const Program& 
 
 std::string Failure(const fs::path& what, const ToolResult& result) {
   return what.string() + ": plcxx ends with " + std::to_string(result.exit_code) + ":\n" + result.errors;
+}
+
+/// The C++ with force masks, line enables and #line directives; no phase prints it.
+std::optional<std::string> CheckDebug(const PhaseGolden& golden, const Program& program, Mode mode) {
+  const compile::TemporaryDirectory temporary;
+  const ToolResult result = RunTool(
+      golden.file.parent_path(),
+      Command({"emit", "--debug", "--line-directives", "--quiet", "--name", "debug", "-o", temporary.path()}, program));
+  if (result.exit_code != 0) return Failure(golden.file, result);
+  std::string text;
+  for (const std::string_view ending : {".hpp", ".cpp"}) {
+    for (const fs::path& file : FilesBelow(temporary.path(), ending)) {
+      if (file.parent_path() == temporary.path()) text += ReadFile(file);  // without the runtime
+    }
+  }
+  return CheckFile(golden.file, text, mode);
 }
 
 }  // namespace
@@ -163,6 +182,7 @@ std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode) {
     if (!named) return golden.scenario.string() + ": names no program";
     program = *named;
   }
+  if (golden.phase == kDebug) return CheckDebug(golden, program, mode);
   const ToolResult result = RunTool(golden.file.parent_path(), Command({"print", golden.phase}, program));
   if (result.exit_code != 0) return Failure(golden.file, result);
   return CheckFile(golden.file, result.output, mode);

@@ -37,11 +37,11 @@ std::vector<fs::path> FilesBelow(const fs::path& directory, std::string_view end
 /// A printed phase that is kept beside its program: `orb.plc.ir`, `orb.plc.cc`.
 struct PhaseGolden {
   fs::path file;
-  std::string phase;   // "ir", "cpp": what `plcxx print` calls it
+  std::string phase;   // "ir", "cpp": what `plcxx print` calls it; "debug": what `plcxx emit --debug` writes
   fs::path scenario;   // names the program's sources and options; empty: the program is one file
   std::string source;  // "orb.plc"
 };
-/// All below a directory. The suffix names the phase; `.cc` is phase cpp.
+/// All below a directory. The suffix names the phase; `.cc` is phase cpp, `.debug` the C++ of the debug flavour.
 std::vector<PhaseGolden> PhaseGoldens(const fs::path& directory);
 /// Where a folder's languages (the folders in it) have fewer than `least` programs whose syntax, IR and C++ are kept:
 /// goldens that nobody has compare nothing. A language that is being built is asked for them once it has so many cases.
