@@ -53,6 +53,17 @@ TEST(HncKnownBounds, WhatIsKnownInFrontOfALabelWithAWayBackIsKnownAfterIt) {
   EXPECT_TRUE(IsChecked(known + "again: i++; k = i; if (i < 4) goto again; k += 5; " + access));
 }
 
+// What a store says of a cell in memory counts in a comparison, too: else the loop may have 65537 iterations.
+TEST(HncKnownBounds, AComparisonNarrowsWhatWasStored) {
+  const auto reported = [](const std::string& statements) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements(statements));
+    return lowered.Reported();
+  };
+  EXPECT_THAT(reported("a = X[0] & 7; if (a != 0) do a--; while (a != 0);"), testing::Not(testing::Contains("3 W7")));
+  EXPECT_THAT(reported("a = X[0] & 7; do a--; while (a != 0);"), testing::Contains("3 W7"));
+}
+
 /// Whether table[f() - 1] is checked where f() is left in these ways.
 bool IsCheckedBehind(const std::string& ways) {
   LoweredProgram lowered;

@@ -109,10 +109,30 @@ TEST(HncLowering, FactsAreExecutedWhereTheyAreAskedFor) {
   }
 }
 
+// The user's own macro names a cell before one of the header does, one with parameters never does.
+TEST(HncLowering, ACellHasTheNameOfAMacroThatIsAllOfIt) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "#include \"plc.h\"\n#define FEED ch_feedover(0)\n#define LAMP Y[3]\n#define LAMP_AT(i) Y[i]\nint a;\n"
+            "void plc1() { a = *ch_feedover(0); *FEED = 4; a = *ch_rapidover(0); LAMP_AT(4) = 1; LAMP_AT(3) = 1; LAMP "
+            "= 2; }\n"
+            "void init() { plc1_time = 16; plc2_time = 32; }\nvoid plc2() { }\n");
+  const std::vector<std::string> lines = lowered.Routine("plc1");
+  for (const std::string name : {"load FEED", "store FEED", "load ch_rapidover_0", "store Y4", "store LAMP"}) {
+    EXPECT_TRUE(HasLine(lines, name)) << name << testing::PrintToString(lines);
+  }
+  EXPECT_FALSE(HasLine(lines, "store Y3")) << testing::PrintToString(lines);
+}
+
 TEST(HncLowering, TheStepOfAForStandsInItsHead) {
   const std::vector<std::string> lines = Body("int k; for (k = 0; k < 8; k++) a += k;");
   EXPECT_TRUE(HasLine(lines, "loop")) << testing::PrintToString(lines);
   EXPECT_TRUE(HasLine(lines, "step {")) << testing::PrintToString(lines);
+  const std::string head = "n = 0;\n//@loop_bound 10\n";
+  EXPECT_TRUE(HasLine(Body(head + "for (i = 0; n < 5; table[3] += 2) n++;"), "step {"));
+  // A value that is asked for twice would be computed twice there.
+  EXPECT_FALSE(HasLine(Body(head + "for (i = 0; n < 5; table[n & 7] += 2) n++;"), "step {"));
+  EXPECT_FALSE(HasLine(Body(head + "for (i = 0; n < 5; i = b = 2) n++;"), "step {"));
 }
 
 // covers: HNC-227

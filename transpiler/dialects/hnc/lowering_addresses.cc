@@ -128,11 +128,6 @@ Address Lowering::TableElement(const Expr& load) {
 Address Lowering::EvaluatePointer(ExprId id) {
   const Expr& expr = ExprAt(id);
   switch (expr.kind) {
-    case ExprKind::kPoison: {
-      Address refused;
-      refused.reported = true;
-      return refused;
-    }
     case ExprKind::kNull: {
       Address null;
       null.is_null = true;
@@ -149,7 +144,7 @@ Address Lowering::EvaluatePointer(ExprId id) {
       Address address = EvaluatePointer(expr.a);
       const Value index = Evaluate(expr.b);
       const uint32_t size = TypeAt(TypeAt(expr.type).element).size;
-      AddIndex(address, index, size == 0 ? 1 : size, expr.binary == BinaryOp::kPointerSubtract ? -1 : 1);
+      AddIndex(address, index, size, expr.binary == BinaryOp::kPointerSubtract ? -1 : 1);
       return address;
     }
     case ExprKind::kComma:
@@ -199,7 +194,7 @@ Address Lowering::EvaluatePointer(ExprId id) {
       const uint32_t size = TypeAt(TypeAt(expr.type).element).size;
       // In bytes, as the variable keeps it.
       Address moved = after;
-      AddIndex(moved, step, size == 0 ? 1 : size, down ? -1 : 1);
+      AddIndex(moved, step, size, down ? -1 : 1);
       after = moved;
       StorePointer(target.variable, after);
       const bool post = increments && (expr.increment == IncrementOp::kPostIncrement ||

@@ -213,9 +213,9 @@ void Lowering::Execute(ExprId id) {
 }
 
 ValueId Lowering::Condition(ExprId id) {
-  if (!id.valid() || !ExprAt(id).type.valid()) return builder_.Bit(0);
   const Expr& expr = ExprAt(id);
-  if (expr.constant && IsArithmetic(TypeAt(expr.type))) {
+  if (!expr.type.valid()) return builder_.Bit(0);
+  if (expr.constant) {  // a null pointer as well
     return builder_.Bit(IsInteger(TypeAt(expr.type)) ? expr.constant->integer != 0 : expr.constant->real != 0);
   }
   if (TypeAt(expr.type).kind == TypeKind::kPointer) return IsNotNull(EvaluatePointer(id), id);
