@@ -99,6 +99,8 @@ def table(mutants, results, known):
     total = [0] * 7
     for folder in prepare.FOLDERS:
         made = [mutant for mutant in mutants if mutant.folder == folder]
+        if not made:
+            continue
         verdicts = [(mutant, results[mutant.key][0]) for mutant in made if mutant.key in results]
         killed = sum(verdict == "killed" for _, verdict in verdicts)
         survivors = [mutant for mutant, verdict in verdicts if verdict == "survived"]
@@ -159,7 +161,7 @@ def show_list(mutants, results, known, verdict):
 def main():
     parser = argparse.ArgumentParser(prog="dev/mutants", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--folder", action="append", choices=list(prepare.FOLDERS), help="only these; may be repeated")
+    parser.add_argument("--folder", action="append", choices=list(prepare.FOLDERS), help="only these are changed and looked at; may be repeated")
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="N mutants of each folder, chosen by the seed")
     parser.add_argument("--seed", type=int, default=1, help="of the sample (1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
@@ -171,15 +173,15 @@ def main():
     parser.add_argument("--no-build", action="store_true", help="the binaries are what they were")
     parser.add_argument("--mutate", default=str(prepare.ROOT / "build/tests/plcxx_mutate"), help=argparse.SUPPRESS)
     wanted = parser.parse_args()
+    folders = wanted.folder or list(prepare.FOLDERS)
     if not wanted.no_build and not wanted.list:
-        prepare.make_sources(wanted.mutate)
-        prepare.build(wanted.jobs)
+        prepare.make_sources(wanted.mutate, folders)
+        prepare.build(wanted.jobs, folders)
     mutants = prepare.read_table()
     known = Known(read_survivors())
     if wanted.again:
         RESULTS.unlink(missing_ok=True)
     results = read_results()
-    folders = wanted.folder or list(prepare.FOLDERS)
     if wanted.list:
         show_list([mutant for mutant in mutants if mutant.folder in folders], results, known, wanted.list)
         return 0

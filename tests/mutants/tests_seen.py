@@ -21,7 +21,6 @@ REACHED = re.compile(b"\x01")
 
 
 DIALECTS = ("nc110", "host50", "prostep", "technol", "hnc")
-SEEN_BY_ALL = ("passes", "runtime")  # folders of mutants that tests of every dialect reach
 
 
 class Scenario:
@@ -132,14 +131,7 @@ def record_unit(unit):
 def reaches_none(name, folders):
     """Whether it is about dialects, and about none of them that is looked at."""
     of = [dialect for dialect in DIALECTS if dialect in name.lower()]
-    return bool(of) and not set(folders).intersection([*of, *SEEN_BY_ALL])
-
-
-def concerns(binary, folders):
-    """Whether a test's binary has code of the folders in it, directly or as the tool that it runs."""
-    lowers = binary.startswith(("dialects", "golden", "reference"))
-    emits = binary.startswith(("emit", "golden"))
-    return any(folder in SEEN_BY_ALL or (emits if folder == "emit" else lowers) for folder in folders)
+    return bool(of) and not set(folders).intersection([*of, *prepare.SEEN_BY_ALL])
 
 
 def is_emitted(scenario):
@@ -149,7 +141,7 @@ def is_emitted(scenario):
 def units(folders):
     found = []
     for path in sorted((prepare.BUILD / "tests").glob("*_test")):
-        if not path.name.startswith(prepare.TESTS) or not concerns(path.name, folders):
+        if not path.name.startswith(prepare.TESTS) or not prepare.concerns(path.name, folders):
             continue
         lines = subprocess.run([path, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
         suite = ""
