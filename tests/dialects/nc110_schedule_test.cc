@@ -46,9 +46,12 @@ TEST(Nc110Schedule, RetentionLoadsAndStoresPackageT) {
 
 // covers: NC110-209 NC110-252
 TEST(Nc110Schedule, SlicesAreCountedWithoutKnowingTheirNumber) {
-  for (const char* slices : {"3", "auto"}) {
+  for (const std::string slices : {"3", "auto"}) {
     LoweredProgram lowered;
-    LowerInto(lowered, {"P1=I0A1 $\nU4A0=P1"}, {{"slices", slices}});
+    LowerInto(lowered, {"P1=I0A1 $\nU4A0=P1"}, {{"slices", slices}, {"clo", "20,4"}});
+    EXPECT_EQ(lowered.program().schedule.slices_by_cost, slices == "auto");
+    EXPECT_EQ(lowered.program().schedule.period_ms, 20u);
+    EXPECT_EQ(lowered.program().schedule.slot_ms, 4u);
     EXPECT_THAT(lowered.Routine("fast"), Contains("%2 = load slow_open"));
     EXPECT_THAT(lowered.Routine("slow"), Contains("store slow_open %0"));
     EXPECT_THAT(
