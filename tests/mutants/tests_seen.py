@@ -1,7 +1,6 @@
 """The tests that can see mutants, and which mutants each of them reaches."""
 import array
 import concurrent.futures
-import hashlib
 import os
 import pathlib
 import pickle
@@ -186,15 +185,43 @@ def identity(test):
     return " ".join([test.name, *(str(zlib.crc32(part.read_bytes())) for part in sorted(path.parent.glob(path.stem + ".*")))])
 
 
+def moved(result, places):
+    """What a test was recorded to reach, by the numbers that the mutants have now."""
+    for field in ("reaches", "emits") if isinstance(result, Scenario) else ("reaches",):
+        now = {number for before in getattr(result, field) for number in places.get(before, ())}
+        setattr(result, field, array.array("i", sorted(now)))
+    return result
+
+
+def places_of(keys_before, mutants):
+    """By number before: the mutant's number now. A mutant that is new, for its code was edited, is taken to be reached by
+    what reached any of its file: tests that do not reach it can only let it survive."""
+    number_of = {mutant.key: mutant.id for mutant in mutants}
+    known = set(keys_before.values())
+    new_of_file = {}
+    for mutant in mutants:
+        if mutant.key not in known:
+            new_of_file.setdefault(mutant.file, []).append(mutant.id)
+    return {before: [number_of[key]] * (key in number_of) + new_of_file.get(key.split(" | ")[0], [])
+            for before, key in keys_before.items()}
+
+
 def recorded(name, tests, record_one, jobs):
-    """What an earlier run has recorded stands as long as the mutants are the same ones: only new tests are run."""
+    """What an earlier run has recorded stands, by the mutants' keys: only new tests are run."""
     kept = prepare.PLACE / f"seen_{name}.pickle"
-    now = hashlib.sha256(prepare.TABLE.read_bytes()).hexdigest()
+    mutants = prepare.read_table()
+    keys = {mutant.id: mutant.key for mutant in mutants}
     results = {}
     if kept.exists():
         with open(kept, "rb") as file:
-            known, of_before = pickle.load(file)
-        results = of_before if known == now else {}
+            keys_before, results = pickle.load(file)
+        # A folder that was not mutated then was not looked at.
+        if {key.split(" | ")[0].rpartition("/")[0] for key in keys.values()} - {
+                key.split(" | ")[0].rpartition("/")[0] for key in keys_before.values()}:
+            results = {}
+        elif keys_before != keys:
+            places = places_of(keys_before, mutants)
+            results = {test: result and moved(result, places) for test, result in results.items()}
     todo = [test for test in tests if identity(test) not in results]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for number, (test, result) in enumerate(zip(todo, pool.map(record_one, todo)), 1):
@@ -204,7 +231,7 @@ def recorded(name, tests, record_one, jobs):
             if number % 500 == 0:
                 print(f"what {name} reach: {number} of {len(todo)}", flush=True)
     with open(kept, "wb") as file:
-        pickle.dump((now, results), file)
+        pickle.dump((keys, results), file)
     return [results[identity(test)] for test in tests if results[identity(test)] is not None]
 
 
