@@ -67,7 +67,22 @@ def check_survivors():
     assert known.reason("a.cc | FG | < to >= | i < n") is None
 
 
+class Row:
+    """Of a table of mutants."""
+
+    def __init__(self, number, key):
+        self.id, self.key, self.file = number, key, key.split(" | ")[0]
+
+
+def check_moved():
+    now = [Row(7, "a.cc | F | + to - | x + y"), Row(8, "a.cc | F | + to - | x + z"), Row(9, "b.cc | G | < to <= | i < n")]
+    before = {1: "a.cc | F | + to - | x + y", 2: "a.cc | F | gone", 3: "b.cc | G | < to <= | i < n"}
+    places = tests_seen.places_of(before, now)
+    assert places == {1: [7, 8], 2: [8], 3: [9]}, places
+
+
 def main():
+    check_moved()
     check_endless()
     check_survivors()
     check_fixture(sys.argv[1], sys.argv[2])

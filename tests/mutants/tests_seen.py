@@ -202,7 +202,7 @@ def places_of(keys_before, mutants):
     for mutant in mutants:
         if mutant.key not in known:
             new_of_file.setdefault(mutant.file, []).append(mutant.id)
-    return {before: [number_of[key]] * (key in number_of) + new_of_file.get(key.split(" | ")[0], [])
+    return {before: ([number_of[key]] if key in number_of else []) + new_of_file.get(key.split(" | ")[0], [])
             for before, key in keys_before.items()}
 
 
