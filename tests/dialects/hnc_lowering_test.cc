@@ -124,6 +124,18 @@ TEST(HncLowering, ACellHasTheNameOfAMacroThatIsAllOfIt) {
   EXPECT_FALSE(HasLine(lines, "store Y3")) << testing::PrintToString(lines);
 }
 
+// What a byte cannot be needs no assertion: its type says so.
+TEST(HncLowering, TheBoundsOfAByteAreNoFact) {
+  const auto states_facts = [](const std::string& statements) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements(statements), {}, ir::Facts::kChecked);
+    return HasLine(lowered.Routine("plc1"), "false_fact");
+  };
+  EXPECT_FALSE(states_facts("a = X[0] < 300;"));
+  EXPECT_FALSE(states_facts("l = X[0]; a = X[0] / 3;"));
+  EXPECT_TRUE(states_facts("if (b > 5) a = b < 3;"));
+}
+
 TEST(HncLowering, TheStepOfAForStandsInItsHead) {
   const std::vector<std::string> lines = Body("int k; for (k = 0; k < 8; k++) a += k;");
   EXPECT_TRUE(HasLine(lines, "loop")) << testing::PrintToString(lines);
@@ -253,6 +265,11 @@ TEST(HncLowering, IndexedPlacesHaveNamesThatSayWhereTheyBegin) {
     return found;
   };
   EXPECT_THAT(names("table[a] = 1;"), Contains("table"));
+  // A constant part that leads out of the object goes into the index.
+  EXPECT_THAT(names("(table + 7)[a] = 1;"), Contains("table_from_14"));
+  EXPECT_THAT(names("(table + 8)[a] = 1;"), Contains("table"));
+  EXPECT_THAT(names("(table + 9)[a] = 1;"), Contains("table"));
+  EXPECT_THAT(names("(table - 1)[a] = 1;"), Contains("table"));
   EXPECT_THAT(names("((unsigned char *)table)[a] = 1;"), Contains("table_from_0_by_1"));
   EXPECT_THAT(names("R[a] = 1;"), Contains("R"));
   EXPECT_THAT(names("R_ui[a] = 1;"), Contains("R_ui"));
@@ -272,6 +289,12 @@ TEST(HncLowering, AMacroThatStandsForAWordOfATableNamesIt) {
   EXPECT_TRUE(is_named("#define SPEED (*G_i[5])\nvoid plc1() { SPEED = 3; ", "SPEED"));
   EXPECT_TRUE(is_named("#define LAMP Y[5]\nvoid plc1() { LAMP = 3; ", "LAMP"));
   EXPECT_FALSE(is_named("#define LAMP 5\nvoid plc1() { Y[LAMP] = 3; ", "LAMP"));
+  // What a macro gives the address or the value of is not called so.
+  EXPECT_FALSE(is_named("#define LAMP (&Y[5])\nvoid plc1() { *LAMP = 3; ", "LAMP"));
+  EXPECT_FALSE(is_named("#define LAMP (Y[5] + 1)\nint n;\nvoid plc1() { n = LAMP; ", "LAMP"));
+  // A variable has its own name, an element that is chosen when it is executed has none.
+  EXPECT_FALSE(is_named("#define LAMP lamp\nint lamp;\nvoid plc1() { LAMP = 3; ", "LAMP"));
+  EXPECT_FALSE(is_named("#define LAMP lamps[X[0]]\nint lamps[300];\nvoid plc1() { LAMP = 3; ", "LAMP"));
 }
 
 // Also where no statement names its first byte.

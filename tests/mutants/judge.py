@@ -11,7 +11,7 @@ import tests_seen
 BATCHES = (3, 12, 100, 1000)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
-MOST = 1000                 # scenarios: what nearly all of them execute is often seen by one alone
+MOST = 1000                 # scenarios: what nearly all of them execute is often seen by one alone; --most N
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
@@ -47,8 +47,8 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
 
 
 class Judge:
-    def __init__(self, seen, seed=0):
-        self.seen, self.seed = seen, seed
+    def __init__(self, seen, seed=0, most=MOST):
+        self.seen, self.seed, self.most = seen, seed, most
         self.killers = {}  # by function: indices of scenarios that killed a mutant of it
         self.index = {scenario.name: number for number, scenario in enumerate(seen.scenarios)}
 
@@ -83,7 +83,7 @@ class Judge:
         random.Random(self.seed + mutant.id).shuffle(rest)
         reaching = set(found)
         near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in reaching]
-        return list(dict.fromkeys(near + by_size[:3] + rest))[:MOST]
+        return list(dict.fromkeys(near + by_size[:3] + rest))[:self.most]
 
     def some_in_simulator(self, mutant):
         return self.in_simulator(mutant, self.order(mutant)[:FIRST])
@@ -137,7 +137,7 @@ class Judge:
         """Only where the text of the program is another one."""
         found = self.order(mutant, self.seen.by_emit)
         compiled = 0
-        for index in found[:250]:
+        for index in found[:min(self.most, 250)]:
             scenario = self.seen.scenarios[index]
             text = tests_seen.emitted_text(scenario.name, mutant.id)
             if text == scenario.text:

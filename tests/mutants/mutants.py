@@ -165,6 +165,8 @@ def main():
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="N mutants of each folder, chosen by the seed")
     parser.add_argument("--seed", type=int, default=1, help="of the sample (1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
+    parser.add_argument("--most", type=int, default=judge.MOST, metavar="N",
+                        help="scenarios for a mutant: fewer are sooner done, and leave more survivors (%(default)d)")
     parser.add_argument("--open", action="store_true", help="those of open.txt, which tests may kill by now")
     parser.add_argument("--one", metavar="ID", help="one mutant: its number or its key")
     parser.add_argument("--list", metavar="VERDICT", help="of the last runs: survived, 'not reached' or killed")
@@ -188,7 +190,7 @@ def main():
     if wanted.again_survivors:
         results = {key: value for key, value in results.items() if value[0] == "killed"}
         RESULTS.write_text("".join(f"{key}\t{verdict}\t{killer}\n" for key, (verdict, killer) in results.items()))
-    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed)
+    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed, wanted.most)
     if wanted.one:
         found = [mutant for mutant in mutants if wanted.one in (str(mutant.id), mutant.key)]
         if not found:

@@ -121,14 +121,13 @@ void Lowering::BeginLocals(const Function& function) {
       pointer_places_[id.index] = places;
       zero(places.offset, kNullOffset);
       if (places.object.valid()) zero(places.object, 0);
-    } else if (!facts_.IsInMemory(id) && IsArithmetic(type)) {
+    } else if (!facts_.IsInMemory(id)) {
       local_places_[id.index] = AddLocal(variable.name, IrType(variable.type));
       zero(local_places_[id.index], 0);
     } else if (!variable.initialised && objects_.OfVariable(id).valid()) {
       ClearObject(objects_.OfVariable(id));
     }
-    const bool scalar = IsArithmetic(type) || type.kind == TypeKind::kPointer;
-    if (!scalar || facts_.IsInMemory(id)) {
+    if (facts_.IsInMemory(id)) {  // all that are no scalars are
       block_locals_.erase(id.index);
     } else if (!block_locals_.contains(id.index)) {
       flow_.unassigned.insert(id);

@@ -215,11 +215,9 @@ void Lowering::SwitchStatement(const Statement& statement) {
 }
 
 Value Lowering::ConvertSelector(ExprId id) {
-  Value selector = Evaluate(id);
+  const Value selector = Evaluate(id);
   if (!IsInteger(TypeAt(selector.type))) return Zero(int_);
-  selector = ConvertInteger(selector, selector.type);
-  if (TypeAt(selector.type).bits == 8) selector = ConvertInteger(selector, int_);
-  return selector;
+  return ConvertInteger(selector, selector.type);
 }
 
 /// The break that ends a group of statements, through blocks and labels; none: it ends otherwise.
