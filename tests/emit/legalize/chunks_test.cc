@@ -4,7 +4,10 @@
 
 #include <cstdio>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
@@ -156,6 +159,24 @@ TEST(Chunks, LongProgramsAreSeveralFiles) {
   const auto files = print::PrintCpp(Legalize(program, {.name = "coils"}), sources);
   EXPECT_GE(files.size(), 4u);
   EXPECT_LE(files.size(), 14u);
+}
+
+// Files begin where the contents say, too: an edit at the beginning leaves the later ones as they are.
+TEST(Chunks, AnInsertedStatementMovesTheBorderOfOneFileAtMost) {
+  const auto files = [](const std::vector<uint32_t>& numbers) {
+    const ir::Program program = CoilProgram(numbers);
+    std::set<std::string> suffixes;
+    for (const Part& part : Legalize(program, {.name = "coils"}).parts) suffixes.insert(part.suffix);
+    return suffixes;
+  };
+  std::vector<uint32_t> numbers = Sequence(20000);
+  const std::set<std::string> before = files(numbers);
+  EXPECT_GE(before.size(), 7u);
+  for (uint32_t added = 0; added < 40; ++added) numbers.insert(numbers.begin() + 10 + added, 50000 + added);
+  size_t moved = 0;
+  const std::set<std::string> after = files(numbers);
+  for (const std::string& suffix : before) moved += after.contains(suffix) ? 0 : 1;
+  EXPECT_LE(moved, 2u);
 }
 
 }  // namespace

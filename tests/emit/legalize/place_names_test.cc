@@ -6,6 +6,7 @@
 
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/reader.h"
 
 namespace plcxx::emit::legalize {
 namespace {
@@ -41,6 +42,42 @@ using Names = std::vector<std::string>;
 TEST(PlaceNames, WhatTheUserDidNotChooseKeepsItsName) {
   EXPECT_EQ(NamesOf({{"now", "U4A0"}, {"now", ""}}), (Names{"now_U4A0", "now"}));
   EXPECT_EQ(NamesOf({{"U4A1", "U4A0"}, {"U4A1", "U4A1"}}), (Names{"U4A1_U4A0", "U4A1"}));
+}
+
+// A local may be handed from function to function: in each of them no other one has its name.
+TEST(PlaceNames, LocalsOfOneFunctionDiffer) {
+  const ir::Program program = ir::ReadOrDie(R"(
+space one 8 routine little own
+space two 8 routine little own
+space three 8 routine little own
+place x bit one[0].0
+place x~2 bit two[0].0 named x
+place x~3 bit three[0].0 named x
+routine f subroutine {
+  body {
+    %0 = const bit 1
+    store x %0
+  }
+}
+routine g subroutine {
+  body {
+    %0 = const bit 1
+    store x %0
+    store x~2 %0
+  }
+}
+routine h subroutine {
+  body {
+    %0 = const bit 1
+    store x~3 %0
+  }
+}
+)");
+  const Names names = Legalize(program, {.name = "p"}).place_names;
+  ASSERT_EQ(names.size(), 3u);
+  EXPECT_EQ(names[0], "x");
+  EXPECT_NE(names[1], "x");
+  EXPECT_EQ(names[2], "x");
 }
 
 TEST(PlaceNames, OfTwoSymbolsTheLowerAddressHasTheName) {

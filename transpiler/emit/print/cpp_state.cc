@@ -39,12 +39,10 @@ bool StatePrinter::HasMember(std::string_view name) const {
                      [name](const layout::Member& member) { return member.name == name; });
 }
 
-/// Whether any name is of this class.
+/// Whether any name is of this class: what is stored has one.
 bool StatePrinter::Uses(layout::Storage storage) const {
-  for (uint32_t i = 0; i < emittable_.layout.places.size(); ++i) {
-    if (emittable_.layout.places[i].storage == storage && !emittable_.place_names[i].empty()) return true;
-  }
-  return false;
+  return std::ranges::any_of(emittable_.layout.places,
+                             [storage](const layout::PlaceStorage& place) { return place.storage == storage; });
 }
 
 void StatePrinter::RetentiveBlock() {

@@ -1,0 +1,85 @@
+// Heads of functions: what is handed over, and how, to subroutines and to what is cut out of long functions; and which
+// parameters have a name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "transpiler/emit/legalize/legalize.h"
+#include "transpiler/emit/print/print.h"
+#include "transpiler/ir/reader.h"
+
+namespace plcxx::emit::print {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::string_view kHeadDeclarations = R"(program "p" test
+space A 32 volatile little host_visible "outputs"
+space handed 8 routine little own
+space locals 8 routine little own
+place a bit A[0].0
+place b bit A[0].1
+place W i8 A[2]
+place count i8 handed[0]
+place kept bit locals[0].0
+host stop (index : i32) "stops"
+)";
+
+std::string PrintAll(const std::string& text, Flavour flavour = Flavour::kRelease) {
+  const ir::Program program = ir::ReadOrDie(std::string(kHeadDeclarations) + text);
+  const source::SourceManager sources;
+  std::string all;
+  for (const OutputFile& file : PrintCpp(legalize::Legalize(program, {.name = "p", .flavour = flavour}), sources))
+    all += file.text;
+  return all;
+}
+
+/// So many statements that each read the parameter.
+std::string Statements(uint32_t statements, const std::string& body) {
+  std::string text;
+  for (uint32_t i = 0; i < statements; ++i) text += "stmt s" + std::to_string(i * 7919 + 1) + "\n" + body;
+  return text;
+}
+
+// A parameter that nothing writes stays a value in the functions that the subroutine is cut into.
+TEST(Functions, GetAParameterByValueUnlessTheyChangeIt) {
+  const std::string declared = "routine fast fast {\n body {\n %0 = const i8 3\n call f (%0)\n }\n}\n";
+  const std::string head = "routine f subroutine (count : i8 = count) {\n body {\n";
+  const std::string reads = PrintAll(head + Statements(300, "%0 = load count\nstore W %0\n") + "}\n}\n" + declared);
+  EXPECT_THAT(reads, HasSubstr("static void f(State& m, uint8_t count, Host& host) noexcept {"));
+  EXPECT_THAT(reads, HasSubstr("static void f_part(State& m, uint8_t count, Host&) noexcept {"));
+  EXPECT_THAT(reads, Not(HasSubstr("uint8_t& count")));
+  const std::string writes =
+      PrintAll(head + Statements(300, "%0 = load count\nstore W %0\nstore count %0\n") + "}\n}\n" + declared);
+  EXPECT_THAT(writes, HasSubstr("static void f(State& m, uint8_t count, Host& host) noexcept {"));
+  EXPECT_THAT(writes, HasSubstr("static void f_part(State& m, uint8_t& count, Host&) noexcept {"));
+}
+
+constexpr std::string_view kPlainIf =
+    "routine fast fast {\n body {\n %0 = const bit 1\n store kept %0\n %1 = load kept\n if %1 {\n %2 = const i32 1\n"
+    " host stop (%2)\n }\n }\n}\n";
+
+// An if of the control's own asks for no statement, and names nothing of the state.
+TEST(Functions, NameTheStateWhereTheyAskForAStatementOnly) {
+  const std::string own(kPlainIf);
+  for (const Flavour flavour : {Flavour::kRelease, Flavour::kDebug})
+    EXPECT_THAT(PrintAll(own, flavour), HasSubstr("void fast(State&, Host& host) noexcept {"));
+  std::string of_statement = own;
+  of_statement.insert(of_statement.find(" %1 = load"), "stmt s1\n");
+  EXPECT_THAT(PrintAll(of_statement), HasSubstr("void fast(State&, Host& host) noexcept {"));
+  EXPECT_THAT(PrintAll(of_statement, Flavour::kDebug), HasSubstr("void fast(State& m, Host& host) noexcept {"));
+}
+
+// What only a simulation calls is not printed: what it calls alone is not declared either.
+TEST(Functions, OfASimulationDeclareNothing) {
+  const std::string called = "routine f subroutine {\n body {\n %0 = const bit 1\n store a %0\n }\n}\n";
+  const std::string fast = "routine fast fast {\n body {\n %0 = const bit 0\n store b %0\n }\n}\n";
+  const std::string text = called + fast + "routine only schedule simulation_only {\n body {\n call f ()\n }\n}\n";
+  EXPECT_THAT(PrintAll(text), Not(HasSubstr("static void f(State& m, Host& host) noexcept;")));
+  EXPECT_THAT(PrintAll(text, Flavour::kDebug), HasSubstr("static void f(State& m, Host& host) noexcept;"));
+}
+
+}  // namespace
+}  // namespace plcxx::emit::print
