@@ -57,6 +57,30 @@ TEST(Functions, GetAParameterByValueUnlessTheyChangeIt) {
   EXPECT_THAT(writes, HasSubstr("static void f_part(State& m, uint8_t& count, Host&) noexcept {"));
 }
 
+// What is cut out stores the result, the subroutine itself returns it.
+TEST(Functions, ReturnWhereTheResultIsTheirs) {
+  const std::string text =
+      PrintAll("place result i8 locals[1]\nroutine f subroutine (count : i8 = count) -> i8 result {\n body {\n" +
+               Statements(300, "%0 = load count\nstore result %0\n") +
+               "}\n}\nroutine fast fast {\n body {\n %0 = const i8 3\n %1 = call f (%0)\n store W %1\n }\n}\n");
+  EXPECT_THAT(text,
+              HasSubstr("static uint8_t f(State& m, uint8_t count, Host& host) noexcept {\n  uint8_t result = 0;\n"));
+  EXPECT_THAT(text, HasSubstr("static void f_part(State&, uint8_t count, uint8_t& result, Host&) noexcept {"));
+  size_t returns = 0;
+  for (size_t at = text.find("return "); at != std::string::npos; at = text.find("return ", at + 1))
+    returns += text.compare(at, 14, "return result;") == 0 ? 1 : 0;
+  EXPECT_EQ(returns, 1u);
+  EXPECT_EQ(text.find("return count"), std::string::npos);
+}
+
+// The first call, the first place: one number says nothing of the other.
+TEST(Functions, GiveAResultThatIsStoredInTheFirstPlace) {
+  const std::string text = PrintAll(
+      "routine f subroutine -> bit kept {\n body {\n %0 = load b\n store kept %0\n }\n}\n"
+      "routine fast fast {\n body {\n %0 = call f ()\n store a %0\n }\n}\n");
+  EXPECT_THAT(text, HasSubstr("  m[a] = f(m, host);\n"));
+}
+
 constexpr std::string_view kPlainIf =
     "routine fast fast {\n body {\n %0 = const bit 1\n store kept %0\n %1 = load kept\n if %1 {\n %2 = const i32 1\n"
     " host stop (%2)\n }\n }\n}\n";
