@@ -8,7 +8,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::vector<std::string> After(const std::string& instructions) {
+std::vector<std::string> WarnedAfter(const std::string& instructions) {
   return WarningsOf(InNetwork("LD %I0\n" + instructions));
 }
 
@@ -20,10 +20,10 @@ std::vector<std::string> NotesOf(const std::string& text, const diag::WarningOpt
 }
 
 TEST(Host50Warnings, Coils) {
-  EXPECT_THAT(After("OUT %Q0\nOUTI %Q0\nOUT %Q0"), ElementsAre("5:6 W01", "6:5 W01"));
-  EXPECT_THAT(After("SET %Q0\nRST %Q0\nOUT %Q1"), IsEmpty());
-  EXPECT_THAT(After("SET %Q0\nOUT %Q0\nRST %Q0"), ElementsAre("5:5 W02"));
-  EXPECT_THAT(After("OUT %Q0\nRST %Q0\nSET %Q0"), ElementsAre("5:5 W02"));
+  EXPECT_THAT(WarnedAfter("OUT %Q0\nOUTI %Q0\nOUT %Q0"), ElementsAre("5:6 W01", "6:5 W01"));
+  EXPECT_THAT(WarnedAfter("SET %Q0\nRST %Q0\nOUT %Q1"), IsEmpty());
+  EXPECT_THAT(WarnedAfter("SET %Q0\nOUT %Q0\nRST %Q0"), ElementsAre("5:5 W02"));
+  EXPECT_THAT(WarnedAfter("OUT %Q0\nRST %Q0\nSET %Q0"), ElementsAre("5:5 W02"));
 }
 
 TEST(Host50Warnings, Sections) {
@@ -40,8 +40,8 @@ TEST(Host50Warnings, Sections) {
 }
 
 TEST(Host50Warnings, Instances) {
-  EXPECT_THAT(After("TONS %TM1, 5\nRUNG\nLD 1\nTONS %TM1, 6\nRUNG\nLD %TM1\nOUT %Q0"), ElementsAre("7:1 W04"));
-  EXPECT_THAT(After("TONS %TM1, 5\nRUNG\nLD 1\nTONS %TM2, 6"), IsEmpty());
+  EXPECT_THAT(WarnedAfter("TONS %TM1, 5\nRUNG\nLD 1\nTONS %TM1, 6\nRUNG\nLD %TM1\nOUT %Q0"), ElementsAre("7:1 W04"));
+  EXPECT_THAT(WarnedAfter("TONS %TM1, 5\nRUNG\nLD 1\nTONS %TM2, 6"), IsEmpty());
 }
 
 TEST(Host50Warnings, Jumps) {
@@ -53,7 +53,7 @@ TEST(Host50Warnings, Jumps) {
   EXPECT_THAT(WarningsOf(program("LD 1\nOUT %Q0")), IsEmpty()) << "not alone";
   EXPECT_THAT(WarningsOf("SLOW\nNETWORK\nLADDER\n|--{LBL J2}\nEND_LADDER\nNETWORK\nNETWORK\nEND_SLOW"),
               ElementsAre("6:1 W06"));
-  EXPECT_THAT(After("LBL J0"), ElementsAre("4:1 W09"));
+  EXPECT_THAT(WarnedAfter("LBL J0"), ElementsAre("4:1 W09"));
 }
 
 TEST(Host50Warnings, Calls) {
@@ -65,22 +65,22 @@ TEST(Host50Warnings, Calls) {
 }
 
 TEST(Host50Warnings, Memory) {
-  EXPECT_THAT(After("AND %B501\nAND %B501\nOUT %Q0"), ElementsAre("4:5 W07"));
-  EXPECT_THAT(After("AND %B500\nOUT %Q0"), IsEmpty()) << "retentive";
-  EXPECT_THAT(After("AND %B501\nOUT %B501"), IsEmpty());
-  EXPECT_THAT(After("BTOW %B600, %W0, 4\nWTOB 1, %B600, 3"), ElementsAre("4:6 W07"));
-  EXPECT_THAT(After("MOV %W101, %W0\nOPRT %F0 = %F101"), ElementsAre("4:5 W07", "5:12 W07"));
-  EXPECT_THAT(After("MOV 1, %IW0\nMOV 1, %IF0"), ElementsAre("4:8 W08", "5:8 W08"));
+  EXPECT_THAT(WarnedAfter("AND %B501\nAND %B501\nOUT %Q0"), ElementsAre("4:5 W07"));
+  EXPECT_THAT(WarnedAfter("AND %B500\nOUT %Q0"), IsEmpty()) << "retentive";
+  EXPECT_THAT(WarnedAfter("AND %B501\nOUT %B501"), IsEmpty());
+  EXPECT_THAT(WarnedAfter("BTOW %B600, %W0, 4\nWTOB 1, %B600, 3"), ElementsAre("4:6 W07"));
+  EXPECT_THAT(WarnedAfter("MOV %W101, %W0\nOPRT %F0 = %F101"), ElementsAre("4:5 W07", "5:12 W07"));
+  EXPECT_THAT(WarnedAfter("MOV 1, %IW0\nMOV 1, %IF0"), ElementsAre("4:8 W08", "5:8 W08"));
 }
 
 TEST(Host50Warnings, Division) {
-  EXPECT_THAT(After("DIVW 5, 0, %W0\nDIVF 5, -0.0, %F0\nDIVF 1, 0, %F0\nOPRT %W1 = 3 / 0"),
+  EXPECT_THAT(WarnedAfter("DIVW 5, 0, %W0\nDIVF 5, -0.0, %F0\nDIVF 1, 0, %F0\nOPRT %W1 = 3 / 0"),
               ElementsAre("4:9 W10", "5:9 W10", "6:9 W10", "7:16 W10"));
-  EXPECT_THAT(After("DIVW 0, 5, %W0"), IsEmpty());
+  EXPECT_THAT(WarnedAfter("DIVW 0, 5, %W0"), IsEmpty());
 }
 
 TEST(Host50Warnings, Signals) {
-  EXPECT_THAT(After("AND %I504\nAND %I504\nAND %I500\nOUT %Q599\nAND %Q999\nOUT %B0"),
+  EXPECT_THAT(WarnedAfter("AND %I504\nAND %I504\nAND %I500\nOUT %Q599\nAND %Q999\nOUT %B0"),
               ElementsAre("4:5 W11", "7:5 W11"));
   EXPECT_THAT(WarningsOf("CHANNELS 2\n" + InNetwork("LD %I2500\nAND %I2504\nOUT %Q0")), ElementsAre("5:5 W11"));
 }
@@ -127,14 +127,14 @@ TEST(Host50Warnings, Resources) {
 }
 
 TEST(Host50Warnings, Axes) {
-  EXPECT_THAT(After("HOME 1, 3, 5.0\nHOME 2, 35, 5\nHOME 3, %W0, 5"), ElementsAre("4:9 W17"));
-  EXPECT_THAT(After("VELP 2, 5\nSET %Q1001\nSET %Q1011\nMOV 1, %QW1\nMOV 1.5, %QF1"),
+  EXPECT_THAT(WarnedAfter("HOME 1, 3, 5.0\nHOME 2, 35, 5\nHOME 3, %W0, 5"), ElementsAre("4:9 W17"));
+  EXPECT_THAT(WarnedAfter("VELP 2, 5\nSET %Q1001\nSET %Q1011\nMOV 1, %QW1\nMOV 1.5, %QF1"),
               ElementsAre("5:5 W21", "8:10 W21"));
   EXPECT_THAT(WarningsOf("OPTION AXISBASE=0\n" + InNetwork("LD 1\nVELP 2, 5\nSET %Q1002")), ElementsAre("6:5 W21"));
 }
 
 TEST(Host50Warnings, FloatEquality) {
-  EXPECT_THAT(After("EQ %F0, 1\nNE %W0, 1\nCOMP %F0 = 1\nCOMP %F0 > 1\nCOMP 1.5 <> 2\nOUT %Q0"),
+  EXPECT_THAT(WarnedAfter("EQ %F0, 1\nNE %W0, 1\nCOMP %F0 = 1\nCOMP %F0 > 1\nCOMP 1.5 <> 2\nOUT %Q0"),
               ElementsAre("4:1 W20", "6:6 W20", "8:6 W20"));
 }
 
