@@ -75,6 +75,7 @@ class Converter {
   ExprId Operand(const clang::Expr* expr);
   ExprId AnyExpression(const clang::Expr* expr);
   bool IsPromoted(ExprId operand, const clang::Expr* expr) const;
+  bool BecomesInt(const clang::Expr* expr) const;
   ExprId InType(ExprId operand, TypeId type);
   void CommonTypeOfAssignment(const clang::CompoundAssignOperator* expr, Expr& result);
   TypeId CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, const clang::Expr* of_b);

@@ -61,15 +61,19 @@ ExprId Converter::Convert(const clang::Expr* expr) {
   return promoted.a;
 }
 
+/// By the promotions of integers.
+bool Converter::BecomesInt(const clang::Expr* expr) const {
+  const clang::QualType type = expr->getType();
+  return type->isSpecificBuiltinType(clang::BuiltinType::Int) ||
+         context_.isPromotableBitField(const_cast<clang::Expr*>(expr)) ==
+             context_.IntTy ||  // Clang has it without const
+         (context_.isPromotableIntegerType(type) && context_.getPromotedIntegerType(type) == context_.IntTy);
+}
+
 /// a op= b, where b is promoted: a alone decides, and where that is unsigned or no integer, Clang's type is right.
 void Converter::CommonTypeOfAssignment(const clang::CompoundAssignOperator* expr, Expr& result) {
-  clang::Expr* const left = expr->getLHS();
-  const clang::QualType type = left->getType();
-  if (!type->isIntegerType()) return;
-  const bool becomes_int =
-      type->isSpecificBuiltinType(clang::BuiltinType::Int) || context_.isPromotableBitField(left) == context_.IntTy ||
-      (context_.isPromotableIntegerType(type) && context_.getPromotedIntegerType(type) == context_.IntTy);
-  if (becomes_int) {
+  if (!expr->getLHS()->getType()->isIntegerType()) return;
+  if (BecomesInt(expr->getLHS())) {
     result.computation = unit_.expressions[result.b].type;
   } else {
     result.b = InType(result.b, result.computation);
@@ -87,14 +91,18 @@ TypeId Converter::CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, cons
   }
   const TypeId int_type = unit_.expressions[a_is_promoted ? a : b].type;
   // An int that was converted for the other one's sake.
-  const auto before = [&](ExprId id) {
+  const auto before = [&](ExprId id, const clang::Expr* of) {
     const Expr& operand = unit_.expressions[id];
-    const bool is_made = operand.kind == ExprKind::kConvert && operand.is_implicit;
-    return is_made && unit_.expressions[operand.a].type == int_type ? operand.a : ExprId();
+    if (operand.kind != ExprKind::kConvert || !operand.is_implicit) return ExprId();
+    const ExprId inner = operand.a;
+    if (unit_.expressions[inner].type == int_type) return inner;
+    // Of a char or a short Clang has the promotion and the conversion in one cast.
+    const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(of);
+    return cast != nullptr && BecomesInt(cast->getSubExpr()) ? InType(inner, int_type) : ExprId();
   };
   if (!a_is_promoted || !b_is_promoted) {
     ExprId& other = a_is_promoted ? b : a;
-    const ExprId unconverted = before(other);
+    const ExprId unconverted = before(other, a_is_promoted ? of_b : of_a);
     if (!unconverted.valid()) {
       ExprId& promoted = a_is_promoted ? a : b;
       promoted = InType(promoted, unit_.expressions[other].type);
