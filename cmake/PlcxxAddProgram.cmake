@@ -1,4 +1,7 @@
 # plcxx_add_program(<target>
+#   PROJECT <file>             plcxx.yaml, which says all that SOURCES to DEFINES say
+#   [PROGRAM <name>]           of the project, where it has several
+# or
 #   SOURCES <file>...          the program, in the order of the command line
 #   [DIALECT <dialect>]        else told from the sources
 #   [NAME <name>]              of the generated files and of the namespace; else the target's
@@ -17,13 +20,21 @@
 # Makes a library <target>: link with it, and include "<name>.hpp". Its files are written when the sources, or a file that
 # they or the options name, are newer; what comes out the same is not compiled again (Ninja).
 function(plcxx_add_program TARGET_NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "DIALECT;NAME;PARTS;OUTPUT_DIRECTORY;TARGET;COMPILER"
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "PROJECT;PROGRAM;DIALECT;NAME;PARTS;OUTPUT_DIRECTORY;TARGET;COMPILER"
                         "SOURCES;OPTIONS;INCLUDES;DEFINES;FLAGS;LIMITS")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): what is '${ARG_UNPARSED_ARGUMENTS}'?")
   endif()
-  if(NOT ARG_SOURCES)
-    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): SOURCES is missing")
+  if(ARG_PROJECT)
+    foreach(WORD SOURCES DIALECT OPTIONS INCLUDES DEFINES)
+      if(ARG_${WORD})
+        message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): ${WORD} is what PROJECT says: write it into ${ARG_PROJECT}")
+      endif()
+    endforeach()
+  elseif(NOT ARG_SOURCES)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): SOURCES or PROJECT is missing")
+  elseif(ARG_PROGRAM)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): PROGRAM belongs to PROJECT")
   endif()
   if((ARG_LIMITS OR ARG_COMPILER) AND NOT ARG_TARGET)
     message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): LIMITS and COMPILER belong to TARGET")
@@ -41,12 +52,19 @@ function(plcxx_add_program TARGET_NAME)
   endif()
 
   set(ARGUMENTS)
+  if(ARG_PROJECT)
+    get_filename_component(INPUTS ${ARG_PROJECT} ABSOLUTE)
+    list(APPEND ARGUMENTS --project ${INPUTS})
+    if(ARG_PROGRAM)
+      list(APPEND ARGUMENTS --program ${ARG_PROGRAM})
+    endif()
+  endif()
   foreach(SOURCE ${ARG_SOURCES})
     get_filename_component(SOURCE ${SOURCE} ABSOLUTE)
     list(APPEND ARGUMENTS ${SOURCE})
     list(APPEND INPUTS ${SOURCE})
   endforeach()
-  list(APPEND ARGUMENTS --name ${NAME} -o ${DIRECTORY} --quiet --depfile ${DIRECTORY}.d)
+  list(APPEND ARGUMENTS --name ${NAME} -o ${DIRECTORY}/ --quiet --depfile ${DIRECTORY}.d)
   if(ARG_DIALECT)
     list(APPEND ARGUMENTS --dialect ${ARG_DIALECT})
   endif()

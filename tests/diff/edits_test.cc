@@ -49,7 +49,8 @@ std::vector<fs::path> ScenariosOf(const std::string& dialect) {
     if (folder == std::string("samples/") && !IsLong()) continue;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLCXX_ROOT) / (folder + dialect))) {
       const std::string path = entry.path().string();
-      if (entry.path().extension() != ".yaml" || path.ends_with("_bad.yaml") || path.ends_with("properties.yaml"))
+      if (entry.path().extension() != ".yaml" || path.ends_with("_bad.yaml") || path.ends_with("properties.yaml") ||
+          path.ends_with("plcxx.yaml"))
         continue;
       if (path.find(part) != std::string::npos) paths.push_back(entry.path());
     }

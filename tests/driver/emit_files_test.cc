@@ -110,7 +110,8 @@ TEST(EmitFiles, WholeOrNotAtAll) {
 TEST(EmitFiles, ADirectoryThatCannotBeMade) {
   const Workplace work;
   work.Write("main.plc", kGoodProgram);
-  for (const std::string directory : {"main.plc", "main.plc/x"}) {
+  work.Write("taken", "");
+  for (const std::string directory : {"taken", "taken/x", "main.plc/", "main.plc/x"}) {
     const Ran ran = work.Run("emit main.plc --name m -o " + directory);
     EXPECT_EQ(ran.code, 1) << ran;
     EXPECT_THAT(ran.errors, HasSubstr("cannot write"));

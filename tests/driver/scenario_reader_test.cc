@@ -102,9 +102,9 @@ TEST(ScenarioReader, ExpectedErrors) {
 
 TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
   EXPECT_THAT(Errors("sources: [a]\nstep: []\n"),
-              ElementsAre("s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, sources, options, steps, "
-                          "properties, expect_error, "
-                          "warnings, name, description",
+              ElementsAre("s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, program, sources, options, "
+                          "steps, properties, expect_error, warnings, name, description\n"
+                          "  help: did you mean 'steps'",
                           "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
   EXPECT_THAT(
       Errors("steps:\n- wait: 3\n- run: {slow: 1, hours: 2}\n"),
@@ -113,7 +113,8 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
           "power_cycle",
           "s.yaml:3:18: 'hours' is no key of 'run'; there are: slow, fast, ms, s"));
   EXPECT_THAT(Errors("expect_error: {lines: 7}"),
-              ElementsAre("s.yaml:1:16: 'lines' is no key of 'expect_error'; there are: line, contains, file"));
+              ElementsAre("s.yaml:1:16: 'lines' is no key of 'expect_error'; there are: line, contains, file\n"
+                          "  help: did you mean 'line'"));
   EXPECT_THAT(Errors("warnings: [{line: 7, name: x}]"),
               ElementsAre("s.yaml:1:22: 'name' is no key of a warning; there are: line, code, file",
                           "s.yaml:1:12: a warning needs its 'code'"));

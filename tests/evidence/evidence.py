@@ -78,7 +78,7 @@ def commit():
 
 
 def count(pattern, *folders):
-    return sum(len(list((ROOT / folder).rglob(pattern))) for folder in folders)
+    return sum(path.name != "plcxx.yaml" for folder in folders for path in (ROOT / folder).rglob(pattern))
 
 
 def counted():

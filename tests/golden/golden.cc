@@ -60,7 +60,6 @@ std::string FirstDifference(std::string_view kept, std::string_view actual) {
 /// The words of the command line that describe a program: options, then sources.
 struct Program {
   std::vector<std::string> words;
-  std::string first_source;
 };
 
 /// What a scenario names; none, when it cannot be read.
@@ -75,7 +74,6 @@ std::optional<Program> ProgramOf(const fs::path& path) {
     program.words.push_back(key + "=" + value);
   }
   program.words.insert(program.words.end(), scenario->sources.begin(), scenario->sources.end());
-  program.first_source = scenario->sources.front();
   return program;
 }
 
@@ -176,7 +174,7 @@ std::vector<std::string> MissingPhases(const fs::path& directory, size_t least) 
 }
 
 std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode) {
-  Program program{{golden.source}, golden.source};
+  Program program{{golden.source}};
   if (!golden.scenario.empty()) {
     const std::optional<Program> named = ProgramOf(golden.scenario);
     if (!named) return golden.scenario.string() + ": names no program";
@@ -189,15 +187,12 @@ std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode) {
 }
 
 std::vector<std::string> CheckSample(const fs::path& machine, Mode mode) {
-  const std::vector<fs::path> scenarios = FilesBelow(machine, ".yaml");
+  std::vector<fs::path> scenarios = FilesBelow(machine, ".yaml");
+  std::erase_if(scenarios, [](const fs::path& file) { return file.filename() == "plcxx.yaml"; });
   if (scenarios.empty()) return {machine.string() + ": a sample has scenarios"};
-  const std::optional<Program> program = ProgramOf(scenarios.front());
-  if (!program) return {scenarios.front().string() + ": names no program"};
-
+  if (!fs::exists(machine / "plcxx.yaml")) return {machine.string() + ": a sample has a plcxx.yaml"};
   const compile::TemporaryDirectory temporary;
-  const std::string name = fs::path(program->first_source).stem().string();
-  const ToolResult result =
-      RunTool(machine, Command({"emit", "--quiet", "--name", name, "-o", temporary.path()}, *program));
+  const ToolResult result = RunTool(machine, {"emit", "--quiet", "-o", temporary.path()});  // as plcxx.yaml says
   if (result.exit_code != 0) return {Failure(machine, result)};
 
   const fs::path generated = machine / "generated";

@@ -145,7 +145,9 @@ TEST(GoldenRunner, SeesASampleThatChanged) {
   const Folder folder;
   EXPECT_THAT(CheckSample(folder.path, Mode::kCompare), ElementsAre(HasSubstr("a sample has scenarios")));
   folder.Write("mill.plc", "$\nU4A8=I0A3\n");
-  folder.Write("run.yaml", "dialect: nc110\nsources: [mill.plc]\nsteps: []\n");
+  folder.Write("run.yaml", "steps: []\n");
+  EXPECT_THAT(CheckSample(folder.path, Mode::kCompare), ElementsAre(HasSubstr("a sample has a plcxx.yaml")));
+  folder.Write("plcxx.yaml", "dialect: nc110\nsources: [mill.plc]\n");
   EXPECT_THAT(CheckSample(folder.path, Mode::kCompare), testing::Contains(HasSubstr("generated/mill.hpp: is missing")));
   EXPECT_THAT(CheckSample(folder.path, Mode::kUpdate), ElementsAre());
   EXPECT_THAT(CheckSample(folder.path, Mode::kCompare), ElementsAre());

@@ -158,7 +158,7 @@ def units(folders):
 def scenarios(folders):
     found = [Scenario(str(path.relative_to(prepare.SOURCE)))
              for place in ("tests/golden", "samples", prepare.JUDGED.relative_to(prepare.SOURCE))
-             for path in sorted((prepare.SOURCE / place).rglob("*.yaml"))]
+             for path in sorted((prepare.SOURCE / place).rglob("*.yaml")) if path.name != "plcxx.yaml"]
     return [scenario for scenario in found
             if ("emit" in folders and is_emitted(scenario)) or not reaches_none(scenario.name, folders)]
 

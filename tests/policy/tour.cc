@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 #include "tests/policy/explain.h"
@@ -81,7 +82,10 @@ Findings RunTour(const std::string& name, std::string_view text, const std::stri
   size_t commands = 0;
   for (const Fence& fence : Fences(text)) {
     for (const std::string& word : fence.words) {
-      if (word.starts_with("file=")) directory.Write(word.substr(5), fence.text);
+      if (!word.starts_with("file=")) continue;
+      const std::string file = word.substr(5);
+      std::filesystem::create_directories(std::filesystem::path(directory.File(file)).parent_path());
+      directory.Write(file, fence.text);
     }
     if (fence.words.empty() || fence.words.front() != "console") continue;
     const bool fails = std::ranges::find(fence.words, "fails") != fence.words.end();

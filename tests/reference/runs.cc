@@ -62,7 +62,7 @@ RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilatio
   if (!scenario.steps || !compilation.ok()) return {Outcome::kNothingToRun, {}, 0};
   const auto plan = scenarios::PlanScenario(scenario, *compilation.dialect, compilation.program);
   if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
-    return {Outcome::kNothingToRun, scenarios::ToText(errors->front()), 0};
+    return {Outcome::kNothingToRun, yaml::ToText(errors->front()), 0};
   }
   diag::Engine said_before;
   dialects::Request request = compilation.MakeRequest();
@@ -129,7 +129,7 @@ RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialec
   }
   const scenarios::ScenarioOrErrors read = scenarios::ParseScenario(directory + "/scenario.yaml", scenario_text);
   if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
-    return {Outcome::kNothingToRun, scenarios::ToText(errors->front()), 0};
+    return {Outcome::kNothingToRun, yaml::ToText(errors->front()), 0};
   }
   const auto& scenario = std::get<scenarios::Scenario>(read);
   compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(scenario, {}));

@@ -1,12 +1,12 @@
 #include "transpiler/compilation/compilation.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
 #include "transpiler/checks/checks.h"
 #include "transpiler/compilation/estimates.h"
+#include "transpiler/compilation/option_check.h"
 #include "transpiler/compilation/source_loading.h"
 #include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/verifier.h"
@@ -59,19 +59,6 @@ bool IsOn(const std::map<std::string, std::string>& options, const std::string& 
   return option != options.end() && (option->second == "on" || option->second == "true");
 }
 
-bool SameLetters(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-/// The name of an option in the dialect's own letters; as it is when the dialect has none such.
-std::string OptionName(const dialects::Dialect& dialect, const std::string& name) {
-  if (!dialect.options_ignore_case) return name;
-  for (const dialects::OptionInfo& option : dialect.options) {
-    if (SameLetters(option.key, name)) return std::string(option.key);
-  }
-  return name;
-}
-
 bool AssertsFacts(const ir::Program& program) {
   if (!ir::FalseFactOf(program).valid()) return false;
   return std::ranges::any_of(program.insts, [&](const ir::Inst& inst) { return ir::IsFalseFact(program, inst); });
@@ -108,7 +95,6 @@ class Pipeline {
   }
 
   void Load();
-  void TakeFacts(const std::string& value);
   void Lower();
   void Structure();
   void Estimate();
@@ -121,25 +107,15 @@ class Pipeline {
   bool stopped_ = false;
 };
 
-/// The one option that is the same in every dialect: it is about how plcxx decides, not about a control.
-void Pipeline::TakeFacts(const std::string& value) {
-  if (value == "checked") {
-    compilation_.facts = ir::Facts::kChecked;
-  } else if (value == "trusted") {
-    compilation_.facts = ir::Facts::kTrusted;
-  } else {
-    compilation_.diagnostics.Report({}, diag::BadOptionValue, std::string(kFactsOption), value, "trusted or checked");
-  }
-}
-
 void Pipeline::Load() {
   Show("reading");
   LoadSources(request_, compilation_);
   if (compilation_.dialect == nullptr) return;
   const uint32_t before = compilation_.diagnostics.error_count();
   for (const auto& [name, value] : request_.options) {
+    // The one option that is the same in every dialect: it is about how plcxx decides, not about a control.
     if (name == kFactsOption) {
-      TakeFacts(value);
+      compilation_.facts = ReadFacts(value, compilation_.diagnostics);
       continue;
     }
     compilation_.options[OptionName(*compilation_.dialect, name)] = value;

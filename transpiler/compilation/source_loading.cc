@@ -163,6 +163,18 @@ void ReportUndecodable(Compilation& compilation) {
   }
 }
 
+const dialects::Dialect* DialectOf(const CompilationRequest& request) {
+  std::vector<std::string> paths;
+  for (const std::string& path : request.sources) paths.push_back(FromBase(request.base_directory, path));
+  Reader reader;
+  source::LoadOptions options;
+  options.encoding = request.encoding;
+  diag::Engine nobody_reads;
+  return ChooseDialect(request.dialect, paths, [&](const std::string& path) {
+    return path == kStandardInput ? std::string() : PeekText(reader, path, options, nobody_reads);
+  });
+}
+
 void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   std::vector<std::string> paths;
   for (const std::string& path : request.sources) paths.push_back(FromBase(request.base_directory, path));

@@ -13,6 +13,9 @@ namespace plcxx::compilation {
 /// What is wrong is reported; `wrong_use` tells faults of the command line from unreadable files.
 void LoadSources(const CompilationRequest& request, Compilation& compilation);
 
+/// The dialect that LoadSources would choose; none when it cannot be told. Reads no standard input.
+const dialects::Dialect* DialectOf(const CompilationRequest& request);
+
 /// Of every file read: bytes that its encoding does not define.
 void ReportUndecodable(Compilation& compilation);
 

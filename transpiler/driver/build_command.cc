@@ -16,12 +16,14 @@
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
@@ -34,6 +36,8 @@ namespace plcxx::driver {
 namespace {
 
 constexpr const char* kBuildFooter = R"(Examples:
+  plcxx build
+      each target of plcxx.yaml, with its clock and limits
   plcxx build turret.sym turret.plc --target cortex-m4f -o out
       writes out/libturret.a, out/turret.hpp, out/plcxx/*.h, the C++, maps and the report
   plcxx build mill.cld --target rv32imac --compiler clang++-19 -O s
@@ -73,7 +77,7 @@ struct BuildSettings {
   OutputOptions output;
   std::string target;
   std::string compiler;
-  std::string level = "2";
+  std::string level;  // empty: 2
   unsigned jobs = 0;
   std::string clock;
   measure::BuildLimits limits;
@@ -189,7 +193,7 @@ class Build {
         compilation_.has_program ? PathIn(settings_.output.directory, "plcxx") : settings_.output.directory;
     output.files = std::move(files_);
     for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.output.directory, file.name);
-    output.protected_paths = PathsRead(compilation_);
+    output.protected_paths = PathsRead(compilation_, settings_.common);
     if (!settings_.output.dependency_file.empty()) AddDependencyFile(output);
     progress_.Show("writing");
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation_);
@@ -217,13 +221,15 @@ class Build {
   std::vector<emit::OutputFile> files_;  // without directory
 };
 
-int RunBuild(const BuildSettings& settings) {
+int RunBuild(const BuildSettings& asked) {
+  BuildSettings settings = asked;
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
+  if (settings.level.empty()) settings.level = "2";
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
     const std::string names = compile::TargetNames();
-    PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names
+    PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
                                             : "'" + settings.target + "' is no target; there are: " + names);
     return kWrongUse;
   }
@@ -249,13 +255,48 @@ int RunBuild(const BuildSettings& settings) {
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  compilation::Compilation compilation = compilation::Compile(*request);
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
   Build build(settings, *target, clock_hz, compilation, progress);
   if (compilation.ok()) build.Run();
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(settings.common));
   if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation) << build.Table();
   return ExitCodeOf(compilation);
+}
+
+/// What the project says of a target, where the command line says nothing.
+BuildSettings With(const BuildSettings& settings, const project::Target& target) {
+  BuildSettings own = settings;
+  own.target = target.name;
+  if (own.clock.empty()) own.clock = target.clock;
+  if (own.level.empty()) own.level = target.optimize;
+  if (own.compiler.empty()) own.compiler = target.compiler;
+  if (own.output.directory.empty()) own.output.directory = target.output + "/";
+  if (own.no_audit) return own;  // limits are compared with what it measures
+  if (!own.limits.fast_us) own.limits.fast_us = target.max_fast_us;
+  if (!own.limits.slow_us) own.limits.slow_us = target.max_slow_us;
+  if (!own.limits.stack_bytes) own.limits.stack_bytes = target.max_stack;
+  if (!own.limits.code_bytes) own.limits.code_bytes = target.max_code;
+  return own;
+}
+
+/// For each target that the project names, or for the one of the command line.
+int RunBuildOf(const BuildSettings& settings) {
+  if (!settings.common.program) return RunBuild(settings);
+  const std::vector<project::Target>& targets = settings.common.program->targets;
+  int code = kDone;
+  bool found = false;
+  for (const project::Target& target : targets) {
+    if (!settings.target.empty() && settings.target != target.name) continue;
+    found = true;
+    code = std::max(code, RunBuild(With(settings, target)));
+  }
+  if (found || settings.target.empty()) return found ? code : RunBuild(settings);
+  const std::string output =
+      (std::filesystem::path(settings.common.program->folder) / "out" / settings.target).string();
+  return RunBuild(With(settings, {.name = settings.target, .output = output}));
 }
 
 }  // namespace
@@ -275,7 +316,7 @@ void AddBuild(CLI::App& app, Run& run) {
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"0", "1", "2", "3", "s", "z"}))
       ->group("Output");
-  command->add_option("-j", settings->jobs, "Compilers at the same time; else one for each processor")
+  command->add_option("-j,--jobs", settings->jobs, "Compilers at the same time; else one for each processor")
       ->type_name("N")
       ->check(CLI::Range(1u, 256u))
       ->group("Output");
@@ -303,7 +344,7 @@ void AddBuild(CLI::App& app, Run& run) {
   command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");
   command->footer("");  // not the one of the program
   command->footer([] { return TargetsText() + DialectOptionsText() + "\n" + kBuildFooter; });  // only where it is shown
-  command->callback([settings, &run] { run = [settings] { return RunBuild(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunBuildOf); }; });
 }
 
 }  // namespace plcxx::driver

@@ -3,17 +3,25 @@
 #include <memory>
 
 #include "transpiler/compilation/preemption.h"
+#include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr const char* kCheckFooter = R"(Examples:
+  plcxx check                          the program of plcxx.yaml, in this folder or above
   plcxx check turret.sym turret.plc
   plcxx check main.plc -Werror -Wno-W303
   plcxx check main.plc --diagnostics=sarif > main.sarif
+  plcxx check --write-baseline         an old program: from now on only new warnings are shown
 
 Text goes to standard error, JSON and SARIF to standard output. plcxx explain CODE tells more about a message.
 plcxx emit --help lists what --set takes.
@@ -22,7 +30,39 @@ Exit codes: 0 no errors, 1 the program has errors, 2 wrong use, 3 a fault of plc
 struct CheckSettings {
   CommonOptions common;
   bool preemptive = false;
+  bool write_baseline = false;
 };
+
+/// What is warned of today is accepted from now on.
+int WriteBaseline(const CommonOptions& options, const compilation::CompilationRequest& asked,
+                  compilation::Stage until) {
+  compilation::CompilationRequest request = asked;
+  request.warnings.errors.clear();
+  request.warnings.all_errors = false;
+  const compilation::Compilation compilation = compilation::Compile(request, until);
+  if (!compilation.ok()) {
+    PrintDiagnostics(compilation, MessagesOf(options));
+    PrintUsageError("a program with errors has no baseline: mend them first");
+    return ExitCodeOf(compilation);
+  }
+  const std::string named = BaselineOf(options);
+  const std::string path = named.empty() ? PathIn(request.base_directory, std::string(project::kBaselineFile)) : named;
+  OutputRequest output;
+  output.files = {{path, project::BaselineText(compilation, request.base_directory)}};
+  output.protected_paths = PathsRead(compilation, options);
+  if (const auto failure = WriteAll(output)) {
+    PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
+    return kWrongUse;
+  }
+  std::cerr << "wrote " << diag::Escaped(path) << ": "
+            << support::Counted(compilation.diagnostics.all().size(), "warning") << " accepted\n";
+  if (named.empty()) {
+    std::cerr << "it counts with --baseline " << diag::Escaped(path)
+              << ", or with 'warnings: {baseline: " << project::kBaselineFile << "}' in " << project::kProjectFile
+              << '\n';
+  }
+  return kDone;
+}
 
 int RunCheck(const CheckSettings& settings) {
   const CommonOptions& options = settings.common;
@@ -30,14 +70,23 @@ int RunCheck(const CheckSettings& settings) {
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  compilation::Compilation compilation = compilation::Compile(
-      *request, settings.preemptive ? compilation::Stage::kOptimized : compilation::Stage::kChecked);
+  const compilation::Stage until = settings.preemptive ? compilation::Stage::kOptimized : compilation::Stage::kChecked;
+  if (settings.write_baseline) return WriteBaseline(options, *request, until);
+  project::Accepted accepted;
+  std::optional<compilation::Compilation> compiled = CompileProgram(options, *request, until, accepted);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
   if (settings.preemptive) static_cast<void>(compilation::CheckPreemptive(compilation));
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(options));
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.
   if (compilation.diagnostics.all().empty() && MessagesOf(options).format == DiagnosticsFormat::kText) {
     std::cerr << compilation.name << ": " << CountText(compilation.diagnostics) << '\n';
+  }
+  if (MessagesOf(options).format == DiagnosticsFormat::kText && accepted.warnings + accepted.stale > 0) {
+    std::cerr << diag::Escaped(BaselineOf(options)) << ": " << support::Counted(accepted.warnings, "accepted warning");
+    if (accepted.stale > 0) std::cerr << ", " << accepted.stale << " more that are gone: --write-baseline drops them";
+    std::cerr << '\n';
   }
   return ExitCodeOf(compilation);
 }
@@ -50,8 +99,17 @@ void AddCheck(CLI::App& app, Run& run) {
   AddCommonOptions(*command, settings->common);
   command->add_flag("--preemptive", settings->preemptive,
                     "Also refuse what is not safe when the fast part runs from an interrupt above the slow part");
+  command
+      ->add_option("--baseline", settings->common.baseline,
+                   "File of warnings that are accepted; else the one that plcxx.yaml names")
+      ->type_name("FILE")
+      ->group("Messages");
+  command
+      ->add_flag("--write-baseline", settings->write_baseline,
+                 "Accept the warnings of today, by statement: only new ones are shown from now on")
+      ->group("Messages");
   command->footer(kCheckFooter);
-  command->callback([settings, &run] { run = [settings] { return RunCheck(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunCheck); }; });
 }
 
 }  // namespace plcxx::driver

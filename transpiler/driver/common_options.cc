@@ -42,18 +42,29 @@ void AddSettings(CLI::App& command, CommonOptions& options) {
               kMessagesGroup);
 }
 
-void AddAllowOutside(CLI::App& command, CommonOptions& options) {
+void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command
-      .add_flag("--allow-outside", options.allow_outside,
-                "Scenarios may name files outside of their project, the folder tree that is under version control")
-      ->group(kSourcesGroup);
+      .add_option("SOURCE", options.sources,
+                  "The files of one program, in their order; - is standard input. None: the program of plcxx.yaml")
+      ->type_name("");
+  AddProjectOptions(command, options);
+  AddProgramOptions(command, options);
 }
 
-void AddCommonOptions(CLI::App& command, CommonOptions& options) {
-  command.add_option("SOURCE", options.sources, "The files of one program, in their order; - is standard input")
-      ->required()
-      ->type_name("");
-  AddProgramOptions(command, options);
+void AddProjectOptions(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--project", options.project,
+                  "The project, instead of the plcxx.yaml in this folder or the nearest above it")
+      ->type_name("FILE")
+      ->group(kSourcesGroup);
+  AddRepeated(command, "--program", options.program_names, "NAME", "A program of the project, where it has several",
+              kSourcesGroup);
+  command.add_flag("--all", options.all, "All programs of the project")->group(kSourcesGroup);
+  command
+      .add_flag("--allow-outside", options.allow_outside,
+                "Scenarios and plcxx.yaml may name files outside of their project, the folder tree that is under "
+                "version control")
+      ->group(kSourcesGroup);
 }
 
 void AddProgramOptions(CLI::App& command, CommonOptions& options) {
@@ -106,10 +117,22 @@ std::string DialectOptionsText() {
 
 std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& options) {
   compilation::CompilationRequest request;
-  request.sources = options.sources;
-  request.dialect = options.dialect;
-  request.include_directories = options.include_directories;
-  request.system_include_directories = options.system_include_directories;
+  std::vector<std::string> warnings;
+  if (options.program) {
+    request = project::RequestOf(*options.program);
+    warnings = options.program->warnings;
+    if (!request.base_directory.empty()) request.include_directories.emplace_back(".");  // files that --set names
+  } else {
+    request.sources = options.sources;
+  }
+  warnings.insert(warnings.end(), options.warnings.begin(), options.warnings.end());
+  if (!options.dialect.empty()) request.dialect = options.dialect;
+  const auto add_first = [](std::vector<std::string>& all, const std::vector<std::string>& own) {
+    all.insert(all.begin(), own.begin(), own.end());
+  };
+  add_first(request.include_directories, options.include_directories);
+  add_first(request.system_include_directories, options.system_include_directories);
+  if (options.encoding == "auto") request.encoding.reset();
   if (!options.encoding.empty() && options.encoding != "auto") {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
@@ -126,7 +149,7 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
   }
   for (const std::string& name : options.undefines) request.macros.push_back({name, std::nullopt});
   std::vector<std::string> unknown;
-  request.warnings = compilation::ReadWarningOptions(options.warnings, unknown);
+  request.warnings = compilation::ReadWarningOptions(warnings, unknown);
   if (!unknown.empty()) {
     PrintUsageError("'" + unknown.front() + "' names no warning: plcxx explain --list shows them all");
     return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/project/project.h"
 
 namespace plcxx::driver {
 
@@ -25,14 +26,20 @@ struct CommonOptions {
   std::string format = "text";
   std::optional<size_t> most_messages;
   bool allow_outside = false;
+  std::string project;  // --project: a plcxx.yaml; found upwards from here when no sources are named
+  std::vector<std::string> program_names;
+  std::string baseline;  // --baseline: instead of the program's
+  bool all = false;
+  std::optional<project::Program> program;  // of the project, where no sources are named: what it says is meant first
 };
 
-/// SOURCE..., --dialect, --encoding, --set, -I, --system-include, -D, -U, -W, --diagnostics, --max-messages.
+/// SOURCE..., those of AddProjectOptions, --dialect, --encoding, --set, -I, --system-include, -D, -U, -W,
+/// --diagnostics, --max-messages.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// The same without SOURCE.
 void AddProgramOptions(CLI::App& command, CommonOptions& options);
-/// --allow-outside, for commands that read scenarios.
-void AddAllowOutside(CLI::App& command, CommonOptions& options);
+/// --project, --program, --all, --allow-outside.
+void AddProjectOptions(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);
 
@@ -52,6 +59,9 @@ void AddCheck(CLI::App& app, Run& run);
 void AddPrint(CLI::App& app, Run& run);
 void AddSim(CLI::App& app, Run& run);
 void AddExplain(CLI::App& app, Run& run);
+void AddInit(CLI::App& app, Run& run);
+void AddCompletion(CLI::App& app, Run& run);
+void AddManual(CLI::App& app, Run& run);
 void AddReport(CLI::App& app, Run& run);
 void AddBuild(CLI::App& app, Run& run);
 void AddVerify(CLI::App& app, Run& run);

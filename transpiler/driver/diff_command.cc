@@ -12,6 +12,7 @@
 #include "transpiler/driver/diff_page.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/engines/platform.h"
@@ -27,6 +28,7 @@ to differ by a run, or listed as not decided. Renamed and moved statements, and 
 as equal. The slow part is compared as a whole pass, however it is sliced.
 
 Examples:
+  plcxx diff main..                                        the program of plcxx.yaml, against the work tree
   plcxx diff old/turret.plc turret.plc                     two files
   plcxx diff old new                                       two directories: sources as their scenarios name them
   plcxx diff old new --sources turret.sym turret.plc       ... or as you do
@@ -169,6 +171,30 @@ int RunDiff(const DiffSettings& settings) {
   return diff.items.empty() ? kDone : kProgramHasErrors;
 }
 
+/// Two revisions of a project are compared program by program, as the work tree names them.
+int RunDiffOf(const DiffSettings& asked) {
+  DiffSettings settings = asked;
+  review::diff::DiffWords& words = settings.words;
+  words.reach = settings.common.allow_outside ? project::Reach::kAnywhere : project::Reach::kProject;
+  std::error_code error;
+  if (words.paths.size() == 1 && words.revisions.empty() && words.paths[0].find("..") != std::string::npos &&
+      !std::filesystem::exists(words.paths[0], error)) {
+    words.revisions = std::move(words.paths[0]);
+    words.paths.clear();
+  }
+  if (!words.paths.empty()) {
+    if (settings.common.program_names.size() == 1) words.program = settings.common.program_names.front();
+    return RunDiff(settings);
+  }
+  if (words.revisions.empty()) words.revisions = "HEAD..";
+  return ForEachProgram(settings.common, [&](const CommonOptions& common) {
+    DiffSettings own = settings;
+    own.words.project = std::filesystem::proximate(common.project, error).generic_string();  // also in a revision
+    own.words.program = project::NameOf(*common.program);
+    return RunDiff(own);
+  });
+}
+
 }  // namespace
 
 void AddDiff(CLI::App& app, Run& run) {
@@ -176,9 +202,12 @@ void AddDiff(CLI::App& app, Run& run) {
       app.add_subcommand("diff", "Which outputs behave differently, and when: proved or shown by a run");
   const auto settings = std::make_shared<DiffSettings>();
   AddProgramOptions(*command, settings->common);
-  command->add_option("OLD NEW", settings->words.paths, "Two files or directories; with --git the program's sources")
-      ->required()
+  command
+      ->add_option("OLD NEW", settings->words.paths,
+                   "Two files or directories; with --git the program's sources. A..B, or nothing for HEAD..: two "
+                   "revisions of the project, each as its plcxx.yaml says")
       ->type_name("");
+  AddProjectOptions(*command, settings->common);
   command->add_option("--sources", settings->words.sources, "The program's sources, relative to both directories")
       ->type_name("FILE...");
   command->add_option("--git", settings->words.revisions, "Compare two revisions")->type_name("A..B");
@@ -195,7 +224,7 @@ void AddDiff(CLI::App& app, Run& run) {
       ->type_name("TIME")
       ->default_str("60s");
   command->footer(kDiffFooter);
-  command->callback([settings, &run] { run = [settings] { return RunDiff(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunDiffOf(*settings); }; });
 }
 
 }  // namespace plcxx::driver

@@ -1,4 +1,5 @@
 // plcxx emit: sources to C++ files, maps and report.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,12 +9,14 @@
 
 #include "transpiler/compilation/preemption.h"
 #include "transpiler/compile/amalgamate.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
@@ -24,8 +27,12 @@ namespace plcxx::driver {
 namespace {
 
 constexpr const char* kEmitFooter = R"(Examples:
+  plcxx emit
+      the program of plcxx.yaml, in this folder or above, to its folder 'generated'
   plcxx emit turret.sym turret.plc -o generated
       writes generated/turret.hpp, turret.cpp, turret.map.json and turret.report.json
+  plcxx emit main.plc --single-file -o mill.hpp
+      everything in one file; -o - writes it to standard output
   plcxx emit main.plc --name mill -o out --depfile out/mill.d
       as a step of Ninja or CMake
   plcxx emit main.plc --set clo=20,2 --set iocfil=IOCFIL -Werror=W356
@@ -44,6 +51,19 @@ struct EmitSettings {
   uint32_t parts = 0;
 };
 
+/// What '-o turret.hpp' and '-o -' ask for: the one file, and its dependencies.
+OutputRequest OnlyFile(const EmitSettings& settings, OutputRequest output,
+                       const compilation::Compilation& compilation) {
+  output.directory = std::filesystem::path(settings.output.directory).parent_path().string();
+  output.files.front().name = settings.output.directory;
+  output.protected_paths = PathsRead(compilation, settings.common);
+  if (!settings.output.dependency_file.empty()) {
+    output.files.push_back(
+        {settings.output.dependency_file, DependencyRule({settings.output.directory}, output.protected_paths)});
+  }
+  return output;
+}
+
 OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compilation& compilation,
                          std::vector<bool> shared) {
   OutputRequest output;
@@ -58,6 +78,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compil
     const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
     output.files = emit::print::PrintCpp(emittable, *compilation.sources);
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
+    if (KindOfOutput(settings.output.directory) != OutputKind::kFolder) return OnlyFile(settings, output, compilation);
     output.files.push_back({compilation.name + ".map.json", emit::print::PrintMap(emittable, *compilation.sources)});
   }
   for (const dialects::DataFile& file : compilation.data_files) output.files.push_back({file.name, file.bytes});
@@ -68,7 +89,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compil
   }
   for (emit::OutputFile& file : output.files) file.name = PathIn(settings.output.directory, file.name);
 
-  output.protected_paths = PathsRead(compilation);
+  output.protected_paths = PathsRead(compilation, settings.common);
   if (!settings.output.dependency_file.empty()) {
     std::vector<std::string> targets;
     for (const emit::OutputFile& file : output.files) targets.push_back(file.name);
@@ -77,23 +98,39 @@ OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compil
   return output;
 }
 
-int RunEmit(const EmitSettings& settings) {
+int RunEmit(const EmitSettings& asked) {
+  EmitSettings settings = asked;
+  if (settings.common.program && settings.output.directory.empty())
+    settings.output.directory = settings.common.program->generated + "/";
+  if (settings.single_file) settings.output.one_file = OneFile::kYes;
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  compilation::Compilation compilation = compilation::Compile(*request);
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
+  std::string text;  // for standard output
   std::vector<bool> shared;
   if (settings.preemptive) shared = compilation::CheckPreemptive(compilation);
   if (compilation.ok()) {
     progress.Show("printing C++");
-    const OutputRequest output = MakeOutput(settings, compilation, std::move(shared));
+    OutputRequest output = MakeOutput(settings, compilation, std::move(shared));
     progress.Show("writing");
+    if (KindOfOutput(settings.output.directory) == OutputKind::kStandardOutput && !output.files.empty()) {
+      text = std::move(output.files.front().text);
+      output.files.erase(output.files.begin());
+    }
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
   }
   progress.Clear();
-  PrintDiagnostics(compilation, MessagesOf(settings.common));
+  if (KindOfOutput(settings.output.directory) == OutputKind::kStandardOutput) {
+    PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
+    if (compilation.ok()) std::cout << text;
+  } else {
+    PrintDiagnostics(compilation, MessagesOf(settings.common));
+  }
   if (!settings.quiet && !compilation.name.empty()) std::cerr << ReportText(compilation);
   return ExitCodeOf(compilation);
 }
@@ -134,7 +171,7 @@ void AddEmit(CLI::App& app, Run& run) {
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
   command->footer("");                                                        // not the one of the program
   command->footer([] { return DialectOptionsText() + "\n" + kEmitFooter; });  // made only where it is shown
-  command->callback([settings, &run] { run = [settings] { return RunEmit(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunEmit); }; });
 }
 
 }  // namespace plcxx::driver

@@ -19,6 +19,8 @@ namespace plcxx::driver {
 namespace {
 
 constexpr const char* kMainFooter = R"(Examples:
+  plcxx init                                        make a project of this folder: plcxx.yaml
+  plcxx check                                       its program; and so test, emit, prove, diff main..
   plcxx emit turret.sym turret.plc -o generated     C++ for any toolchain
   plcxx build turret.plc --target cortex-m4f        a library for a controller, audited and measured
   plcxx check turret.sym turret.plc                 what is wrong or doubtful
@@ -63,6 +65,7 @@ int Main(int argc, char** argv) {
   AddVerify(app, run);
   AddDiff(app, run);
   AddProve(app, run);
+  AddInit(app, run);
   AddLsp(app, run);
   AddMcp(app, run);
   std::vector<std::string> words(argv + 1, argv + argc);

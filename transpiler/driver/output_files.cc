@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -16,6 +15,8 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
+
+#include "transpiler/support/file_names.h"
 
 namespace plcxx::driver {
 namespace {
@@ -254,10 +255,7 @@ std::optional<WriteFailure> Transaction::Run() {
 
 }  // namespace
 
-bool IsFileName(std::string_view name) {
-  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
-  return !name.empty() && name.front() != '.' && name.front() != '-' && std::ranges::all_of(name, allowed);
-}
+bool IsFileName(std::string_view name) { return support::IsFileName(name); }
 
 std::string PathIn(const std::string& directory, const std::string& name) {
   return directory.empty() ? name : (fs::path(directory) / name).string();

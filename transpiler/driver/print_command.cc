@@ -8,12 +8,14 @@
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/ir/printer.h"
+#include "transpiler/project/schema.h"
 #include "transpiler/source/decode.h"
 
 namespace plcxx::driver {
@@ -23,6 +25,8 @@ constexpr const char* kPrintFooter = R"(Phases:
   source         the text as UTF-8         ir             typed IR as lowered       ir-emittable  ready to be printed
   tokens         what the lexer sees       ir-structured  nested regions            cpp           the generated files
   syntax         the syntax tree           ir-optimized   sliced and optimized
+
+  schema         the JSON schema of plcxx.yaml, for editors
 
 Examples:
   plcxx print syntax turret.plc
@@ -78,6 +82,8 @@ std::string PrintFiles(compilation::Compilation& compilation) {
   return text;
 }
 
+constexpr std::string_view kSchema = "schema";  // no phase: what an editor has to know of plcxx.yaml
+
 struct PhaseRow {
   std::string_view name;
   compilation::Stage stage;
@@ -103,19 +109,12 @@ const PhaseRow* PhaseByName(std::string_view name) {
 
 std::string PhaseNames() {
   std::string names;
-  for (const PhaseRow& row : kPhases) {
-    if (!names.empty()) names += ", ";
-    names += row.name;
-  }
-  return names;
+  for (const PhaseRow& row : kPhases) names += std::string(row.name) + ", ";
+  return names + std::string(kSchema);
 }
 
 int RunPrint(const PrintSettings& settings) {
-  const PhaseRow* phase = PhaseByName(settings.phase);
-  if (phase == nullptr) {
-    PrintUsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
-    return kWrongUse;
-  }
+  const PhaseRow* phase = PhaseByName(settings.phase);  // RunPrintOf has looked
   const std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
   compilation::Compilation compilation = compilation::Compile(*request, phase->stage);
@@ -130,6 +129,19 @@ int RunPrint(const PrintSettings& settings) {
   return ExitCodeOf(compilation);
 }
 
+/// What needs no program comes first.
+int RunPrintOf(const PrintSettings& settings) {
+  if (settings.phase == kSchema) {
+    std::cout << project::Schema();
+    return kDone;
+  }
+  if (PhaseByName(settings.phase) == nullptr) {
+    PrintUsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
+    return kWrongUse;
+  }
+  return RunForPrograms(settings, RunPrint);
+}
+
 }  // namespace
 
 void AddPrint(CLI::App& app, Run& run) {
@@ -138,7 +150,7 @@ void AddPrint(CLI::App& app, Run& run) {
   command->add_option("PHASE", settings->phase, PhaseNames())->required()->type_name("");
   AddCommonOptions(*command, settings->common);
   command->footer(kPrintFooter);
-  command->callback([settings, &run] { run = [settings] { return RunPrint(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunPrintOf(*settings); }; });
 }
 
 }  // namespace plcxx::driver

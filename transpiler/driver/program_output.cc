@@ -1,7 +1,9 @@
 #include "transpiler/driver/program_output.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "transpiler/driver/terminal.h"
 
@@ -16,6 +18,14 @@ struct CannotWriteRow {
 constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
 
 }  // namespace
+
+OutputKind KindOfOutput(const std::string& path) {
+  if (path == "-") return OutputKind::kStandardOutput;
+  std::error_code error;
+  const std::filesystem::path named(path);
+  const bool folder = !named.has_extension() || path.ends_with('/') || std::filesystem::is_directory(named, error);
+  return folder ? OutputKind::kFolder : OutputKind::kFile;
+}
 
 void AddOutputOptions(CLI::App& command, OutputOptions& options) {
   const auto add = [&command](const char* option, std::string& value, const char* type, const char* meaning) {
@@ -34,12 +44,18 @@ std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOpti
     PrintUsageError("'--name " + options.name + "' cannot name files: use letters, digits, '_', '-' and '.'");
     return std::nullopt;
   }
-  if (options.directory == "-" && options.to_standard_output == StandardOutput::kNo) {
+  const OutputKind kind = KindOfOutput(options.directory);
+  if (kind == OutputKind::kStandardOutput && options.one_file == OneFile::kNo) {
     PrintUsageError("'-o -': several files do not fit into standard output; name a directory (./- is one called '-')");
     return std::nullopt;
   }
+  if (kind == OutputKind::kFile && options.one_file == OneFile::kNo) {
+    PrintUsageError("'-o " + options.directory + "' is a file, and several are written: name a directory (" +
+                    options.directory + "/ is one)");
+    return std::nullopt;
+  }
   if (!options.dependency_file.empty()) {
-    std::vector<std::string> paths = common.sources;
+    std::vector<std::string> paths = request->sources;
     paths.push_back(options.directory);
     const auto has_line_end = [](const std::string& path) { return path.find_first_of("\r\n") != std::string::npos; };
     if (std::ranges::any_of(paths, has_line_end)) {
@@ -47,12 +63,13 @@ std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOpti
       return std::nullopt;
     }
   }
-  request->name = options.name;
+  if (!options.name.empty()) request->name = options.name;
   return request;
 }
 
-std::vector<std::string> PathsRead(const compilation::Compilation& compilation) {
+std::vector<std::string> PathsRead(const compilation::Compilation& compilation, const CommonOptions& common) {
   std::vector<std::string> paths;
+  if (common.program) paths.push_back(common.project);
   for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
     const std::string& path = compilation.sources->Get(source::FileId(i)).path;
     if (!path.starts_with('<')) paths.push_back(path);  // "<stdin>"

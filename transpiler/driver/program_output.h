@@ -12,14 +12,19 @@
 
 namespace plcxx::driver {
 
-/// Can a command write what it makes to standard output, as '-o -'?
-enum class StandardOutput : uint8_t { kNo, kYes };
+/// What -o names, in every command: '-' is standard output, a name with an extension is a file, anything else a folder;
+/// so is what is one already, or ends with '/'.
+enum class OutputKind : uint8_t { kFolder, kFile, kStandardOutput };
+OutputKind KindOfOutput(const std::string& path);
+
+/// Does the command make one file, which -o may name?
+enum class OneFile : uint8_t { kNo, kYes };
 
 struct OutputOptions {
   std::string name;             // of the program and its files; empty: from the first logic source
-  std::string directory;        // empty: the current one
+  std::string directory;        // or file, or '-'; empty: the current one
   std::string dependency_file;  // empty: none
-  StandardOutput to_standard_output = StandardOutput::kNo;
+  OneFile one_file = OneFile::kNo;
 };
 
 /// --name, -o, --depfile.
@@ -29,8 +34,8 @@ void AddOutputOptions(CLI::App& command, OutputOptions& options);
 std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOptions& common,
                                                                 const OutputOptions& options);
 
-/// The files that were read: no output may overwrite them.
-std::vector<std::string> PathsRead(const compilation::Compilation& compilation);
+/// The files that were read, the project's first: no output may overwrite them.
+std::vector<std::string> PathsRead(const compilation::Compilation& compilation, const CommonOptions& common);
 
 /// With the code that the dialect's specification fixes for it, where it fixes one.
 void ReportCannotWrite(const WriteFailure& failure, compilation::Compilation& compilation);

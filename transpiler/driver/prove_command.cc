@@ -15,6 +15,8 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/prove_output.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/review/properties/runs.h"
@@ -42,6 +44,7 @@ A violated property comes with a scenario, run before it is shown: with --counte
 'plcxx test' runs. 'properties:' in a scenario is a list of properties; 'plcxx test' watches them while the steps run.
 
 Examples:
+  plcxx prove                                              the properties that plcxx.yaml names
   plcxx prove turret.sym turret.plc --property turret.prop
   plcxx prove turret.yaml                                  sources, options and properties of a scenario
   plcxx prove turret.plc --property turret.prop --counterexamples failing --junit proofs.xml
@@ -72,7 +75,7 @@ std::optional<uint64_t> Milliseconds(const std::string& text) {
 
 class Prove {
  public:
-  explicit Prove(const ProveSettings& settings) : settings_(settings) {}
+  explicit Prove(const ProveSettings& settings) : settings_(settings), files_(settings.files) {}
 
   int Run() {
     const std::optional<uint64_t> time = Milliseconds(settings_.time);
@@ -81,8 +84,10 @@ class Prove {
     options_.most_periods = settings_.most_periods;
     if (settings_.any_retentive) options_.retentive = prove::properties::RetentiveMemory::kAny;
     if (!MakeRequest()) return kWrongUse;
-    if (!scenario_ && settings_.files.empty()) {
-      return Wrong("there is nothing to prove: name a file of properties with --property, or a scenario that has some");
+    if (scenarios_.empty() && files_.empty()) {
+      return Wrong(
+          "there is nothing to prove: name a file of properties with --property, a scenario that has some, or "
+          "'properties' in plcxx.yaml");
     }
     scenarios::MakeProveMachine(request_, machine_);
     compilation::Compilation& compilation = machine_.compilation;
@@ -124,27 +129,49 @@ class Prove {
     std::optional<compilation::CompilationRequest> request = driver::MakeRequest(settings_.common);
     if (!request) return false;
     request_ = std::move(*request);
+    if (settings_.common.program) return files_.empty() ? TakeProperties(*settings_.common.program) : true;
     const std::vector<std::string>& sources = settings_.common.sources;
-    if (sources.size() != 1 || std::filesystem::path(sources.front()).extension() != ".yaml") return true;
+    if (sources.size() != 1 || !IsScenario(sources.front())) return true;
+    if (!ReadScenario(sources.front())) return false;
+    const scenarios::Scenario& scenario = scenarios_.back();
+    if (scenario.sources.empty()) {
+      PrintUsageError(scenario.path + ": no 'sources': the scenario names no program");
+      return false;
+    }
+    if (scenario.properties.empty() && settings_.files.empty()) {
+      PrintUsageError(scenario.path + ": no 'properties': there is nothing to prove");
+      return false;
+    }
+    compilation::CompilationRequest own = scenarios::RequestOf(scenario, {{}, request_.options, request_.warnings});
+    own.include_directories.insert(own.include_directories.begin(), request_.include_directories.begin(),
+                                   request_.include_directories.end());
+    own.macros.insert(own.macros.end(), request_.macros.begin(), request_.macros.end());
+    request_ = std::move(own);
+    return true;
+  }
+
+  static bool IsScenario(const std::string& path) { return std::filesystem::path(path).extension() == ".yaml"; }
+
+  bool ReadScenario(const std::string& path) {
     scenarios::ScenarioOrErrors read = scenarios::ReadScenario(
-        sources.front(), settings_.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
+        path, settings_.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
     if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
       for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
       return false;
     }
-    scenario_ = std::move(std::get<scenarios::Scenario>(read));
-    if (scenario_->sources.empty()) {
-      PrintUsageError(scenario_->path + ": no 'sources': the scenario names no program");
-      return false;
+    scenarios_.push_back(std::move(std::get<scenarios::Scenario>(read)));
+    return true;
+  }
+
+  /// What the project wants to be proved, where the command line names nothing.
+  bool TakeProperties(const project::Program& program) {
+    for (const std::string& path : program.properties) {
+      if (!IsScenario(path)) {
+        files_.push_back(path);
+      } else if (!ReadScenario(path)) {
+        return false;
+      }
     }
-    if (scenario_->properties.empty() && settings_.files.empty()) {
-      PrintUsageError(scenario_->path + ": no 'properties': there is nothing to prove");
-      return false;
-    }
-    compilation::CompilationRequest own = scenarios::RequestOf(*scenario_, {{}, request_.options, request_.warnings});
-    own.include_directories = request_.include_directories;
-    own.macros = request_.macros;
-    request_ = std::move(own);
     return true;
   }
 
@@ -158,11 +185,12 @@ class Prove {
     };
     diag::Engine diagnostics;
     std::swap(diagnostics, compilation.diagnostics);  // warnings of the program are not this command's
-    if (scenario_ && !scenario_->properties.empty()) {
-      add(scenarios::PropertiesOfScenario(*scenario_, dialect.name, context, *compilation.sources,
+    for (const scenarios::Scenario& scenario : scenarios_) {
+      if (scenario.properties.empty()) continue;
+      add(scenarios::PropertiesOfScenario(scenario, dialect.name, context, *compilation.sources,
                                           compilation.diagnostics));
     }
-    for (const std::string& path : settings_.files) {
+    for (const std::string& path : files_) {
       std::error_code none;
       std::ifstream in(path, std::ios::binary);
       if (!in || std::filesystem::is_directory(path, none)) return Wrong("cannot read '" + path + "'");
@@ -205,8 +233,9 @@ class Prove {
       std::cout << ProveSummary(proved_) << "\n";
     }
     OutputRequest output;
-    output.protected_paths = settings_.common.sources;
-    for (const std::string& path : settings_.files) output.protected_paths.push_back(path);
+    output.protected_paths = PathsRead(machine_.compilation, settings_.common);
+    for (const scenarios::Scenario& scenario : scenarios_) output.protected_paths.push_back(scenario.path);
+    for (const std::string& path : files_) output.protected_paths.push_back(path);
     if (!settings_.junit.empty()) output.files.push_back({settings_.junit, JunitXml(ProveCases(proved_))});
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
@@ -230,7 +259,8 @@ class Prove {
   const ProveSettings& settings_;
   prove::properties::CheckOptions options_;
   compilation::CompilationRequest request_;
-  std::optional<scenarios::Scenario> scenario_;
+  std::vector<scenarios::Scenario> scenarios_;  // whose properties are to be proved
+  std::vector<std::string> files_;              // of properties
   scenarios::ProveMachine machine_;
   ProgressLine progress_;
   std::vector<scenarios::PlacedProperty> properties_;
@@ -238,13 +268,14 @@ class Prove {
   review::properties::PropertyScenario scenario_of_run_;  // of the last run that was shown, or was not
 };
 
+int RunProve(const ProveSettings& settings) { return Prove(settings).Run(); }
+
 }  // namespace
 
 void AddProve(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("prove", "Prove properties of the machine for all inputs and all scans");
   const auto settings = std::make_shared<ProveSettings>();
   AddCommonOptions(*command, settings->common);
-  AddAllowOutside(*command, settings->common);
   command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
       ->type_name("FILE")
       ->allow_extra_args(false)
@@ -269,7 +300,7 @@ void AddProve(CLI::App& app, Run& run) {
   command->add_option("--junit", settings->junit, "Write the results as JUnit XML, each property a test")
       ->type_name("FILE");
   command->footer(kProveFooter);
-  command->callback([settings, &run] { run = [settings] { return Prove(*settings).Run(); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunProve); }; });
 }
 
 }  // namespace plcxx::driver

@@ -1,5 +1,6 @@
 // plcxx report: a page about a program, its ladder pictures, or one of its tables.
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -7,10 +8,12 @@
 #include "transpiler/checks/accesses.h"
 #include "transpiler/cost/cost_model.h"
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/legalize/names.h"
@@ -224,7 +227,9 @@ struct ReportOptions {
 
 /// The page, or the pictures: each a file, or all of it to standard output.
 int WritePage(const ReportOptions& options, const compilation::CompilationRequest& request) {
-  compilation::Compilation compilation = compilation::Compile(request);
+  std::optional<compilation::Compilation> compiled = CompileProgram(options.common, request);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
   if (compilation.ok() && !compilation.has_program) {
     PrintUsageError("the sources are data only: there is no program to report of");
     return kWrongUse;
@@ -234,8 +239,13 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
     const report::ProgramInput input = PageInput(compilation);
     OutputRequest output;
     output.directory = options.output.directory;
-    if (options.output.directory == "-") {
+    const OutputKind kind = KindOfOutput(options.output.directory);
+    if (kind == OutputKind::kStandardOutput) {
       text = options.ladder ? report::LadderPicture(input) : report::Page(input);
+    } else if (kind == OutputKind::kFile) {
+      output.directory = std::filesystem::path(options.output.directory).parent_path().string();
+      output.files.push_back(
+          {options.output.directory, options.ladder ? report::LadderPicture(input) : report::Page(input)});
     } else if (options.ladder) {
       for (report::Picture& picture : report::LadderPictures(input)) {
         const std::string name = compilation.name + "." + emit::legalize::SafeIdentifier(picture.name) + ".svg";
@@ -244,7 +254,7 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
     } else {
       output.files.push_back({PathIn(output.directory, compilation.name + ".html"), report::Page(input)});
     }
-    output.protected_paths = PathsRead(compilation);
+    output.protected_paths = PathsRead(compilation, options.common);
     if (!output.files.empty()) {
       if (const auto failure = WriteAll(output)) {
         ReportCannotWrite(*failure, compilation);
@@ -303,8 +313,9 @@ void AddReport(CLI::App& app, Run& run) {
     command->add_option(option, value, meaning)->type_name(type)->group("Output");
   };
   add("--name", options->output.name, "NAME", "Name of the program and its files; else from the first logic source");
-  add("-o", options->output.directory, "DIR", "Directory of the files; else the current one; '-': standard output");
-  options->output.to_standard_output = StandardOutput::kYes;
+  add("-o", options->output.directory, "DIR",
+      "Directory of the files, else the current one; or a file; '-': standard output");
+  options->output.one_file = OneFile::kYes;
   command->add_flag("-q,--quiet", options->quiet, "Do not tell which files were written")->group("Output");
   command->add_flag("--ladder", options->ladder, "Only the ladder pictures, as SVG")->group("Output");
   command->add_flag("--ladder-text", options->ladder_text, "The ladder as text, to standard output");
@@ -317,7 +328,7 @@ void AddReport(CLI::App& app, Run& run) {
   command->add_flag("--resources", options->resources, "What the program uses of what the control has");
   command->add_flag("--lists", options->lists, "Further lists of the dialect: handlers, alarms, codes, cells, limits");
   command->footer(kReportFooter);
-  command->callback([options, &run] { run = [options] { return RunReport(*options); }; });
+  command->callback([options, &run] { run = [options] { return RunForPrograms(*options, RunReport); }; });
 }
 
 }  // namespace plcxx::driver

@@ -7,6 +7,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/sim_run.h"
 #include "transpiler/driver/terminal.h"
@@ -136,7 +137,7 @@ void AddSim(CLI::App& app, Run& run) {
   add("--vcd", settings->waveform, "FILE", "Write the watched locations as a waveform");
   add("--time-limit", settings->time_limit, "SECONDS", "Of real time, at most (60)")->check(CLI::Range(1u, 86'400u));
   command->footer(kSimFooter);
-  command->callback([settings, &run] { run = [settings] { return RunSim(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunSim); }; });
 }
 
 }  // namespace plcxx::driver

@@ -1,5 +1,6 @@
 #include "transpiler/driver/test_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/junit.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/suite.h"
 
@@ -21,6 +23,7 @@ namespace plcxx::driver {
 namespace {
 
 constexpr const char* kTestFooter = R"(Examples:
+  plcxx test                                  the scenarios of plcxx.yaml, in this folder or above
   plcxx test turret.yaml                      the simulator and the generated code, in lockstep
   plcxx test scenarios --junit result.xml     every *.yaml below a directory
   plcxx test turret.yaml --vcd turret.vcd     and look at it with a waveform viewer
@@ -122,7 +125,29 @@ std::optional<scenarios::SuiteOptions> MakeOptions(const TestSettings& settings)
   return options;
 }
 
-int RunTest(const TestSettings& settings) {
+/// The scenarios of the project, where the command line names none; false when that cannot be, which is reported.
+bool TakeScenarios(TestSettings& settings) {
+  if (!settings.paths.empty()) {
+    if (settings.common.project.empty() && settings.common.program_names.empty() && !settings.common.all) return true;
+    PrintUsageError("scenarios and a project are named: leave one of them out");
+    return false;
+  }
+  const std::optional<std::vector<project::Program>> programs = ChoosePrograms(settings.common);
+  if (!programs) return false;
+  for (const project::Program& program : *programs) {
+    for (const std::string& path : program.scenarios) {
+      if (std::ranges::find(settings.paths, path) == settings.paths.end()) settings.paths.push_back(path);
+    }
+    for (const project::Target& target : program.targets) {
+      if (target.name == "host" && settings.compiler.empty()) settings.compiler = target.compiler;
+    }
+  }
+  return true;
+}
+
+int RunTest(const TestSettings& asked) {
+  TestSettings settings = asked;
+  if (!TakeScenarios(settings)) return kWrongUse;
   const std::variant<std::vector<std::string>, std::string> found = scenarios::FindScenarios(settings.paths);
   if (const auto* why = std::get_if<std::string>(&found)) {
     PrintUsageError(*why);
@@ -150,8 +175,9 @@ int RunTest(const TestSettings& settings) {
 void AddTest(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("test", "Run scenarios in the simulator and as compiled C++");
   const auto settings = std::make_shared<TestSettings>();
-  command->add_option("SCENARIO", settings->paths, "Scenario files, or directories: all *.yaml in them")
-      ->required()
+  command
+      ->add_option("SCENARIO", settings->paths,
+                   "Scenario files, or directories: all *.yaml in them. None: those of plcxx.yaml")
       ->type_name("");
   command
       ->add_option("--engine", settings->engine,
@@ -166,7 +192,7 @@ void AddTest(CLI::App& app, Run& run) {
   command->add_option("--junit", settings->junit, "Write the results as JUnit XML")->type_name("FILE");
   command->add_option("--vcd", settings->waveform, "Write the locations that the scenario names as a waveform")
       ->type_name("FILE");
-  command->add_option("--jobs", settings->jobs, "Scenarios that run at a time")
+  command->add_option("-j,--jobs", settings->jobs, "Scenarios that run at a time")
       ->type_name("N")
       ->default_str("2")
       ->check(CLI::Range(1, 64));
@@ -179,7 +205,7 @@ void AddTest(CLI::App& app, Run& run) {
                     "Execute what plcxx has decided from as assertions: ranges, bounds, constants in registers");
   command->add_flag("--verbose", settings->verbose, "Tell what each scenario ran in");
   AddSettings(*command, settings->common);
-  AddAllowOutside(*command, settings->common);
+  AddProjectOptions(*command, settings->common);
   command->footer(kTestFooter);
   command->callback([settings, &run] { run = [settings] { return RunTest(*settings); }; });
 }

@@ -15,6 +15,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/emittable.h"
@@ -237,7 +238,7 @@ bool Verification::WriteCertificate() {
                                                                .facts = &facts_,
                                                                .left_out = left_out_,
                                                                .front_end = front_end_ ? &*front_end_ : nullptr})});
-  output.protected_paths = PathsRead(compilation_);
+  output.protected_paths = PathsRead(compilation_, settings_.common);
   const auto failure = WriteAll(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
   return !failure;
@@ -429,7 +430,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->group("Limits");
   command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
   command->footer(kVerifyFooter);
-  command->callback([settings, &run] { run = [settings] { return RunVerify(*settings); }; });
+  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunVerify); }; });
 }
 
 }  // namespace plcxx::driver

@@ -20,7 +20,14 @@ std::string KeyOf(const compilation::CompilationRequest& request) {
   key += ";";
   if (request.encoding) add(std::string(source::Name(*request.encoding)));
   key += ";";
+  for (const std::string& directory : request.include_directories) add(directory);
+  key += ";";
   for (const std::string& directory : request.system_include_directories) add(directory);
+  key += ";";
+  for (const dialects::MacroOption& macro : request.macros) {
+    add(macro.name);
+    add(macro.text ? "=" + *macro.text : "");
+  }
   key += ";";
   for (const std::string& code : request.warnings.enabled) add(code);
   return key;
@@ -28,9 +35,15 @@ std::string KeyOf(const compilation::CompilationRequest& request) {
 
 compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
   compilation::CompilationRequest request;
+  if (scenario.program) {
+    request = project::RequestOf(*scenario.program);
+    request.include_directories.push_back(scenario.directory.empty() ? "." : scenario.directory);
+    request.options.clear();  // are among the scenario's
+  } else {
+    request.base_directory = scenario.directory;
+    request.sources = scenario.sources;
+  }
   request.dialect = scenario.dialect;
-  request.base_directory = scenario.directory;
-  request.sources = scenario.sources;
   if (!overrides.sources.empty()) {
     // Named on the command line: relative to the current directory, not to the scenario.
     request.sources.clear();
@@ -50,7 +63,12 @@ compilation::CompilationRequest RequestOf(const Scenario& scenario, const Progra
       request.options.emplace_back(name, value);
     }
   }
-  request.warnings = overrides.warnings;
+  // What the command line says of warnings comes before what the project does.
+  for (const std::string& code : overrides.warnings.enabled) request.warnings.disabled.erase(code);
+  request.warnings.enabled.insert(overrides.warnings.enabled.begin(), overrides.warnings.enabled.end());
+  request.warnings.disabled.insert(overrides.warnings.disabled.begin(), overrides.warnings.disabled.end());
+  request.warnings.errors.insert(overrides.warnings.errors.begin(), overrides.warnings.errors.end());
+  request.warnings.all_errors = request.warnings.all_errors || overrides.warnings.all_errors;
   for (const ExpectedWarning& warning : scenario.warnings.value_or(std::vector<ExpectedWarning>())) {
     request.warnings.enabled.insert(warning.code);
   }

@@ -1,10 +1,8 @@
-// How the parts of the scenario reader see the YAML tree: typed access that collects errors with their places.
+// The parts of the scenario reader.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
 
-#include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,35 +10,21 @@
 #include <vector>
 
 #include "transpiler/scenarios/scenario.h"
+#include "transpiler/yaml/reader.h"
 
 namespace plcxx::scenarios {
 
-/// One `key: value` of a YAML map.
-struct YamlEntry {
-  MarkedText key;
-  YAML::Node value;
-};
+using YamlEntry = yaml::Entry;
 
-class ScenarioReader {
+class ScenarioReader : public yaml::Reader {
  public:
-  ScenarioReader(std::string path, Reach reach) : path_(std::move(path)), reach_(reach) {}
+  ScenarioReader(std::string path, Reach reach) : Reader(std::move(path)), reach_(reach) {}
 
   Scenario Read(const YAML::Node& root);
-  std::vector<ScenarioError>& errors() { return errors_; }
-  void Fail(ScenarioMark mark, std::string message);
+  /// The word of `program:`, which is not the scenario's but its project's; empty when there is none.
+  const MarkedText& program() const { return program_; }
 
  private:
-  static ScenarioMark Mark(const YAML::Node& node);
-
-  /// The entries of a map, each key once; reports anything else. `what` names the node in messages.
-  std::vector<YamlEntry> Map(const YAML::Node& node, std::string_view what);
-  /// The elements of a list, or the node itself when it is none.
-  std::vector<YAML::Node> ListOrSingle(const YAML::Node& node);
-  std::optional<MarkedText> Word(const YAML::Node& node, std::string_view what);
-  std::optional<uint32_t> Number(const YAML::Node& node, std::string_view what);
-  void RefuseKey(const MarkedText& key, std::string_view where, std::initializer_list<std::string_view> known);
-
-  std::vector<std::string> Words(const YAML::Node& node, std::string_view what);
   std::map<std::string, std::string> Options(const YAML::Node& node);
   ExpectedError ReadExpectedError(const YAML::Node& node);
   std::vector<ExpectedWarning> ReadWarnings(const YAML::Node& node);
@@ -57,9 +41,8 @@ class ScenarioReader {
   /// Refuses what names a file outside of the scenario's project, unless that was allowed.
   void CheckReach(ScenarioMark mark, const std::vector<std::string>& paths);
 
-  std::string path_;
   Reach reach_;
-  std::vector<ScenarioError> errors_;
+  MarkedText program_;
 };
 
 }  // namespace plcxx::scenarios

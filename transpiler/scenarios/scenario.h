@@ -12,27 +12,14 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/project/project.h"
+#include "transpiler/yaml/place.h"
+
 namespace plcxx::scenarios {
 
-/// A place in the scenario file, 1-based.
-struct ScenarioMark {
-  uint32_t line = 0;
-  uint32_t column = 0;
-};
-
-struct MarkedText {
-  std::string text;
-  ScenarioMark mark;
-};
-
-struct ScenarioError {
-  std::string path;
-  ScenarioMark mark;  // line 0: the file as a whole
-  std::string message;
-};
-
-/// "turret.yaml:3:7: message"
-std::string ToText(const ScenarioError& error);
+using ScenarioMark = yaml::Place;
+using yaml::MarkedText;
+using ScenarioError = yaml::Error;
 
 /// `I0A3: 1`
 struct Assignment {
@@ -103,7 +90,7 @@ struct ExpectedWarning {
 
 struct Scenario {
   std::string path;       // as given
-  std::string directory;  // of `path`; sources and files of options stand relative to it
+  std::string directory;  // of `path`; sources and files of options are relative to it
   std::string name;
   std::string dialect;  // empty: told by the sources
   std::vector<std::string> sources;
@@ -113,14 +100,16 @@ struct Scenario {
   std::optional<std::vector<ScenarioStep>> steps;
   /// What `plcxx prove` proves of the program, and what is watched while the steps run.
   std::vector<MarkedText> properties;
+  /// Of the project, where the scenario names no sources: `sources` are then those of this program, and what it says is
+  /// meant where the scenario says nothing.
+  std::optional<project::Program> program;
 };
 
 using ScenarioOrErrors = std::variant<Scenario, std::vector<ScenarioError>>;
 
-/// Which files a scenario may name: its project is the folder tree below the nearest folder that a version control
-/// system manages, else below the working directory or, when the scenario is not there, below its own folder.
-enum class Reach : uint8_t { kProject, kAnywhere };
+using project::Reach;
 
+/// A scenario without sources takes the program of the plcxx.yaml beside it, or above.
 ScenarioOrErrors ReadScenario(const std::string& path, Reach reach = Reach::kProject);
 /// As ReadScenario, from a text in memory, which is the tool's own unless `reach` says something else.
 ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text, Reach reach = Reach::kAnywhere);

@@ -194,8 +194,13 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
     for (auto entry = fs::recursive_directory_iterator(path, options, error);
          entry != fs::recursive_directory_iterator(); entry.increment(error)) {
       if (error) break;
-      if (entry->path().extension() == ".yaml" && entry->is_regular_file(error))
-        found.push_back(entry->path().generic_string());
+      // What belongs to other tools (.git, .github) is in hidden folders.
+      if (entry->path().filename().string().starts_with('.') && entry->is_directory(error))
+        entry.disable_recursion_pending();
+      const bool is_project = entry->path().filename() == project::kProjectFile;
+      if (entry->path().extension() == ".yaml" && !is_project && entry->is_regular_file(error))
+        found.push_back(path == "." ? entry->path().lexically_normal().generic_string()
+                                    : entry->path().generic_string());
     }
     if (error) return "cannot read directory '" + path + "': " + error.message();
     if (found.empty()) return "there is no scenario (*.yaml) in directory '" + path + "'";

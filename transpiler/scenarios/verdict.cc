@@ -79,7 +79,7 @@ class Test {
  private:
   static std::string ToText(const std::vector<ScenarioError>& errors) {
     std::string text;
-    for (const ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + scenarios::ToText(error);
+    for (const ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + yaml::ToText(error);
     return text;
   }
 

@@ -21,7 +21,8 @@ def scenarios(root, dialects):
         for dialect in (each for each in DIALECTS if each in dialects):
             folder = root / base / dialect
             if folder.is_dir():
-                yield from ((dialect, path) for path in sorted(folder.rglob("*.yaml")))
+                yield from ((dialect, path) for path in sorted(folder.rglob("*.yaml"))
+                            if path.name != "plcxx.yaml")
 
 
 def words_of(text, key):
@@ -41,6 +42,10 @@ def options_of(text):
 def read(dialect, path):
     text = path.read_bytes().decode("utf-8", "replace")
     files = {path.name: path.read_bytes()}
+    project = path.parent / "plcxx.yaml"
+    if not words_of(text, "sources") and project.is_file():  # the scenario leaves them out
+        text += "\n" + project.read_bytes().decode("utf-8", "replace")
+        files[project.name] = project.read_bytes()
     for name in set(re.findall(r"[^\s\[\]{},:'\"]+", text)):
         beside = path.parent / name
         if ".." not in name and not name.startswith("/") and beside.is_file():

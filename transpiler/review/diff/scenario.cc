@@ -5,15 +5,15 @@
 #include <set>
 #include <variant>
 
+#include "transpiler/project/reach.h"
 #include "transpiler/review/diff/calls.h"
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/review/diff/shorten.h"
-#include "transpiler/scenarios/project_files.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/suite.h"
-#include "transpiler/scenarios/yaml_words.h"
 #include "transpiler/sim/value_text.h"
+#include "transpiler/yaml/words.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -97,7 +97,7 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
   return sets;
 }
 
-std::string Quoted(const std::string& text) { return scenarios::YamlWord(text, "_.-"); }
+std::string Quoted(const std::string& text) { return yaml::YamlWord(text, "_.-"); }
 
 std::string RelativePath(const std::string& path, const std::string& directory) {
   std::error_code error;
@@ -117,7 +117,7 @@ std::string Heading(const DiffSide& side, const DiffOptions& options) {
     names += separator + Quoted(sources.back());
     separator = ", ";
   }
-  std::string text = scenarios::ReplayComment(options.scenario_directory, sources) +
+  std::string text = project::ReplayComment(options.scenario_directory, sources) +
                      "dialect: " + std::string(side.compilation.dialect->name) + "\nsources: [" + names + "]\n";
   if (!side.request.options.empty()) {
     text += "options: {";

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/project/project.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::review::diff {
@@ -67,8 +68,36 @@ FoundSources FindSources(const std::string& directory) {
   return found;
 }
 
-std::optional<std::string> FillRequest(const std::string& path, const std::vector<std::string>& sources,
+/// The program that a project file says, with what the command line says before it; gives why not.
+std::optional<std::string> TakeProject(const std::string& path, const DiffWords& words,
                                        compilation::CompilationRequest& request) {
+  project::ProjectOrErrors read = project::ReadProject(path, words.reach);
+  if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
+    std::string text = "the project cannot be read";
+    for (const yaml::Error& error : *errors) text += "\n" + ToText(error);
+    return text;
+  }
+  const auto& project = std::get<project::Project>(read);
+  if (words.program.empty() && project.programs.size() > 1)
+    return path + " has several programs: choose one with --program NAME";
+  const project::Program* program =  // the only one may have got another name since
+      project.programs.size() == 1 ? &project.programs.front() : project::FindProgram(project, words.program);
+  if (program == nullptr) return "there is no program '" + words.program + "' in " + path;
+  compilation::CompilationRequest own = project::RequestOf(*program);
+  if (!request.dialect.empty()) own.dialect = request.dialect;
+  if (request.encoding) own.encoding = request.encoding;
+  own.options.insert(own.options.end(), request.options.begin(), request.options.end());
+  own.include_directories.insert(own.include_directories.begin(), request.include_directories.begin(),
+                                 request.include_directories.end());
+  own.macros.insert(own.macros.end(), request.macros.begin(), request.macros.end());
+  if (own.base_directory.empty()) own.base_directory = ".";
+  request = std::move(own);
+  return std::nullopt;
+}
+
+std::optional<std::string> FillRequest(const std::string& path, const DiffWords& words,
+                                       compilation::CompilationRequest& request) {
+  const std::vector<std::string>& sources = words.sources;
   std::error_code error;
   if (!fs::is_directory(path, error)) {
     if (!sources.empty()) return "--sources names files of two directories, and '" + path + "' is none";
@@ -78,6 +107,8 @@ std::optional<std::string> FillRequest(const std::string& path, const std::vecto
   request.base_directory = path;
   request.sources = sources;
   if (!sources.empty()) return std::nullopt;
+  const fs::path project = fs::path(path) / project::kProjectFile;
+  if (fs::is_regular_file(project, error)) return TakeProject(project.string(), words, request);
   FoundSources found = FindSources(path);
   if (!found.reason.empty()) return found.reason;
   request.sources = std::move(found.sources);
@@ -199,7 +230,8 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
   if (dots == std::string::npos || dots == 0) {
     return "--git takes two revisions, as in 'v1.2..HEAD', not '" + words.revisions + "'";
   }
-  if (words.paths.empty()) return "name the sources of the program behind --git " + words.revisions;
+  if (words.paths.empty() && words.project.empty())
+    return "name the sources of the program behind --git " + words.revisions;
   const std::string old_revision = words.revisions.substr(0, dots);
   std::string new_revision = words.revisions.substr(dots + 2);
   const Git git = FindGit();
@@ -212,6 +244,8 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     side.label = is_old ? old_revision : new_revision;
     if (!is_old && new_revision.empty()) {
       side.label = "the work tree";  // "A.."
+      if (!words.paths.empty()) continue;
+      if (std::optional<std::string> wrong = TakeProject(words.project, words, side.compilation)) return *wrong;
       continue;
     }
     requests.copies.push_back(std::make_unique<compile::TemporaryDirectory>());
@@ -220,8 +254,15 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     side.compilation.base_directory = git.prefix.empty() ? copy : copy + "/" + git.prefix;
     while (side.compilation.base_directory.ends_with('/')) side.compilation.base_directory.pop_back();
     side.hidden_prefix = side.compilation.base_directory + "/";
+    if (!words.paths.empty()) continue;
+    // The copy is a project of its own: what its plcxx.yaml names has to be in it.
+    std::error_code error;
+    fs::create_directory(fs::path(copy) / ".git", error);
+    const fs::path file = (fs::path(side.compilation.base_directory) / words.project).lexically_normal();
+    if (!fs::exists(file, error)) return "'" + side.label + "' has no " + words.project + ": name the sources";
+    if (std::optional<std::string> wrong = TakeProject(file.string(), words, side.compilation)) return *wrong;
   }
-  TakeOptionsOfScenarios(requests);
+  if (!words.paths.empty()) TakeOptionsOfScenarios(requests);
   return requests;
 }
 
@@ -252,7 +293,7 @@ std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
     side.compilation = common;
     side.label = names.empty() ? paths[at] : names[at] + (is_old ? " (old)" : " (new)");
     if (!names.empty()) side.file_name = names[at];
-    if (std::optional<std::string> wrong = FillRequest(paths[at], words.sources, side.compilation)) return *wrong;
+    if (std::optional<std::string> wrong = FillRequest(paths[at], words, side.compilation)) return *wrong;
   }
   // What git hands over are copies somewhere.
   if (!words.external) TakeOptionsOfScenarios(requests);

@@ -11,6 +11,7 @@
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/compile/child_process.h"
+#include "transpiler/project/reach.h"
 
 namespace plcxx::review::diff {
 
@@ -19,6 +20,9 @@ struct DiffWords {
   std::vector<std::string> sources;  // --sources: of both directories, relative to them
   std::string revisions;             // --git A..B
   bool external = false;             // --git-external: paths are the words that git gives to a diff tool
+  std::string project;               // with `revisions` and no sources: plcxx.yaml; each revision has its own
+  std::string program;               // the name of one of its programs; empty: the only one
+  project::Reach reach = project::Reach::kProject;
 };
 
 struct DiffRequest {

@@ -5,19 +5,19 @@
 #include <utility>
 #include <variant>
 
+#include "transpiler/project/reach.h"
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/scenarios/program.h"
-#include "transpiler/scenarios/project_files.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/suite.h"
-#include "transpiler/scenarios/yaml_words.h"
+#include "transpiler/yaml/words.h"
 
 namespace plcxx::review::properties {
 namespace {
 
 using execute::CellId;
 
-std::string Scalar(const std::string& text) { return scenarios::YamlWord(text, "_./"); }
+std::string Scalar(const std::string& text) { return yaml::YamlWord(text, "_./"); }
 
 /// `path`, which the request names, from `directory`.
 std::string PathFrom(const std::string& directory, const compilation::CompilationRequest& request,
@@ -40,7 +40,7 @@ std::string Heading(const scenarios::ProveMachine& machine, const compilation::C
     names += separator + Scalar(sources.back());
     separator = ", ";
   }
-  text += scenarios::ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
+  text += project::ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
           "\nsources: [" + names + "]\n";
   separator.clear();
   std::string options;

@@ -1,8 +1,8 @@
-#include "transpiler/scenarios/yaml_words.h"
+#include "transpiler/yaml/words.h"
 
 #include <algorithm>
 
-namespace plcxx::scenarios {
+namespace plcxx::yaml {
 
 std::string YamlWord(const std::string& text, std::string_view plain) {
   const bool is_plain = !text.empty() && std::ranges::all_of(text, [plain](char c) {
@@ -15,4 +15,4 @@ std::string YamlWord(const std::string& text, std::string_view plain) {
   return quoted + "'";
 }
 
-}  // namespace plcxx::scenarios
+}  // namespace plcxx::yaml

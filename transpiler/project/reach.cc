@@ -1,10 +1,11 @@
-#include "transpiler/scenarios/project_files.h"
+#include "transpiler/project/reach.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 
-namespace plcxx::scenarios {
+namespace plcxx::project {
 namespace {
 
 namespace fs = std::filesystem;
@@ -14,18 +15,22 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
 }
 
 fs::path ProjectOf(const fs::path& folder) {
-  std::error_code error;
   for (fs::path at = folder;; at = at.parent_path()) {
-    for (const char* mark : {".git", ".hg", ".svn"}) {
-      if (fs::exists(at / mark, error)) return at;
-    }
+    if (IsVersioned(at.string())) return at;
     if (at == at.parent_path()) break;
   }
+  std::error_code error;
   const fs::path working = fs::weakly_canonical(fs::current_path(error), error);
   return !working.empty() && IsBelow(folder, working) ? working : folder;
 }
 
 }  // namespace
+
+bool IsVersioned(const std::string& folder) {
+  std::error_code error;
+  return std::ranges::any_of(std::array{".git", ".hg", ".svn"},
+                             [&](const char* mark) { return fs::exists(fs::path(folder) / mark, error); });
+}
 
 std::optional<std::string> OutsideOfProject(const std::string& file, const std::string& named) {
   std::error_code error;
@@ -45,4 +50,4 @@ std::string ReplayComment(const std::string& directory, std::span<const std::str
   return outside ? "# The sources are in another project: plcxx test --allow-outside\n" : "";
 }
 
-}  // namespace plcxx::scenarios
+}  // namespace plcxx::project

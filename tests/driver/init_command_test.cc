@@ -1,0 +1,106 @@
+// plcxx init on folders as they come from controls: the samples without what plcxx has made of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The files of the control alone.
+void CopyMachine(const std::string& sample, const std::string& folder) {
+  fs::create_directories(folder);
+  for (const auto& entry : fs::directory_iterator(PLCXX_ROOT "/samples/" + sample)) {
+    const std::string extension = entry.path().extension().string();
+    const bool own = extension == ".yaml" || extension == ".cpp" || extension == ".cmake" || extension == ".prop" ||
+                     entry.path().filename() == "CMakeLists.txt" || entry.path().filename() == ".gitattributes";
+    if (entry.is_regular_file() && !own) fs::copy_file(entry.path(), folder / entry.path().filename());
+  }
+}
+
+struct Machine {
+  const char *sample, *dialect;
+};
+
+class Init : public ::testing::TestWithParam<Machine> {};
+
+TEST_P(Init, MakesAProjectThatCompiles) {
+  const Workplace work;
+  CopyMachine(GetParam().sample, work.Path("machine"));
+  const Ran init = work.Run("init machine");
+  ASSERT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, AllOf(HasSubstr("dialect   " + std::string(GetParam().dialect) + ": "), HasSubstr("check     "),
+                              HasSubstr("wrote     machine/plcxx.yaml"), HasSubstr("machine/.gitattributes")));
+  const Ran check = work.Run("check", "", "", "machine");
+  EXPECT_EQ(check.code, 0) << init << check << work.Read("machine/plcxx.yaml");
+  const Ran test = work.Run("test --engine sim", "", "", "machine");
+  EXPECT_THAT(test.out, HasSubstr("passed  power_on.yaml")) << test;
+  EXPECT_THAT(work.Read("machine/.gitattributes"), HasSubstr("-text diff=plc"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Init,
+                         ::testing::Values(Machine{"nc110/lathe_16k20", "nc110"}, Machine{"cmake_project", "nc110"},
+                                           Machine{"prostep/mill_fnd32", "prostep"}, Machine{"host50/ck6150", "host50"},
+                                           Machine{"technol/mcv_750", "technol"}),
+                         [](const auto& named) {
+                           std::string name = named.param.sample;
+                           for (char& c : name) c = c == '/' ? '_' : c;
+                           return name;
+                         });
+
+TEST(InitCommand, SaysWhatItDecidedAndLeavesWhatIsThere) {
+  const Workplace work;
+  work.Write("b.plc", "$\nU4A1=!LAMP\n");
+  work.Write("a.sym", "* names\nLAMP = I0A0\n");
+  work.Write("RUMES5", "1#A MESSAGE\n");
+  work.Write("NOTES.DOC", "no program\n");
+  work.Write("plcxx.yaml", "# mine\n");
+  const Ran init = work.Run("init --pipeline gitlab");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, AllOf(HasSubstr("messages  by its name"), HasSubstr("left out  no source of nc110"),
+                              HasSubstr("left      plcxx.yaml: it is there already"), HasSubstr(".gitlab-ci.yml")));
+  EXPECT_EQ(work.Read("plcxx.yaml"), "# mine\n");
+  fs::remove(work.Path("plcxx.yaml"));
+  EXPECT_EQ(work.Run("init --pipeline none").code, 0);
+  EXPECT_THAT(work.Read("plcxx.yaml"), AllOf(HasSubstr("sources: [a.sym, b.plc]"), HasSubstr("messages: RUMES5")));
+}
+
+TEST(InitCommand, AFolderOfMachinesIsAPark) {
+  const Workplace work;
+  for (const std::string name : {"lathe", "mill"}) {
+    fs::create_directories(work.Path(name));
+    work.Write(name + "/p.plc", "$\nU4A0=I0A0\n");
+  }
+  fs::create_directories(work.Path(".git"));
+  work.Write(".git/config", "[remote \"origin\"]\n\turl = https://github.com/x/y\n");
+  const Ran init = work.Run("init");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_TRUE(work.Has(".github/workflows/plcxx.yml"));
+  EXPECT_THAT(work.Read(".github/workflows/plcxx.yml"), HasSubstr("plcxx check --all"));
+  const Ran check = work.Run("check --all");
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("lathe: no errors"), HasSubstr("mill: no errors"))) << check;
+  EXPECT_THAT(work.Run("test --all --engine sim").out, HasSubstr("2 scenarios passed"));
+}
+
+TEST(InitCommand, WhereNothingIsToBeFound) {
+  const Workplace work;
+  work.Write("letter.doc", "Dear Sirs\n");
+  const Ran init = work.Run("init");
+  EXPECT_EQ(init.code, 1) << init;
+  EXPECT_THAT(init.errors, HasSubstr("no file in '.' is a source that plcxx knows"));
+  EXPECT_FALSE(work.Has("plcxx.yaml"));
+  EXPECT_EQ(work.Run("init nowhere").code, 2);
+  EXPECT_EQ(work.Run("init --dialect cobol").code, 2);
+}
+
+}  // namespace
+}  // namespace plcxx::driver

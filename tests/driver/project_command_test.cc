@@ -1,0 +1,161 @@
+// plcxx.yaml on the command line: which program a command is about, and where what it names is looked for.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "tests/driver/run_plcxx.h"
+
+namespace plcxx::driver {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// A lathe with an option that its program needs, a scenario without sources, and a folder below.
+class ProjectCommand : public ::testing::Test {
+ protected:
+  ProjectCommand() {
+    work_.Write("lathe.plc", "U4A0=I0A0\n$\nU4A1=I0A1\n");
+    work_.Write("plcxx.yaml", "name: saw\ndialect: nc110\nsources: lathe.plc\noptions: {clo: [20, 2]}\n");
+    work_.Write("s.yaml", "steps:\n- set: {I0A0: 1}\n- run: {fast: 1}\n- expect: {U4A0: 1}\n");
+    std::filesystem::create_directories(work_.Path("sub"));
+  }
+
+  Workplace work_;
+};
+
+TEST_F(ProjectCommand, EveryCommandFindsIt) {
+  for (const std::string folder : {".", "sub"}) {
+    const Ran check = work_.Run("check", "", "", folder);
+    EXPECT_EQ(check.code, 0) << check;
+    EXPECT_EQ(check.errors, "saw: no errors, no warnings\n");
+    const Ran ir = work_.Run("print ir", "", "", folder);
+    EXPECT_THAT(ir.out, HasSubstr("load I0A0")) << ir;
+    const Ran sim = work_.Run("sim --cycles 2 --watch U4A0", "", "", folder);
+    EXPECT_THAT(sim.errors, HasSubstr("40 ms simulated")) << sim;  // the option counts
+    const Ran test = work_.Run("test --engine sim", "", "", folder);
+    EXPECT_THAT(test.out, HasSubstr("1 scenario passed")) << test;
+    const Ran report = work_.Run("report --cross-reference", "", "", folder);
+    EXPECT_THAT(report.out, HasSubstr("lathe.plc:1")) << report;
+  }
+  EXPECT_EQ(work_.Run("emit -q", "", "", "sub").code, 0);
+  EXPECT_TRUE(work_.Has("generated/saw.cpp"));
+  EXPECT_EQ(work_.Run("emit -q --depfile saw.d -o out --name other").code, 0);
+  EXPECT_TRUE(work_.Has("out/other.hpp"));
+  EXPECT_THAT(work_.Read("saw.d"), AllOf(HasSubstr("plcxx.yaml"), HasSubstr("lathe.plc")));
+}
+
+TEST_F(ProjectCommand, TheCommandLineComesFirst) {
+  EXPECT_THAT(work_.Run("sim --cycles 2 --set clo=10,2").errors, HasSubstr("20 ms simulated"));
+  work_.Write("other.plc", "$\nU4A5=I0A5\n");
+  EXPECT_THAT(work_.Run("check other.plc").errors, StartsWith("other: "));
+  const Ran both = work_.Run("check other.plc --project plcxx.yaml");
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.errors, HasSubstr("sources and a project are named: leave one of them out"));
+  // A file that --set names is looked for here, too.
+  work_.Write("sub/MESSAGES", "1#HERE\n");
+  EXPECT_EQ(work_.Run("check --set messages=MESSAGES", "", "", "sub").code, 0);
+}
+
+TEST_F(ProjectCommand, SaysWhatIsWrong) {
+  work_.Write("plcxx.yaml", "sorces: lathe.plc\n");
+  for (const std::string command :
+       {"check", "emit", "test", "prove", "report", "sim", "verify", "build", "print ir", "diff"}) {
+    const Ran ran = work_.Run(command);
+    EXPECT_EQ(ran.code, 2) << command << ran;
+    EXPECT_THAT(ran.errors, AllOf(StartsWith("plcxx.yaml:1:1: 'sorces' is no key of plcxx.yaml"),
+                                  HasSubstr("help: did you mean 'sources'")))
+        << command;
+  }
+  std::filesystem::remove(work_.Path("plcxx.yaml"));
+  const Ran none = work_.Run("check");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.errors, HasSubstr("no sources are named, and there is no plcxx.yaml here or above"));
+  EXPECT_THAT(work_.Run("check --project nowhere.yaml").errors, HasSubstr("nowhere.yaml: there is no such file"));
+}
+
+TEST_F(ProjectCommand, OneOfSeveralPrograms) {
+  std::filesystem::create_directories(work_.Path("mill"));
+  work_.Write("mill/m.plc", "$\nU4A1=I0A1\n");
+  work_.Write("mill/t.yaml", "steps:\n- set: {I0A1: 1}\n- run: {slow: 1}\n- expect: {U4A1: 1}\n");
+  work_.Write("plcxx.yaml",
+              "dialect: nc110\nprograms:\n- {name: saw, sources: lathe.plc, scenarios: s.yaml}\n"
+              "- {folder: mill, sources: '*.plc'}\n");
+  const Ran which = work_.Run("check");
+  EXPECT_EQ(which.code, 2);
+  EXPECT_THAT(which.errors, HasSubstr("which program? --program NAME takes one of them, --all every one: saw, mill"));
+  EXPECT_EQ(work_.Run("check --program saw").errors, "saw: no errors, no warnings\n");
+  EXPECT_EQ(work_.Run("check", "", "", "mill").errors, "m: no errors, no warnings\n");
+  EXPECT_THAT(work_.Run("check --all").errors, AllOf(HasSubstr("saw: "), HasSubstr("m: ")));
+  EXPECT_THAT(work_.Run("check --program sow").errors,
+              HasSubstr("there is no program 'sow' in plcxx.yaml, did you mean 'saw'"));
+  const Ran test = work_.Run("test --all --engine sim");
+  EXPECT_THAT(test.out,
+              AllOf(HasSubstr("passed  s.yaml"), HasSubstr("passed  mill/t.yaml"), HasSubstr("2 scenarios passed")))
+      << test;
+  work_.Write("s.yaml", "program: mill\nsteps:\n- run: {slow: 1}\n- expect: {U4A1: 0}\n");
+  EXPECT_EQ(work_.Run("test s.yaml --engine sim").code, 0);
+  work_.Write("s.yaml", "program: mil\nsteps: []\n");
+  EXPECT_THAT(work_.Run("test s.yaml --engine sim").errors,
+              HasSubstr("s.yaml:1:10: there is no program 'mil' in plcxx.yaml"));
+}
+
+TEST_F(ProjectCommand, ProvesWhatTheProjectNames) {
+  work_.Write("p.prop", "I0A0 implies U4A0\n");
+  work_.Write("props.yaml", "properties: [I0A1 implies U4A1]\n");
+  work_.Write("plcxx.yaml", "dialect: nc110\nsources: lathe.plc\nproperties: [p.prop, props.yaml]\n");
+  const Ran both = work_.Run("prove");
+  EXPECT_EQ(both.code, 0) << both;
+  EXPECT_THAT(both.out, HasSubstr("2 properties: 2 proved"));
+  EXPECT_THAT(work_.Run("prove --property p.prop").out, HasSubstr("1 property: 1 proved"));
+}
+
+TEST_F(ProjectCommand, EachRevisionHasItsOwn) {
+  const auto git = [&](const std::string& words) {
+    const std::string command =
+        "cd '" + work_.Path(".") + "' && git -c user.name=t -c user.email=t " + words + " >git.log 2>&1";
+    return std::system(command.c_str());
+  };
+  if (git("init -q") != 0) GTEST_SKIP() << "no git";
+  ASSERT_EQ(git("add ."), 0);
+  ASSERT_EQ(git("commit -q -m one"), 0);
+  // The file has another name since, and says it.
+  std::filesystem::rename(work_.Path("lathe.plc"), work_.Path("turning.plc"));
+  work_.Write("plcxx.yaml", "name: saw\ndialect: nc110\nsources: turning.plc\noptions: {clo: [20, 2]}\n");
+  for (const std::string words : {"diff", "diff HEAD..", "diff --git HEAD.."}) {
+    const Ran same = work_.Run(words);
+    EXPECT_EQ(same.code, 0) << words << same;
+    EXPECT_THAT(same.out, HasSubstr("HEAD -> the work tree: no difference")) << words;
+  }
+  work_.Write("turning.plc", "U4A0=I0A0*I0A2\n$\nU4A1=I0A1\n");
+  const Ran changed = work_.Run("diff HEAD..", "", "", "sub");
+  EXPECT_EQ(changed.code, 1) << changed;
+  EXPECT_THAT(changed.out, HasSubstr("U4A0  different"));
+  const Ran unknown = work_.Run("diff nothing..");
+  EXPECT_EQ(unknown.code, 2) << unknown;
+}
+
+TEST_F(ProjectCommand, AStrangersFileReadsNothingOutside) {
+  work_.Write("plcxx.yaml", "dialect: nc110\nsources: /etc/passwd\n");
+  const Ran check = work_.Run("check");
+  EXPECT_EQ(check.code, 2);
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("'/etc/passwd' is outside of the project"), Not(HasSubstr("root:"))));
+  work_.Write("plcxx.yaml", "dialect: nc110\nsources: lathe.plc\noptions: {messages: ../../../etc/passwd}\n");
+  EXPECT_THAT(work_.Run("test s.yaml").errors, AllOf(HasSubstr("is outside of the project"), Not(HasSubstr("root:"))));
+}
+
+TEST_F(ProjectCommand, PrintsItsSchema) {
+  const Ran schema = work_.Run("print schema");
+  EXPECT_EQ(schema.code, 0);
+  EXPECT_THAT(schema.out, HasSubstr("\"$schema\""));
+  EXPECT_THAT(schema.errors, IsEmpty());
+}
+
+}  // namespace
+}  // namespace plcxx::driver

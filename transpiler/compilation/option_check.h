@@ -1,0 +1,21 @@
+// One option of a dialect, looked at before anything is read: for files that name options, at the place where they do.
+#pragma once
+
+#include <string>
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/dialect.h"
+
+namespace plcxx::compilation {
+
+/// The name of an option in the dialect's own letters; as it is when the dialect has none such.
+std::string OptionName(const dialects::Dialect& dialect, const std::string& name);
+
+/// Reports an unknown name, or a value that the option does not take.
+void CheckOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
+                 diag::Engine& diagnostics);
+
+/// "trusted" or "checked", of the option kFactsOption; anything else is reported, and is trusted.
+ir::Facts ReadFacts(const std::string& value, diag::Engine& diagnostics);
+
+}  // namespace plcxx::compilation

@@ -1,0 +1,132 @@
+// plcxx init: a folder of files from a control becomes a project.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "transpiler/compilation/dialect_choice.h"
+#include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/project/project.h"
+#include "transpiler/project/proposal.h"
+#include "transpiler/support/columns.h"
+
+namespace plcxx::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kInitFooter = R"(Examples:
+  plcxx init                          the files in this folder, as they came from the control
+  plcxx init lathe --dialect nc110
+  plcxx init --pipeline gitlab
+
+Writes plcxx.yaml, .gitattributes, a first scenario and, where the folder's repository is at GitHub or GitLab, a
+pipeline; says what it decided and why. Files that exist are left as they are.
+Exit codes: 0 written, 1 no file is a source that plcxx knows, 2 wrong use, 3 a fault of plcxx.)";
+
+struct InitSettings {
+  std::string folder, dialect, pipeline = "auto";
+};
+
+void Say(const std::string& what, const std::string& text) {
+  constexpr size_t kWidth = 10;
+  std::cout << support::LeftAligned(what, kWidth) << diag::Escaped(text) << '\n';
+}
+
+void Show(const project::ProposedProgram& program) {
+  constexpr size_t kNameWidth = 18, kWhatWidth = 10;
+  Say("program", program.name + (program.folder.empty() ? "" : ", in " + program.folder));
+  Say("dialect", program.dialect + ": " + program.why_dialect);
+  for (const project::ProposedFile& file : program.files) {
+    Say("", support::LeftAligned(file.name, kNameWidth) + "  " + support::LeftAligned(file.what, kWhatWidth) +
+                (file.encoding.empty() ? "" : file.encoding + ", ") + file.reason);
+  }
+  if (!program.order.empty()) Say("order", program.order + "; the sources run in this order: look at it once");
+  Say("check", program.check);
+}
+
+/// Where the repository of the folder is: by files of a service, else by the address that git fetches from.
+std::string ServiceOf(const fs::path& folder) {
+  std::error_code error;
+  fs::path at = fs::weakly_canonical(folder, error);
+  for (;; at = at.parent_path()) {
+    if (fs::exists(at / ".gitlab-ci.yml", error)) return "gitlab";
+    if (fs::exists(at / ".github", error)) return "github";
+    if (project::IsVersioned(at.string()) || at == at.parent_path()) break;
+  }
+  std::ifstream file(at / ".git" / "config");
+  const std::string config{std::istreambuf_iterator<char>(file), {}};
+  if (config.find("github.com") != std::string::npos) return "github";
+  return config.find("gitlab") != std::string::npos ? "gitlab" : "";
+}
+
+int RunInit(const InitSettings& settings) {
+  std::error_code error;
+  const std::string folder = settings.folder;
+  if (!folder.empty() && !fs::is_directory(folder, error)) {
+    PrintUsageError("'" + folder + "' is no folder");
+    return kWrongUse;
+  }
+  if (!settings.dialect.empty() && dialects::DialectByName(settings.dialect) == nullptr) {
+    PrintUsageError("unknown dialect '" + settings.dialect + "': choose one of " + compilation::DialectNames());
+    return kWrongUse;
+  }
+  const std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
+  if (programs.empty()) {
+    PrintUsageError("no file in '" + (folder.empty() ? std::string(".") : folder) +
+                    "' is a source that plcxx knows; --dialect NAME says which language they are in");
+    return kProgramHasErrors;
+  }
+  for (const project::ProposedProgram& program : programs) Show(program);
+
+  std::vector<project::PipelineFile> files = {{std::string(project::kProjectFile), project::ProjectText(programs)},
+                                              {".gitattributes", project::AttributesText(programs)}};
+  for (const project::ProposedProgram& program : programs)
+    files.push_back({(fs::path(program.folder) / "power_on.yaml").generic_string(), project::ScenarioText()});
+  const std::string service = settings.pipeline == "auto" ? ServiceOf(folder) : settings.pipeline;
+  if (const auto pipeline = project::Pipeline(service, programs.size())) files.push_back(*pipeline);
+
+  std::string heading = "wrote";
+  for (const project::PipelineFile& file : files) {
+    const fs::path path = fs::path(folder) / file.path;
+    if (fs::exists(fs::symlink_status(path, error))) {
+      Say("left", path.generic_string() + ": it is there already");
+      continue;
+    }
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+    if (const auto failure = WriteAll({{}, {{path.string(), file.text}}, {}})) {
+      PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
+      return kWrongUse;
+    }
+    Say(heading, path.generic_string());
+    heading.clear();
+  }
+  if (service.empty() && settings.pipeline == "auto") Say("", "no pipeline: --pipeline github or gitlab writes one");
+  Say("next", programs.size() > 1 ? "plcxx check --all, plcxx test --all, plcxx emit --all"
+                                  : "plcxx check, plcxx test, plcxx emit");
+  return kDone;
+}
+
+}  // namespace
+
+void AddInit(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("init", "Make a project of a folder of files, as they came from the control");
+  const auto settings = std::make_shared<InitSettings>();
+  command->add_option("DIR", settings->folder, "The folder; else the current one")->type_name("");
+  command->add_option("--dialect", settings->dialect, "Language of the sources; else found out")->type_name("NAME");
+  command->add_option("--pipeline", settings->pipeline, "github, gitlab or none; else where the repository is")
+      ->type_name("SERVICE")
+      ->check(CLI::IsMember({"auto", "github", "gitlab", "none"}));
+  command->footer(kInitFooter);
+  command->callback([settings, &run] { run = [settings] { return RunInit(*settings); }; });
+}
+
+}  // namespace plcxx::driver

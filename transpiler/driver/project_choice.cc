@@ -1,0 +1,109 @@
+#include "transpiler/driver/project_choice.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/support/columns.h"
+#include "transpiler/support/near_words.h"
+
+namespace plcxx::driver {
+namespace {
+
+bool NamesProject(const CommonOptions& options) {
+  return !options.project.empty() || !options.program_names.empty() || options.all;
+}
+
+std::vector<std::string> NamesOf(const project::Project& project) {
+  std::vector<std::string> names;
+  for (const project::Program& program : project.programs) names.push_back(project::NameOf(program));
+  return names;
+}
+
+/// nullptr: reported.
+const project::Program* ProgramOf(const project::Project& project, const std::string& name) {
+  const project::Program* program = project::FindProgram(project, name);
+  if (program != nullptr) return program;
+  const std::vector<std::string> names = NamesOf(project);
+  const std::string near(support::NearestWord(name, std::vector<std::string_view>(names.begin(), names.end())));
+  PrintUsageError("there is no program '" + name + "' in " + project.path +
+                  (near.empty() ? "" : ", did you mean '" + near + "'") +
+                  "; there are: " + support::CommaSeparated(names));
+  return nullptr;
+}
+
+/// Those that have a folder of their own, with the current directory in it.
+std::vector<project::Program> ProgramsHere(const project::Project& project) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::weakly_canonical(".", error);
+  std::vector<project::Program> found;
+  for (const project::Program& program : project.programs) {
+    if (program.folder == project.folder) continue;
+    const std::filesystem::path folder =
+        std::filesystem::weakly_canonical(program.folder.empty() ? "." : program.folder, error);
+    if (std::mismatch(folder.begin(), folder.end(), here.begin(), here.end()).first == folder.end())
+      found.push_back(program);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& options) {
+  if (options.project.empty()) {
+    const std::optional<std::string> found = project::FindProject(".");
+    if (!found) {
+      PrintUsageError("no sources are named, and there is no " + std::string(project::kProjectFile) +
+                      " here or above; plcxx init makes one");
+      return std::nullopt;
+    }
+    options.project = *found;
+  }
+  project::ProjectOrErrors read = project::ReadProject(
+      options.project, options.allow_outside ? project::Reach::kAnywhere : project::Reach::kProject);
+  if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
+    for (const yaml::Error& error : *errors) std::cerr << ToText(error) << '\n';
+    return std::nullopt;
+  }
+  auto& project = std::get<project::Project>(read);
+  if (!options.program_names.empty()) {
+    std::vector<project::Program> chosen;
+    for (const std::string& name : options.program_names) {
+      const project::Program* program = ProgramOf(project, name);
+      if (program == nullptr) return std::nullopt;
+      chosen.push_back(*program);
+    }
+    return chosen;
+  }
+  if (options.all || project.programs.size() == 1) return std::move(project.programs);
+  std::vector<project::Program> here = ProgramsHere(project);
+  if (here.size() == 1) return here;
+  PrintUsageError("which program? --program NAME takes one of them, --all every one: " +
+                  support::CommaSeparated(NamesOf(project)));
+  return std::nullopt;
+}
+
+int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command) {
+  if (!options.sources.empty()) {
+    if (!NamesProject(options)) return command(options);
+    PrintUsageError("sources and a project are named: leave one of them out");
+    return kWrongUse;
+  }
+  CommonOptions own = options;
+  const std::optional<std::vector<project::Program>> programs = ChoosePrograms(own);
+  if (!programs) return kWrongUse;
+  int code = kDone;
+  for (const project::Program& program : *programs) {
+    own.program = program;
+    code = std::max(code, command(own));
+  }
+  return code;
+}
+
+}  // namespace plcxx::driver

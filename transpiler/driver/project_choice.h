@@ -1,0 +1,33 @@
+// Which programs a command is about: its sources, or programs of plcxx.yaml.
+//
+// In: the options that every command takes. Out: the command is run once for each program, with the program in its
+// options. Not its job: what the file means (transpiler/project).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "transpiler/driver/common_options.h"
+#include "transpiler/project/project.h"
+
+namespace plcxx::driver {
+
+/// The programs that --project, --program and --all choose; none when that cannot be, which is reported. Without them
+/// it is the only one, or the only one in whose folder the command runs.
+std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& options);
+
+/// Runs it with the sources of the command line, or for each program of the project; gives the greatest exit code.
+int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command);
+
+/// The same for the settings of a command, whose member `common` are these options.
+template <class Settings>
+int RunForPrograms(const Settings& settings, int (*run)(const Settings& settings)) {
+  return ForEachProgram(settings.common, [&](const CommonOptions& common) {
+    Settings own = settings;
+    own.common = common;
+    return run(own);
+  });
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,268 @@
+#include "transpiler/project/proposal.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "transpiler/compilation/compilation.h"
+#include "transpiler/compilation/source_loading.h"
+#include "transpiler/diagnostics/render.h"
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/support/counted.h"
+#include "transpiler/support/file_names.h"
+
+namespace plcxx::project {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxFiles = 500;                     // of a folder
+constexpr std::uintmax_t kMaxSourceBytes = 4u << 20;  // of a file that may be a source
+constexpr size_t kMaxSources = 100;
+constexpr size_t kMaxTrials = 130;  // compilations that look for an order
+
+/// Files of a control that an option names, by the beginning of their names.
+struct TableRow {
+  std::string_view dialect, begin, option;
+};
+constexpr TableRow kTables[] = {
+    {"nc110", "IOCFIL", "iocfil"},  {"nc110", "AXCFIL", "axcfil"},  {"nc110", "PGCFIL", "pgcfil"},
+    {"nc110", "RUMES", "messages"}, {"nc110", "FILMS", "messages"}, {"nc110", "MESSAGES", "messages"},
+    {"nc110", "LGCMNU", "menu"},    {"nc110", "HELP", "help"},
+};
+
+/// What people and tools put beside programs.
+constexpr std::string_view kNoSources[] = {".yaml", ".yml", ".md", ".txt", ".json", ".hpp", ".cpp",      ".html",
+                                           ".pdf",  ".zip", ".o",  ".a",   ".d",    ".py",  ".baseline", ".prop"};
+
+std::string UpperCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string LowerCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::vector<std::string> FilesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end && names.size() < kMaxFiles;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with('.') && at->is_regular_file(error)) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+class Finder {
+ public:
+  Finder(const fs::path& folder, std::string_view dialect) : folder_(folder), wish_(dialect) {}
+
+  /// None: no file is a source.
+  std::optional<ProposedProgram> Find() {
+    names_ = FilesIn(folder_);
+    ChooseDialect();
+    if (dialect_ == nullptr) return std::nullopt;
+    program_.dialect = dialect_->name;
+    for (const std::string& name : names_) Sort(name);
+    if (program_.sources.empty()) return std::nullopt;
+    DropIncluded();
+    ChooseOrder();
+    Describe();
+    return std::move(program_);
+  }
+
+ private:
+  const dialects::Dialect* DialectOfFile(const std::string& name) const {
+    std::error_code error;
+    if (fs::file_size(folder_ / name, error) > kMaxSourceBytes || error) return nullptr;
+    const std::string extension = LowerCase(fs::path(name).extension().string());
+    if (std::ranges::find(kNoSources, extension) != std::ranges::end(kNoSources)) return nullptr;
+    compilation::CompilationRequest request;
+    request.base_directory = folder_.string();
+    request.sources = {name};
+    return compilation::DialectOf(request);
+  }
+
+  void ChooseDialect() {
+    if (!wish_.empty()) {
+      dialect_ = dialects::DialectByName(wish_);
+      program_.why_dialect = "as asked for";
+    }
+    std::map<const dialects::Dialect*, size_t> counts;
+    for (const std::string& name : names_) {
+      const dialects::Dialect* dialect = DialectOfFile(name);
+      of_file_[name] = dialect;
+      if (dialect != nullptr) ++counts[dialect];
+    }
+    if (dialect_ != nullptr || counts.empty()) return;
+    size_t most = 0;
+    for (const dialects::Dialect* dialect : dialects::AllDialects()) {  // in a fixed order: pointers have none
+      if (counts[dialect] <= most) continue;
+      most = counts[dialect];
+      dialect_ = dialect;
+    }
+    program_.why_dialect = support::Counted(most, "file") + (most == 1 ? " reads" : " read") + " like it";
+  }
+
+  bool HasExtension(const std::string& name) const {
+    const std::string extension = LowerCase(fs::path(name).extension().string());
+    return std::ranges::find(dialect_->extensions, extension) != dialect_->extensions.end();
+  }
+
+  void Sort(const std::string& name) {
+    for (const TableRow& row : kTables) {
+      const bool known = row.dialect == dialect_->name && UpperCase(name).starts_with(row.begin) && !HasExtension(name);
+      const bool taken = std::ranges::any_of(program_.options, [&](const auto& o) { return o.first == row.option; });
+      if (!known || taken) continue;
+      program_.options.emplace_back(row.option, name);
+      program_.files.push_back({name, std::string(row.option), "", "by its name"});
+      return;
+    }
+    const bool by_extension = HasExtension(name);
+    const bool is_source = of_file_[name] == dialect_ || (by_extension && of_file_[name] == nullptr);
+    if (is_source && program_.sources.size() < kMaxSources) {
+      program_.sources.push_back(name);
+    } else {
+      program_.files.push_back({name, "left out", "", "no source of " + std::string(dialect_->name)});
+    }
+  }
+
+  compilation::CompilationRequest Request() const {
+    compilation::CompilationRequest request;
+    request.base_directory = folder_.string();
+    request.dialect = program_.dialect;
+    request.sources = program_.sources;
+    request.options = program_.options;
+    return request;
+  }
+
+  /// What others include is no source of its own.
+  void DropIncluded() {
+    std::set<std::string> included;
+    for (const std::string& source : std::vector<std::string>(program_.sources)) {
+      compilation::CompilationRequest request = Request();
+      request.sources = {source};
+      const compilation::Compilation alone = compilation::Compile(request, compilation::Stage::kLowered);
+      for (uint32_t i = 0; i < alone.sources->size(); ++i) {
+        const source::FileId id(i);
+        if (std::ranges::find(alone.files, id) == alone.files.end())
+          included.insert(fs::path(alone.sources->Get(id).path).lexically_proximate(folder_).generic_string());
+      }
+    }
+    std::erase_if(program_.sources, [&](const std::string& source) {
+      if (!included.contains(source) || program_.sources.size() == included.size()) return false;
+      program_.files.push_back({source, "left out", "", "a source includes it"});
+      return true;
+    });
+  }
+
+  size_t ErrorsOf(const std::vector<std::string>& sources) const {
+    compilation::CompilationRequest request = Request();
+    request.sources = sources;
+    return compilation::Compile(request, compilation::Stage::kLowered).diagnostics.error_count();
+  }
+
+  /// Names of signals in front, then by name; where that has errors, the order that has fewest.
+  void ChooseOrder() {
+    std::vector<std::string>& sources = program_.sources;
+    if (sources.size() < 2) return;
+    program_.order = "by name";
+    std::vector<std::string> best = sources;
+    size_t fewest = ErrorsOf(best), trials = 0;
+    const auto look_at = [&](const std::vector<std::string>& order) {
+      ++trials;
+      const size_t errors = ErrorsOf(order);
+      if (errors >= fewest) return;
+      fewest = errors;
+      best = order;
+      program_.order = "the one that has fewest errors";
+    };
+    // Each in front of all others: what the others need.
+    for (size_t again = 0; again < sources.size() && fewest > 0; ++again) {
+      const std::vector<std::string> from = best;
+      for (size_t i = 1; i < from.size() && fewest > 0 && trials < kMaxTrials; ++i) {
+        std::vector<std::string> order = from;
+        std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i),
+                    order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        look_at(order);
+      }
+      if (best == from) break;
+    }
+    constexpr size_t kMostPermuted = 4;
+    if (sources.size() <= kMostPermuted) {
+      std::vector<std::string> order = sources;
+      while (fewest > 0 && trials < kMaxTrials && std::ranges::next_permutation(order).found) look_at(order);
+    }
+    sources = best;
+  }
+
+  void Describe() {
+    const compilation::Compilation compilation = compilation::Compile(Request(), compilation::Stage::kChecked);
+    std::vector<ProposedFile> sources;
+    for (size_t i = 0; i < program_.sources.size(); ++i) {
+      ProposedFile file{program_.sources[i], "source", "", ""};
+      if (i < compilation.files.size()) {
+        const source::File& loaded = compilation.sources->Get(compilation.files[i]);
+        file.encoding = source::Name(loaded.encoding);
+      }
+      file.reason = HasExtension(file.name) ? "by its extension" : "reads like one";
+      sources.push_back(std::move(file));
+    }
+    std::set<std::string> loaded;
+    for (uint32_t i = 0; i < compilation.sources->size(); ++i)
+      loaded.insert(
+          fs::path(compilation.sources->Get(source::FileId(i)).path).lexically_proximate(folder_).generic_string());
+    for (ProposedFile& file : program_.files) {
+      if (file.what == "left out" && loaded.contains(file.name)) file.reason = "a source includes it";
+    }
+    program_.files.insert(program_.files.begin(), sources.begin(), sources.end());
+    const std::string counts = diag::CountsText(compilation.diagnostics);
+    program_.check = counts.empty() ? "no errors, no warnings" : counts;
+    program_.ok = compilation.ok();
+    program_.name = compilation.name;
+    const std::string folder = fs::weakly_canonical(folder_).filename().string();
+    if (program_.sources.size() > 1 && support::IsFileName(folder)) program_.name = folder;
+    if (!support::IsFileName(program_.name)) program_.name = "program";
+  }
+
+  fs::path folder_;
+  std::string wish_;
+  std::vector<std::string> names_;
+  std::map<std::string, const dialects::Dialect*> of_file_;
+  const dialects::Dialect* dialect_ = nullptr;
+  ProposedProgram program_;
+};
+
+}  // namespace
+
+std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect) {
+  const fs::path top = folder.empty() ? fs::path(".") : fs::path(folder);
+  if (std::optional<ProposedProgram> only = Finder(top, dialect).Find()) return {std::move(*only)};
+  std::vector<std::string> folders;
+  std::error_code error;
+  for (fs::directory_iterator at(top, error), end; !error && at != end && folders.size() < kMaxFiles;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with('.') && !at->is_symlink(error) && at->is_directory(error)) folders.push_back(name);
+  }
+  std::ranges::sort(folders);
+  std::vector<ProposedProgram> programs;
+  std::set<std::string> names;
+  for (const std::string& name : folders) {
+    std::optional<ProposedProgram> program = Finder(top / name, dialect).Find();
+    if (!program) continue;
+    program->folder = name;
+    if (support::IsFileName(name)) program->name = name;
+    if (names.insert(program->name).second) programs.push_back(std::move(*program));
+  }
+  return programs;
+}
+
+}  // namespace plcxx::project

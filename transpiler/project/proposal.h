@@ -1,0 +1,51 @@
+// What a folder of files, as they came from a control, holds: which are programs, in which language and encoding, and
+// which are tables that options name.
+//
+// In: a folder. Out: a proposal for plcxx.yaml with the reason of each decision, tried by compiling it. Nothing is
+// written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace plcxx::project {
+
+struct ProposedFile {
+  std::string name;      // relative to the folder
+  std::string what;      // "source", "messages", "left out"
+  std::string encoding;  // of sources: its name
+  std::string reason;
+};
+
+struct ProposedProgram {
+  std::string folder;  // relative to the whole; empty: the same
+  std::string name;
+  std::string dialect, why_dialect;
+  std::vector<std::string> sources;  // in their order
+  std::vector<std::pair<std::string, std::string>> options;
+  std::vector<ProposedFile> files;  // all that was found, with what was decided
+  std::string order;                // why the sources are in this order; empty: there is one
+  std::string check;                // "no errors, 3 warnings"
+  bool ok = false;                  // no errors
+};
+
+/// The programs of the folder itself, else one for each folder in it; empty: no file is a source that plcxx knows.
+std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect);
+
+/// The text of plcxx.yaml.
+std::string ProjectText(const std::vector<ProposedProgram>& programs);
+/// Which bytes git keeps as they are, and how it compares the sources.
+std::string AttributesText(const std::vector<ProposedProgram>& programs);
+/// A first scenario of a program.
+std::string ScenarioText();
+
+/// Of a pipeline: where its file is, and what it says.
+struct PipelineFile {
+  std::string path, text;
+};
+std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs);
+
+}  // namespace plcxx::project

@@ -1,0 +1,129 @@
+// The files of a proposal.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "transpiler/project/proposal.h"
+#include "transpiler/support/file_names.h"
+#include "transpiler/yaml/words.h"
+
+namespace plcxx::project {
+namespace {
+
+std::string Word(const std::string& text) { return yaml::YamlWord(text, "_-./"); }
+
+std::string List(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + Word(word);
+  return "[" + text + "]";
+}
+
+std::string Keys(const ProposedProgram& program, const std::string& indent) {
+  std::string text = "name: " + Word(program.name) + "\n";
+  if (!program.folder.empty()) text += indent + "folder: " + Word(program.folder) + "\n";
+  text += indent + "dialect: " + program.dialect + "\n";
+  text += indent + "sources: " + List(program.sources) + "\n";
+  std::string options;
+  for (const auto& [key, value] : program.options) options += (options.empty() ? "" : ", ") + key + ": " + Word(value);
+  if (!options.empty()) text += indent + "options: {" + options + "}\n";
+  return text;
+}
+
+// A merge request shows what changes, and nothing is merged whose scenarios fail. The package of plcxx is a file of the
+// repository here: write down where yours is.
+constexpr const char* kGitHub = R"(name: plc
+on:
+  push:
+  pull_request:
+permissions: {contents: read}
+jobs:
+  plc:
+    runs-on: ubuntu-latest
+    container: debian:bookworm
+    steps:
+    - run: apt-get update && apt-get install -y git g++
+    - uses: actions/checkout@v4
+      with: {fetch-depth: 0}
+    - run: apt-get install -y ./ci/plcxx.deb    # where the package of plcxx is
+    - run: plcxx check@ALL@
+    - run: plcxx test@ALL@ --junit results.xml
+    - if: github.event_name == 'pull_request'
+      env: {BASE: "${{ github.base_ref }}"}
+      run: |
+        git config --global --add safe.directory "$PWD"
+        plcxx diff "origin/$BASE.."@ALL@ --format markdown >> "$GITHUB_STEP_SUMMARY" || test $? = 1
+)";
+
+constexpr const char* kGitLab = R"(plc:
+  image: debian:bookworm
+  variables: {GIT_DEPTH: "0"}
+  before_script:
+  - apt-get update && apt-get install -y git g++ ./ci/plcxx.deb    # where the package of plcxx is
+  script:
+  - plcxx check@ALL@
+  - plcxx test@ALL@ --junit results.xml
+  - |
+    if [ -n "$CI_MERGE_REQUEST_DIFF_BASE_SHA" ]; then
+      plcxx diff "$CI_MERGE_REQUEST_DIFF_BASE_SHA.."@ALL@ --format markdown > changes.md || test $? = 1
+    fi
+  artifacts:
+    when: always
+    paths: [changes.md]
+    reports: {junit: results.xml}
+)";
+
+std::string Filled(std::string text, const std::string& all) {
+  constexpr std::string_view kPlace = "@ALL@";
+  for (size_t at; (at = text.find(kPlace)) != std::string::npos;) text.replace(at, kPlace.size(), all);
+  return text;
+}
+
+}  // namespace
+
+std::string ProjectText(const std::vector<ProposedProgram>& programs) {
+  std::string text = "# What the program is made of, for every command of plcxx. Keys: plcxx print schema\n";
+  if (programs.size() == 1) return text + Keys(programs.front(), "");
+  text += "programs:\n";
+  for (const ProposedProgram& program : programs) text += "- " + Keys(program, "  ");
+  return text;
+}
+
+std::string AttributesText(const std::vector<ProposedProgram>& programs) {
+  std::string text =
+      "# The bytes of the control's files are kept: line ends and code pages are part of them. What changed in what "
+      "the\n"
+      "# program does: git config diff.plc.command \"plcxx diff --git-external\"\n";
+  std::set<std::string> sources, others;
+  for (const ProposedProgram& program : programs) {
+    for (const std::string& source : program.sources) {
+      const std::string extension = std::filesystem::path(source).extension().string();
+      sources.insert(support::IsFileName("x" + extension) && !extension.empty() ? "*" + extension : source);
+    }
+    for (const auto& [key, value] : program.options) others.insert(value);
+  }
+  const auto line = [](const std::string& pattern, const char* attributes) {
+    const bool plain = pattern.find_first_of(" \t\"\\#!") == std::string::npos;
+    return plain ? pattern + " " + attributes + "\n" : "";
+  };
+  for (const std::string& pattern : sources) text += line(pattern, "-text diff=plc");
+  for (const std::string& pattern : others) text += line(pattern, "-text");
+  return text;
+}
+
+std::string ScenarioText() {
+  return "# From power-on with nothing connected. Set inputs, run, and write down what has to come out:\n"
+         "# - set: {INPUT: 1}\n"
+         "# - run: {ms: 500}\n"
+         "# - expect: {OUTPUT: 1}\n"
+         "steps:\n"
+         "- run: {slow: 2}\n";
+}
+
+std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs) {
+  const std::string all = programs > 1 ? " --all" : "";
+  if (service == "github") return PipelineFile{".github/workflows/plcxx.yml", Filled(kGitHub, all)};
+  if (service == "gitlab") return PipelineFile{".gitlab-ci.yml", Filled(kGitLab, all)};
+  return std::nullopt;
+}
+
+}  // namespace plcxx::project

@@ -1,0 +1,110 @@
+#include "transpiler/yaml/document.h"
+
+#include <yaml-cpp/eventhandler.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+namespace plcxx::yaml {
+namespace {
+
+/// Where the documents of a stream begin. The parser gives documents without end for some texts, such as ",", as it
+/// does not move on at what begins none; so nobody asks it for more than two.
+struct Documents : YAML::EventHandler {
+  std::optional<Place> first, second;
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    (first ? second : first) = {static_cast<uint32_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+Documents FirstDocuments(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Documents documents;
+  if (parser.HandleNextDocument(documents)) parser.HandleNextDocument(documents);
+  return documents;
+}
+
+/// Why a text does not end where its first document does; JSON's habit of a last comma is told as what it is.
+std::string WhyNotTwo(const std::string& text, Place second) {
+  std::istringstream lines(text);
+  std::string line;
+  for (uint32_t i = 0; i < second.line; ++i) std::getline(lines, line);
+  const size_t at = line.find_first_not_of(" \t", second.column - 1);
+  if (at != std::string::npos && std::string_view(",]}").find(line[at]) != std::string_view::npos) {
+    return std::string("not YAML: '") + line[at] + "' belongs to no list and no map: delete it";
+  }
+  return "the file holds more than one YAML document";
+}
+
+/// Names of locations with signs that YAML takes for its own: Y[0], %I0, !LAMP. Behind its message, or nothing.
+std::string QuotesMissing(const std::string& text, uint32_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (uint32_t i = 0; i < number; ++i) std::getline(lines, line);
+  if (const size_t tab = line.find_first_not_of(' '); tab != std::string::npos && line[tab] == '\t') {
+    return "; indent with blanks, not with tabs";
+  }
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  bool quoted = false;
+  for (size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '"' || line[at] == '\'') quoted = !quoted;
+    if (quoted || line[at] == '#') continue;
+    const bool begins = at > 0 && std::string_view(" {[,").find(line[at - 1]) != std::string_view::npos;
+    const bool sign = begins && (line[at] == '%' || line[at] == '@' || line[at] == '!');
+    const bool bracket = at > 0 && line[at] == '[' && is_word(line[at - 1]);
+    if (!sign && !bracket) continue;
+    size_t first = at, last = at;
+    while (bracket && first > 0 && is_word(line[first - 1])) --first;
+    while (last + 1 < line.size() && (is_word(line[last + 1]) || line[last + 1] == ']' || line[last + 1] == '.'))
+      ++last;
+    return "; write names with such signs in quotes: \"" + line.substr(first, last + 1 - first) + "\"";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::variant<YAML::Node, Fault> Load(const std::string& text) {
+  try {
+    const Documents documents = FirstDocuments(text);
+    if (documents.second) return Fault{*documents.second, WhyNotTwo(text, *documents.second)};
+    return YAML::Load(text);
+  } catch (const YAML::Exception& fault) {
+    const bool placed = !fault.mark.is_null();
+    const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
+    const auto column = static_cast<uint32_t>(placed ? fault.mark.column + 1 : 0);
+    return Fault{{line, column}, "not YAML: " + fault.msg + QuotesMissing(text, line)};
+  }
+}
+
+std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, std::string_view what) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return Fault{{}, "there is no such file"};
+  if (!std::filesystem::is_regular_file(status)) return Fault{{}, "not a file"};
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (!error && bytes > most) {
+    constexpr int kMega = 20;  // bits
+    return Fault{{}, "the file is larger than " + std::to_string(most >> kMega) + " MB: not a " + std::string(what)};
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return Fault{{}, "the file cannot be read"};
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+}  // namespace plcxx::yaml
