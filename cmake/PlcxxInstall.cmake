@@ -18,6 +18,23 @@ install(FILES ${PLCXX_GUIDE} DESTINATION share/doc/plcxx)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples ${PROJECT_SOURCE_DIR}/docs DESTINATION share/doc/plcxx
         PATTERN generated EXCLUDE)
 
+# Completion and manual pages are made by the tool itself, from the tables of its options.
+if(NOT CMAKE_CROSSCOMPILING)
+  install(CODE "
+    set(SHARE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share\")
+    set(TOOL \"$<TARGET_FILE:plcxx>\")
+    file(MAKE_DIRECTORY \${SHARE}/bash-completion/completions \${SHARE}/zsh/site-functions
+         \${SHARE}/fish/vendor_completions.d \${SHARE}/man/man1)
+    execute_process(COMMAND \${TOOL} completion bash OUTPUT_FILE \${SHARE}/bash-completion/completions/plcxx
+                    COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND \${TOOL} completion zsh OUTPUT_FILE \${SHARE}/zsh/site-functions/_plcxx
+                    COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND \${TOOL} completion fish OUTPUT_FILE \${SHARE}/fish/vendor_completions.d/plcxx.fish
+                    COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND \${TOOL} manual -o \${SHARE}/man/man1 COMMAND_ERROR_IS_FATAL ANY)
+  ")
+endif()
+
 # Paths in the package's file are relative to the prefix that the file stands in.
 foreach(PLACE installed built)
   if(PLACE STREQUAL "installed")

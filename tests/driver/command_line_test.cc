@@ -67,7 +67,6 @@ TEST(CommandLine, WrongUseIsTwo) {
                                       "emit ok.plc --name ''  --name a/b",
                                       "print nothing ok.plc",
                                       "print ir",
-                                      "explain",
                                       "explain nc110-9999",
                                       "check ok.plc ok.plc",
                                       "check ok.plc ./ok.plc"}) {

@@ -68,13 +68,25 @@ TEST(Explain, UnknownCodeNamesNearOnes) {
   EXPECT_THAT(far.errors, HasSubstr("--list"));
 }
 
-TEST(Explain, List) {
+TEST(Explain, ListAndWithoutACode) {
   const Workplace work;
   const Ran ran = work.Run("explain --list");
+  EXPECT_EQ(work.Run("explain").out, ran.out);
   EXPECT_EQ(ran.code, 0);
   EXPECT_THAT(ran.out, HasSubstr("nc110-41 "));
   EXPECT_THAT(ran.out, HasSubstr("nc110-W356"));
   EXPECT_THAT(ran.out, HasSubstr("plcxx-8"));
+}
+
+TEST(Explain, WordsAreLookedForInThePages) {
+  const Workplace work;
+  const Ran coil = work.Run("explain DOUBLE coil");
+  EXPECT_EQ(coil.code, 0);
+  EXPECT_THAT(coil.out, HasSubstr("nc110-W356"));
+  EXPECT_THAT(coil.out, Not(HasSubstr("nc110-41 ")));
+  const Ran none = work.Run("explain double nonsensical");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.errors, HasSubstr("no page speaks of all these words"));
 }
 
 }  // namespace

@@ -1,28 +1,14 @@
 #include "transpiler/driver/command_word.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
-#include <utility>
+
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr size_t kLongestWord = 40;  // of what may be a command written wrongly
-
-/// How many letters have to be changed, put in or left out to make `b` of `a`.
-size_t Distance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t{0});
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = std::exchange(row[0], i);
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({changed, row[j] + 1, row[j - 1] + 1}));
-    }
-  }
-  return row[b.size()];
-}
 
 }  // namespace
 
@@ -39,13 +25,29 @@ std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words) {
   size_t distance = kFar;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (command->get_name() == word) return {};
-    const size_t found = Distance(word.substr(0, kLongestWord), command->get_name());
+    const size_t found = support::EditDistance(word.substr(0, kLongestWord), command->get_name());
     if (found < distance) {
       distance = found;
       nearest = command->get_name();
     }
   }
   return "unknown command '" + word + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+std::string DidYouMeanOption(const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || name.size() > kLongestWord || std::ranges::find(names, name) != names.end())
+      continue;
+    const std::string_view near = support::NearestWord(name, views);
+    return near.empty() ? std::string() : ", did you mean '" + std::string(near) + "'";
+  }
+  return {};
 }
 
 }  // namespace plcxx::driver

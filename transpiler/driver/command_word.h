@@ -10,4 +10,7 @@ namespace plcxx::driver {
 /// "help" and "help COMMAND" become --help. Gives what is wrong with the first word; empty: nothing.
 std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words);
 
+/// ", did you mean '--dialect'" for the first of the words that is no option of the command; empty where none is near.
+std::string DidYouMeanOption(const CLI::App& command, const std::vector<std::string>& words);
+
 }  // namespace plcxx::driver

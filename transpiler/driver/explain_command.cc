@@ -23,7 +23,8 @@ namespace {
 constexpr const char* kExplainFooter = R"(Examples:
   plcxx explain nc110-41
   plcxx explain W356          without the dialect where it is clear
-  plcxx explain --list
+  plcxx explain                     all codes with their headings; --list as well
+  plcxx explain double coil         the codes whose pages speak of these words
 
 Exit codes: 0 shown, 2 no such code.)";
 
@@ -31,7 +32,7 @@ constexpr size_t kMostNearNames = 5;
 constexpr size_t kNear = 2;  // edits
 
 struct ExplainSettings {
-  std::string code;
+  std::vector<std::string> words;
   bool list = false;
 };
 
@@ -69,49 +70,69 @@ std::vector<std::string_view> NearCodes(std::string_view asked) {
   return codes;
 }
 
-/// "nc110-41   error    wrong block name ...": the heading of each page, in the catalogue's order.
-void PrintList() {
+/// The heading of a code's page, without the code.
+std::string_view HeadingOf(const diag::Row& row) {
+  const std::optional<std::string_view> page = diag::Explain(row.code);
+  std::string_view heading = page ? page->substr(0, page->find('\n')) : row.text;
+  if (const size_t colon = heading.find(": "); page && colon != std::string_view::npos)
+    heading.remove_prefix(colon + 2);
+  return heading;
+}
+
+/// Do the page and the message speak of all the words?
+bool SpeaksOf(const diag::Row& row, const std::vector<std::string>& words) {
+  const std::string text = LowerCase(std::string(row.code) + " " + std::string(diag::Explain(row.code).value_or("")) +
+                                     " " + std::string(row.text) + " " + std::string(row.remedy));
+  return std::ranges::all_of(words,
+                             [&](const std::string& word) { return text.find(LowerCase(word)) != std::string::npos; });
+}
+
+/// "nc110-41   error    wrong block name ...": the heading of each page, in the catalogue's order. Gives their number.
+size_t PrintList(const std::vector<std::string>& words) {
   std::string_view last;
+  size_t count = 0;
   for (const diag::Row& row : diag::Catalogue()) {
-    if (row.code == last) continue;
+    if (row.code == last || !SpeaksOf(row, words)) continue;
     last = row.code;
-    const std::optional<std::string_view> page = diag::Explain(row.code);
-    std::string_view heading = page ? page->substr(0, page->find('\n')) : row.text;
-    if (const size_t colon = heading.find(": "); page && colon != std::string_view::npos)
-      heading.remove_prefix(colon + 2);
+    ++count;
     std::cout << row.code << std::string(row.code.size() < 14 ? 14 - row.code.size() : 1, ' ') << std::left
-              << std::setw(9) << diag::SeverityName(row.severity) << heading << '\n';
+              << std::setw(9) << diag::SeverityName(row.severity) << HeadingOf(row) << '\n';
   }
+  return count;
 }
 
 int RunExplain(const ExplainSettings& settings) {
-  if (settings.list) {
-    PrintList();
+  if (settings.list || settings.words.empty()) {
+    PrintList(settings.words);
     return kDone;
   }
-  if (settings.code.empty()) {
-    PrintUsageError("which code? write plcxx explain CODE, or plcxx explain --list");
-    return kWrongUse;
-  }
-  std::optional<std::string_view> page = diag::Explain(settings.code);
-  if (!page) {
-    const std::vector<std::string_view> named = CodesNamed(settings.code);
-    if (named.size() > 1) {
-      PrintUsageError("'" + settings.code + "' is a code of several dialects: " + support::CommaSeparated(named));
+  const std::string& code = settings.words.front();
+  std::optional<std::string_view> page;
+  std::vector<std::string_view> near;
+  if (settings.words.size() == 1) {
+    page = diag::Explain(code);
+    const std::vector<std::string_view> named = CodesNamed(code);
+    if (!page && named.size() > 1) {
+      PrintUsageError("'" + code + "' is a code of several dialects: " + support::CommaSeparated(named));
       return kWrongUse;
     }
-    if (named.size() == 1) page = diag::Explain(named.front());
+    if (!page && named.size() == 1) page = diag::Explain(named.front());
+    near = NearCodes(code);
   }
-  if (!page) {
-    const std::vector<std::string_view> near = NearCodes(settings.code);
-    PrintUsageError(
-        "unknown code '" + settings.code + "'" +
-        (near.empty() ? "; plcxx explain --list shows all" : ", did you mean " + support::CommaSeparated(near)));
+  if (page) {
+    std::cout << *page;
+    if (!page->ends_with('\n')) std::cout << '\n';
+    return kDone;
+  }
+  if (near.empty() && PrintList(settings.words) > 0) return kDone;
+  if (settings.words.size() > 1) {
+    PrintUsageError("no page speaks of all these words; plcxx explain shows all");
     return kWrongUse;
   }
-  std::cout << *page;
-  if (!page->ends_with('\n')) std::cout << '\n';
-  return kDone;
+  PrintUsageError("unknown code '" + code + "'" +
+                  (near.empty() ? ", and no page speaks of it; plcxx explain --list shows all"
+                                : ", did you mean " + support::CommaSeparated(near)));
+  return kWrongUse;
 }
 
 }  // namespace
@@ -119,7 +140,8 @@ int RunExplain(const ExplainSettings& settings) {
 void AddExplain(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("explain", "What a message means and what to do");
   const auto settings = std::make_shared<ExplainSettings>();
-  command->add_option("CODE", settings->code, "A code such as nc110-41")->type_name("");
+  command->add_option("CODE", settings->words, "A code such as nc110-41, or words to look for in the pages")
+      ->type_name("");
   command->add_flag("--list", settings->list, "All codes");
   command->footer(kExplainFooter);
   command->callback([settings, &run] { run = [settings] { return RunExplain(*settings); }; });

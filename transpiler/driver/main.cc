@@ -66,6 +66,8 @@ int Main(int argc, char** argv) {
   AddDiff(app, run);
   AddProve(app, run);
   AddInit(app, run);
+  AddCompletion(app, run);
+  AddManual(app, run);
   AddLsp(app, run);
   AddMcp(app, run);
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -75,6 +77,7 @@ int Main(int argc, char** argv) {
     std::cerr << "plcxx --help tells how it is used\n";
     return kWrongUse;
   }
+  const std::vector<std::string> words_given = words;
   std::ranges::reverse(words);  // as the parser takes them
   try {
     app.parse(std::move(words));
@@ -83,8 +86,8 @@ int Main(int argc, char** argv) {
       app.exit(error);  // --help and --version
       return Written(kDone);
     }
-    PrintUsageError(error.what());
     const std::vector<CLI::App*> chosen = app.get_subcommands();
+    PrintUsageError(error.what() + (chosen.empty() ? std::string() : DidYouMeanOption(*chosen.front(), words_given)));
     std::cerr << "plcxx " << (chosen.empty() ? "" : chosen.front()->get_name() + " ")
               << "--help tells how it is used\n";
     return kWrongUse;

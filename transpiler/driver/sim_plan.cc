@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "transpiler/scenarios/control.h"
+#include "transpiler/scenarios/near_location.h"
 #include "transpiler/scenarios/plan.h"
 
 namespace plcxx::driver {
@@ -71,7 +72,9 @@ bool Planner::TakeDuration(std::string_view option, std::string_view text, uint6
 
 bool Planner::TakeLocation(std::string_view text, dialects::Location& location) {
   const std::optional<dialects::Location> found = compilation_.dialect->locate(compilation_.program, text);
-  if (!found) return Fail(Quoted(text) + " is no location of " + std::string(compilation_.dialect->name));
+  if (!found)
+    return Fail(Quoted(text) + " is no location of " + std::string(compilation_.dialect->name) +
+                scenarios::DidYouMeanLocation(*compilation_.dialect, compilation_.program, text));
   location = *found;
   return true;
 }

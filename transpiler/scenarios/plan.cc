@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "transpiler/scenarios/control.h"
+#include "transpiler/scenarios/near_location.h"
 #include "transpiler/sim/value_text.h"
 #include "transpiler/support/columns.h"
 
@@ -121,7 +122,8 @@ class ScenarioPlanner {
   std::optional<dialects::Location> Locate(const MarkedText& written, Use use) {
     const std::optional<dialects::Location> location = dialect_.locate(program_, written.text);
     if (!location) {
-      Fail(written.mark, "'" + written.text + "' is no location of dialect " + std::string(dialect_.name));
+      Fail(written.mark, "'" + written.text + "' is no location of dialect " + std::string(dialect_.name) +
+                             DidYouMeanLocation(dialect_, program_, written.text));
     } else if (location->text_input && use != Use::kSet) {
       Fail(written.mark, "'" + written.text + "' can only be set: it sends a text");
       return std::nullopt;

@@ -1,0 +1,15 @@
+// What a misspelt location may have been meant to be.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/ir/program.h"
+
+namespace plcxx::scenarios {
+
+/// ", did you mean 'U4A8'", of the names and addresses that the program uses; empty where none is near.
+std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text);
+
+}  // namespace plcxx::scenarios
