@@ -70,8 +70,16 @@ class Objects:
         return sorted(name for name, when in self.times.items() if before.get(name) != when)
 
 
+def expect_shell_files(prefix):
+    for place in ("man/man1/plcxx.1", "man/man1/plcxx-check.1", "bash-completion/completions/plcxx",
+                  "zsh/site-functions/_plcxx", "fish/vendor_completions.d/plcxx.fish"):
+        file = prefix / "share" / place
+        expect(f"share/{place} is installed", file.is_file() and "plcxx" in file.read_text())
+
+
 def installed(build, work):
     prefix = install(build, work)
+    expect_shell_files(prefix)
     project = work / "project"
     shutil.copytree(EXAMPLE, project)
     binary = work / "binary"
@@ -141,6 +149,7 @@ def debian_package(build, work):
             expect(f"it recommends what the module {module} needs, and does not depend on it",
                    re.search(pattern, field["Recommends"]) and not re.search(pattern, field["Depends"]))
     run("dpkg-deb", "-x", packages[0], work / "root")
+    expect_shell_files(work / "root" / "usr")
     tool = work / "root" / "usr" / "bin" / "plcxx"
     expect("the tool runs from it", run(tool, "--version").startswith("plcxx "))
     if (build / "lib" / "plcxx_hnc_parser.so").exists():
