@@ -39,6 +39,12 @@ def of(case):
     yield ["sim", *base, "--for", "200ms", "--time-limit", "5"], True, 20
     yield ["test", case.scenario.name, "--engine", "sim"], True, 60
     yield ["diff", case.scenario.name, case.scenario.name, "--time", "2s"], True, 60
+    # The case's plcxx.yaml, mutated like its other files; else the one that init makes.
+    yield ["init", "--pipeline", "github"], True, 60
+    yield ["check"], True, 20
+    yield ["check", "--write-baseline", "--baseline", "accepted"], True, 20
+    yield ["check", "--baseline", "accepted"], True, 20
+    yield ["test", "--engine", "sim", "--time-limit", "5"], True, 60
 
 
 def dear(case):
