@@ -112,6 +112,7 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
           "s.yaml:2:3: 'wait' is no step; there are: set, run, expect, force, release, expect_calls, expect_messages, "
           "power_cycle",
           "s.yaml:3:18: 'hours' is no key of 'run'; there are: slow, fast, ms, s"));
+  EXPECT_THAT(Errors("steps:\n- exepct: {A: 1}\n"), ElementsAre(testing::HasSubstr("did you mean 'expect'")));
   EXPECT_THAT(Errors("expect_error: {lines: 7}"),
               ElementsAre("s.yaml:1:16: 'lines' is no key of 'expect_error'; there are: line, contains, file\n"
                           "  help: did you mean 'line'"));

@@ -47,8 +47,7 @@ std::vector<project::Program> ProgramsHere(const project::Project& project) {
     if (program.folder == project.folder) continue;
     const std::filesystem::path folder =
         std::filesystem::weakly_canonical(program.folder.empty() ? "." : program.folder, error);
-    if (std::mismatch(folder.begin(), folder.end(), here.begin(), here.end()).first == folder.end())
-      found.push_back(program);
+    if (project::IsBelow(here, folder)) found.push_back(program);
   }
   return found;
 }

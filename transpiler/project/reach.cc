@@ -10,10 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsBelow(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
 fs::path ProjectOf(const fs::path& folder) {
   for (fs::path at = folder;; at = at.parent_path()) {
     if (IsVersioned(at.string())) return at;
@@ -25,6 +21,10 @@ fs::path ProjectOf(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool IsBelow(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
 
 bool IsVersioned(const std::string& folder) {
   std::error_code error;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,9 @@ enum class Reach : uint8_t { kProject, kAnywhere };
 
 /// Whether a version control system manages this very folder.
 bool IsVersioned(const std::string& folder);
+
+/// Is a path the folder or in it? Both without symbolic links, "." and "..".
+bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// `named` is a path in `file`, relative to its folder. None when it is inside of the project of `file`, symbolic links
 /// followed; else the project's folder.

@@ -1,7 +1,7 @@
 #include "transpiler/scenarios/project_program.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <variant>
@@ -14,10 +14,6 @@ namespace fs = std::filesystem;
 fs::path Canonical(const std::string& folder) {
   std::error_code error;
   return fs::weakly_canonical(folder.empty() ? "." : folder, error);
-}
-
-bool IsBelow(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
 std::string NamesOf(const project::Project& project) {
@@ -35,7 +31,7 @@ const project::Program* NearestProgram(const project::Project& project, const st
   size_t deepest = 0;
   for (const project::Program& program : project.programs) {
     const fs::path folder = Canonical(program.folder);
-    if (!IsBelow(place, folder)) continue;
+    if (!project::IsBelow(place, folder)) continue;
     const auto depth = static_cast<size_t>(std::distance(folder.begin(), folder.end()));
     if (depth > deepest || nearest == nullptr) {
       nearest = &program;

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "transpiler/scenarios/reader.h"
+#include "transpiler/support/columns.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::scenarios {
 
@@ -51,9 +53,11 @@ std::optional<StepAction> ScenarioReader::ReadAction(const YamlEntry& entry) {
     }
     return PowerCycleStep{};
   }
-  Fail(entry.key.mark, "'" + key +
-                           "' is no step; there are: set, run, expect, force, release, expect_calls, expect_messages, "
-                           "power_cycle");
+  constexpr std::string_view kSteps[] = {"set",     "run",          "expect",          "force",
+                                         "release", "expect_calls", "expect_messages", "power_cycle"};
+  const std::string_view near = support::NearestWord(key, kSteps);
+  Fail(entry.key.mark, "'" + key + "' is no step; there are: " + support::CommaSeparated(kSteps),
+       near.empty() ? "" : "did you mean '" + std::string(near) + "'");
   return std::nullopt;
 }
 
