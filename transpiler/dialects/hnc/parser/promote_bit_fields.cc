@@ -93,12 +93,14 @@ TypeId Converter::CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, cons
   // An int that was converted for the other one's sake.
   const auto before = [&](ExprId id, const clang::Expr* of) {
     const Expr& operand = unit_.expressions[id];
-    if (operand.kind != ExprKind::kConvert || !operand.is_implicit) return ExprId();
-    const ExprId inner = operand.a;
-    if (unit_.expressions[inner].type == int_type) return inner;
-    // Of a char or a short Clang has the promotion and the conversion in one cast.
+    const bool is_made = operand.kind == ExprKind::kConvert && operand.is_implicit;
+    if (is_made && unit_.expressions[operand.a].type == int_type) return operand.a;
+    // Of a char, a short or another bit-field Clang has the promotion and the conversion in one cast; of a bit-field it
+    // changes no type.
     const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(of);
-    return cast != nullptr && BecomesInt(cast->getSubExpr()) ? InType(inner, int_type) : ExprId();
+    if (cast == nullptr || cast->getCastKind() != clang::CK_IntegralCast || !BecomesInt(cast->getSubExpr()))
+      return ExprId();
+    return InType(is_made ? operand.a : id, int_type);
   };
   if (!a_is_promoted || !b_is_promoted) {
     ExprId& other = a_is_promoted ? b : a;
