@@ -17,6 +17,7 @@
 namespace plcxx::driver {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -121,6 +122,30 @@ TEST(Build, TheSameAgainWritesNothing) {
     const std::string name = std::filesystem::relative(path, work.Path("out")).string();
     EXPECT_EQ(work.Read("out/" + name), work.Read("elsewhere/deeper/" + name)) << name;
   }
+}
+
+TEST(Build, NamesTheProgramInItsObjects) {
+  const Workplace work;
+  work.Write("door.plc", "$\nU4A0=I0A0\n");
+  work.Write("other.plc", "$\nU4A0=I0A1\n");
+  for (const std::string target : {"host", "cortex-m4f", "rv32imac"}) {
+    if (!IsInstalled(target)) continue;
+    ASSERT_EQ(RunIn(work, ".", "build door.plc -q --target " + target + " -o out").code, 0) << target;
+    const Ran same = RunIn(work, ".", "identify out/libdoor.a door.plc");
+    EXPECT_EQ(same.code, 0) << target;
+    EXPECT_THAT(same.errors, AllOf(HasSubstr("door\n"), HasSubstr("as here"), Not(HasSubstr("other")))) << target;
+  }
+  const Ran other = RunIn(work, ".", "identify out/libdoor.a other.plc --format json");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.errors, AllOf(HasSubstr("\"sameSources\": false"), HasSubstr("\"sameOptions\": true")));
+  const Ran options = RunIn(work, ".", "identify out/libdoor.a door.plc --set clo=20,4");
+  EXPECT_EQ(options.code, 1);
+  EXPECT_THAT(options.errors, HasSubstr("other options than here"));
+  ASSERT_EQ(RunIn(work, ".", "build door.plc -q --target host --no-identity -o bare").code, 0);
+  const Ran none = RunIn(work, ".", "identify bare/libdoor.a");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.errors, HasSubstr("--no-identity"));
+  EXPECT_EQ(work.Read("out/door.cpp"), work.Read("bare/door.cpp"));
 }
 
 /// A compiler that counts its calls for objects.

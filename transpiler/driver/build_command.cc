@@ -21,6 +21,7 @@
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/identity_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -82,6 +83,7 @@ struct BuildSettings {
   std::string clock;
   measure::BuildLimits limits;
   bool no_audit = false;
+  bool no_identity = false;
   bool debug = false;
   bool quiet = false;
 };
@@ -134,6 +136,9 @@ class Build {
         {.name = compilation_.name, .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease});
     files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
     files_.push_back({compilation_.name + ".map.json", emit::print::PrintMap(emittable, *compilation_.sources)});
+    // Only what is compiled has it: files that are written say nothing of plcxx's version.
+    std::vector<emit::OutputFile> sources = files_;
+    if (!settings_.no_identity) AddIdentity(IdentityOf(compilation_, files_), compilation_.name, sources);
     const compile::TemporaryDirectory directory;
     if (!directory.valid()) {
       ReportCannotWrite({"a temporary directory", "it cannot be made"}, compilation_);
@@ -144,7 +149,7 @@ class Build {
                                              .name = compilation_.name,
                                              .level = settings_.level,
                                              .jobs = Jobs(),
-                                             .files = &files_,
+                                             .files = &sources,
                                              .directory = directory.path(),
                                              .previous = settings_.output.directory,
                                              .progress = [this](std::string_view text) { progress_.Show(text); }});
@@ -339,6 +344,10 @@ void AddBuild(CLI::App& app, Run& run) {
   limit("--max-slow-us", settings->limits.slow_us, "US", "Likewise of the slow part: its longest slice");
   limit("--max-stack", settings->limits.stack_bytes, "BYTES", "The most stack that a partition may take");
   limit("--max-code", settings->limits.code_bytes, "BYTES", "The most code that the library may have");
+  command
+      ->add_flag("--no-identity", settings->no_identity,
+                 "Leave out the 64 bytes by which plcxx identify finds out what is in an image")
+      ->group("Output");
   command->add_flag("--no-audit", settings->no_audit, "Neither audit nor measure the objects")->group("Output");
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");

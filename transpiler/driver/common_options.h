@@ -69,5 +69,6 @@ void AddDiff(CLI::App& app, Run& run);
 void AddProve(CLI::App& app, Run& run);
 void AddLsp(CLI::App& app, Run& run);
 void AddMcp(CLI::App& app, Run& run);
+void AddIdentify(CLI::App& app, Run& run);
 
 }  // namespace plcxx::driver

@@ -14,6 +14,7 @@
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/identity_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -48,6 +49,7 @@ struct EmitSettings {
   bool quiet = false;
   bool single_file = false;
   bool preemptive = false;
+  bool identity = false;
   uint32_t parts = 0;
 };
 
@@ -77,6 +79,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compil
     options.shared = std::move(shared);
     const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
     output.files = emit::print::PrintCpp(emittable, *compilation.sources);
+    if (settings.identity) AddIdentity(IdentityOf(compilation, output.files), compilation.name, output.files);
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
     if (KindOfOutput(settings.output.directory) != OutputKind::kFolder) return OnlyFile(settings, output, compilation);
     output.files.push_back({compilation.name + ".map.json", emit::print::PrintMap(emittable, *compilation.sources)});
@@ -167,6 +170,10 @@ void AddEmit(CLI::App& app, Run& run) {
       ->add_flag("--preemptive", settings->preemptive,
                  "For a fast part that runs from an interrupt above the slow part; refused where that is not safe")
       ->excludes(debug)
+      ->group("Output");
+  command
+      ->add_flag("--identity", settings->identity,
+                 "A constant of 64 bytes at the end of NAME.cpp, by which plcxx identify finds out what is in an image")
       ->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
   command->footer("");                                                        // not the one of the program

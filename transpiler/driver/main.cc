@@ -70,6 +70,7 @@ int Main(int argc, char** argv) {
   AddManual(app, run);
   AddLsp(app, run);
   AddMcp(app, run);
+  AddIdentify(app, run);
   std::vector<std::string> words(argv + 1, argv + argc);
   const std::string unknown = TakeHelpWord(app, words);
   if (!unknown.empty()) {
