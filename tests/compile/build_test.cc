@@ -185,7 +185,14 @@ TEST(Build, AnUnchangedSourceIsNotCompiledAgain) {
   const size_t edited = text.find("I0A3", text.size() / 2);
   text.replace(edited, 4, "I0A4");
   work.Write("p.plc", text);
-  EXPECT_EQ(build(""), 1u);
+  // The part that it is in, and p.cpp with the program's identity.
+  EXPECT_EQ(build(""), 2u);
+  text.replace(edited, 4, "I0A3");
+  work.Write("p.plc", text);
+  EXPECT_EQ(build(" --no-identity"), 2u) << "back, and without the identity";
+  text.replace(edited, 4, "I0A4");
+  work.Write("p.plc", text);
+  EXPECT_EQ(build(" --no-identity"), 1u);
   EXPECT_EQ(build(" -O 1"), all);
   EXPECT_EQ(build(" -O 1"), 0u);
 

@@ -109,6 +109,27 @@ def whole(plcxx, root, dialect, directory):
     assert client.shut_down() == 0
 
 
+def project_file(plcxx, root, dialect, directory):
+    """Without options: plcxx.yaml says which files are a program; it is edited, too."""
+    sample = Sample(root, dialect, directory)
+    client = Client(plcxx, encodings=("utf-32",))
+    name = next(name for name in sample.sources if sample.encoding_of(name))
+    text = sample.path(name).read_bytes().decode(sample.encoding_of(name))
+    client.open(sample.path(name), text)
+    client.wait_for(sample.path(name), 1)
+    assert found_by_client(client, sample) == found_by_check(plcxx, sample), dialect
+    said = sample.path("plcxx.yaml").read_text(encoding="utf-8")
+    client.open(sample.path("plcxx.yaml"), said.replace("dialect:", "dialekt:"))
+    faults = client.wait_for(sample.path("plcxx.yaml"), 1)
+    assert len(faults) >= 1 and "dialekt" in faults[0]["message"], faults
+    client.change(sample.path("plcxx.yaml"), [{"text": said}], 2)
+    assert client.wait_for(sample.path("plcxx.yaml"), 2) == []
+    client.change(sample.path(name), [{"text": text}], 3)
+    client.wait_for(sample.path(name), 3)
+    assert found_by_client(client, sample) == found_by_check(plcxx, sample), dialect
+    assert client.shut_down() == 0
+
+
 def fixits(plcxx, directory):
     path = pathlib.Path(directory) / "lamp.plc"
     text = "$\nU4A0=IOA7*I0A1\n"
@@ -178,6 +199,7 @@ def main():
         for dialect in FOLDERS:
             start = time.monotonic()
             whole(plcxx, root, dialect, f"{directory}/whole")
+            project_file(plcxx, root, dialect, f"{directory}/project")
             found += edited(plcxx, root, dialect, f"{directory}/edited", rng)
             print(f"{dialect}: {time.monotonic() - start:.1f} s")
         assert found > 50, "random edits break something"

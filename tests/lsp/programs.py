@@ -18,9 +18,10 @@ class Sample:
         folder = pathlib.Path(root) / "samples" / dialect / FOLDERS[dialect]
         self.folder = pathlib.Path(directory).resolve() / dialect
         shutil.copytree(folder, self.folder)
-        head = (folder / "power_on.yaml").read_text(encoding="utf-8")
-        self.sources = [word.strip() for word in re.search(r"sources: \[(.*)\]", head)[1].split(",")]
-        options = re.search(r"^options: \{(.*)\}", head, re.MULTILINE)
+        project = (folder / "plcxx.yaml").read_text(encoding="utf-8")
+        sources = re.search(r"^sources: \[?([^\]\n]*)", project, re.MULTILINE)[1]
+        self.sources = [word.strip() for word in sources.split(",")]
+        options = re.search(r"^options: \{(.*)\}", project, re.MULTILINE)
         pairs = [pair.split(":") for pair in options[1].split(",")] if options else []
         self.options = {key.strip(): value.strip() for key, value in pairs}
 

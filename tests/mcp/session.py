@@ -133,7 +133,8 @@ def wrong(client, folder, outside):
     client.refused("check", sources="lamp.plc")
     client.refused("check", sources=[7])
     client.refused("check")
-    client.refused("check", sources=[])
+    assert "plcxx.yaml" in client.refused("check", sources=[]), "no project either"
+    client.refused("check", project="../plcxx.yaml")
     client.refused("check", sources=["lamp.plc"], colour="red")
     client.refused("check", sources=["lamp.plc"], options=["slices"])
     client.refused("check", sources=["lamp.plc"], seconds="soon")
@@ -180,6 +181,9 @@ def main():
             client = Client(plcxx, sample)
             sources = ["ck6150.il", "texts.il", "fast.il", "main.il", "spindle.il", "turret.il", "units.il", "mcodes.il"]
             assert client.call("check", sources=sources)["ok"]
+            assert client.call("check")["ok"], "by plcxx.yaml"
+            said = client.call("project")["projects"][0]["programs"][0]
+            assert said["dialect"] == "host50" and said["sources"] == sources, said
             ladder = client.call("ladder", sources=sources, signal="HYD_FAULT")["ladder"]
             assert "(S HYD_FAULT )" in ladder and "(R HYD_FAULT )" in ladder, ladder
             assert client.call("test", scenarios=["power_on.yaml"])["passed"]

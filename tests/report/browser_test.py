@@ -29,11 +29,9 @@ def check(holds, what):
 
 def write_page(plcxx, root, sample, directory):
     folder = os.path.join(root, "samples", sample)
-    with open(os.path.join(folder, "power_on.yaml"), encoding="utf-8") as scenario:
-        sources = re.search(r"^sources: \[(.*)\]", scenario.read(), re.M).group(1).split(", ")
     dialect = sample.split("/")[0]
-    ran = subprocess.run([plcxx, "report", *sources, "--dialect", dialect, "--name", dialect, "-o", directory], cwd=folder,
-                         capture_output=True, text=True, check=False)
+    ran = subprocess.run([plcxx, "report", "--name", dialect, "-o", directory], cwd=folder, capture_output=True, text=True,
+                         check=False)
     check(ran.returncode == 0, sample + ": plcxx report gives " + str(ran.returncode) + "\n" + ran.stderr)
     return os.path.join(directory, dialect + ".html")
 

@@ -70,7 +70,8 @@ The report, NAME.report.json, gets an object "build":
   code_bytes, constant_bytes            of the library
   retentive_bytes, volatile_bytes       of one State
 Files are written whole or not at all; a file that would not change keeps its time. A source is compiled again when it,
-a header, the options or the compiler changed: libNAME.objects says what the objects in libNAME.a were made of.
+a header, the options or the compiler changed, and NAME.cpp, which names the program for plcxx identify, after each change:
+libNAME.objects says what the objects in libNAME.a were made of.
 Exit codes: 0 built, 1 the program has errors or the audit found some (nothing written), 2 wrong use, 3 a fault of plcxx.)";
 
 struct BuildSettings {

@@ -53,6 +53,20 @@ std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis) {
   return by_file;
 }
 
+Json ProjectFaults(const std::vector<yaml::Error>& errors) {
+  Json faults = Json::array();
+  for (const yaml::Error& error : errors) {
+    const Position begin{error.mark.line == 0 ? 0 : int64_t{error.mark.line} - 1,
+                         error.mark.column == 0 ? 0 : int64_t{error.mark.column} - 1};
+    const std::string text = error.message + (error.remedy.empty() ? "" : "\nhelp: " + error.remedy);
+    faults.push_back({{"range", {{"start", ToJson(begin)}, {"end", ToJson(begin)}}},
+                      {"severity", 1},
+                      {"source", "plcxx"},
+                      {"message", text}});
+  }
+  return faults;
+}
+
 Json CodeActions(const FeatureContext& context, const Json& params) {
   const Json& range = rpc::ObjectOf(params, "range");
   const source::Range asked = {context.analysis.OffsetOf(context.file, ReadPosition(rpc::ObjectOf(range, "start"))),

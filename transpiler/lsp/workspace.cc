@@ -1,12 +1,14 @@
 #include "transpiler/lsp/workspace.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "transpiler/compilation/dialect_choice.h"
 #include "transpiler/compilation/source_loading.h"
 #include "transpiler/compilation/warning_options.h"
 #include "transpiler/lsp/program_options.h"
+#include "transpiler/project/project.h"
 #include "transpiler/source/find_file.h"
 #include "transpiler/support/fault_guard.h"
 
@@ -28,15 +30,63 @@ bool Workspace::Reads(const WorkspaceProgram& program, const std::string& identi
   });
 }
 
-void Workspace::Changed(const std::string& identity) {
-  bool found = false;
-  for (const auto& program : programs_) {
-    // A program that has not been analysed may include the file.
-    if (!Reads(*program, identity) && program->analysis != nullptr) continue;
-    program->changed = true;
-    found = found || Reads(*program, identity);
+void Workspace::Drop(size_t index) {
+  const std::unique_ptr<WorkspaceProgram> gone = std::move(programs_[index]);
+  programs_.erase(programs_.begin() + static_cast<ptrdiff_t>(index));
+  for (const auto& [file, found] : gone->diagnostics) to_publish_.insert(file);
+}
+
+void Workspace::DropSingleFiles() {
+  for (size_t i = programs_.size(); i-- > 0;) {
+    if (!programs_[i]->is_single_file) continue;
+    const std::string identity = source::FileIdentity(programs_[i]->request.sources.front());
+    const auto reads_it = [&](const auto& program) { return !program->is_single_file && Reads(*program, identity); };
+    if (std::ranges::any_of(programs_, reads_it)) Drop(i);
   }
+}
+
+void Workspace::ReadProjectFile(const std::string& project) {
+  for (size_t i = programs_.size(); i-- > 0;) {
+    if (programs_[i]->project == project) Drop(i);
+  }
+  const std::string identity = source::FileIdentity(project);
+  to_publish_.insert(identity);
+  project_faults_.erase(identity);
+  const Document* open = documents_.Find(identity);
+  const project::ProjectOrErrors read =
+      open != nullptr ? project::ParseProject(project, open->text) : project::ReadProject(project);
+  if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
+    project_faults_[identity] = ProjectFaults(*errors);
+    return;
+  }
+  for (const project::Program& said : std::get<project::Project>(read).programs) {
+    auto program = std::make_unique<WorkspaceProgram>();
+    program->request = project::RequestOf(said);
+    program->project = project;
+    programs_.push_back(std::move(program));
+  }
+  DropSingleFiles();
+}
+
+void Workspace::OpenProjectOf(const std::string& path) {
+  const std::optional<std::string> project = project::FindProject(path);
+  if (project && projects_.insert(*project).second) ReadProjectFile(*project);
+}
+
+void Workspace::Changed(const std::string& identity) {
   const Document* document = documents_.Find(identity);
+  if (document != nullptr && std::filesystem::path(identity).filename() == project::kProjectFile) {
+    projects_.insert(document->path);
+    return ReadProjectFile(document->path);
+  }
+  bool found = std::ranges::any_of(programs_, [&](const auto& program) { return Reads(*program, identity); });
+  if (!found && document != nullptr) OpenProjectOf(document->path);
+  for (const auto& program : programs_) {
+    const bool reads = Reads(*program, identity);
+    // A program that has not been analysed may include the file.
+    if (reads || program->analysis == nullptr) program->changed = true;
+    found = found || reads;
+  }
   if (found || document == nullptr) return;
   const auto text = [&](const std::string&) { return document->text; };
   if (compilation::ChooseDialect({}, {document->path}, text) == nullptr) return;  // no language of ours
@@ -47,21 +97,24 @@ void Workspace::Changed(const std::string& identity) {
 }
 
 void Workspace::Closed(const std::string& identity, const Publish& publish) {
-  for (size_t i = 0; i < programs_.size(); ++i) {
-    WorkspaceProgram& program = *programs_[i];
-    if (!Reads(program, identity)) continue;
-    if (!program.is_single_file) {
-      program.changed = true;  // what is on the disk counts again
-      continue;
-    }
-    const std::unique_ptr<WorkspaceProgram> gone = std::move(programs_[i]);
-    programs_.erase(programs_.begin() + static_cast<ptrdiff_t>(i--));
-    for (const auto& [file, found] : gone->diagnostics) publish(file);
+  for (size_t i = programs_.size(); i-- > 0;) {
+    if (!Reads(*programs_[i], identity)) continue;
+    programs_[i]->changed = true;  // what is on the disk counts again
+    if (programs_[i]->is_single_file) Drop(i);
   }
+  for (const std::string& project : projects_) {
+    if (source::FileIdentity(project) == identity) ReadProjectFile(project);
+  }
+  PublishWaiting(publish);
 }
 
 void Workspace::ChangedOnDisk() {
+  for (const std::string& project : projects_) ReadProjectFile(project);
   for (const auto& program : programs_) program->changed = true;
+}
+
+void Workspace::PublishWaiting(const Publish& publish) {
+  for (const std::string& file : std::exchange(to_publish_, {})) publish(file);
 }
 
 void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
@@ -85,9 +138,13 @@ void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
 }
 
 bool Workspace::AnalyseNext(const Publish& publish) {
+  PublishWaiting(publish);
   for (const auto& program : programs_) {
     if (!program->changed) continue;
     Analyse(*program, publish);
+    // What it includes was taken for a program by itself while nobody knew.
+    DropSingleFiles();
+    PublishWaiting(publish);
     return true;
   }
   return false;
@@ -108,6 +165,9 @@ WorkspaceProgram* Workspace::ProgramOf(const std::string& identity, const Publis
 
 Json Workspace::DiagnosticsOf(std::string_view identity) const {
   Json all = Json::array();
+  if (const auto faults = project_faults_.find(std::string(identity)); faults != project_faults_.end()) {
+    all = faults->second;
+  }
   for (const auto& program : programs_) {
     const auto found = program->diagnostics.find(std::string(identity));
     if (found == program->diagnostics.end()) continue;

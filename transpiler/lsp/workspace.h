@@ -1,7 +1,8 @@
 // The programs of the client's folders, and which file belongs to which.
 //
-// A program is a row of the client's initialization options, or one file that is no part of any. Each is compiled anew
-// after an edit of one of its files, when the client is waited for or asks for something.
+// A program is a row of the client's initialization options, one of the plcxx.yaml of a file's folder or of one above
+// it, or one file that is no part of any. Each is compiled anew after an edit of one of its files, when the client is
+// waited for or asks for something.
 #pragma once
 
 #include <functional>
@@ -13,11 +14,13 @@
 
 #include "transpiler/lsp/analysis.h"
 #include "transpiler/lsp/documents.h"
+#include "transpiler/yaml/place.h"
 
 namespace plcxx::lsp {
 
 struct WorkspaceProgram {
   compilation::CompilationRequest request;
+  std::string project;          // path of the plcxx.yaml that says it; empty: none does
   bool is_single_file = false;  // not configured: it goes with its document
   bool changed = true;          // since `analysis`
   std::unique_ptr<Analysis> analysis;
@@ -55,16 +58,28 @@ class Workspace {
   Json DiagnosticsOf(std::string_view identity) const;
 
  private:
+  void PublishWaiting(const Publish& publish);
+  void OpenProjectOf(const std::string& path);
+  /// The programs of a plcxx.yaml, in place of what it said before.
+  void ReadProjectFile(const std::string& project);
+  /// A file that has got a program is none by itself.
+  void DropSingleFiles();
+  void Drop(size_t index);
   void Analyse(WorkspaceProgram& program, const Publish& publish);
   /// Does the program read the file, as far as is known?
   static bool Reads(const WorkspaceProgram& program, const std::string& identity);
 
   Units units_ = Units::kUtf16;
   Documents documents_;
+  std::set<std::string> projects_;              // paths
+  std::map<std::string, Json> project_faults_;  // by FileIdentity, arrays
+  std::set<std::string> to_publish_;            // identities, beside what an analysis publishes
   std::vector<std::unique_ptr<WorkspaceProgram>> programs_;
 };
 
 /// The diagnostics of one compilation, by FileIdentity.
 std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis);
+/// What is wrong with a plcxx.yaml.
+Json ProjectFaults(const std::vector<yaml::Error>& errors);
 
 }  // namespace plcxx::lsp

@@ -35,7 +35,10 @@ Json ObjectSchema(Json properties, Json required) {
 
 Json ProgramSchema(Json more, Json required) {
   Json properties = {
-      {"sources", TextsSchema("the files of one program, in their order, relative to the server's folder")},
+      {"sources",
+       TextsSchema("the files of one program, in their order, relative to the server's folder; else plcxx.yaml")},
+      {"project", TextSchema("a plcxx.yaml that says sources and options; else that of the server's folder")},
+      {"program", TextSchema("which program of plcxx.yaml, where it has several")},
       {"dialect", TextSchema("nc110, technol, host50, prostep or hnc; else told by extension, then by content")},
       {"options", {{"type", "object"}, {"description", "options of the dialect, as --set key=value"}}},
       {"encoding", TextSchema("of the sources: utf-8, cp866, gb18030, ...; else detected")},
@@ -80,8 +83,22 @@ void Command::AddWord(const std::string& word) {
 
 void Command::AddSources() {
   const std::vector<std::string> sources = TextsOf(arguments_, "sources");
-  if (sources.empty()) Refuse("'sources' names no file");
+  if (sources.empty()) return AddProject();
   for (const std::string& source : sources) AddPath(source);
+}
+
+/// Named in any case: without a name plcxx would look above the server's folder, too.
+void Command::AddProject() {
+  const std::string project = rpc::OptionalText(arguments_, "project").value_or("plcxx.yaml");
+  Add("--project");
+  AddPath(project);
+  if (!std::filesystem::is_regular_file(std::filesystem::path(workplace_.folder) / project)) {
+    Refuse("'sources' names no file, and there is no " + project);
+  }
+  if (const auto program = rpc::OptionalText(arguments_, "program")) {
+    Add("--program");
+    AddWord(*program);
+  }
 }
 
 void Command::AddProgram() {

@@ -14,7 +14,8 @@ Json ObjectSchema(Json properties, Json required);
 Json TextSchema(std::string_view description);
 Json TextsSchema(std::string_view description);
 Json NumberSchema(std::string_view description);
-/// `sources`, `dialect`, `options`, `encoding`, `include`, `define`, `program`, `seconds`, and the given ones.
+/// `sources`, `dialect`, `options`, `encoding`, `include`, `define`, `project`, `program`, `seconds`, and the given
+/// ones.
 Json ProgramSchema(Json more, Json required);
 
 class Command {
@@ -27,6 +28,7 @@ class Command {
   void AddPath(const std::string& path);
   /// A word that a client chose: never an option.
   void AddWord(const std::string& word);
+  /// `sources`, else `project` and `program`.
   void AddSources();
   /// Options of the dialect and what else makes the program.
   void AddProgram();
@@ -36,6 +38,8 @@ class Command {
   std::string Checked(const std::string& path) const;
 
  private:
+  void AddProject();
+
   const Workplace& workplace_;
   const Json& arguments_;
   std::vector<std::string> words_;

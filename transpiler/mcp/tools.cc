@@ -7,11 +7,13 @@
 #include <fstream>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "transpiler/diagnostics/explain.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/mcp/command.h"
 #include "transpiler/mcp/temporary_folder.h"
+#include "transpiler/project/project.h"
 
 namespace plcxx::mcp {
 namespace {
@@ -31,6 +33,23 @@ bool IsSource(std::string_view extension) {
 
 Json ProjectSchema() {
   return ObjectSchema({{"folder", TextSchema("below the server's folder; else all of it")}}, Json::array());
+}
+
+Json ProjectOf(const Workplace& workplace, const std::string& name) {
+  Json said = {{"file", name}};
+  const project::ProjectOrErrors read = project::ReadProject((fs::path(workplace.folder) / name).string());
+  if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
+    for (const yaml::Error& error : *errors) {
+      said["errors"].push_back({{"line", error.mark.line}, {"column", error.mark.column}, {"message", error.message}});
+    }
+    return said;
+  }
+  said["programs"] = Json::array();
+  for (const project::Program& program : std::get<project::Project>(read).programs) {
+    said["programs"].push_back(
+        {{"name", project::NameOf(program)}, {"dialect", program.dialect}, {"sources", program.sources}});
+  }
+  return said;
 }
 
 /// Files by what their names say; which of them are one program, a project file or a scenario says.
@@ -54,7 +73,7 @@ Json RunProject(const Workplace& workplace, const Json& arguments) {
     std::string extension = fs::path(name).extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (fs::path(name).filename() == "plcxx.yaml") {
-      projects.push_back(name);
+      projects.push_back(ProjectOf(workplace, name));
     } else if (extension == ".yaml") {
       scenarios.push_back(name);
     } else if (IsSource(extension)) {
@@ -70,7 +89,7 @@ Json RunProject(const Workplace& workplace, const Json& arguments) {
 
 // --- a program -----------------------------------------------------------------------------------------------------
 
-Json SourcesSchema() { return ProgramSchema(Json::object(), {"sources"}); }
+Json SourcesSchema() { return ProgramSchema(Json::object(), Json::array()); }
 
 Json RunCheck(const Workplace& workplace, const Json& arguments) {
   Command command(workplace, arguments, "check");
@@ -101,7 +120,7 @@ Json RunExplain(const Workplace&, const Json& arguments) {
 Json EmitSchema() {
   return ProgramSchema({{"output", TextSchema("folder for the files, below the server's; else they are only shown")},
                         {"name", TextSchema("of the program and its files")}},
-                       {"sources"});
+                       Json::array());
 }
 
 std::string ReadFile(const fs::path& path, size_t most) {
@@ -158,7 +177,7 @@ Json SimulateSchema() {
                         {"at", TextsSchema("what is written meanwhile: 100ms:I0A3=1")},
                         {"force", TextsSchema("what is held against every writer: U4A8=1")},
                         {"changes", {{"type", "boolean"}, {"description", "only rows in which something changed"}}}},
-                       {"sources", "watch"});
+                       {"watch"});
 }
 
 std::vector<std::string> WordsOf(const std::string& line) {
@@ -259,7 +278,7 @@ Json RunDiff(const Workplace& workplace, const Json& arguments) {
 Json ProveSchema() {
   return ProgramSchema(
       {{"properties", TextsSchema("such as 'never U4A8 and U4A9', or 'I0K1 implies U21K8 within 1 slow'")}},
-      {"sources", "properties"});
+      {"properties"});
 }
 
 Json RunProve(const Workplace& workplace, const Json& arguments) {
@@ -279,7 +298,7 @@ Json RunProve(const Workplace& workplace, const Json& arguments) {
 }
 
 Json CrossReferenceSchema() {
-  return ProgramSchema({{"signal", TextSchema("only what has this in its address, name or meaning")}}, {"sources"});
+  return ProgramSchema({{"signal", TextSchema("only what has this in its address, name or meaning")}}, Json::array());
 }
 
 Json PlacesOf(const std::string& line) {
@@ -312,7 +331,7 @@ Json RunCrossReference(const Workplace& workplace, const Json& arguments) {
 }
 
 Json LadderSchema() {
-  return ProgramSchema({{"signal", TextSchema("only the rungs that name this address or symbol")}}, {"sources"});
+  return ProgramSchema({{"signal", TextSchema("only the rungs that name this address or symbol")}}, Json::array());
 }
 
 Json RunLadder(const Workplace& workplace, const Json& arguments) {
