@@ -33,7 +33,7 @@ Json ObjectSchema(Json properties, Json required) {
           {"additionalProperties", false}};
 }
 
-Json ProgramSchema(Json more, Json required) {
+Json ProgramSchema(const Json& more, Json required) {
   Json properties = {
       {"sources",
        TextsSchema("the files of one program, in their order, relative to the server's folder; else plcxx.yaml")},

@@ -16,7 +16,7 @@ Json TextsSchema(std::string_view description);
 Json NumberSchema(std::string_view description);
 /// `sources`, `dialect`, `options`, `encoding`, `include`, `define`, `project`, `program`, `seconds`, and the given
 /// ones.
-Json ProgramSchema(Json more, Json required);
+Json ProgramSchema(const Json& more, Json required);
 
 class Command {
  public:

@@ -186,7 +186,7 @@ class Finder {
     };
     // Each in front of all others: what the others need.
     for (size_t again = 0; again < sources.size() && fewest > 0; ++again) {
-      const std::vector<std::string> from = best;
+      const std::vector<std::string> from(best.begin(), best.end());  // look_at changes `best`
       for (size_t i = 1; i < from.size() && fewest > 0 && trials < kMaxTrials; ++i) {
         std::vector<std::string> order = from;
         std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i),
