@@ -197,7 +197,12 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
-      // A flag that one version alone has is not compared, and the verdict names it.
+      // A flag that one version alone has is not compared, and the verdict names it. What has no name that a scenario
+      // could write is bookkeeping of slices, which the comparison takes as one.
+      const bool is_private = prove::machine::DirectionOf(old_version, old_cell) == ir::Direction::kInternal &&
+                              !prove::machine::IsRetentive(old_version, old_cell);
+      const bool has_name = old_side.compilation.dialect->locate(old_side.compilation.program, name).has_value();
+      if (old_used != new_used && is_private && !has_name) continue;
       if (!is_named(name)) locations.equal.push_back({name, *old_place, *new_place});
     }
   }

@@ -56,6 +56,9 @@ PROMISES = [
     ("the tool reads and writes only what is its own, does nothing undefined, and leaks nothing", "the tool with the "
      "sanitizers of Clang, in every form of every subcommand over goldens and samples, and over mutated cases",
      "dev/sanitize", "sanitize"),
+    ("what `plcxx diff` calls equal is equal, and what it calls different was seen", "random pairs of programs, mutated or "
+     "written in another way; equal ones are attacked with runs, counterexamples replayed (`build/tests/plcxx_pairs`)",
+     "tests/pairs", "pairs"),
     ("each option of each dialect changes something", "a row with a program for each option", "tests/options", None),
     ("the tests see a fault in the lowerings, passes, emitter and runtime", "mutants: one change at a time, and the tests that "
      "execute it (`dev/mutants`); survivors are listed with reasons", "tests/mutants", "mutants"),

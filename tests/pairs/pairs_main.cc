@@ -3,12 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <map>
 #include <mutex>
 #include <thread>
 
 #include "tests/pairs/judge.h"
+
+namespace {
+
+/// Ctrl-C and SIGTERM: the pairs under way are ended, and the table is printed.
+volatile std::sig_atomic_t stopped = 0;
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace plcxx::pairs;
@@ -27,11 +35,13 @@ int main(int argc, char** argv) {
   app.add_option("--save", save, "the folder for what is judged wrongly");
   app.add_flag("--tell", tells, "what is done, and how long it takes");
   CLI11_PARSE(app, argc, argv);
+  std::signal(SIGINT, [](int) { stopped = 1; });
+  std::signal(SIGTERM, [](int) { stopped = 1; });
   std::map<std::string, Tally> tallies;
   std::mutex mutex;
   std::atomic<uint64_t> next = 0;
   const auto work = [&] {
-    for (uint64_t one = next++; one < pairs * dialects.size(); one = next++) {
+    for (uint64_t one = next++; one < pairs * dialects.size() && stopped == 0; one = next++) {
       const std::string& dialect = dialects[one % dialects.size()];
       const uint64_t number = (seed << 32) + one / dialects.size();
       const Pair pair = PairOf(dialect, number);
@@ -47,6 +57,7 @@ int main(int argc, char** argv) {
   std::vector<std::thread> threads;
   for (unsigned i = 0; i < jobs; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
+  if (stopped != 0) std::cout << "stopped before its end\n";
   std::cout << TableHead();
   bool is_sound = true;
   for (const std::string& dialect : dialects) {
