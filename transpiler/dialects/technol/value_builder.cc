@@ -67,14 +67,9 @@ ValueId ValueBuilder::ToWidth(ValueId value, uint32_t width) {
 }
 
 ValueId ValueBuilder::SignedTo32(ValueId value) {
-  switch (WidthOf(value)) {
-    case 8:
-      return Pure(OpKind::kSignExtend8To32, {value});
-    case 16:
-      return Pure(OpKind::kSignExtend16To32, {value});
-    default:
-      return value;
-  }
+  const uint32_t from = WidthOf(value);
+  if (from == 8) return Pure(OpKind::kSignExtend8To32, {value});
+  return from == 16 ? Pure(OpKind::kSignExtend16To32, {value}) : value;
 }
 
 }  // namespace plcxx::technol
