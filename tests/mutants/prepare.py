@@ -23,7 +23,7 @@ FOLDERS = {
     "prostep": ["transpiler/dialects/prostep/lowering*.cc"],
     "technol": ["transpiler/dialects/technol/lowering*.cc", "transpiler/dialects/technol/effects.cc",
                 "transpiler/dialects/technol/register_file.cc", "transpiler/dialects/technol/value_builder.cc"],
-    "hnc": ["transpiler/dialects/hnc/lowering*.cc"],
+    "hnc": ["transpiler/dialects/hnc/lowering/*.cc"],
     "passes": ["transpiler/passes/**/*.cc"],
     "emit": ["transpiler/emit/**/*.cc"],
     "runtime": ["runtime_support/plcxx/*.h"],

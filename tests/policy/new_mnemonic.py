@@ -50,9 +50,10 @@ MNEMONICS = {
     "hnc": (
         [("transpiler/dialects/hnc/functions.def", "HNC_FUNCTION(Fabs, ",
           ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);")']),
-         ("transpiler/dialects/hnc/lowering_library.cc", "  switch (function) {",
+         ("transpiler/dialects/hnc/lowering/library_calls.cc", "  switch (function) {",
           ["    case SystemFunction::kDabs:",
-           "      result.value = Make(Pure(OpKind::kAbsF64, {Convert(Evaluate(argument(0)), double_).id}), double_);",
+           "      result.value = conversions_.Make(",
+           "          Pure(OpKind::kAbsF64, {conversions_.Convert(expressions_.Evaluate(argument(0)), double_).id}), double_);",
            "      break;"])],
         "tests/golden/hnc/library/mathematics", r"\bfabs\b", "dabs"),
 }

@@ -5,7 +5,7 @@
 #include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/hnc/files.h"
 #include "transpiler/dialects/hnc/locate.h"
-#include "transpiler/dialects/hnc/lowering.h"
+#include "transpiler/dialects/hnc/lowering/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
 #include "transpiler/dialects/hnc/parser.h"
 #include "transpiler/dialects/hnc/recognize.h"

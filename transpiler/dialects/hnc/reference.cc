@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "transpiler/dialects/hnc/lowering.h"
+#include "transpiler/dialects/hnc/lowering/lowering.h"
 #include "transpiler/dialects/hnc/options.h"
 #include "transpiler/dialects/hnc/parser.h"
 

@@ -1,0 +1,227 @@
+#include "transpiler/dialects/hnc/lowering/jumps.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plcxx::hnc {
+
+namespace {
+
+std::string_view WordOf(StatementKind kind) {
+  switch (kind) {
+    case StatementKind::kWhile:
+    case StatementKind::kDo:
+    case StatementKind::kFor:
+      return "loop";
+    case StatementKind::kSwitch:
+      return "switch";
+    default:
+      return "nested statement";
+  }
+}
+
+}  // namespace
+
+const std::vector<StatementId>& Jumps::JumpsTo(StatementId label) const {
+  static const auto* const none = new std::vector<StatementId>();
+  const auto found = jumps_to_.find(label.index);
+  return found == jumps_to_.end() ? *none : found->second;
+}
+
+Span Jumps::Repeated(LabelId label, const std::vector<StatementId>& jumps) const {
+  Span span{OrderOf(unit_.labels[label].statement), 0};
+  const auto grow = [&](StatementId to) { span.last = std::max(span.last, OrderOf(to)); };
+  for (const StatementId jump : jumps) grow(jump);
+  for (size_t i = span.first; i <= span.last && i < statements_.size(); ++i) {
+    const StatementId id = statements_[i];
+    const Statement& statement = unit_.statements[id];
+    if (IsLoop(statement.kind)) ForEachStatement(unit_, id, grow);
+    if (statement.kind != StatementKind::kLabel) continue;
+    for (const StatementId jump : JumpsTo(id)) {
+      if (IsBefore(id, jump)) grow(jump);
+    }
+  }
+  return span;
+}
+
+bool Jumps::IsEnteredElsewhere(const Span& span) const {
+  for (size_t i = span.first + size_t{1}; i <= span.last && i < statements_.size(); ++i) {
+    const StatementId id = statements_[i];
+    const StatementKind kind = unit_.statements[id].kind;
+    if (IsCase(kind)) {
+      StatementId head = id;
+      while (head.valid() && unit_.statements[head].kind != StatementKind::kSwitch) head = ParentOf(head);
+      if (head.valid() && !span.Holds(OrderOf(head))) return true;
+    }
+    if (kind != StatementKind::kLabel) continue;
+    const auto outside = [&](StatementId jump) { return !span.Holds(OrderOf(jump)); };
+    if (std::ranges::any_of(JumpsTo(id), outside)) return true;
+  }
+  return false;
+}
+
+bool Jumps::HasChoiceAround(StatementId label, StatementId jump) const {
+  std::unordered_set<uint32_t> around;
+  for (StatementId at = jump; at.valid(); at = ParentOf(at)) around.insert(at.index);
+  for (StatementId at = ParentOf(label); !around.contains(at.index); at = ParentOf(at)) {
+    const StatementKind kind = unit_.statements[at].kind;
+    if (kind == StatementKind::kIf || kind == StatementKind::kSwitch) return true;
+  }
+  return false;
+}
+
+bool Jumps::GoesOn(StatementId id, bool& continues) const {
+  if (!id.valid()) return true;
+  const Statement& statement = unit_.statements[id];
+  switch (statement.kind) {
+    case StatementKind::kCompound: {
+      bool on = true;
+      for (const StatementId part : statement.body) {
+        if (!on && !IsEntered(part)) continue;
+        on = GoesOn(part, continues);
+      }
+      return on;
+    }
+    case StatementKind::kReturn:
+    case StatementKind::kBreak:
+      return false;
+    case StatementKind::kGoto:
+      // Out of the loop, or to a label in it, behind which all is looked at as well.
+      return MayBeRefused(unit_, statement);
+    case StatementKind::kContinue:
+      continues = true;
+      return false;
+    case StatementKind::kIf: {
+      const bool then = GoesOn(statement.then, continues);
+      const bool otherwise = statement.otherwise.valid() ? GoesOn(statement.otherwise, continues) : true;
+      return then || otherwise;
+    }
+    case StatementKind::kLabel:
+      return GoesOn(statement.then, continues);
+    default:
+      ForEachStatement(unit_, id, [&](StatementId part) { continues = continues || Continues(part, id); });
+      return true;
+  }
+}
+
+/// Whether a statement in `outer` is a `continue` that belongs to a loop around `outer`.
+bool Jumps::Continues(StatementId id, StatementId outer) const {
+  if (unit_.statements[id].kind != StatementKind::kContinue) return false;
+  for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
+    if (IsLoop(unit_.statements[at].kind)) return false;
+    if (at == outer) break;
+  }
+  return true;
+}
+
+void Jumps::Find(const Function& function) {
+  // Anew, not cleared: to clear a map takes as long as the largest function did.
+  parents_ = {};
+  order_ = {};
+  statements_ = {};
+  jumps_to_ = {};
+  flat_ = {};
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
+    statements_.push_back(id);
+    if (statement.kind == StatementKind::kGoto && statement.label.valid()) {
+      jumps_to_[unit_.labels[statement.label].statement.index].push_back(id);
+    }
+    for (const StatementId child : statement.body) parents_[child.index] = id;
+    if (statement.then.valid()) parents_[statement.then.index] = id;
+    if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
+  });
+  live_gotos_ = FindLiveGotos(unit_, function.body);
+  FindEntries(function);
+  CheckJumps(function);
+}
+
+/// What is lowered although control does not come to its beginning: a live goto or a switch outside of it leads to a
+/// label in it. A switch with a goto to what is not in the same arm becomes flat.
+void Jumps::FindEntries(const Function& function) {
+  entered_.clear();
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    if (statement.kind == StatementKind::kGoto && live_gotos_.contains(id.index)) {
+      std::unordered_map<uint32_t, StatementId> part_of;  // by StatementId around the goto: its part with the goto
+      for (StatementId at = id, part; at.valid(); part = at, at = ParentOf(at)) part_of.emplace(at.index, part);
+      StatementId at = unit_.labels[statement.label].statement, part;
+      for (; at.valid() && !part_of.contains(at.index); part = at, at = ParentOf(at)) entered_.insert(at.index);
+      if (part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
+    }
+    if (!IsCase(statement.kind)) return;
+    for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
+      entered_.insert(at.index);
+    }
+  });
+}
+
+/// Whether parts of a list are executed in one arm where that is the body of a switch: no label of it between them.
+bool Jumps::AreInOneArm(StatementId list, StatementId a, StatementId b) const {
+  const StatementId parent = ParentOf(list);
+  if (!parent.valid() || unit_.statements[parent].kind != StatementKind::kSwitch) return true;
+  bool between = false;
+  for (const StatementId part : unit_.statements[list].body) {
+    if (between && IsCase(unit_.statements[part].kind)) return false;
+    if (part == a || part == b) between = !between;
+  }
+  return true;
+}
+
+StatementId Jumps::ParentOf(StatementId id) const {
+  const auto parent = parents_.find(id.index);
+  return parent == parents_.end() ? StatementId() : parent->second;
+}
+
+/// Gotos into loops and switches, cases inside loops; what a jump leads into becomes flat.
+void Jumps::CheckJumps(const Function& function) {
+  ForEachStatement(unit_, function.body, [&](StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    if (statement.kind == StatementKind::kGoto && statement.label.valid()) {
+      std::unordered_set<uint32_t> around;
+      for (StatementId at = id; at.valid(); at = ParentOf(at)) around.insert(at.index);
+      const Label& label = unit_.labels[statement.label];
+      for (StatementId at = ParentOf(label.statement); at.valid() && !around.contains(at.index); at = ParentOf(at)) {
+        const StatementKind kind = unit_.statements[at].kind;
+        if (IsLoop(kind) || kind == StatementKind::kSwitch) {
+          diagnostics_.Report(statement.range, diag::HncJumpInto, label.name, WordOf(kind));
+          break;
+        }
+        if (kind == StatementKind::kIf) flat_.insert(at.index);
+      }
+      return;
+    }
+    if (!IsCase(statement.kind)) return;
+    bool direct = true;  // stands in the body of its switch
+    for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
+      const StatementKind kind = unit_.statements[at].kind;
+      if (kind == StatementKind::kSwitch) {
+        if (!direct) flat_.insert(at.index);
+        return;
+      }
+      if (IsLoop(kind)) {
+        diagnostics_.Report(statement.head, diag::HncCaseInside, WordOf(kind));
+        return;
+      }
+      if (kind == StatementKind::kIf) flat_.insert(at.index);
+      const bool body = kind == StatementKind::kCompound && ParentOf(at).valid() &&
+                        unit_.statements[ParentOf(at)].kind == StatementKind::kSwitch;
+      if (!IsCase(kind) && !body) direct = false;
+    }
+  });
+}
+
+uint32_t Jumps::OrderOf(StatementId id) const {
+  const auto found = order_.find(id.index);
+  return found == order_.end() ? std::numeric_limits<uint32_t>::max() : found->second;
+}
+
+bool Jumps::IsPartOf(StatementId id, const std::vector<StatementId>& statements) const {
+  for (StatementId at = id; at.valid(); at = ParentOf(at)) {
+    if (std::ranges::find(statements, at) != statements.end()) return true;
+  }
+  return false;
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,214 @@
+#include "transpiler/dialects/hnc/lowering/library_calls.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/hnc/lowering/accesses.h"
+#include "transpiler/dialects/hnc/lowering/addresses.h"
+#include "transpiler/dialects/hnc/lowering/conversions.h"
+#include "transpiler/dialects/hnc/lowering/expressions.h"
+#include "transpiler/dialects/hnc/lowering/faults.h"
+#include "transpiler/dialects/hnc/lowering/intervals.h"
+#include "transpiler/dialects/hnc/lowering/locals.h"
+#include "transpiler/dialects/hnc/lowering/pointers.h"
+
+namespace plcxx::hnc {
+
+using ir::OpKind;
+using ir::ValueId;
+
+CallResult LibraryCalls::Call(const Expr& expr) {
+  const SystemFunction function = *unit_.functions[expr.function].system;
+  const auto argument = [&](size_t i) { return expr.arguments[i]; };
+  CallResult result;
+  switch (function) {
+    case SystemFunction::kAbs:
+    case SystemFunction::kLabs: {
+      const Value value = expressions_.Evaluate(argument(0));
+      const Value number = conversions_.ConvertInteger(value, value.is_bit ? int_ : value.type);
+      const bool wide = TypeAt(number.type).bits == 32;
+      Value absolute = conversions_.Make(Pure(wide ? OpKind::kAbs32 : OpKind::kAbs16, {number.id}), number.type);
+      const Bounds& b = number.bounds;
+      if (b.low > BoundsOf(TypeAt(number.type)).low) {
+        absolute.bounds = {b.low > 0 ? b.low : b.high < 0 ? -b.high : 0, std::max(std::abs(b.low), std::abs(b.high))};
+      }
+      result.value = absolute;
+      break;
+    }
+    case SystemFunction::kRotl:
+    case SystemFunction::kRotr:
+    case SystemFunction::kLrotl:
+    case SystemFunction::kLrotr: {
+      const ValueId count = conversions_.AsIndex(expressions_.Evaluate(argument(1)));
+      const Value value = expressions_.Evaluate(argument(0));
+      const bool wide = function == SystemFunction::kLrotl || function == SystemFunction::kLrotr;
+      const bool left = function == SystemFunction::kRotl || function == SystemFunction::kLrotl;
+      const OpKind op = wide ? (left ? OpKind::kRotateLeft32 : OpKind::kRotateRight32)
+                             : (left ? OpKind::kRotateLeft16 : OpKind::kRotateRight16);
+      const TypeId type = wide ? unsigned_long_ : unsigned_;
+      result.value = conversions_.Make(Pure(op, {conversions_.Convert(value, type).id, count}), type);
+      break;
+    }
+    case SystemFunction::kFabs:
+    case SystemFunction::kFloor:
+    case SystemFunction::kCeil:
+    case SystemFunction::kSqrt: {
+      const Value value = conversions_.Convert(expressions_.Evaluate(argument(0)), double_);
+      const OpKind op = function == SystemFunction::kFabs    ? OpKind::kAbsF64
+                        : function == SystemFunction::kFloor ? OpKind::kFloorF64
+                        : function == SystemFunction::kCeil  ? OpKind::kCeilF64
+                                                             : OpKind::kSqrtF64;
+      result.value = conversions_.Make(Pure(op, {value.id}), double_);
+      break;
+    }
+    case SystemFunction::kMemset:
+    case SystemFunction::kMemcpy:
+    case SystemFunction::kMemmove:
+    case SystemFunction::kMemcmp:
+      return MemoryFunction(expr);
+    default:
+      break;
+  }
+  return result;
+}
+
+/// The bytes that are left of the object behind the address, 0 when it is outside; an i32.
+ValueId LibraryCalls::RoomBehind(const Address& address) {
+  const ValueId offset = pointers_.OffsetOf(address);
+  const auto room_in = [&](ObjectId object) {
+    const auto size = static_cast<uint32_t>(objects_[object].size);
+    if (!address.index.valid() && !address.is_null) {
+      const bool inside = address.base >= 0 && address.base <= size;
+      return Long(inside ? size - static_cast<uint32_t>(address.base) : 0);
+    }
+    const ValueId outside = Pure(OpKind::kGreater32, {offset, Long(size)});
+    return Pure(OpKind::kSelect32, {outside, Long(0), Pure(OpKind::kSub32, {Long(size), offset})});
+  };
+  if (address.targets.objects.size() == 1) return room_in(address.targets.objects.front());
+  const ir::PlaceId room = locals_.Add("room", ir::Type::kI32);
+  builder_.Store(room, Long(0));
+  accesses_.ForEachTargetOf(address, IndexFault::kRecords,
+                            [&](ObjectId object) { builder_.Store(room, room_in(object)); });
+  return builder_.Load(room);
+}
+
+/// An address that moves with a counter known to stay inside.
+Address LibraryCalls::At(const Address& address, ValueId counter) {
+  Address moved = address;
+  moved.base = 0;
+  moved.stride = 1;
+  const ValueId offset = pointers_.OffsetOf(address);
+  moved.index = Pure(OpKind::kAdd32, {offset, counter});
+  moved.index_bounds = {0, 0};
+  return moved;
+}
+
+CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
+  const SystemFunction function = *unit_.functions[expr.function].system;
+  const bool compares = function == SystemFunction::kMemcmp, sets = function == SystemFunction::kMemset;
+  const ExprId own = {};
+  const ValueId wanted =
+      conversions_.AsIndex(conversions_.Convert(expressions_.Evaluate(expr.arguments[2]), unsigned_));
+  Address from;
+  ValueId byte;
+  if (sets) {
+    byte = conversions_.Narrow8(
+        conversions_.ConvertInteger(conversions_.Convert(expressions_.Evaluate(expr.arguments[1]), int_), int_).id);
+  } else {
+    from = addresses_.EvaluatePointer(expr.arguments[1]);
+  }
+  const Address to = addresses_.EvaluatePointer(expr.arguments[0]);
+  CallResult result;
+  result.address = to;
+  if (compares) result = {.value = conversions_.Zero(int_), .address = {}};
+  for (const Address* address : {&to, sets ? &to : &from}) {
+    if (!address->targets.objects.empty() && address->targets.objects.size() <= kMostTargets) continue;
+    const ExprId named = expr.arguments[address == &to ? 0 : 1];
+    diagnostics_.Report(
+        ExprAt(named).range, diag::HncPointerObject,
+        "'" + std::string(sources_.Text(ExprAt(named).range)) + "' is never assigned the address of one");
+    return result;
+  }
+  // Kept in locals: what follows has regions of its own.
+  const auto keep = [&](std::string name, ValueId value) {
+    const ir::PlaceId place = locals_.Add(std::move(name), program_[value].type);
+    builder_.Store(place, value);
+    return place;
+  };
+  const auto is_constant = [this](ValueId value) { return program_[value].op == OpKind::kConst; };
+  const auto shorter = [&](ValueId a, ValueId b) {
+    if (is_constant(a) && is_constant(b)) return program_[a].a <= program_[b].a ? a : b;
+    return Pure(OpKind::kSelect32, {Pure(OpKind::kGreater32, {a, b}), b, a});
+  };
+  ValueId length = shorter(wanted, RoomBehind(to));
+  if (!sets) length = shorter(length, RoomBehind(from));
+  if (is_constant(length) && is_constant(wanted)) {
+    if (program_[length].a != program_[wanted].a) faults_.Record(Fault::kIndex);
+  } else {
+    faults_.RecordWhen(Pure(OpKind::kNotEqual32, {length, wanted}), Fault::kIndex);
+  }
+  const ir::PlaceId count = keep("length", length), at = locals_.Add("at", ir::Type::kI32);
+  const auto kept = [&](const Address& address, std::string name) {
+    const ir::PlaceId offset = keep(std::move(name), pointers_.OffsetOf(address));
+    const ir::PlaceId object = address.object.valid() ? keep("object", address.object) : ir::PlaceId();
+    return [this, address, offset, object] {
+      Address again;
+      again.targets = address.targets;
+      again.index = builder_.Load(offset);
+      if (object.valid()) again.object = builder_.Load(object);
+      return again;
+    };
+  };
+  const auto target = kept(to, "to"), source = kept(sets ? to : from, "from");
+  const ir::PlaceId value = sets ? keep("byte", byte) : ir::PlaceId();
+  const ir::PlaceId difference = compares ? locals_.Add("difference", ir::Type::kI16) : ir::PlaceId();
+  if (compares) builder_.Store(difference, Word(0));
+  // memmove: from the end when the target lies behind the source.
+  const bool moves = function == SystemFunction::kMemmove;
+  const ir::PlaceId backward = moves ? locals_.Add("backward", ir::Type::kBit) : ir::PlaceId();
+  if (moves)
+    builder_.Store(backward, Pure(OpKind::kGreater32, {pointers_.OffsetOf(target()), pointers_.OffsetOf(source())}));
+  builder_.Store(at, Long(0));
+  ir::Loop loop{.kind = ir::LoopBound::kProven,
+                .bound = 65535,
+                .budget = {},
+                .condition = builder_.NewRegion(),
+                .body = builder_.NewRegion(),
+                .step = builder_.NewRegion(),
+                .exhausted = {}};
+  const ir::RegionId behind = builder_.region();
+  builder_.SetRegion(loop.condition);
+  ValueId more = Pure(OpKind::kLess32, {builder_.Load(at), builder_.Load(count)});
+  if (compares) more = Pure(OpKind::kBitAnd, {more, Pure(OpKind::kEqual16, {builder_.Load(difference), Word(0)})});
+  builder_.SetRegion(loop.body);
+  const auto position = [&] {
+    const ValueId forward = builder_.Load(at);
+    if (!moves) return forward;
+    const ValueId last = Pure(OpKind::kSub32, {builder_.Load(count), Long(1)});
+    return Pure(OpKind::kSelect32, {builder_.Load(backward), Pure(OpKind::kSub32, {last, forward}), forward});
+  };
+  if (compares) {
+    const ValueId a = accesses_.LoadAt(At(target(), position()), ir::Type::kI8, own);
+    const ir::PlaceId first = keep("first", a);
+    const ValueId b = accesses_.LoadAt(At(source(), position()), ir::Type::kI8, own);
+    builder_.Store(difference, Pure(OpKind::kSub16, {Pure(OpKind::kWiden8To16, {builder_.Load(first)}),
+                                                     Pure(OpKind::kWiden8To16, {b})}));
+  } else {
+    const ValueId moved = sets ? builder_.Load(value) : accesses_.LoadAt(At(source(), position()), ir::Type::kI8, own);
+    accesses_.StoreAt(At(target(), position()), ir::Type::kI8, moved, own);
+  }
+  builder_.SetRegion(loop.step);
+  builder_.Store(at, Pure(OpKind::kAdd32, {builder_.Load(at), Long(1)}));
+  builder_.SetRegion(behind);
+  builder_.LoopWith(loop);
+  intervals_.ForgetAfterCall(expr);
+  if (compares) result.value = conversions_.Make(builder_.Load(difference), int_);
+  if (!compares) {
+    Address again = target();
+    again.index_bounds = {-0x80000000LL, 0x7FFFFFFF};
+    result.address = again;
+  }
+  return result;
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,306 @@
+#include "transpiler/dialects/hnc/lowering/loop_bounds.h"
+
+#include <utility>
+
+#include "transpiler/dialects/hnc/loop_counts.h"
+#include "transpiler/dialects/hnc/lowering/intervals.h"
+#include "transpiler/dialects/hnc/lowering/jumps.h"
+#include "transpiler/dialects/hnc/lowering/loop_paths.h"
+
+namespace plcxx::hnc {
+
+namespace {
+
+struct Relation {
+  ExprId counter;  // the lvalue
+  ExprId limit;    // none: 0
+  BinaryOp op = BinaryOp::kNotEqual;
+  ExprId change;                    // the condition itself changes the counter
+  bool changes_before = false;      // ++n, --n: the value after the change is compared
+  std::vector<Bounds> conversions;  // the types that it is converted to before it is compared
+};
+
+/// The lvalue of the counter on one side of a comparison, and how the condition changes it.
+bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
+  ExprId id = side;
+  while (id.valid() && unit.expressions[id].kind == ExprKind::kConvert) {
+    const Type& from = unit.TypeOf(unit.expressions[id].a);
+    const Type& to = unit.TypeOf(id);
+    if (!IsInteger(from) || !IsInteger(to) || to.bits < from.bits) return false;
+    relation.conversions.insert(relation.conversions.begin(), BoundsOf(to));
+    id = unit.expressions[id].a;
+  }
+  if (!id.valid()) return false;
+  const Expr& expr = unit.expressions[id];
+  if (!expr.type.valid() || !IsInteger(unit.types[expr.type])) return false;
+  if (expr.kind == ExprKind::kLoad) {
+    relation.counter = expr.a;
+    return true;
+  }
+  if (expr.kind != ExprKind::kIncrement) return false;
+  relation.counter = expr.a;
+  relation.change = id;
+  relation.changes_before =
+      expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPreDecrement;
+  return true;
+}
+
+}  // namespace
+
+void Refusal::Add(ProofStep step, std::string reason) {
+  if (!why.empty() && step <= failed_at) return;
+  failed_at = step;
+  why = std::move(reason);
+}
+
+/// What conversions that keep the low `bits` are made of.
+ExprId LoopBounds::Unwidened(ExprId id, uint32_t bits) const {
+  while (ExprAt(id).kind == ExprKind::kConvert) {
+    const Type& to = unit_.TypeOf(id);
+    const Type& from = unit_.TypeOf(ExprAt(id).a);
+    if (!IsInteger(to) || !IsInteger(from) || to.bits < bits || from.bits < bits) break;
+    id = ExprAt(id).a;
+  }
+  return id;
+}
+
+/// The constant by which an expression changes the cell; none: otherwise, or not at all.
+std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const StaticAddress& counter) const {
+  switch (expr.kind) {
+    case ExprKind::kIncrement: {
+      const bool up = expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPostIncrement;
+      return up ? 1 : -1;
+    }
+    case ExprKind::kCompoundAssign: {
+      const std::optional<Constant>& step = ExprAt(expr.b).constant;
+      if (!step || !IsInteger(TypeAt(ExprAt(expr.b).type))) return std::nullopt;
+      if (expr.binary == BinaryOp::kAdd) return step->integer;
+      if (expr.binary == BinaryOp::kSubtract) return -step->integer;
+      return std::nullopt;
+    }
+    case ExprKind::kAssign: {
+      const ExprId id = Unwidened(expr.b, TypeAt(expr.type).bits);
+      const Expr& sum = ExprAt(id);
+      const bool minus = sum.kind == ExprKind::kBinary && sum.binary == BinaryOp::kSubtract;
+      if (!minus && (sum.kind != ExprKind::kBinary || sum.binary != BinaryOp::kAdd)) return std::nullopt;
+      for (const bool turned : {false, true}) {
+        if (minus && turned) break;
+        const ExprId read = Unwidened(turned ? sum.b : sum.a, TypeAt(expr.type).bits);
+        const Expr& step = ExprAt(turned ? sum.a : sum.b);
+        if (ExprAt(read).kind != ExprKind::kLoad || facts_.AddressOf(ExprAt(read).a) != counter) continue;
+        if (TypeAt(ExprAt(read).type).bits != TypeAt(expr.type).bits) continue;
+        if (!step.constant || !IsInteger(TypeAt(step.type))) continue;
+        return minus ? -step.constant->integer : step.constant->integer;
+      }
+      return std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refusal) {
+  if (!loop.condition.valid()) {
+    refusal.Add(ProofStep::kNothing, "it has no condition");
+    return std::nullopt;
+  }
+  refusal.Add(ProofStep::kNothing, "its condition does not compare a counter with a limit");
+  // Everything that is executed in a round.
+  std::vector<ExprId> parts;
+  const auto collect = [&](ExprId id) { parts.push_back(id); };
+  if (loop.tests.empty()) ForEachExpr(unit_, loop.condition, collect);
+  for (const StatementId test : loop.tests) ForEachExpr(unit_, unit_.statements[test].expression, collect);
+  if (loop.step.valid()) ForEachExpr(unit_, loop.step, collect);
+  for (const StatementId id : loop.body) ForEachExprIn(unit_, id, collect);
+  // Declarations with initialisers are stores, too.
+  ObjectSet declared;
+  for (const StatementId id : loop.body) {
+    ForEachStatement(unit_, id, [&](StatementId part) {
+      for (const VariableId variable : unit_.statements[part].variables) {
+        if (unit_.variables[variable].initialised && objects_.OfVariable(variable).valid()) {
+          declared.Add(objects_.OfVariable(variable));
+        }
+      }
+    });
+  }
+  // That none of `a || b` holds is what both of `!a && !b` say.
+  std::vector<ExprId> conjuncts;
+  const ExprKind joins = loop.holds ? ExprKind::kAnd : ExprKind::kOr;
+  ExprId left = loop.condition;
+  for (; ExprAt(left).kind == joins; left = ExprAt(left).a) conjuncts.push_back(ExprAt(left).b);
+  conjuncts.push_back(left);
+  std::optional<LoopProof> best;
+  for (size_t i = conjuncts.size(); i-- > 0;) {
+    const std::optional<LoopProof> proof = ProveBy(conjuncts[i], loop, parts, declared, refusal);
+    if (proof && (!best || proof->count.iterations < best->count.iterations)) best = proof;
+  }
+  return best;
+}
+
+/// The only store into the cell; more than one, or one that is not plain: none.
+std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<ExprId>& parts,
+                                            Refusal& refusal) const {
+  std::optional<ExprId> only;
+  for (const ExprId id : parts) {
+    const Expr& expr = ExprAt(id);
+    if (!facts_.MayChange(expr, cell)) continue;
+    const bool stores =
+        expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign || expr.kind == ExprKind::kIncrement;
+    const std::optional<StaticAddress> at = stores ? facts_.AddressOf(expr.a) : std::nullopt;
+    if (!at) {
+      refusal.Add(ProofStep::kChange, expr.kind == ExprKind::kCall
+                                          ? "a function that it calls may change its counter"
+                                          : "a store through a pointer or an index may change its counter");
+      return std::nullopt;
+    }
+    if (Cell{at->object, at->offset, TypeAt(ExprAt(expr.a).type).size} != cell) {
+      refusal.Add(ProofStep::kChange, "its counter is changed in part");
+      return std::nullopt;
+    }
+    if (only) {
+      refusal.Add(ProofStep::kChange, "its counter is changed in two places");
+      return std::nullopt;
+    }
+    only = id;
+  }
+  if (!only) refusal.Add(ProofStep::kCounter, "nothing in it changes its counter");
+  return only;
+}
+
+/// Whether nothing in the loop changes what the limit reads.
+bool LoopBounds::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const {
+  bool unchanged = true;
+  ForEachExpr(unit_, limit, [&](ExprId id) {
+    const Expr& expr = ExprAt(id);
+    if (expr.kind == ExprKind::kCall || expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign ||
+        expr.kind == ExprKind::kIncrement) {
+      unchanged = false;
+    }
+    if (expr.kind != ExprKind::kLoad || !unchanged) return;
+    const std::optional<StaticAddress> at = facts_.AddressOf(expr.a);
+    const ObjectSet read = facts_.ObjectsOf(expr.a);
+    for (const ExprId part : parts) {
+      const Expr& store = ExprAt(part);
+      if (at) {
+        unchanged = unchanged && !facts_.MayChange(store, {at->object, at->offset, TypeAt(expr.type).size});
+      } else {
+        for (const ObjectId object : facts_.WritesOf(store).objects) unchanged = unchanged && !read.Has(object);
+      }
+    }
+  });
+  return unchanged;
+}
+
+std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
+                                             const ObjectSet& declared, Refusal& refusal) {
+  ExprId root = conjunct;
+  bool negated = !loop.holds;
+  while (ExprAt(root).kind == ExprKind::kUnary && ExprAt(root).unary == UnaryOp::kNot) {
+    negated = !negated;
+    root = ExprAt(root).a;
+  }
+  const Expr& expr = ExprAt(root);
+  const bool compares = expr.kind == ExprKind::kBinary && expr.binary >= BinaryOp::kLess &&
+                        expr.binary <= BinaryOp::kNotEqual && IsInteger(unit_.TypeOf(expr.a));
+  std::vector<Relation> candidates;
+  const auto add = [&](ExprId side, ExprId limit, BinaryOp op) {
+    Relation relation{.counter = {}, .limit = limit, .op = negated ? Negated(op) : op, .change = {}, .conversions = {}};
+    if (FindCounter(unit_, side, relation)) candidates.push_back(relation);
+  };
+  if (compares) {
+    add(expr.a, expr.b, expr.binary);
+    add(expr.b, expr.a, Turned(expr.binary));
+  } else {
+    add(root, {}, BinaryOp::kNotEqual);
+  }
+  for (const Relation& relation : candidates) {
+    const std::optional<StaticAddress> counter = facts_.AddressOf(relation.counter);
+    const Type& type = TypeAt(ExprAt(relation.counter).type);
+    const Expr& lvalue = ExprAt(relation.counter);
+    const bool field = lvalue.kind == ExprKind::kMember &&
+                       unit_.records[TypeAt(ExprAt(lvalue.a).type).record].members[lvalue.member].is_bit_field;
+    if (!counter || field || !IsInteger(type)) continue;
+    const Cell cell{counter->object, counter->offset, type.size};
+    const std::optional<ExprId> store = OnlyStore(cell, parts, refusal);
+    if (!store || declared.Has(counter->object)) continue;
+    const std::optional<int64_t> step = StepOf(ExprAt(*store), *counter);
+    if (!step || *step == 0) {
+      refusal.Add(ProofStep::kChange, "its counter does not change by a constant");
+      continue;
+    }
+    const bool in_condition = relation.change.valid();
+    if (in_condition ? *store != relation.change : !paths_.IsInEveryIteration(*store, loop)) {
+      refusal.Add(ProofStep::kChange, "its counter is not changed on every path");
+      continue;
+    }
+    if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
+      refusal.Add(ProofStep::kLimit, "its limit changes in the loop");
+      continue;
+    }
+    const Bounds all = BoundsOf(type);
+    const std::optional<Bounds> known = flow_.Find(cell);
+    const Bounds entered = known && known->Within(all) ? *known : all;
+    const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
+    Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;
+    if (!start.Within(all)) start = entered.IsOne() ? Wrapped(start, all) : all;
+    CountedLoop counted{
+        .op = relation.op,
+        .start = start,
+        .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kStored) : Bounds{0, 0},
+        .step = *step,
+        .type = all,
+        .wraps = !type.is_signed,
+        .conversions = relation.conversions};
+    std::optional<LoopCount> count = Count(counted);
+    if (!count) {
+      refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails");
+      continue;
+    }
+    LoopProof proof{.count = *count, .counter = cell, .knows_values = !in_condition};
+    if (relation.limit.valid() && intervals_.BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
+      proof.rests_on_memory = true;
+      const auto last = static_cast<int64_t>(count->iterations);
+      const auto reached = [&](int64_t changes) {
+        return Join(start, {start.low + *step * changes, start.high + *step * changes});
+      };
+      proof.count.at_test = reached(last);
+      proof.count.in_body = last == 0 ? std::nullopt : std::optional(reached(last - 1));
+      proof.knows_values = proof.knows_values && proof.count.at_test.Within(all);
+    }
+    if (!loop.tests_first) {  // the first iteration is not tested
+      ++proof.count.iterations;
+      proof.count.in_body = Join(proof.count.in_body.value_or(entered), entered);
+    }
+    return proof;
+  }
+  return std::nullopt;
+}
+
+std::optional<uint64_t> LoopBounds::IterationsOfGoto(StatementId label, StatementId jump) {
+  std::vector<StatementId> body, heads;
+  std::vector<RoundTest> tests;
+  if (!paths_.PathBack(label, jump, body, tests)) return std::nullopt;
+  for (const RoundTest& test : tests) heads.push_back(test.test);
+  std::optional<uint64_t> best;
+  Refusal refusal;  // the message of a goto gives no reason
+  for (size_t i = 0; i < tests.size(); ++i) {
+    const bool is_first = i == 0 && tests[i].in_front == 0;
+    const bool is_last = i + 1 == tests.size() && tests[i].in_front == body.size();
+    const LoopShape loop{.condition = unit_.statements[tests[i].test].expression,
+                         .step = {},
+                         .body = body,
+                         .tests_first = is_first,
+                         .holds = tests[i].holds,
+                         .is_statement = false,
+                         .region = {jumps_.OrderOf(label), jumps_.OrderOf(jump)},
+                         .tests = heads};
+    const std::optional<LoopProof> proof = paths_.IsPassedBy(tests[i].test, loop) ? std::nullopt : Prove(loop, refusal);
+    if (!proof) continue;
+    // The test may come before the first change: one round more at most.
+    const uint64_t rounds = proof->count.iterations + (is_first || !is_last ? 1 : 0);
+    if (!best || rounds < *best) best = rounds;
+  }
+  return best;
+}
+
+}  // namespace plcxx::hnc

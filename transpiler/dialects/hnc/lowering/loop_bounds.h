@@ -1,0 +1,40 @@
+// Proofs that loops end (specification 6.6): a conjunct of the condition compares a counter with a limit, the counter
+// changes by a constant exactly once in each iteration, and cannot step over the end of its type before the relation
+// fails.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "transpiler/dialects/hnc/lowering/context.h"
+#include "transpiler/dialects/hnc/lowering/loop_shape.h"
+
+namespace plcxx::hnc {
+
+class Intervals;
+class Jumps;
+class LoopPaths;
+
+class LoopBounds : Context {
+ public:
+  LoopBounds(const Context& context, Jumps& jumps, Intervals& intervals, LoopPaths& paths)
+      : Context(context), jumps_(jumps), intervals_(intervals), paths_(paths) {}
+
+  std::optional<LoopProof> Prove(const LoopShape& loop, Refusal& refusal);
+  /// At most so often the statement behind the label is executed each time that the loop is entered; none: no proof.
+  std::optional<uint64_t> IterationsOfGoto(StatementId label, StatementId jump);
+
+ private:
+  ExprId Unwidened(ExprId id, uint32_t bits) const;
+  std::optional<int64_t> StepOf(const Expr& expr, const StaticAddress& counter) const;
+  std::optional<ExprId> OnlyStore(const Cell& cell, const std::vector<ExprId>& parts, Refusal& refusal) const;
+  bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
+  std::optional<LoopProof> ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
+                                   const ObjectSet& declared, Refusal& refusal);
+
+  Jumps& jumps_;
+  Intervals& intervals_;
+  LoopPaths& paths_;
+};
+
+}  // namespace plcxx::hnc

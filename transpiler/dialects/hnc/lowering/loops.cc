@@ -1,0 +1,178 @@
+#include "transpiler/dialects/hnc/lowering/loops.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/hnc/lowering/expressions.h"
+#include "transpiler/dialects/hnc/lowering/faults.h"
+#include "transpiler/dialects/hnc/lowering/intervals.h"
+#include "transpiler/dialects/hnc/lowering/jumps.h"
+#include "transpiler/dialects/hnc/lowering/live_path.h"
+#include "transpiler/dialects/hnc/lowering/loop_bounds.h"
+#include "transpiler/dialects/hnc/lowering/statement_writer.h"
+#include "transpiler/dialects/hnc/lowering/statements.h"
+
+namespace plcxx::hnc {
+
+using ir::OpKind;
+using ir::ValueId;
+
+namespace {
+
+constexpr uint64_t kMostRounds = 10'000'000;
+
+/// Whether a region is one store whose value needs nothing else: a step that can stand in the loop's head.
+bool IsSingleStore(const ir::Program& program, ir::RegionId region) {
+  const std::vector<ir::InstId>& insts = program.regions[region].insts;
+  std::vector<uint32_t> uses(insts.size());
+  for (size_t i = 0; i < insts.size(); ++i) {
+    const ir::Inst& inst = program[insts[i]];
+    const ir::Shape shape = ir::Info(inst.op).shape;
+    const bool value = shape == ir::Shape::kConst || shape == ir::Shape::kPure || shape == ir::Shape::kLoad;
+    if (i + 1 == insts.size() ? shape != ir::Shape::kStore : !value) return false;
+    for (const ValueId used : ir::UsedValues(program, inst)) {
+      const auto at = std::ranges::find(insts, used);
+      if (at == insts.end()) return false;
+      if (++uses[static_cast<size_t>(at - insts.begin())] > 1 && program[used].op != OpKind::kConst) return false;
+    }
+  }
+  return !insts.empty();
+}
+
+}  // namespace
+
+void Loops::CheckRounds(source::Range keyword, uint64_t rounds) {
+  const uint64_t all = rounds_around_ * rounds;
+  if (all > kMostRounds) {
+    diagnostics_.Report(keyword, diag::HncLoopRounds, static_cast<int64_t>(all), static_cast<int64_t>(kMostRounds));
+  } else if (all > settings_.loop_warn) {
+    diagnostics_.Report(keyword, diag::HncLongLoop, static_cast<int64_t>(all));
+  }
+}
+
+void Loops::Lower(const Statement& statement) {
+  const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
+  if (is_for) expressions_.Execute(statement.first);
+  const std::optional<bool> always = ConstantCondition(unit_, statement.expression);
+  const bool endless = !statement.expression.valid() || always == true;
+  bool continues = false;
+  const bool leaves = endless && !jumps_.GoesOn(statement.then, continues) && !continues;
+  const bool once = (is_do && always == false) || leaves;
+  const uint32_t on_break = path_.NewLabel(), on_continue = path_.NewLabel();
+  path_.Enter({.on_break = on_break, .on_continue = on_continue, .is_loop = true, .at_ends = {}});
+  if (once) {
+    statements_.Lower(statement.then, Tail::kNone);
+    path_.PlaceLabel(on_continue);
+  } else if (always == false && !is_do) {
+    // Never entered.
+    const Flow before = flow_;
+    flow_.reachable = false;
+    statements_.Lower(statement.then, Tail::kNone);
+    flow_ = before;
+  } else {
+    Iterations(statement, on_continue);
+  }
+  path_.Leave();
+  path_.PlaceLabel(on_break);
+}
+
+/// The condition's value as the last instruction of its region.
+void Loops::ConditionRegion(ExprId id, ir::RegionId region) {
+  builder_.SetRegion(region);
+  const ValueId value = expressions_.Condition(id);
+  const std::vector<ir::InstId>& insts = program_.regions[region].insts;
+  if (insts.empty() || insts.back() != value) Pure(OpKind::kBitAnd, {value, value});
+}
+
+void Loops::Iterations(const Statement& statement, uint32_t on_continue) {
+  const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
+  std::optional<LoopProof> proof;
+  if (!statement.loop_bound) {
+    Refusal refusal;
+    proof = loop_bounds_.Prove({.condition = statement.expression,
+                                .step = is_for ? statement.step : ExprId(),
+                                .body = {statement.then},
+                                .tests_first = !is_do},
+                               refusal);
+    if (!proof) diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+  }
+  const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
+                                                : proof              ? proof->count.iterations
+                                                                     : 1);
+  if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds);
+  // A counter or a limit in memory may be forced from outside: then the rounds are counted all the same.
+  const bool counts =
+      statement.loop_bound || (proof && (proof->rests_on_memory || !intervals_.IsLocalObject(proof->counter.object)));
+  ir::Loop loop{.kind = counts ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
+                .bound = rounds,
+                .budget = {},
+                .condition = {},
+                .body = builder_.NewRegion(),
+                .step = {},
+                .exhausted = {}};
+  const ir::RegionId behind = builder_.region();
+  intervals_.ForgetWrites(statement.then);
+  if (statement.expression.valid())
+    ForEachExpr(unit_, statement.expression, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
+  if (is_for && statement.step.valid())
+    ForEachExpr(unit_, statement.step, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
+  const Origin origin = counts ? Origin::kStored : Origin::kTested;
+  const LoopCount* values = proof && proof->knows_values ? &proof->count : nullptr;
+  Flow at_end = flow_;
+  if (statement.expression.valid() && !is_do) {
+    loop.condition = builder_.NewRegion();
+    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
+    ConditionRegion(statement.expression, loop.condition);
+    at_end = intervals_.RefineWaysOut(statement.expression, counts);
+  }
+  if (values != nullptr && values->in_body) {
+    const std::optional<Bounds> known = flow_.Find(proof->counter);
+    const std::optional<Bounds> both = known ? Meet(*known, *values->in_body) : values->in_body;
+    if (both) flow_.Narrow(proof->counter, *both);
+  }
+  const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
+  builder_.SetRegion(loop.body);
+  iterated_.push_back(loop.body);
+  statements_.Lower(statement.then, Tail::kNone);
+  iterated_.pop_back();
+  path_.PlaceLabel(on_continue);
+  ValueId again;
+  if (is_for && statement.step.valid() && flow_.reachable) {
+    const ir::RegionId step = builder_.NewRegion();
+    builder_.SetRegion(step);
+    expressions_.Execute(statement.step);
+    if (IsSingleStore(program_, step)) {
+      loop.step = step;
+    } else {
+      std::vector<ir::InstId>& body = program_.regions[loop.body].insts;
+      const std::vector<ir::InstId> insts = std::exchange(program_.regions[step].insts, {});
+      body.insert(body.end(), insts.begin(), insts.end());
+    }
+    builder_.SetRegion(loop.body);
+  } else if (is_do && flow_.reachable) {
+    writer_.MarkText(statement.close, writer_.SubjectOf(statement), false);
+    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
+    again = expressions_.Condition(statement.expression);
+    at_end = intervals_.RefineWaysOut(statement.expression, counts);
+  } else if (is_do) {
+    at_end.reachable = false;
+  }
+  rounds_around_ = outer_rounds;
+  if (statement.loop_bound) {
+    loop.exhausted = builder_.NewRegion();
+    builder_.SetRegion(loop.exhausted);
+    faults_.Record(Fault::kLoop);
+    at_end.reachable = true;
+  }
+  builder_.SetRegion(behind);
+  const ir::InstId id = builder_.LoopWith(loop);
+  if (again.valid()) {
+    builder_.SetRegion(loop.body);
+    builder_.Exit(id, Pure(OpKind::kBitNot, {again}));
+    builder_.SetRegion(behind);
+  }
+  if (!statement.expression.valid() && !statement.loop_bound) at_end.reachable = false;
+  flow_ = at_end;
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,56 @@
+// Loops (specification 6.6): proved to end, or counted where the program says how often they may iterate.
+#pragma once
+
+#include <vector>
+
+#include "transpiler/dialects/hnc/lowering/context.h"
+#include "transpiler/dialects/hnc/lowering/loop_shape.h"
+
+namespace plcxx::hnc {
+
+class Expressions;
+class Faults;
+class Intervals;
+class Jumps;
+class LivePath;
+class LoopBounds;
+class StatementWriter;
+class Statements;
+
+class Loops : Context {
+ public:
+  Loops(const Context& context, Faults& faults, Jumps& jumps, LivePath& path, Intervals& intervals,
+        LoopBounds& loop_bounds, StatementWriter& writer, Expressions& expressions, Statements& statements)
+      : Context(context),
+        faults_(faults),
+        jumps_(jumps),
+        path_(path),
+        intervals_(intervals),
+        loop_bounds_(loop_bounds),
+        writer_(writer),
+        expressions_(expressions),
+        statements_(statements) {}
+
+  void CheckRounds(source::Range keyword, uint64_t rounds);
+  void Lower(const Statement& statement);
+  void BeginFunction() { rounds_around_ = 1; }
+  /// Where what is executed in each iteration of the loops around begins.
+  const std::vector<ir::RegionId>& iterated() const { return iterated_; }
+
+ private:
+  void ConditionRegion(ExprId id, ir::RegionId region);
+  void Iterations(const Statement& statement, uint32_t on_continue);
+
+  Faults& faults_;
+  Jumps& jumps_;
+  LivePath& path_;
+  Intervals& intervals_;
+  LoopBounds& loop_bounds_;
+  StatementWriter& writer_;
+  Expressions& expressions_;
+  Statements& statements_;
+  std::vector<ir::RegionId> iterated_;  // the bodies of the loops around, those that are executed once left out
+  uint64_t rounds_around_ = 1;
+};
+
+}  // namespace plcxx::hnc

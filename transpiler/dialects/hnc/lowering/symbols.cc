@@ -1,0 +1,98 @@
+#include "transpiler/dialects/hnc/lowering/symbols.h"
+
+#include <utility>
+
+#include "transpiler/dialects/hnc/lowering/memory.h"
+
+namespace plcxx::hnc {
+
+void Symbols::AddSymbol(const std::string& name, TypeId type_id, uint32_t offset,
+                        const std::vector<ir::Symbol::Index>& indices) {
+  const Type& type = TypeAt(type_id);
+  switch (type.kind) {
+    case TypeKind::kInteger:
+    case TypeKind::kReal:
+      program_.symbols.push_back({.name = name,
+                                  .type = IrType(type_id),
+                                  .space = memory_.data(),
+                                  .offset = offset,
+                                  .bit = ir::kNoBit,
+                                  .indices = indices,
+                                  .has_sign = type.kind == TypeKind::kInteger && type.is_signed});
+      return;
+    case TypeKind::kArray: {
+      std::vector<ir::Symbol::Index> inner = indices;
+      inner.push_back({.count = type.count, .stride = TypeAt(type.element).size});
+      AddSymbol(name + "[]", type.element, offset, inner);
+      return;
+    }
+    case TypeKind::kRecord:
+      for (const Member& member : unit_.records[type.record].members) {
+        const std::string inner = member.name.empty() ? name : name + "." + member.name;
+        if (!member.is_bit_field) {
+          AddSymbol(inner, member.type, offset + member.offset, indices);
+          continue;
+        }
+        // A bit-field is one symbol for each bit, the lowest first: what several symbols name is one number.
+        for (uint32_t i = 0; i < member.bit_width && !member.name.empty(); ++i) {
+          const uint32_t bit = member.bit_offset + i;
+          program_.symbols.push_back({.name = inner,
+                                      .type = ir::Type::kBit,
+                                      .space = memory_.data(),
+                                      .offset = offset + member.offset + bit / 8,
+                                      .bit = static_cast<uint8_t>(bit % 8),
+                                      .indices = indices,
+                                      .has_sign = TypeAt(member.type).is_signed});
+        }
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+void Symbols::Add() {
+  for (uint32_t i = 0; i < objects_.size(); ++i) {
+    const Object& object = objects_[ObjectId(i)];
+    if (!memory_.IsData(ObjectId(i))) continue;
+    AddSymbol(object.name, unit_.variables[VariableId(object.index)].type, memory_.BeginOf(ObjectId(i)), {});
+  }
+}
+
+/// Type, initial value and the comment of a variable.
+std::string Symbols::MeaningOf(const Variable& variable) const {
+  std::string text = TypeAt(variable.type).text;
+  if (variable.initialised && variable.initial.size() == 1 && variable.initial.front().value.valid()) {
+    const Expr& value = ExprAt(variable.initial.front().value);
+    if (value.constant && IsInteger(TypeAt(value.type))) text += " = " + std::to_string(value.constant->integer);
+  }
+  if (const Comment* comment = CommentBehind(unit_, sources_, variable.range.end)) {
+    text += "; ";
+    for (const char c : comment->text) text += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text;
+}
+
+void Symbols::Document() {
+  std::map<std::pair<uint32_t, uint32_t>, ir::Documentation> cells;  // by space and byte
+  for (const ir::Place& place : program_.places) {
+    const bool memory = !place.is_field() && (memory_.IsOfArea(place.space) || place.space == memory_.data());
+    if (!memory || place.address.empty()) continue;  // an indexed place has no address
+    ir::Documentation& known = cells[{place.space.index, place.offset}];
+    if (!known.address.empty()) continue;
+    known.address = place.address;
+    known.symbols = place.space == memory_.data() ? place.address : place.name;
+  }
+  for (uint32_t i = 0; i < objects_.size(); ++i) {
+    const Object& object = objects_[ObjectId(i)];
+    if (!memory_.IsData(ObjectId(i))) continue;
+    const Variable& variable = unit_.variables[VariableId(object.index)];
+    ir::Documentation& known = cells[{memory_.data().index, memory_.BeginOf(ObjectId(i))}];
+    if (known.address.empty()) known.address = object.name;
+    known.symbols = object.name;
+    known.meaning = MeaningOf(variable);
+  }
+  for (auto& [place, known] : cells) program_.documentation.push_back(std::move(known));
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,28 @@
+#include "transpiler/dialects/hnc/lowering/system_functions.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace plcxx::hnc {
+
+namespace {
+
+constexpr SystemParameter Axis(std::string_view name) { return {name, ir::Type::kI16, kAxes}; }
+constexpr SystemParameter Wheel(std::string_view name) { return {name, ir::Type::kI16, kHandwheels}; }
+constexpr SystemParameter Int(std::string_view name) { return {name, ir::Type::kI16, 0}; }
+constexpr SystemParameter Long(std::string_view name) { return {name, ir::Type::kI32, 0}; }
+
+constexpr SystemSignature kSignatures[] = {
+#define HNC_SYSTEM_FUNCTION(name, host, comment, result, outside, ...) \
+  {SystemFunction::k##name, host, comment, SystemResult::k##result, outside, {{__VA_ARGS__}}},
+#include "transpiler/dialects/hnc/lowering/system_functions.def"
+};
+
+}  // namespace
+
+const SystemSignature* SignatureOf(SystemFunction function) {
+  const auto* const row = std::ranges::find(kSignatures, function, &SystemSignature::function);
+  return row == std::end(kSignatures) ? nullptr : row;
+}
+
+}  // namespace plcxx::hnc
