@@ -53,17 +53,20 @@ source::UnsavedBytes UnsavedOf(const compilation::CompilationRequest& request, c
   return bytes;
 }
 
-compilation::Compilation CompileWith(const compilation::CompilationRequest& request,
+compilation::Compilation CompileWith(const compilation::CompilationRequest& request, const project::Baseline& baseline,
                                      const source::UnsavedBytes& unsaved) {
   const source::UnsavedScope scope(unsaved);
-  return compilation::Compile(request, compilation::Stage::kChecked);
+  if (baseline.accepted.empty()) return compilation::Compile(request, compilation::Stage::kChecked);
+  project::Accepted accepted;
+  return project::CompileAccepting(request, compilation::Stage::kChecked, baseline, request.base_directory, accepted);
 }
 
 }  // namespace
 
-Analysis::Analysis(const compilation::CompilationRequest& request, const Documents& documents, Units units)
+Analysis::Analysis(const compilation::CompilationRequest& request, const project::Baseline& baseline,
+                   const Documents& documents, Units units)
     : unsaved_(UnsavedOf(request, documents)),
-      compilation_(CompileWith(request, unsaved_)),
+      compilation_(CompileWith(request, baseline, unsaved_)),
       units_(units),
       lines_(compilation_.sources->size()) {
   for (uint32_t i = 0; i < sources().size(); ++i) {

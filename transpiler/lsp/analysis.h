@@ -1,7 +1,7 @@
 // One compilation of one program, with the places of its files as the client counts them.
 //
-// In: a request and the texts of open documents. Out: what `plcxx check` finds, and the program for everything else
-// that an editor asks. It is never changed: after an edit there is a new one.
+// In: a request, the warnings that its project accepts, and the texts of open documents. Out: what `plcxx check` finds,
+// and the program for everything else that an editor asks. It is never changed: after an edit there is a new one.
 #pragma once
 
 #include <map>
@@ -14,6 +14,7 @@
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/lsp/documents.h"
 #include "transpiler/lsp/positions.h"
+#include "transpiler/project/baseline.h"
 #include "transpiler/source/unsaved.h"
 
 namespace plcxx::lsp {
@@ -29,7 +30,8 @@ class Names;
 class Analysis {
  public:
   ~Analysis();
-  Analysis(const compilation::CompilationRequest& request, const Documents& documents, Units units);
+  Analysis(const compilation::CompilationRequest& request, const project::Baseline& baseline,
+           const Documents& documents, Units units);
 
   const compilation::Compilation& compilation() const { return compilation_; }
   const source::SourceManager& sources() const { return *compilation_.sources; }

@@ -46,6 +46,7 @@ const Document& Documents::Open(const Json& params) {
   document.path = PathOfDocument(params);
   document.uri = rpc::TextOf(item, "uri");
   document.text = rpc::TextOf(item, "text");
+  document.language = rpc::OptionalText(item, "languageId").value_or("");
   document.version = rpc::OptionalNumber(item, "version").value_or(0);
   CheckSize(document.text);
   return documents_[source::FileIdentity(document.path)] = std::move(document);

@@ -10,9 +10,10 @@
 namespace plcxx::lsp {
 
 struct Document {
-  std::string uri;   // as the client spells it
-  std::string path;  // absolute
-  std::string text;  // UTF-8; bytes that are none are not in it
+  std::string uri;       // as the client spells it
+  std::string path;      // absolute
+  std::string text;      // UTF-8; bytes that are none are not in it
+  std::string language;  // as the client calls it; the name of a dialect means this one
   int64_t version = 0;
 };
 

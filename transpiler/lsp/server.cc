@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "transpiler/compilation/source_loading.h"
 #include "transpiler/lsp/features.h"
 #include "transpiler/rpc/standard_streams.h"
 #include "transpiler/source/find_file.h"
@@ -33,6 +34,7 @@ class LanguageServer {
   void AddFeatures();
   void AddFeature(const char* method, Feature feature);
   Json WorkspaceSymbols(const Json& params);
+  Json ProgramOf(const Json& params);
   void CheckState(std::string_view method) const;
   Json Initialize(const Json& params);
   void Publish(std::string_view identity);
@@ -169,6 +171,7 @@ void LanguageServer::AddMethods() {
     return nullptr;
   });
   add("workspace/symbol", [this](const Json& params) { return WorkspaceSymbols(params); });
+  add("plcxx/program", [this](const Json& params) { return ProgramOf(params); });
   AddFeatures();
 }
 
@@ -204,6 +207,24 @@ Json LanguageServer::WorkspaceSymbols(const Json& params) {
     AddWorkspaceSymbols({workspace_, *program, analysis, names, source::FileId(0)}, query, symbols);
   }
   return symbols;
+}
+
+/// Our own: what a file belongs to, which need not be open; null where it is no part of a program. An editor has one
+/// language for each extension, and we have three in ".plc"; its commands run plcxx for the program.
+Json LanguageServer::ProgramOf(const Json& params) {
+  const support::FaultGuard guard;
+  const std::string path = PathOfDocument(params);
+  workspace_.OpenProjectOf(path);
+  const WorkspaceProgram* program = workspace_.ProgramOf(source::FileIdentity(path), Publisher());
+  if (program == nullptr || program->analysis->compilation().dialect == nullptr) return nullptr;
+  Json sources = Json::array();
+  for (const std::string& source : program->request.sources) {
+    sources.push_back(source::FileIdentity(compilation::FromBase(program->request.base_directory, source)));
+  }
+  return {{"dialect", program->analysis->compilation().dialect->name},
+          {"project", program->project.empty() ? Json() : Json(source::FileIdentity(program->project))},
+          {"program", program->name},
+          {"sources", std::move(sources)}};
 }
 
 }  // namespace

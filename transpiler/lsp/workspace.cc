@@ -45,6 +45,19 @@ void Workspace::DropSingleFiles() {
   }
 }
 
+void Workspace::ReadBaselineOf(WorkspaceProgram& program, const std::string& path) {
+  std::variant<project::Baseline, yaml::Error> read = project::ReadBaseline(path);
+  if (auto* baseline = std::get_if<project::Baseline>(&read)) {
+    program.baseline = std::move(*baseline);
+    return;
+  }
+  // What names the file is open in an editor rather than the file itself.
+  const yaml::Error& error = std::get<yaml::Error>(read);
+  const yaml::Error fault{program.project, {}, ToText(error)};
+  Json& faults = project_faults_[source::FileIdentity(program.project)];
+  for (Json& one : ProjectFaults({fault})) faults.push_back(std::move(one));
+}
+
 void Workspace::ReadProjectFile(const std::string& project) {
   for (size_t i = programs_.size(); i-- > 0;) {
     if (programs_[i]->project == project) Drop(i);
@@ -63,6 +76,8 @@ void Workspace::ReadProjectFile(const std::string& project) {
     auto program = std::make_unique<WorkspaceProgram>();
     program->request = project::RequestOf(said);
     program->project = project;
+    program->name = project::NameOf(said);
+    if (!said.baseline.empty()) ReadBaselineOf(*program, said.baseline);
     programs_.push_back(std::move(program));
   }
   DropSingleFiles();
@@ -89,8 +104,11 @@ void Workspace::Changed(const std::string& identity) {
   }
   if (found || document == nullptr) return;
   const auto text = [&](const std::string&) { return document->text; };
-  if (compilation::ChooseDialect({}, {document->path}, text) == nullptr) return;  // no language of ours
+  // A client that names a language has had it from its user.
+  const dialects::Dialect* named = dialects::DialectByName(document->language);
+  if (named == nullptr && compilation::ChooseDialect({}, {document->path}, text) == nullptr) return;  // none of ours
   auto program = std::make_unique<WorkspaceProgram>();
+  if (named != nullptr) program->request.dialect = named->name;
   program->request.sources = {document->path};
   program->is_single_file = true;
   programs_.push_back(std::move(program));
@@ -121,7 +139,7 @@ void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
   program.changed = false;
   {
     const support::FaultGuard guard;
-    auto analysis = std::make_unique<Analysis>(program.request, documents_, units_);
+    auto analysis = std::make_unique<Analysis>(program.request, program.baseline, documents_, units_);
     if (program.analysis != nullptr && program.analysis->compilation().ok())
       program.whole = std::move(program.analysis);
     if (analysis->compilation().ok()) program.whole = nullptr;

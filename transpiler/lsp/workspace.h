@@ -20,6 +20,8 @@ namespace plcxx::lsp {
 
 struct WorkspaceProgram {
   compilation::CompilationRequest request;
+  std::string name;             // in the project
+  project::Baseline baseline;   // warnings that the project accepts
   std::string project;          // path of the plcxx.yaml that says it; empty: none does
   bool is_single_file = false;  // not configured: it goes with its document
   bool changed = true;          // since `analysis`
@@ -48,6 +50,9 @@ class Workspace {
   /// Files on the disk have changed.
   void ChangedOnDisk();
 
+  /// Programs of the plcxx.yaml that a file belongs to are known from now on, whether it is open or not.
+  void OpenProjectOf(const std::string& path);
+
   /// Analyses one program that has changed; false: there is none.
   bool AnalyseNext(const Publish& publish);
   /// The program that a file belongs to, up to date; null: none.
@@ -59,9 +64,10 @@ class Workspace {
 
  private:
   void PublishWaiting(const Publish& publish);
-  void OpenProjectOf(const std::string& path);
   /// The programs of a plcxx.yaml, in place of what it said before.
   void ReadProjectFile(const std::string& project);
+  /// The accepted warnings of a program; a fault of their file is shown in the plcxx.yaml.
+  void ReadBaselineOf(WorkspaceProgram& program, const std::string& path);
   /// A file that has got a program is none by itself.
   void DropSingleFiles();
   void Drop(size_t index);
