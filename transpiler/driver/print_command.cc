@@ -10,6 +10,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/driver/vocabulary.h"
 #include "transpiler/emit/emittable.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
@@ -27,6 +28,7 @@ constexpr const char* kPrintFooter = R"(Phases:
   syntax         the syntax tree           ir-optimized   sliced and optimized
 
   schema         the JSON schema of plcxx.yaml, for editors
+  vocabulary     the words of all dialects as JSON, for the colours of editors
 
 Examples:
   plcxx print syntax turret.plc
@@ -82,7 +84,8 @@ std::string PrintFiles(compilation::Compilation& compilation) {
   return text;
 }
 
-constexpr std::string_view kSchema = "schema";  // no phase: what an editor has to know of plcxx.yaml
+/// No phases: what an editor has to know of plcxx.yaml, and of the languages.
+constexpr std::string_view kSchema = "schema", kVocabulary = "vocabulary";
 
 struct PhaseRow {
   std::string_view name;
@@ -110,7 +113,7 @@ const PhaseRow* PhaseByName(std::string_view name) {
 std::string PhaseNames() {
   std::string names;
   for (const PhaseRow& row : kPhases) names += std::string(row.name) + ", ";
-  return names + std::string(kSchema);
+  return names + std::string(kSchema) + ", " + std::string(kVocabulary);
 }
 
 int RunPrint(const PrintSettings& settings) {
@@ -133,6 +136,10 @@ int RunPrint(const PrintSettings& settings) {
 int RunPrintOf(const PrintSettings& settings) {
   if (settings.phase == kSchema) {
     std::cout << project::Schema();
+    return kDone;
+  }
+  if (settings.phase == kVocabulary) {
+    std::cout << VocabularyText();
     return kDone;
   }
   if (PhaseByName(settings.phase) == nullptr) {

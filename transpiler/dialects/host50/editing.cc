@@ -207,6 +207,7 @@ std::vector<dialects::Word> EditorWords() {
     words.push_back(std::move(word));
   };
 #define HOST50_INSTRUCTION(Key, Text, ...) add(Text, Op::k##Key, "");
+#define HOST50_SPELLING(Text, Key) add(Text, Op::k##Key, "");
 #define HOST50_TIMER_SPELLING(Text, Key, Unit) add(Text, Op::k##Key, "timer with its unit");
 #include "transpiler/dialects/host50/machine.def"
   for (const std::string_view word : kDirectives) {

@@ -238,15 +238,24 @@ std::vector<dialects::Word> EditorWords() {
                      .meaning = info.assembler ? "assembler instruction" : "",
                      .parameters = ParametersOf(info.form)});
   }
+  const auto add_synonym = [&words](std::string_view name, Op op) {
+    words.push_back({.name = std::string(name),
+                     .role = TokenRole::kMnemonic,
+                     .meaning = "as " + std::string(Info(op).mnemonic),
+                     .parameters = ParametersOf(Info(op).form)});
+  };
+  const auto add_keyword = [&words](std::string name, const char* meaning) {
+    words.push_back({.name = std::move(name), .role = TokenRole::kKeyword, .meaning = meaning, .parameters = {}});
+  };
   for (const ModuleInfo& module : Modules()) {
     if (module.keyword.empty()) continue;
-    words.push_back(
-        {.name = std::string(module.keyword), .role = TokenRole::kKeyword, .meaning = "module", .parameters = {}});
+    add_keyword(std::string(module.keyword), "module");
+    add_keyword(std::string(module.keyword) + "_END", "ends a module");
   }
-  for (const char* word : {"EQUI", "EQU", "DB", "DW", "DD", "DFM", "STRUC", "ENDS", "MACRO", "ENDM", "T_INCLUDE",
-                           "MECH_BEGIN", "MECH_END", "BYTE", "WORD", "DWRD", "CNST"}) {
-    words.push_back({.name = word, .role = TokenRole::kKeyword, .meaning = {}, .parameters = {}});
-  }
+#define TECHNOL_SYNONYM(Text, Key) add_synonym(Text, Op::k##Key);
+#define TECHNOL_REGISTER(Key, Text, ...) add_keyword(Text, "register");
+#define TECHNOL_RESERVED(Text) add_keyword(Text, "");
+#include "transpiler/dialects/technol/machine.def"
   return words;
 }
 
