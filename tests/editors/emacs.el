@@ -1,0 +1,50 @@
+;;; -*- lexical-binding: t -*-
+;; A sitting with Emacs and Eglot: diagnostics, hover, definition. Arguments in the environment: PLCXX, PLCXX_FOLDER (a copy
+;; of the sample lathe), PLCXX_EDITORS. Exit code 77: there is no Eglot.
+(require 'package)
+(package-initialize)
+(unless (require 'eglot nil t)
+  (princ "skipped: there is no Eglot in this Emacs\n")
+  (kill-emacs 77))
+(require 'flymake)
+(load (expand-file-name "emacs/plcxx.el" (getenv "PLCXX_EDITORS")))
+(setq plcxx-program (getenv "PLCXX")
+      eglot-sync-connect 60
+      create-lockfiles nil
+      make-backup-files nil)
+
+(defun plcxx-test-wait (what condition)
+  "Fail with WHAT unless CONDITION holds within a minute."
+  (let ((end (+ (float-time) 60)))
+    (while (not (funcall condition))
+      (when (> (float-time) end) (error "waited in vain for %s" what))
+      (accept-process-output nil 0.05))))
+
+(defun plcxx-test-errors ()
+  (flymake-start)
+  (seq-filter (lambda (one) (eq (flymake-diagnostic-type one) 'eglot-error)) (flymake-diagnostics)))
+
+(find-file (expand-file-name "fast.plc" (getenv "PLCXX_FOLDER")))
+(unless (eq major-mode 'plcxx-mode) (error "mode is %s" major-mode))
+(call-interactively #'eglot)
+(plcxx-test-wait "the server" #'eglot-current-server)
+(goto-char (point-min))
+(re-search-forward "^!K\\(D\\)RV =")
+(let* ((line-begin (line-beginning-position))
+       (server (eglot-current-server))
+       (hover (progn (goto-char (1+ line-begin))
+                     (jsonrpc-request server :textDocument/hover (eglot--TextDocumentPositionParams))))
+       (definition (jsonrpc-request server :textDocument/definition (eglot--TextDocumentPositionParams))))
+  (unless (string-match-p "contactor of the drives" (plist-get (plist-get hover :contents) :value)) (error "hover: %S" hover))
+  (unless (string-match-p "lathe\\.sym\\'" (plist-get (elt definition 0) :uri)) (error "definition: %S" definition))
+  (plcxx-test-wait "no error" (lambda () (null (plcxx-test-errors))))
+  (goto-char line-begin)
+  (re-search-forward "=")
+  (insert " =")
+  (eglot--signal-textDocument/didChange)
+  (plcxx-test-wait "the error" #'plcxx-test-errors)
+  (let ((at (line-number-at-pos (flymake-diagnostic-beg (car (plcxx-test-errors))))))
+    (unless (= at (line-number-at-pos line-begin)) (error "the error is in line %d" at)))
+  (set-buffer-modified-p nil)
+  (eglot-shutdown server))
+(princ "emacs: as it should be\n")
