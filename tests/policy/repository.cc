@@ -13,6 +13,7 @@ namespace {
 bool IsLeftOut(const std::filesystem::path& relative) {
   const std::string name = relative.filename().string();
   if (name == ".git" || name.starts_with(".cache") || name == "__pycache__") return true;
+  if (name == "node_modules" || relative == std::filesystem::path("editors/vscode/dist")) return true;  // npm's
   if (relative.parent_path().empty() && name.starts_with("build")) return true;
   return relative == std::filesystem::path("tests/policy/fixtures");
 }
