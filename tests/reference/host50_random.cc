@@ -34,10 +34,11 @@ class Generator {
     const bool has_slow = !random_.OneIn(20);  // W19
     Tables(parts);
     if (!has_slow || !random_.OneIn(3)) parts.push_back(Part("FAST", "END_FAST", {}, statements / 4, 10));
-    if (has_slow) parts.push_back(Part("SLOW", "END_SLOW", {.first = 1, .last = subroutines}, statements / 2, 60));
+    if (has_slow)
+      parts.push_back(Part("SLOW", "END_SLOW", {.first = 1, .last = subroutines, .most = 8}, statements / 2, 60));
     for (uint32_t i = 1; i <= subroutines; ++i) {
-      parts.push_back(Part("SUB SR" + networks_.Padded(i - 1), "END_SUB", {.first = i + 1, .last = subroutines},
-                           statements / 4 / subroutines, 20));
+      parts.push_back(Part("SUB SR" + networks_.Padded(i - 1), "END_SUB",
+                           {.first = i + 1, .last = subroutines, .most = 2}, statements / 4 / subroutines, 20));
     }
     Files(std::move(parts));
     Steps();

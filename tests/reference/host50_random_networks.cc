@@ -452,8 +452,10 @@ std::string Networks::BlockWithoutQ() {
     case 8:
       return Axis();
     case 9:
-      if (section_ == Section::kOther && callees_.first <= callees_.last)
+      if (section_ == Section::kOther && callees_.first <= callees_.last && callees_.most > 0) {
+        --callees_.most;
         return "CALL SR" + Padded(random_.Between(callees_.first, callees_.last) - 1);
+      }
       [[fallthrough]];
     default:
       return "MOV " + Number() + ", " + (random_.OneIn(2) ? WholeResult() : RealResult());
@@ -537,7 +539,10 @@ Piece Networks::Network(uint32_t position, uint32_t count, uint32_t wanted) {
   } while (made_ < wanted);
   // A jump: forward as a rule; backward ones may end at the guard.
   if (section_ == Section::kOther && random_.OneIn(one_jump_in_)) {
-    const bool backward = random_.OneIn(6);
+    // Each section has a guard of its own (4.8): of sections that call each other the jumps multiply, without an end
+    // that anybody waits for. So they are where nothing is called, or in the one that the slow part calls.
+    const bool is_leaf = callees_.first > callees_.last && callees_.last <= 1;
+    const bool backward = is_leaf && random_.OneIn(6);
     const uint32_t target = backward               ? random_.Between(0, position)
                             : position + 1 < count ? random_.Between(position + 1, count - 1)
                                                    : count;

@@ -18,9 +18,10 @@ namespace plcxx::reference::host50_random {
 using Texts = std::vector<std::string>;
 
 enum class Section : uint8_t { kFast, kOther };
-/// The subroutines that a section may call.
+/// The subroutines that a section may call, and at how many places: each of them calls others, so that what is executed
+/// is the product.
 struct Callees {
-  uint32_t first = 1, last = 0;
+  uint32_t first = 1, last = 0, most = 0;
 };
 
 class Networks {

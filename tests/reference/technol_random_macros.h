@@ -88,7 +88,7 @@ class RandomMacros {
     for (size_t i = 0; i < macro.kinds.size(); ++i) {
       if (macro.kinds[i] == kind && random_.OneIn(2)) return "{" + std::to_string(i) + "}";
     }
-    if (macro.parameters.size() > 6) return Argument(kind == Kind::kNothing ? Kind::kDigit : kind);
+    if (macro.parameters.size() > 6) return Argument(kind);
     static const char* const kNames[] = {"P", "q", "_r", "HODNOTA", "?z", "@a", "X_1"};
     macro.parameters.push_back(kNames[macro.parameters.size()] + std::to_string(macros_.size()));
     macro.kinds.push_back(kind);
