@@ -18,6 +18,7 @@
 
 #include "tests/diff/both_simulated.h"
 #include "tests/diff/source_edits.h"
+#include "tests/scenario_texts.h"
 #include "tests/temporary_directory.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/scenarios/program.h"
@@ -66,6 +67,9 @@ class EditedProgram {
     const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(scenario.string());
     if (!std::holds_alternative<scenarios::Scenario>(read) || !std::get<scenarios::Scenario>(read).steps) return;
     scenarios::Scenario copied = std::get<scenarios::Scenario>(read);
+    for (const auto& [name, text] : TakeTexts(copied)) {
+      for (const auto* copy : {&old_, &new_}) copy->Write(name, text);
+    }
     // Files beside it may be included, or named by options.
     for (const auto& entry : fs::directory_iterator(scenario.parent_path())) {
       if (entry.is_directory() || entry.path().extension() == ".yaml") continue;

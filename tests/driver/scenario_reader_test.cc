@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "transpiler/scenarios/scenario.h"
+#include "transpiler/yaml/words.h"
 
 namespace plcxx::driver {
 namespace {
 
 using testing::ElementsAre;
+using testing::Pair;
 
 scenarios::Scenario Parsed(const std::string& text) {
   scenarios::ScenarioOrErrors read = scenarios::ParseScenario("dir/s.yaml", text);
@@ -89,6 +91,33 @@ steps:
   EXPECT_THAT(std::get<scenarios::ExpectMessagesStep>(steps[8].action).messages, ElementsAre("9", "36"));
   EXPECT_EQ(steps[10].number, 11u);
   EXPECT_EQ(steps[10].name, "power_cycle");
+}
+
+TEST(ScenarioReader, AProgramWithinIt) {
+  const scenarios::Scenario scenario = Parsed(R"(
+sources:
+  a.sym: |
+    LAMP U4A8
+  b.plc: |2-
+
+      LAMP=I0A0
+steps: []
+)");
+  EXPECT_THAT(scenario.sources, ElementsAre("s.yaml/a.sym", "s.yaml/b.plc"));
+  EXPECT_THAT(scenario.texts, ElementsAre(Pair("s.yaml/a.sym", "LAMP U4A8\n"), Pair("s.yaml/b.plc", "\n  LAMP=I0A0")));
+  EXPECT_THAT(Errors("sources:\n  x/a.plc: U4A0=1\nsteps: []\n"),
+              ElementsAre("s.yaml:2:3: 'x/a.plc': a source that is written here has a name without a folder"));
+  EXPECT_THAT(Errors("sources:\n  a.plc: [U4A0=1]\nsteps: []\n"),
+              ElementsAre("s.yaml:2:10: the text of 'a.plc' is a single word or number"));
+}
+
+TEST(ScenarioReader, TheToolsOwnTextsAreReadAsTheyWere) {
+  for (const std::string text :
+       {"a\n", "a", "a\n\n\n", "\n a\n", "  a\n\tb\n\nc", "\n", "", "a\rb\n", "\x01\"\\\n", "é\n"}) {
+    const scenarios::Scenario scenario =
+        Parsed("sources:\n  a.plc: " + yaml::YamlText(text, 4) + "\n  b.plc: x\nsteps: []\n");
+    EXPECT_THAT(scenario.texts, ElementsAre(Pair("s.yaml/a.plc", text), Pair("s.yaml/b.plc", "x")));
+  }
 }
 
 TEST(ScenarioReader, ExpectedErrors) {

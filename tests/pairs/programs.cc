@@ -11,6 +11,7 @@
 #include "tests/reference/nc110_reference.h"
 #include "tests/reference/prostep.h"
 #include "tests/reference/technol.h"
+#include "tests/scenario_texts.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::pairs {
@@ -42,12 +43,13 @@ ProgramText Golden(const std::string& dialect, Random& random) {
   const std::vector<fs::path>& paths = GoldenScenarios(dialect);
   for (int tries = 0; tries < 50; ++tries) {
     const fs::path& path = paths[Below(random, paths.size())];
-    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path.string());
-    const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
+    scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path.string());
+    auto* const scenario = std::get_if<scenarios::Scenario>(&read);
     if (scenario == nullptr || !scenario->steps || scenario->sources.empty()) continue;
+    std::map<std::string, std::string> written = TakeTexts(*scenario);
     ProgramText program{.dialect = dialect,
                         .sources = scenario->sources,
-                        .files = {},
+                        .files = std::move(written),
                         .options = scenario->options,
                         .scenario = Content(path)};
     for (const auto& entry : fs::directory_iterator(path.parent_path())) {

@@ -24,7 +24,9 @@ namespace plcxx::compilation {
 inline constexpr uint64_t kNsPerUs = 1000;
 
 struct CompilationRequest {
-  std::vector<std::string> sources;          // the program, in the user's order; "-" is standard input
+  std::vector<std::string> sources;  // the program, in the user's order; "-" is standard input
+  /// Files that stand in memory and not on the disk, by their paths relative to base_directory, as in `sources`.
+  std::map<std::string, std::string> texts;
   std::string dialect;                       // empty: by extension, then by content
   std::optional<source::Encoding> encoding;  // none: detected
   /// --set key=value, then `options:` of a scenario: of two with one name the later one counts.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,13 +23,24 @@ constexpr std::string_view kStandardInputName = "<stdin>";
 /// Standard input can be read once, but is looked at twice: to tell the dialect, and as a source.
 class Reader {
  public:
+  explicit Reader(const CompilationRequest& request) {
+    for (const auto& [path, text] : request.texts) texts_[FromBase(request.base_directory, path)] = text;
+  }
+
   std::variant<std::string, source::LoadError> Read(const std::string& path, size_t max_bytes) {
-    if (path != kStandardInput) return source::ReadBytes(path, max_bytes);
-    if (!standard_input_) standard_input_ = source::ReadStandardInput(max_bytes);
-    return *standard_input_;
+    if (path == kStandardInput) {
+      if (!standard_input_) standard_input_ = source::ReadStandardInput(max_bytes);
+      return *standard_input_;
+    }
+    const auto text = texts_.find(path);
+    if (text == texts_.end()) return source::ReadBytes(path, max_bytes);
+    if (text->second.empty()) return source::LoadError{source::LoadProblem::kEmpty, {}};
+    if (text->second.size() > max_bytes) return source::TooLarge(max_bytes);
+    return text->second;
   }
 
  private:
+  std::map<std::string, std::string> texts_;
   std::optional<std::variant<std::string, source::LoadError>> standard_input_;
 };
 
@@ -114,8 +126,8 @@ dialects::FileLoader MakeLoader(const CompilationRequest& request, source::Sourc
                                 const source::LoadOptions& options) {
   std::vector<std::string> directories = {request.base_directory};
   directories.insert(directories.end(), request.include_directories.begin(), request.include_directories.end());
-  return [directories = std::move(directories), sources, options](const std::string& path) {
-    Reader reader;
+  return [directories = std::move(directories), sources, options, texts = Reader(request)](const std::string& path) {
+    Reader reader = texts;
     auto first = LoadOne(*sources, reader, FromBase(directories.front(), path), options);
     for (size_t i = 1; i < directories.size(); ++i) {
       const auto* error = std::get_if<source::LoadError>(&first);
@@ -166,7 +178,7 @@ void ReportUndecodable(Compilation& compilation) {
 const dialects::Dialect* DialectOf(const CompilationRequest& request) {
   std::vector<std::string> paths;
   for (const std::string& path : request.sources) paths.push_back(FromBase(request.base_directory, path));
-  Reader reader;
+  Reader reader(request);
   source::LoadOptions options;
   options.encoding = request.encoding;
   diag::Engine nobody_reads;
@@ -183,7 +195,7 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
     return;
   }
 
-  Reader reader;
+  Reader reader(request);
   source::LoadOptions options;
   options.encoding = request.encoding;
   compilation.dialect = ChooseDialect(request.dialect, paths, [&](const std::string& path) {

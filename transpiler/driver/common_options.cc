@@ -5,6 +5,7 @@
 
 #include "transpiler/compilation/warning_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/columns.h"
 
@@ -45,7 +46,9 @@ void AddSettings(CLI::App& command, CommonOptions& options) {
 void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command
       .add_option("SOURCE", options.sources,
-                  "The files of one program, in their order; - is standard input. None: the program of plcxx.yaml")
+                  "The files of one program, in their order; - is standard input. A scenario (.yaml): its program. "
+                  "None: that of "
+                  "plcxx.yaml")
       ->type_name("");
   AddProjectOptions(command, options);
   AddProgramOptions(command, options);
@@ -154,7 +157,7 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
     PrintUsageError("'" + unknown.front() + "' names no warning: plcxx explain --list shows them all");
     return std::nullopt;
   }
-  return request;
+  return IsScenario(options) ? RequestOfScenario(options, request) : request;
 }
 
 MessageStyle MessagesOf(const CommonOptions& options) {

@@ -18,6 +18,7 @@
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/prove_output.h"
+#include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/review/properties/runs.h"
 #include "transpiler/scenarios/program.h"
@@ -130,37 +131,20 @@ class Prove {
     if (!request) return false;
     request_ = std::move(*request);
     if (settings_.common.program) return files_.empty() ? TakeProperties(*settings_.common.program) : true;
-    const std::vector<std::string>& sources = settings_.common.sources;
-    if (sources.size() != 1 || !IsScenario(sources.front())) return true;
-    if (!ReadScenario(sources.front())) return false;
+    if (!IsScenario(settings_.common)) return true;
+    if (!TakeScenario(settings_.common.sources.front())) return false;
     const scenarios::Scenario& scenario = scenarios_.back();
-    if (scenario.sources.empty()) {
-      PrintUsageError(scenario.path + ": no 'sources': the scenario names no program");
-      return false;
-    }
     if (scenario.properties.empty() && settings_.files.empty()) {
       PrintUsageError(scenario.path + ": no 'properties': there is nothing to prove");
       return false;
     }
-    compilation::CompilationRequest own = scenarios::RequestOf(scenario, {{}, request_.options, request_.warnings});
-    own.include_directories.insert(own.include_directories.begin(), request_.include_directories.begin(),
-                                   request_.include_directories.end());
-    own.macros.insert(own.macros.end(), request_.macros.begin(), request_.macros.end());
-    request_ = std::move(own);
     return true;
   }
 
-  static bool IsScenario(const std::string& path) { return std::filesystem::path(path).extension() == ".yaml"; }
-
-  bool ReadScenario(const std::string& path) {
-    scenarios::ScenarioOrErrors read = scenarios::ReadScenario(
-        path, settings_.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
-    if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
-      for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
-      return false;
-    }
-    scenarios_.push_back(std::move(std::get<scenarios::Scenario>(read)));
-    return true;
+  bool TakeScenario(const std::string& path) {
+    std::optional<scenarios::Scenario> scenario = ReadScenario(path, settings_.common);
+    if (scenario) scenarios_.push_back(std::move(*scenario));
+    return scenario.has_value();
   }
 
   /// What the project wants to be proved, where the command line names nothing.
@@ -168,7 +152,7 @@ class Prove {
     for (const std::string& path : program.properties) {
       if (!IsScenario(path)) {
         files_.push_back(path);
-      } else if (!ReadScenario(path)) {
+      } else if (!TakeScenario(path)) {
         return false;
       }
     }

@@ -22,6 +22,7 @@ struct GroupedProgram {
 
 uintmax_t SourceBytes(const compilation::CompilationRequest& request) {
   uintmax_t bytes = 0;
+  for (const auto& [path, text] : request.texts) bytes += text.size();
   for (const std::string& source : request.sources) {
     std::error_code error;
     const uintmax_t size = std::filesystem::file_size(std::filesystem::path(request.base_directory) / source, error);

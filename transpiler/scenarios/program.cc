@@ -12,6 +12,10 @@ std::string KeyOf(const compilation::CompilationRequest& request) {
   add(request.dialect);
   add(request.base_directory);
   for (const std::string& path : request.sources) add(path);
+  for (const auto& [path, text] : request.texts) {
+    add(path);
+    add(text);
+  }
   key += ";";
   for (const auto& [name, value] : request.options) {
     add(name);
@@ -42,6 +46,10 @@ compilation::CompilationRequest RequestOf(const Scenario& scenario, const Progra
   } else {
     request.base_directory = scenario.directory;
     request.sources = scenario.sources;
+    request.texts = scenario.texts;
+    // A source that is written in the scenario includes what is beside the scenario.
+    if (!scenario.texts.empty())
+      request.include_directories.push_back(scenario.directory.empty() ? "." : scenario.directory);
   }
   request.dialect = scenario.dialect;
   if (!overrides.sources.empty()) {

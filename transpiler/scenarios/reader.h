@@ -25,6 +25,8 @@ class ScenarioReader : public yaml::Reader {
   const MarkedText& program() const { return program_; }
 
  private:
+  /// Names of files, or a map of names and texts.
+  void ReadSources(const YAML::Node& node, Scenario& scenario);
   std::map<std::string, std::string> Options(const YAML::Node& node);
   ExpectedError ReadExpectedError(const YAML::Node& node);
   std::vector<ExpectedWarning> ReadWarnings(const YAML::Node& node);

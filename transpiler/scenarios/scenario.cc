@@ -104,6 +104,24 @@ std::vector<ExpectedWarning> ScenarioReader::ReadWarnings(const YAML::Node& node
   return warnings;
 }
 
+void ScenarioReader::ReadSources(const YAML::Node& node, Scenario& scenario) {
+  if (!node.IsMap()) {
+    scenario.sources = Words(node, "a source");
+    CheckReach(Mark(node), scenario.sources);
+    return;
+  }
+  const std::string folder = std::filesystem::path(path()).filename().string() + "/";
+  for (const YamlEntry& entry : Map(node, "'sources'")) {
+    const std::string& name = entry.key.text;
+    if (name.empty() || name.find_first_of("/\\") != std::string::npos)
+      Fail(entry.key.mark, "'" + name + "': a source that is written here has a name without a folder");
+    std::optional<MarkedText> text = Word(entry.value, "the text of '" + name + "'");
+    if (!text) continue;
+    scenario.sources.push_back(folder + name);
+    scenario.texts[folder + name] = std::move(text->text);
+  }
+}
+
 Scenario ScenarioReader::Read(const YAML::Node& root) {
   Scenario scenario;
   scenario.path = path();
@@ -117,8 +135,7 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
     } else if (key == "program") {
       if (std::optional<MarkedText> word = Word(entry.value, "'program'")) program_ = std::move(*word);
     } else if (key == "sources") {
-      scenario.sources = Words(entry.value, "a source");
-      CheckReach(Mark(entry.value), scenario.sources);
+      ReadSources(entry.value, scenario);
     } else if (key == "options") {
       scenario.options = Options(entry.value);
     } else if (key == "expect_error") {

@@ -94,6 +94,8 @@ struct Scenario {
   std::string name;
   std::string dialect;  // empty: told by the sources
   std::vector<std::string> sources;
+  /// The sources that are written in the scenario itself, by their paths in `sources`: "drill.yaml/main.plc".
+  std::map<std::string, std::string> texts;
   std::map<std::string, std::string> options;
   std::optional<ExpectedError> expect_error;
   std::optional<std::vector<ExpectedWarning>> warnings;  // an empty list: no warning at all

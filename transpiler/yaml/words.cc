@@ -3,6 +3,30 @@
 #include <algorithm>
 
 namespace plcxx::yaml {
+namespace {
+
+constexpr int kBlockIndent = 2;  // of a block beyond its key
+
+std::string InDoubleQuotes(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += {'\\', c};
+    } else if (c == '\n') {
+      quoted += "\\n";
+    } else if (byte < 0x20 || byte == 0x7F) {
+      quoted += "\\x";
+      quoted += {kDigits[byte >> 4], kDigits[byte & 15]};
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+}  // namespace
 
 std::string YamlWord(const std::string& text, std::string_view plain) {
   const bool is_plain = !text.empty() && std::ranges::all_of(text, [plain](char c) {
@@ -13,6 +37,28 @@ std::string YamlWord(const std::string& text, std::string_view plain) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
   return quoted + "'";
+}
+
+std::string YamlText(std::string_view text, size_t indent) {
+  const size_t content = text.find_last_not_of('\n');
+  const bool fits = content != std::string_view::npos && std::ranges::all_of(text, [](char c) {
+                      const auto byte = static_cast<unsigned char>(c);
+                      return c == '\n' || c == '\t' || (byte >= 0x20 && byte < 0x7F);
+                    });
+  if (!fits) return InDoubleQuotes(text);
+  // The indicators of a block: the indent where the text itself begins with a space, and what becomes of its last
+  // lines.
+  const size_t ends = text.size() - content - 1;
+  std::string block = "|";
+  if (std::string_view(" \n\t").find(text.front()) != std::string_view::npos) block += std::to_string(kBlockIndent);
+  if (ends != 1) block += ends == 0 ? "-" : "+";
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    block += "\n";
+    if (!line.empty()) block.append(indent, ' ').append(line);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return block;
 }
 
 }  // namespace plcxx::yaml

@@ -41,7 +41,9 @@ std::vector<scenarios::Scenario> ScenariosIn(const std::string& directory) {
     if (file.extension() != ".yaml") continue;
     scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
     auto* const scenario = std::get_if<scenarios::Scenario>(&read);
-    if (scenario != nullptr && !scenario->sources.empty()) found.push_back(std::move(*scenario));
+    // A program that is written in its scenario is that scenario's alone.
+    if (scenario != nullptr && !scenario->sources.empty() && scenario->texts.empty())
+      found.push_back(std::move(*scenario));
   }
   return found;
 }

@@ -34,14 +34,19 @@ std::string Heading(const scenarios::ProveMachine& machine, const compilation::C
                          ? "# A run behind which no inputs move the output in time.\n"
                          : "# A run that violates the property: it passes when the program has been repaired.\n";
   std::vector<std::string> sources;
-  std::string names, separator;
+  std::string names, texts, separator;
   for (const std::string& source : request.sources) {
+    if (const auto written = request.texts.find(source); written != request.texts.end()) {
+      const std::string name = std::filesystem::path(source).filename().string();
+      texts += "\n  " + Scalar(name) + ": " + yaml::YamlText(written->second, 4);
+      continue;
+    }
     sources.push_back(PathFrom(directory, request, source));
     names += separator + Scalar(sources.back());
     separator = ", ";
   }
   text += project::ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
-          "\nsources: [" + names + "]\n";
+          "\nsources:" + (texts.empty() ? " [" + names + "]" : texts) + "\n";
   separator.clear();
   std::string options;
   for (const auto& [key, value] : machine.compilation.options) {

@@ -1,0 +1,50 @@
+#include "transpiler/driver/scenario_source.h"
+
+#include <filesystem>
+#include <iostream>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/driver/terminal.h"
+#include "transpiler/scenarios/program.h"
+
+namespace plcxx::driver {
+
+bool IsScenario(const std::string& path) { return std::filesystem::path(path).extension() == ".yaml"; }
+
+bool IsScenario(const CommonOptions& options) {
+  return !options.program && options.sources.size() == 1 && IsScenario(options.sources.front());
+}
+
+std::optional<scenarios::Scenario> ReadScenario(const std::string& path, const CommonOptions& options) {
+  scenarios::ScenarioOrErrors read =
+      scenarios::ReadScenario(path, options.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    return std::nullopt;
+  }
+  return std::move(std::get<scenarios::Scenario>(read));
+}
+
+std::optional<compilation::CompilationRequest> RequestOfScenario(const CommonOptions& options,
+                                                                 const compilation::CompilationRequest& request) {
+  const std::optional<scenarios::Scenario> scenario = ReadScenario(options.sources.front(), options);
+  if (!scenario) return std::nullopt;
+  if (scenario->sources.empty()) {
+    PrintUsageError(scenario->path + ": no 'sources': the scenario names no program");
+    return std::nullopt;
+  }
+  compilation::CompilationRequest own = scenarios::RequestOf(*scenario, {{}, request.options, request.warnings});
+  if (!request.dialect.empty()) own.dialect = request.dialect;
+  if (request.encoding) own.encoding = request.encoding;
+  own.include_directories.insert(own.include_directories.begin(), request.include_directories.begin(),
+                                 request.include_directories.end());
+  own.system_include_directories.insert(own.system_include_directories.begin(),
+                                        request.system_include_directories.begin(),
+                                        request.system_include_directories.end());
+  own.macros.insert(own.macros.end(), request.macros.begin(), request.macros.end());
+  return own;
+}
+
+}  // namespace plcxx::driver
