@@ -14,6 +14,7 @@
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/scenarios/scenario.h"
+#include "transpiler/yaml/words.h"
 
 namespace plcxx::golden {
 namespace {
@@ -73,6 +74,24 @@ TEST(Golden, CasesThatMustFailAreNamedSo) {
                                  << ToText(std::get<std::vector<scenarios::ScenarioError>>(read).front());
     EXPECT_EQ(file.stem().string().ends_with("_bad"), scenario->expect_error.has_value()) << file;
   }
+}
+
+// As tests/inline_sources.py reads them.
+TEST(Golden, WrittenProgramsAreBlocks) {
+  size_t written = 0;
+  for (const fs::path& file : FilesBelow(kRoot / "tests/golden", ".yaml")) {
+    const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(file.string());
+    const auto* scenario = std::get_if<scenarios::Scenario>(&read);
+    if (scenario == nullptr || scenario->texts.empty()) continue;
+    ++written;
+    const std::string text = ReadFile(file);
+    for (const auto& [path, program] : scenario->texts) {
+      EXPECT_THAT(text, HasSubstr("\n  " + fs::path(path).filename().string() + ": " +
+                                  std::string(yaml::YamlText(program, 4)) + "\n"))
+          << file;
+    }
+  }
+  EXPECT_GT(written, 4000U);
 }
 
 TEST(Golden, EveryProgramBelongsToACase) {

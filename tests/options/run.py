@@ -79,7 +79,7 @@ def candidates(dialect, key):
         if changed is not None:
             yield scenario.parent, scenario, {scenario.name: changed.encode("utf-8", "surrogateescape")}
     for source in sorted(pathlib.Path(dialect).glob("*/*")):
-        if source.suffix in (".yaml", ".cc", ".ir") or not source.is_file():
+        if source.suffix in (".cc", ".ir") or not source.is_file():
             continue
         data = source.read_bytes()
         changed = re.sub(rb"(?im)^[ \t]*OPTION[ \t]+" + key.encode() + rb"[ \t]*=[^\r\n]*", b"", data)

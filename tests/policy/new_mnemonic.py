@@ -82,7 +82,8 @@ def main():
         if len(changed) > 2:
             faults.append(f"{dialect}: a mnemonic changes {len(changed)} files: {' '.join(changed)}")
         print(f"{dialect}: {', '.join(changed)}")
-        program = next(path for path in tree.glob(f"{case}.*") if path.suffix in (".plc", ".il", ".cld"))
+        program = min((path for path in tree.glob(f"{case}.*") if path.suffix in (".plc", ".il", ".cld", ".yaml")),
+                      key=lambda path: path.suffix == ".yaml")  # a scenario may hold its program
         text = program.read_text(encoding="latin-1")
         if not re.search(old, text):
             faults.append(f"{program.name} does not use {old}")

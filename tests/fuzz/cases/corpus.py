@@ -2,6 +2,10 @@
 import dataclasses
 import pathlib
 import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent))
+from inline_sources import sources_of  # noqa: E402
 
 DIALECTS = ("hnc", "host50", "nc110", "prostep", "technol")
 
@@ -42,15 +46,17 @@ def options_of(text):
 def read(dialect, path):
     text = path.read_bytes().decode("utf-8", "replace")
     files = {path.name: path.read_bytes()}
+    inline = sources_of(text)
+    files.update({name: text.encode("utf-8", "surrogateescape") for name, text in inline.items()})
     project = path.parent / "plcxx.yaml"
-    if not words_of(text, "sources") and project.is_file():  # the scenario leaves them out
+    if not inline and not words_of(text, "sources") and project.is_file():  # the scenario leaves them out
         text += "\n" + project.read_bytes().decode("utf-8", "replace")
         files[project.name] = project.read_bytes()
     for name in set(re.findall(r"[^\s\[\]{},:'\"]+", text)):
         beside = path.parent / name
         if ".." not in name and not name.startswith("/") and beside.is_file():
             files[name] = beside.read_bytes()
-    return Case(path, dialect, words_of(text, "sources"), options_of(text), files)
+    return Case(path, dialect, list(inline) or words_of(text, "sources"), options_of(text), files)
 
 
 def cases(root, dialects=DIALECTS):

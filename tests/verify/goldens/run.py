@@ -43,6 +43,8 @@ def program_of(scenario):
     for option in field(text, "options", "{}"):
         key, value = (part.strip().strip("'\"") for part in option.split(":", 1))
         words += ["--encoding", value] if key == "encoding" else ["--set", f"{key}={value}"]
+    if re.search(r"^sources: *$", text, re.MULTILINE):
+        return [scenario.name]  # the program and its options are written in it
     sources = field(text, "sources", "[]")
     return words + sources if sources else None
 
