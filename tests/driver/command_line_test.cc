@@ -39,10 +39,25 @@ TEST(CommandLine, EverySubcommandTeaches) {
 
 // covers: NC110-253
 TEST(CommandLine, HelpListsTheOptionsOfTheDialect) {
-  const Ran help = Workplace().Run("emit --help");
-  for (const char* key : {"clo", "slices", "t-init", "carry", "nc-stub", "stop-on-error"}) {
-    EXPECT_THAT(help.out, HasSubstr(key));
+  const Workplace work;
+  const Ran help = work.Run("emit --dialect nc110 --help");
+  for (const char* key : {"clo", "slices", "t-init", "carry", "nc-stub", "stop-on-error", "facts"}) {
+    EXPECT_THAT(help.out, HasSubstr("\n  " + std::string(key) + " "));
   }
+  EXPECT_THAT(help.out, Not(HasSubstr("system-header")));
+  // Of no dialect: which keys there are, and how to ask for one.
+  const Ran keys = work.Run("build --help");
+  EXPECT_THAT(keys.out, HasSubstr("plcxx emit --dialect NAME --help"));
+  for (const char* row : {"\n  nc110    ", "\n  hnc      char, abs, system-header", "\n  all      facts\n"})
+    EXPECT_THAT(keys.out, HasSubstr(row));
+  EXPECT_EQ(work.Run("emit --dialect cobol --help").code, 0);
+  // The project says which; the manual page has all of them.
+  work.Write("plcxx.yaml", "dialect: prostep\nsources: [a.plc]\n");
+  EXPECT_THAT(work.Run("emit --help").out,
+              AllOf(HasSubstr("Options of dialect prostep "), Not(HasSubstr("Options of dialect hnc"))));
+  const std::string page = work.Run("manual emit").out;
+  for (const char* dialect : {"hnc", "host50", "nc110", "prostep", "technol"})
+    EXPECT_THAT(page, HasSubstr("Options of dialect " + std::string(dialect) + " "));
 }
 
 TEST(CommandLine, WrongUseIsTwo) {

@@ -28,17 +28,10 @@ MOST_TRIES = 12
 
 def options(plcxx):
     """(dialect, key) of all."""
-    found, dialect = [], None
-    for line in subprocess.run([plcxx, "emit", "--help"], capture_output=True, text=True).stdout.splitlines():
-        heading = re.match(r"Options of dialect (\w+) ", line)
-        row = re.match(r"  ([A-Za-z][\w-]*)(  |$)", line)
-        if heading:
-            dialect = heading.group(1)
-        elif dialect and row:
-            found.append((dialect, row.group(1)))
-        elif not line.startswith(" "):
-            dialect = None
-    return found
+    help_text = subprocess.run([plcxx, "emit", "--help"], capture_output=True, text=True).stdout
+    table = re.search(r"^Options of the dialects .*\n((?:  .*\n)+)", help_text, re.M).group(1)
+    rows = re.sub(r"\n {5,}", " ", table).splitlines()  # a long list goes on in the next line
+    return [(row.split()[0], key) for row in rows if row.split()[0] != "all" for key in row.split(maxsplit=1)[1].split(", ")]
 
 
 def passes(plcxx, scenario):

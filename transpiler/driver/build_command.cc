@@ -353,7 +353,9 @@ void AddBuild(CLI::App& app, Run& run) {
   command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No table on the terminal")->group("Output");
   command->footer("");  // not the one of the program
-  command->footer([] { return TargetsText() + DialectOptionsText() + "\n" + kBuildFooter; });  // only where it is shown
+  command->footer([settings] {
+    return TargetsText() + DialectOptionsText(settings->common) + "\n" + kBuildFooter;
+  });  // only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunBuildOf); }; });
 }
 

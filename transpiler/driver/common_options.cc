@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "transpiler/compilation/warning_options.h"
 #include "transpiler/driver/exit_codes.h"
@@ -100,22 +101,79 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
       ->group(kMessagesGroup);
 }
 
-std::string DialectOptionsText() {
+namespace {
+
+constexpr std::string_view kFactsMeaning = "what plcxx decides from becomes assertions: trusted or checked (trusted)";
+
+std::string OptionLine(std::string_view key, const std::string& meaning) {
   constexpr size_t kKeyWidth = 20;
-  std::string text;
-  for (const dialects::Dialect* dialect : dialects::AllDialects()) {
-    text += "Options of dialect " + std::string(dialect->name) + " (--set KEY=VALUE):\n";
-    for (const dialects::OptionInfo& option : dialect->options) {
-      std::string line = "  " + std::string(option.key);
-      line.append(line.size() < kKeyWidth ? kKeyWidth - line.size() : 1, ' ');
-      line += std::string(option.meaning) + ": " + std::string(option.values);
-      if (!option.default_value.empty()) line += " (" + std::string(option.default_value) + ")";
-      text += line + "\n";
-    }
+  std::string line = support::LeftAligned("  " + std::string(key), kKeyWidth);
+  if (line.back() != ' ') line += ' ';
+  return line + meaning + "\n";
+}
+
+std::string TableOf(const dialects::Dialect& dialect) {
+  std::string text = "Options of dialect " + std::string(dialect.name) + " (--set KEY=VALUE):\n";
+  for (const dialects::OptionInfo& option : dialect.options) {
+    std::string meaning = std::string(option.meaning) + ": " + std::string(option.values);
+    if (!option.default_value.empty()) meaning += " (" + std::string(option.default_value) + ")";
+    text += OptionLine(option.key, meaning);
   }
-  text += "Option of every dialect:\n  " + std::string(compilation::kFactsOption) +
-          "             what plcxx decides from becomes assertions: trusted or checked (trusted)\n";
   return text;
+}
+
+std::string TableOfEvery() {
+  return "Option of every dialect:\n" + OptionLine(compilation::kFactsOption, std::string(kFactsMeaning));
+}
+
+/// The dialect that the sources of the command line, or the programs of the project here, are said to have.
+const dialects::Dialect* DialectHere(const CommonOptions& options) {
+  if (!options.dialect.empty()) return dialects::DialectByName(options.dialect);
+  if (!options.sources.empty()) return nullptr;
+  const std::optional<std::string> path =
+      options.project.empty() ? project::FindProject(".") : std::optional(options.project);
+  if (!path) return nullptr;
+  const project::ProjectOrErrors read = project::ReadProject(*path, project::Reach::kAnywhere);
+  const auto* const found = std::get_if<project::Project>(&read);
+  if (found == nullptr) return nullptr;
+  std::string_view name;
+  for (const project::Program& program : found->programs) {
+    if (!name.empty() && program.dialect != name) return nullptr;
+    name = program.dialect;
+  }
+  return dialects::DialectByName(name);
+}
+
+}  // namespace
+
+std::string DialectKeysText() {
+  constexpr size_t kMostColumns = 110;
+  constexpr size_t kNameWidth = 11;
+  std::string text = "Options of the dialects (--set KEY=VALUE); plcxx emit --dialect NAME --help says what they do:\n";
+  for (const dialects::Dialect* dialect : dialects::AllDialects()) {
+    std::string line = support::LeftAligned("  " + std::string(dialect->name), kNameWidth);
+    for (const dialects::OptionInfo& option : dialect->options) {
+      const bool last = &option == &dialect->options.back();
+      if (line.size() + 1 + option.key.size() >= kMostColumns) {
+        text += line + "\n";
+        line.assign(kNameWidth, ' ');
+      }
+      line += (line.back() == ',' ? " " : "") + std::string(option.key) + (last ? "" : ",");
+    }
+    text += line + "\n";
+  }
+  return text + support::LeftAligned("  all", kNameWidth) + std::string(compilation::kFactsOption) + "\n";
+}
+
+std::string AllDialectOptionsText() {
+  std::string text;
+  for (const dialects::Dialect* dialect : dialects::AllDialects()) text += TableOf(*dialect);
+  return text + TableOfEvery();
+}
+
+std::string DialectOptionsText(const CommonOptions& options) {
+  const dialects::Dialect* const dialect = DialectHere(options);
+  return dialect == nullptr ? DialectKeysText() : TableOf(*dialect) + TableOfEvery();
 }
 
 std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& options) {

@@ -43,8 +43,12 @@ void AddProjectOptions(CLI::App& command, CommonOptions& options);
 /// --set and -W alone, for commands that have no sources of their own.
 void AddSettings(CLI::App& command, CommonOptions& options);
 
-/// A table of the --set options of all dialects, for --help.
-std::string DialectOptionsText();
+/// The --set options for --help: those of the dialect that is asked for or that plcxx.yaml here says, with what they
+/// mean; else the keys alone.
+std::string DialectOptionsText(const CommonOptions& options);
+/// The keys of all dialects; the tables of all dialects, for the manual pages.
+std::string DialectKeysText();
+std::string AllDialectOptionsText();
 
 /// None when an option is wrong: the error has been printed, the exit code is kWrongUse.
 std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& options);

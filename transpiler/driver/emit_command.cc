@@ -176,8 +176,9 @@ void AddEmit(CLI::App& app, Run& run) {
                  "A constant of 64 bytes at the end of NAME.cpp, by which plcxx identify finds out what is in an image")
       ->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
-  command->footer("");                                                        // not the one of the program
-  command->footer([] { return DialectOptionsText() + "\n" + kEmitFooter; });  // made only where it is shown
+  command->footer("");  // not the one of the program
+  command->footer(
+      [settings] { return DialectOptionsText(settings->common) + "\n" + kEmitFooter; });  // made only where it is shown
   command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunEmit); }; });
 }
 

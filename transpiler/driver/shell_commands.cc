@@ -37,8 +37,19 @@ int PrintCompletion(CLI::App& app, const std::string& shell) {
   return kDone;
 }
 
+/// As --help has it, but with what every option of every dialect means: a page cannot ask which dialect it is.
+std::vector<CommandRow> ManualTable(CLI::App& app) {
+  std::vector<CommandRow> table = CommandTable(app);
+  const std::string keys = DialectKeysText();
+  for (CommandRow& command : table) {
+    const size_t at = command.footer.find(keys);
+    if (at != std::string::npos) command.footer.replace(at, keys.size(), AllDialectOptionsText());
+  }
+  return table;
+}
+
 int PrintManual(CLI::App& app, const std::string& name, const std::string& folder) {
-  const std::vector<CommandRow> table = CommandTable(app);
+  const std::vector<CommandRow> table = ManualTable(app);
   OutputRequest output{folder, {}, {}};
   for (const CommandRow& command : table) {
     if (folder.empty() && command.name == name) {

@@ -32,7 +32,7 @@ int Leak() {
 
 int main(int argc, char** argv) {
   if (argc > 2 && std::string_view(argv[2]) == "--help") {  // of which run.py makes its words
-    std::puts("  --quiet  says nothing\nOptions of dialect prostep:\n  strict  on|off");
+    std::puts("  --quiet  says nothing\nOptions of the dialects:\n  prostep  strict");
     return 0;
   }
   const char* const named = std::getenv("PLCXX_FAULT");

@@ -22,7 +22,8 @@ def options(plcxx, command):
 def keys(plcxx):
     """KEY of --set, of all dialects."""
     text = subprocess.run([plcxx, "emit", "--help"], capture_output=True, text=True, check=True).stdout
-    return re.findall(r"^  ([A-Za-z][\w-]*)  ", text[text.find("Options of dialect"):], re.MULTILINE)
+    table = re.search(r"^Options of the dialects.*\n((?:  .*\n)+)", text, re.MULTILINE).group(1)
+    return re.findall(r"([A-Za-z][\w-]*)(?=,|$)", table, re.MULTILINE)
 
 
 def wrong(random, table, words, names):
