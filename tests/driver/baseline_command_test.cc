@@ -54,6 +54,19 @@ TEST_F(BaselineCommand, AcceptsTodaysWarningsAndShowsNewOnes) {
   EXPECT_EQ(work_.Run("check").code, 1);
 }
 
+TEST_F(BaselineCommand, CountsForEveryCommandThatShowsWarnings) {
+  EXPECT_EQ(work_.Run("check --write-baseline").code, 0);
+  for (const std::string command :
+       {"check", "emit -q -o out", "sim --watch U4A0 --cycles 1", "print ir", "report -q -o page.html",
+        "report --ladder-text", "report --print-symbols", "identify page.html"}) {
+    const Ran ran = work_.Run(command);
+    if (command != "identify page.html") {  // which finds no program in it
+      EXPECT_EQ(ran.code, 0) << command << "\n" << ran;
+    }
+    EXPECT_THAT(ran.errors, Not(HasSubstr("W356"))) << command;
+  }
+}
+
 TEST_F(BaselineCommand, WithoutAProject) {
   EXPECT_THAT(work_.Run("check p.plc --write-baseline --baseline b.txt").errors, HasSubstr("wrote b.txt"));
   const Ran accepted = work_.Run("check p.plc -Werror --baseline b.txt");

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
@@ -74,7 +75,9 @@ struct Relation {
 int AddIdentitiesOf(const CommonOptions& options, std::vector<identity::Identity>& identities) {
   const std::optional<compilation::CompilationRequest> request = MakeRequest(options);
   if (!request) return kWrongUse;
-  const compilation::Compilation compilation = compilation::Compile(*request);
+  const std::optional<compilation::Compilation> compiled = CompileProgram(options, *request);
+  if (!compiled) return kWrongUse;
+  const compilation::Compilation& compilation = *compiled;
   PrintDiagnostics(compilation, MessagesOf(options));
   if (!compilation.ok() || !compilation.has_program) return ExitCodeOf(compilation);
   for (const emit::Flavour flavour : {emit::Flavour::kRelease, emit::Flavour::kDebug}) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/project_choice.h"
@@ -120,7 +121,9 @@ int RunPrint(const PrintSettings& settings) {
   const PhaseRow* phase = PhaseByName(settings.phase);  // RunPrintOf has looked
   const std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
-  compilation::Compilation compilation = compilation::Compile(*request, phase->stage);
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request, phase->stage);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
   if (compilation.reached == phase->stage) {
     const std::string text = phase->print(compilation);
     // A file gets the text as it is; a terminal nothing that acts on it. Bytes that are no text nobody can read.

@@ -273,7 +273,9 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
 }
 
 int PrintLadder(const ReportOptions& options, const compilation::CompilationRequest& request) {
-  const compilation::Compilation compilation = compilation::Compile(request);
+  const std::optional<compilation::Compilation> compiled = CompileProgram(options.common, request);
+  if (!compiled) return kWrongUse;
+  const compilation::Compilation& compilation = *compiled;
   PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
   if (compilation.ok() && compilation.has_program) {
     std::cout << diag::EscapedLines(report::LadderLines(PageInput(compilation), options.signal));
@@ -290,7 +292,10 @@ int RunReport(const ReportOptions& options) {
   }
   if (options.ladder_text) return PrintLadder(options, *request);
   if (!options.wants_table()) return WritePage(options, *request);
-  const compilation::Compilation compilation = compilation::Compile(*request, compilation::Stage::kChecked);
+  const std::optional<compilation::Compilation> compiled =
+      CompileProgram(options.common, *request, compilation::Stage::kChecked);
+  if (!compiled) return kWrongUse;
+  const compilation::Compilation& compilation = *compiled;
   if (!compilation.ok()) {
     PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
     return ExitCodeOf(compilation);

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
@@ -49,6 +50,8 @@ bool HasOption(const dialects::Dialect& dialect, std::string_view key) {
 void PrintOutcome(const SimSettings& settings, const SimPlan& plan, const SimOutcome& outcome) {
   std::cerr << "ran " << outcome.periods << " periods, " << outcome.time_ms << " ms simulated, " << outcome.slow_cycles
             << " slow cycles\n";
+  if (settings.words.watch.empty() && settings.words.trigger.empty())
+    std::cerr << "--watch NAME,NAME... shows what happened meanwhile; plcxx report --print-symbols lists the names\n";
   if (plan.graph && outcome.graph == sim::Graph::Phase::kArmed) {
     std::cerr << "plcxx: the trigger '" << settings.words.trigger << "' did not come\n";
   }
@@ -62,7 +65,9 @@ int RunSim(const SimSettings& settings) {
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  const compilation::Compilation compilation = compilation::Compile(*request);
+  const std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
+  if (!compiled) return kWrongUse;
+  const compilation::Compilation& compilation = *compiled;
   progress.Clear();
   PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
   if (!compilation.ok()) return ExitCodeOf(compilation);

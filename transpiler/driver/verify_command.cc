@@ -12,6 +12,7 @@
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/dialects/references.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/program_output.h"
@@ -379,7 +380,9 @@ int RunVerify(const VerifySettings& settings) {
   if (!request) return kWrongUse;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
-  compilation::Compilation compilation = compilation::Compile(*request);
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
+  if (!compiled) return kWrongUse;
+  compilation::Compilation& compilation = *compiled;
   Verification verification(settings, *request, *target, *routine_ms, compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();

@@ -46,7 +46,7 @@ void AppendDearest(const View& view, std::string& out) {
                       return view.time_ns[a] != view.time_ns[b] ? view.time_ns[a] > view.time_ns[b] : a < b;
                     });
   out += "<details><summary>The " + std::to_string(shown) +
-         " dearest statements</summary><table><thead><tr><th>Statement"
+         " most expensive statements</summary><table><thead><tr><th>Statement"
          "</th><th>Subject</th><th class=\"n\">Time</th><th class=\"n\">Code</th></tr></thead><tbody>";
   for (size_t i = 0; i < shown; ++i) {
     const ir::StatementId id(order[i]);
