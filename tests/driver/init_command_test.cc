@@ -74,6 +74,29 @@ TEST(InitCommand, SaysWhatItDecidedAndLeavesWhatIsThere) {
   EXPECT_THAT(work.Read("plcxx.yaml"), AllOf(HasSubstr("sources: [a.sym, b.plc]"), HasSubstr("messages: RUMES5")));
 }
 
+TEST(InitCommand, DeclarationsComeFirstThoughNothingButAWarningSaysSo) {
+  const Workplace work;
+  work.Write("a.plc", ":MOD PM 9\n:A I 0.0\n:= O 0.0\n:END PM 9\n");
+  work.Write("b.plc", "%PLC B\nDDW 40 2030D\nDM 1 .NO PRESSURE\n");
+  const Ran init = work.Run("init --dialect prostep");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, HasSubstr("order     the one that has fewest warnings"));
+  EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [b.plc, a.plc]"));
+}
+
+TEST(InitCommand, WhatASourceIncludesKeepsItsBytesToo) {
+  const Workplace work;
+  work.Write(
+      "m.plc",
+      "          T_INCLUDE times.inc\n          DATA\nIN0:      DFM I_A\n          DATA_END\n          MODULE_MAIN\n"
+      "          LDR I_A\n          WR I_A\n          MODULE_MAIN_END\n          STOP\n");
+  work.Write("times.inc", "          EQUI SECOND,50\n");
+  const Ran init = work.Run("init --dialect technol");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, HasSubstr("times.inc           included  a source includes it")) << init;
+  EXPECT_THAT(work.Read(".gitattributes"), AllOf(HasSubstr("*.plc -text diff=plc"), HasSubstr("times.inc -text\n")));
+}
+
 TEST(InitCommand, AFolderOfMachinesIsAPark) {
   const Workplace work;
   for (const std::string name : {"lathe", "mill"}) {

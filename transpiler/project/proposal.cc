@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <compare>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -23,6 +24,9 @@ constexpr size_t kMaxFiles = 500;                     // of a folder
 constexpr std::uintmax_t kMaxSourceBytes = 4u << 20;  // of a file that may be a source
 constexpr size_t kMaxSources = 100;
 constexpr size_t kMaxTrials = 130;  // compilations that look for an order
+
+constexpr std::string_view kFewestErrors = "the one that has fewest errors";
+constexpr std::string_view kFewestWarnings = "the one that has fewest warnings";
 
 /// Files of a control that an option names, by the beginning of their names.
 struct TableRow {
@@ -158,36 +162,45 @@ class Finder {
     }
     std::erase_if(program_.sources, [&](const std::string& source) {
       if (!included.contains(source) || program_.sources.size() == included.size()) return false;
-      program_.files.push_back({source, "left out", "", "a source includes it"});
+      program_.files.push_back({source, "included", "", "a source includes it"});
       return true;
     });
   }
 
-  size_t ErrorsOf(const std::vector<std::string>& sources) const {
+  struct Messages {
+    size_t errors = 0, warnings = 0;
+    auto operator<=>(const Messages&) const = default;
+  };
+
+  Messages MessagesOf(const std::vector<std::string>& sources) const {
     compilation::CompilationRequest request = Request();
     request.sources = sources;
-    return compilation::Compile(request, compilation::Stage::kLowered).diagnostics.error_count();
+    const compilation::Compilation compilation = compilation::Compile(request, compilation::Stage::kLowered);
+    return {compilation.diagnostics.error_count(), compilation.diagnostics.warning_count()};
   }
 
-  /// Names of signals in front, then by name; where that has errors, the order that has fewest.
+  /// Names of signals in front, then by name; where that has errors, the order that has fewest. Warnings decide between
+  /// orders without errors: declarations that follow the first module are one.
   void ChooseOrder() {
     std::vector<std::string>& sources = program_.sources;
     if (sources.size() < 2) return;
     program_.order = "by name";
     std::vector<std::string> best = sources;
-    size_t fewest = ErrorsOf(best), trials = 0;
+    Messages fewest = MessagesOf(best);
+    size_t trials = 0;
     const auto look_at = [&](const std::vector<std::string>& order) {
       ++trials;
-      const size_t errors = ErrorsOf(order);
-      if (errors >= fewest) return;
-      fewest = errors;
+      const Messages messages = MessagesOf(order);
+      if (messages >= fewest) return;
+      const bool by_errors = messages.errors < fewest.errors || program_.order == kFewestErrors;
+      program_.order = by_errors ? kFewestErrors : kFewestWarnings;
+      fewest = messages;
       best = order;
-      program_.order = "the one that has fewest errors";
     };
     // Each in front of all others: what the others need.
-    for (size_t again = 0; again < sources.size() && fewest > 0; ++again) {
+    for (size_t again = 0; again < sources.size() && fewest > Messages{}; ++again) {
       const std::vector<std::string> from(best.begin(), best.end());  // look_at changes `best`
-      for (size_t i = 1; i < from.size() && fewest > 0 && trials < kMaxTrials; ++i) {
+      for (size_t i = 1; i < from.size() && fewest > Messages{} && trials < kMaxTrials; ++i) {
         std::vector<std::string> order = from;
         std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i),
                     order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -198,7 +211,7 @@ class Finder {
     constexpr size_t kMostPermuted = 4;
     if (sources.size() <= kMostPermuted) {
       std::vector<std::string> order = sources;
-      while (fewest > 0 && trials < kMaxTrials && std::ranges::next_permutation(order).found) look_at(order);
+      while (fewest.errors > 0 && trials < kMaxTrials && std::ranges::next_permutation(order).found) look_at(order);
     }
     sources = best;
   }
@@ -220,7 +233,9 @@ class Finder {
       loaded.insert(
           fs::path(compilation.sources->Get(source::FileId(i)).path).lexically_proximate(folder_).generic_string());
     for (ProposedFile& file : program_.files) {
-      if (file.what == "left out" && loaded.contains(file.name)) file.reason = "a source includes it";
+      if (file.what != "left out" || !loaded.contains(file.name)) continue;
+      file.what = "included";
+      file.reason = "a source includes it";
     }
     program_.files.insert(program_.files.begin(), sources.begin(), sources.end());
     const std::string counts = diag::CountsText(compilation.diagnostics);

@@ -15,7 +15,7 @@ namespace plcxx::project {
 
 struct ProposedFile {
   std::string name;      // relative to the folder
-  std::string what;      // "source", "messages", "left out"
+  std::string what;      // "source", "messages", "included", "left out"
   std::string encoding;  // of sources: its name
   std::string reason;
 };

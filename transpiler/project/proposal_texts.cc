@@ -100,6 +100,9 @@ std::string AttributesText(const std::vector<ProposedProgram>& programs) {
       sources.insert(support::IsFileName("x" + extension) && !extension.empty() ? "*" + extension : source);
     }
     for (const auto& [key, value] : program.options) others.insert(value);
+    for (const ProposedFile& file : program.files) {
+      if (file.what == "included") others.insert(file.name);
+    }
   }
   const auto line = [](const std::string& pattern, const char* attributes) {
     const bool plain = pattern.find_first_of(" \t\"\\#!") == std::string::npos;
