@@ -1,5 +1,5 @@
 # cmake --install puts the tool, its modules, the runtime headers and the package for find_package(plcxx) into a prefix;
-# cpack makes a .deb (or .tar.gz) of the same files. The build directory is a package, too: plcxx_DIR=build/lib/cmake/plcxx.
+# cpack makes a .deb and a .tar.gz of the same files, cpack -G RPM an RPM. The build directory is a package, too: plcxx_DIR=build/lib/cmake/plcxx.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -61,9 +61,19 @@ set(CPACK_PACKAGE_DESCRIPTION "plcxx reads PLC logic in the languages of five CN
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_GENERATOR "DEB")
+set(CPACK_GENERATOR "DEB;TGZ")
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/PlcxxPackageKind.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/PlcxxPackageDependencies.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gcc-arm-none-eabi, gcc-riscv64-unknown-elf, ccache, distcc")
-set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/PlcxxDebianDependencies.cmake)
+# What modules need is recommended, and folders of the system are the system's.
+set(CPACK_RPM_REQUIRES_EXCLUDE_FROM "/plcxx_.*\\\\.so$")
+set(CPACK_RPM_PACKAGE_LICENSE "Apache-2.0 WITH LLVM-exception")
+set(CPACK_RPM_PACKAGE_GROUP "Development/Tools")
+set(CPACK_RPM_FILE_NAME RPM-DEFAULT)
+set(CPACK_RPM_EXCLUDE_FROM_AUTO_FILELIST_ADDITION
+    /usr/lib/cmake /usr/share/man /usr/share/man/man1 /usr/share/doc /usr/share/bash-completion
+    /usr/share/bash-completion/completions /usr/share/zsh /usr/share/zsh/site-functions /usr/share/fish
+    /usr/share/fish/vendor_completions.d)
 include(CPack)

@@ -135,20 +135,59 @@ def cross_compiled(build, work):
     expect("nothing to do", "no work to do" in run("cmake", "--build", hosted, "--target", "controller_library"))
 
 
+def packed(build, work, kind, pattern):
+    """The package that cpack makes."""
+    run("cpack", "-G", kind, "--config", build / "CPackConfig.cmake", "-B", work / "packed")
+    packages = list((work / "packed").glob(pattern))
+    expect(f"one package of kind {kind}", len(packages) == 1)
+    return packages[0]
+
+
+def rpm_package(build, work):
+    need("rpmbuild", "rpm", "objdump", "cpack")
+    package = packed(build, work, "RPM", "*.rpm")
+    files = run("rpm", "-qlp", package).splitlines()
+    for name in ("bin/plcxx", "include/plcxx/bits.h", "lib/cmake/plcxx/plcxxConfig.cmake", "share/man/man1/plcxx.1",
+                 "share/bash-completion/completions/plcxx", "share/doc/plcxx/README.md"):
+        expect(f"it has /usr/{name}", any(file in (f"/usr/{name}", f"/usr/{name}.gz") for file in files))
+    expect("it owns no folder of the system", not {"/usr", "/usr/bin", "/usr/share/man", "/usr/lib/cmake"} & set(files))
+    required = run("rpm", "-qRp", package)
+    recommended = run("rpm", "-q", "--recommends", "-p", package)
+    for library in (r"libicuuc\.so\.\d+", r"libyaml-cpp\.so", r"libc\.so\.6"):
+        expect(f"it requires {library}", re.search(library, required))
+    expect("a compiler is recommended", "gcc-c++" in recommended)
+    for module, library in (("hnc_parser", "libclang-cpp"), ("audit", "libLLVM"), ("z3", "libz3")):
+        if (build / "lib" / f"plcxx_{module}.so").exists():
+            expect(f"it recommends {library} and does not require it", library in recommended and library not in required)
+
+
+def archive(build, work):
+    package = packed(build, work, "TGZ", "*.tar.gz")
+    place = work / "anywhere"
+    place.mkdir()
+    run("tar", "-xzf", package, "-C", place)
+    folders = list(place.iterdir())
+    expect("one folder", len(folders) == 1 and folders[0].name.startswith("plcxx-"))
+    expect_shell_files(folders[0])
+    tool = folders[0] / "bin" / "plcxx"
+    expect("the tool runs from it", run(tool, "--version").startswith("plcxx "))
+    if (build / "lib" / "plcxx_hnc_parser.so").exists():
+        run(tool, "check", "--project", folders[0] / "share/doc/plcxx/samples/hnc/mill_xk7132/plcxx.yaml")
+        expect("and finds its modules", True)
+
+
 def debian_package(build, work):
     need("dpkg-deb", "dpkg-shlibdeps", "cpack")
-    run("cpack", "-G", "DEB", "--config", build / "CPackConfig.cmake", "-B", work / "deb")
-    packages = list((work / "deb").glob("*.deb"))
-    expect("one package", len(packages) == 1)
-    print(run("dpkg-deb", "--info", packages[0]))
-    field = {name: run("dpkg-deb", "--field", packages[0], name) for name in ("Depends", "Recommends")}
+    package = packed(build, work, "DEB", "*.deb")
+    print(run("dpkg-deb", "--info", package))
+    field = {name: run("dpkg-deb", "--field", package, name) for name in ("Depends", "Recommends")}
     expect("it depends on what the tool is linked with",
            all(re.search(pattern, field["Depends"]) for pattern in (r"\blibc6 ", r"\blibicu\d+ ", r"\blibyaml-cpp")))
     for module, pattern in (("hnc_parser", r"\blibclang-cpp"), ("audit", r"\blibllvm"), ("z3", r"\blibz3-")):
         if (build / "lib" / f"plcxx_{module}.so").exists():
             expect(f"it recommends what the module {module} needs, and does not depend on it",
                    re.search(pattern, field["Recommends"]) and not re.search(pattern, field["Depends"]))
-    run("dpkg-deb", "-x", packages[0], work / "root")
+    run("dpkg-deb", "-x", package, work / "root")
     expect_shell_files(work / "root" / "usr")
     tool = work / "root" / "usr" / "bin" / "plcxx"
     expect("the tool runs from it", run(tool, "--version").startswith("plcxx "))
@@ -236,7 +275,7 @@ def farm(build, work):
 
 def main():
     build, step = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    steps = {f.__name__: f for f in (installed, cross_compiled, debian_package, farm, single_file)}
+    steps = {f.__name__: f for f in (installed, cross_compiled, debian_package, rpm_package, archive, farm, single_file)}
     with tempfile.TemporaryDirectory(prefix="plcxx-packaging-") as work:
         pathlib.Path(work).chmod(0o755)
         steps[step](build, pathlib.Path(work))
