@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "tests/policy/explain.h"
@@ -12,6 +14,11 @@
 
 namespace plcxx::policy {
 namespace {
+
+/// git takes no commit from a person without a name; files of the reader's home decide nothing.
+constexpr std::string_view kCommitter =
+    "GIT_AUTHOR_NAME=Reader GIT_AUTHOR_EMAIL=reader@localhost GIT_COMMITTER_NAME=Reader "
+    "GIT_COMMITTER_EMAIL=reader@localhost GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1";
 
 struct Command {
   std::string text;
@@ -38,18 +45,38 @@ struct Result {
   std::string output;
 };
 
-/// Standard error behind standard output, so that the order does not hang on buffers.
-Result Run(const std::string& command, const testing_support::TemporaryDirectory& directory,
-           const std::string& tool_directory) {
-  const std::string script = "cd '" + directory.path().string() + "' && export PATH='" + tool_directory +
-                             "':\"$PATH\" PLCXX='" + Root() + "' && { " + command + "\n} 2>.errors; code=$?\n" +
-                             "cat .errors; exit $code\n";
+/// Where a page keeps what its commands leave for the next one, outside of the directory that its reader sees.
+class Workplace {
+ public:
+  Workplace() { std::filesystem::create_directory(work_ = directory_.path() / "work"); }
+
+  /// The directory of the next command.
+  const std::filesystem::path& here() const { return work_; }
+  std::string errors() const { return directory_.File("errors"); }
+  std::string next() const { return directory_.File("next"); }
+  void MoveOn() {
+    std::ifstream file(next());
+    if (std::string line; std::getline(file, line)) work_ = line;
+  }
+
+ private:
+  testing_support::TemporaryDirectory directory_;
+  std::filesystem::path work_;
+};
+
+/// Standard error follows standard output, so that the order does not depend on buffers.
+Result Run(const std::string& command, Workplace& workplace, const std::string& tool_directory) {
+  const std::string script = "cd '" + workplace.here().string() + "' && export PATH='" + tool_directory +
+                             "':\"$PATH\" PLCXX='" + Root() + "' " + std::string(kCommitter) + " && { " + command +
+                             "\n} 2>'" + workplace.errors() + "'; code=$?\npwd >'" + workplace.next() + "'; cat '" +
+                             workplace.errors() + "'; exit $code\n";
   Result result;
   FILE* pipe = popen(script.c_str(), "r");
   if (pipe == nullptr) return result;
   char piece[4096];
   for (size_t n = 0; (n = fread(piece, 1, sizeof piece, pipe)) > 0;) result.output.append(piece, n);
   const int status = pclose(pipe);
+  workplace.MoveOn();
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
 }
@@ -77,21 +104,21 @@ std::string Difference(const std::vector<std::string>& expected, const std::vect
 }  // namespace
 
 Findings RunTour(const std::string& name, std::string_view text, const std::string& tool_directory) {
-  const testing_support::TemporaryDirectory directory;
+  Workplace workplace;
   Findings findings;
   size_t commands = 0;
   for (const Fence& fence : Fences(text)) {
     for (const std::string& word : fence.words) {
       if (!word.starts_with("file=")) continue;
-      const std::string file = word.substr(5);
-      std::filesystem::create_directories(std::filesystem::path(directory.File(file)).parent_path());
-      directory.Write(file, fence.text);
+      const std::filesystem::path file = workplace.here() / word.substr(5);
+      std::filesystem::create_directories(file.parent_path());
+      std::ofstream(file, std::ios::binary) << fence.text;
     }
     if (fence.words.empty() || fence.words.front() != "console") continue;
     const bool fails = std::ranges::find(fence.words, "fails") != fence.words.end();
     for (const Command& command : CommandsOf(fence)) {
       ++commands;
-      const Result result = Run(command.text, directory, tool_directory);
+      const Result result = Run(command.text, workplace, tool_directory);
       if (result.exit_code != (fails ? 1 : 0)) {
         findings.push_back(Place(name, command.line) + "exit code " + std::to_string(result.exit_code) + ": " +
                            result.output);
