@@ -28,7 +28,8 @@ TEST(CommandLine, VersionAndHelp) {
 
 TEST(CommandLine, EverySubcommandTeaches) {
   const Workplace work;
-  for (const std::string command : {"emit", "check", "print", "test", "sim", "explain"}) {
+  for (const std::string command : {"emit", "build", "check", "print", "test", "sim", "explain", "report", "verify",
+                                    "diff", "prove", "init", "completion", "manual", "lsp", "mcp", "identify"}) {
     const Ran help = work.Run(command + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("Examples:")) << command;
@@ -52,6 +53,7 @@ TEST(CommandLine, HelpListsTheOptionsOfTheDialect) {
     EXPECT_THAT(keys.out, HasSubstr(row));
   EXPECT_EQ(work.Run("emit --dialect cobol --help").code, 0);
   // The project says which; the manual page has all of them.
+  work.Write("a.plc", ":MOD PM 9\n:END PM 9\n");
   work.Write("plcxx.yaml", "dialect: prostep\nsources: [a.plc]\n");
   EXPECT_THAT(work.Run("emit --help").out,
               AllOf(HasSubstr("Options of dialect prostep "), Not(HasSubstr("Options of dialect hnc"))));

@@ -23,8 +23,8 @@ namespace {
 constexpr const char* kExplainFooter = R"(Examples:
   plcxx explain nc110-41
   plcxx explain W356          without the dialect where it is clear
-  plcxx explain                     all codes with their headings; --list as well
-  plcxx explain double coil         the codes whose pages speak of these words
+  plcxx explain               all codes with their headings; --list as well
+  plcxx explain double coil   the codes whose pages speak of these words
 
 Exit codes: 0 shown, 2 no such code.)";
 

@@ -9,8 +9,11 @@ namespace plcxx::driver {
 namespace {
 
 constexpr const char* kLspFooter =
-    R"(An editor starts it and talks to it over standard input and output (Language Server
-Protocol 3.17). docs/editor.md tells how Neovim, Helix, Kate and Emacs are told about it.
+    R"(Examples:
+  plcxx lsp                    what an editor starts: it waits for the editor's first message
+
+An editor starts it and talks to it over standard input and output (Language Server
+Protocol 3.17). docs/editor.md says what Neovim, Helix, Kate and Emacs have to know of it.
 Exit codes: 0 after 'shutdown' and 'exit', 1 when the editor is gone without them.)";
 
 }  // namespace

@@ -15,7 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMcpFooter =
-    R"(An agent starts it and talks to it over standard input and output (Model Context Protocol,
+    R"(Examples:
+  plcxx mcp machines/lathe     what an agent starts, for this folder and what is below it
+
+An agent starts it and talks to it over standard input and output (Model Context Protocol,
 one JSON object a line). docs/mcp.md lists the tools. They read and write below DIR alone; what is only shown is made in
 a temporary folder that is removed.
 Exit codes: 0 when the agent has closed its side, 2 wrong use.)";
