@@ -10,6 +10,7 @@
 #include "transpiler/dialects/hnc/lowering/locals.h"
 #include "transpiler/dialects/hnc/lowering/pointers.h"
 #include "transpiler/dialects/hnc/lowering/records.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -60,7 +61,26 @@ Lvalue Addresses::EvaluateLvalue(ExprId id) {
         }
         break;
       }
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kFunction:
+      case ExprKind::kLoad:
+      case ExprKind::kDecay:
+      case ExprKind::kConvert:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kBinary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kConditional:
+      case ExprKind::kComma:
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
+      case ExprKind::kMember:
+      case ExprKind::kCall:
         if (expr.type.valid() && TypeAt(expr.type).kind == TypeKind::kRecord) lvalue.address = RecordAddress(at);
         break;
     }
@@ -176,7 +196,17 @@ Address Addresses::EvaluatePointer(ExprId id) {
                                        expr.increment == IncrementOp::kPostDecrement);
       return post ? before : after;
     }
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kUnary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
       break;
   }
   return {};
@@ -215,10 +245,25 @@ Value Addresses::ComparePointers(const Expr& expr) {
       return conversions_.FromBit(with_same(Pure(OpKind::kSignedLessEqual32, {x, y})));
     case BinaryOp::kGreaterEqual:
       return conversions_.FromBit(with_same(Pure(OpKind::kSignedGreaterEqual32, {x, y})));
-    default:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       if (several && nulls) same = Pure(OpKind::kBitOr, {same, is_null(x)});
       return outcome(with_same(Pure(OpKind::kEqual32, {x, y})));
   }
+  PLCXX_UNREACHABLE();
 }
 
 Value Addresses::PointerDifference(const Expr& expr) {

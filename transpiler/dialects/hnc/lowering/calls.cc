@@ -49,7 +49,11 @@ CallResult Calls::CallFunction(const Expr& expr) {
           records[i] = records_.Load(addresses[i], type);
         }
         break;
-      default:
+      case TypeKind::kVoid:
+      case TypeKind::kInteger:
+      case TypeKind::kReal:
+      case TypeKind::kArray:
+      case TypeKind::kFunction:
         numbers[i] = conversions_.Convert(expressions_.Evaluate(expr.arguments[i]), type);
         break;
     }
@@ -74,7 +78,11 @@ CallResult Calls::CallFunction(const Expr& expr) {
         }
         break;
       }
-      default:
+      case TypeKind::kVoid:
+      case TypeKind::kInteger:
+      case TypeKind::kReal:
+      case TypeKind::kArray:
+      case TypeKind::kFunction:
         arguments.push_back(numbers[i].id);
         break;
     }
@@ -105,7 +113,9 @@ CallResult Calls::CallFunction(const Expr& expr) {
       result.address = address;
       break;
     }
-    default:
+    case TypeKind::kVoid:
+    case TypeKind::kArray:
+    case TypeKind::kFunction:
       break;
   }
   return result;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/memory.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -33,9 +34,15 @@ std::string_view SuffixOf(ir::Type type) {
       return "_uc";
     case ir::Type::kI16:
       return "_ui";
-    default:
+    case ir::Type::kNone:
+    case ir::Type::kBit:
+    case ir::Type::kI32:
+    case ir::Type::kI64:
+    case ir::Type::kF32:
+    case ir::Type::kF64:
       return "_ul";
   }
+  PLCXX_UNREACHABLE();
 }
 
 }  // namespace

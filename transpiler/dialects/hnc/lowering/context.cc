@@ -99,7 +99,26 @@ bool Context::IsSimple(ExprId id) const {
           if (!divisor.constant || divisor.constant->integer == 0 || divisor.constant->integer == -1) simple = false;
         }
         break;
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kVariable:
+      case ExprKind::kFunction:
+      case ExprKind::kLoad:
+      case ExprKind::kDecay:
+      case ExprKind::kConvert:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kConditional:
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
+      case ExprKind::kMember:
+      case ExprKind::kCall:
         break;
     }
   });

@@ -1,6 +1,7 @@
 #include "transpiler/dialects/hnc/lowering/conversions.h"
 
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -47,9 +48,14 @@ Value Conversions::Zero(TypeId type) {
       return Number(0, type);
     case TypeKind::kReal:
       return Make(builder_.Constant(IrType(type), 0), type);
-    default:
+    case TypeKind::kVoid:
+    case TypeKind::kPointer:
+    case TypeKind::kArray:
+    case TypeKind::kRecord:
+    case TypeKind::kFunction:
       return Number(0, int_);
   }
+  PLCXX_UNREACHABLE();
 }
 
 Value Conversions::FromBit(ValueId bit) { return {.id = bit, .type = int_, .is_bit = true, .bounds = {0, 1}}; }

@@ -100,7 +100,17 @@ Value Expressions::EvaluateLeaf(ExprId id) {
     case ExprKind::kMember:  // of a record value
       if (!expr.is_lvalue) return accesses_.Load(addresses_.EvaluateLvalue(id));
       break;
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kDecay:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
       break;
   }
   return conversions_.Zero(IsArithmetic(TypeAt(expr.type)) ? expr.type : int_);
@@ -170,7 +180,22 @@ void Expressions::Execute(ExprId id) {
         Increment(id);
       }
       return;
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kLoad:
+    case ExprKind::kDecay:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAssign:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
       break;
   }
   const Type& type = TypeAt(expr.type);

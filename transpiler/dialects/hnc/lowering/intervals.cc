@@ -1,4 +1,5 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
+#include "transpiler/support/check.h"
 
 #include <algorithm>
 
@@ -99,7 +100,19 @@ void Intervals::RefineComparison(const Expr& expr, bool holds) {
       case BinaryOp::kNotEqual:
         op = BinaryOp::kEqual;
         break;
-      default:
+      case BinaryOp::kAdd:
+      case BinaryOp::kSubtract:
+      case BinaryOp::kMultiply:
+      case BinaryOp::kDivide:
+      case BinaryOp::kRemainder:
+      case BinaryOp::kShiftLeft:
+      case BinaryOp::kShiftRight:
+      case BinaryOp::kBitAnd:
+      case BinaryOp::kBitXor:
+      case BinaryOp::kBitOr:
+      case BinaryOp::kPointerAdd:
+      case BinaryOp::kPointerSubtract:
+      case BinaryOp::kPointerDifference:
         return;
     }
   }
@@ -131,7 +144,19 @@ void Intervals::RefineComparison(const Expr& expr, bool holds) {
         if (other.IsOne() && bounds.low == other.low) ++bounds.low;
         if (other.IsOne() && bounds.high == other.low) --bounds.high;
         break;
-      default:
+      case BinaryOp::kAdd:
+      case BinaryOp::kSubtract:
+      case BinaryOp::kMultiply:
+      case BinaryOp::kDivide:
+      case BinaryOp::kRemainder:
+      case BinaryOp::kShiftLeft:
+      case BinaryOp::kShiftRight:
+      case BinaryOp::kBitAnd:
+      case BinaryOp::kBitXor:
+      case BinaryOp::kBitOr:
+      case BinaryOp::kPointerAdd:
+      case BinaryOp::kPointerSubtract:
+      case BinaryOp::kPointerDifference:
         break;
     }
     if (bounds.low <= bounds.high && bounds != now) flow_.Narrow(*cell, bounds);
@@ -179,7 +204,24 @@ void Intervals::Refine(ExprId condition, bool holds) {
         }
         break;
       }
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kVariable:
+      case ExprKind::kFunction:
+      case ExprKind::kDecay:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kConditional:
+      case ExprKind::kComma:
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
+      case ExprKind::kDereference:
+      case ExprKind::kIndex:
+      case ExprKind::kMember:
+      case ExprKind::kCall:
         break;
     }
   }
@@ -235,9 +277,25 @@ Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
       return {0, 1};
     case ExprKind::kCall:
       return ResultOf(expr.function).value_or(all);
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kDecay:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kComma:
+    case ExprKind::kAssign:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kIncrement:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
       return all;
   }
+  PLCXX_UNREACHABLE();
 }
 
 std::optional<Bounds> Intervals::ResultOf(FunctionId function) const {

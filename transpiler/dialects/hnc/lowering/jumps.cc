@@ -1,4 +1,5 @@
 #include "transpiler/dialects/hnc/lowering/jumps.h"
+#include "transpiler/support/check.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,9 +16,23 @@ std::string_view WordOf(StatementKind kind) {
       return "loop";
     case StatementKind::kSwitch:
       return "switch";
-    default:
+    case StatementKind::kCompound:
+    case StatementKind::kDeclaration:
+    case StatementKind::kExpression:
+    case StatementKind::kEmpty:
+    case StatementKind::kIf:
+    case StatementKind::kGoto:
+    case StatementKind::kContinue:
+    case StatementKind::kBreak:
+    case StatementKind::kReturn:
+    case StatementKind::kLabel:
+    case StatementKind::kCase:
+    case StatementKind::kDefault:
+    case StatementKind::kCriticalEnter:
+    case StatementKind::kCriticalLeave:
       return "nested statement";
   }
+  PLCXX_UNREACHABLE();
 }
 
 }  // namespace
@@ -98,10 +113,21 @@ bool Jumps::GoesOn(StatementId id, bool& continues) const {
     }
     case StatementKind::kLabel:
       return GoesOn(statement.then, continues);
-    default:
+    case StatementKind::kDeclaration:
+    case StatementKind::kExpression:
+    case StatementKind::kEmpty:
+    case StatementKind::kSwitch:
+    case StatementKind::kWhile:
+    case StatementKind::kDo:
+    case StatementKind::kFor:
+    case StatementKind::kCase:
+    case StatementKind::kDefault:
+    case StatementKind::kCriticalEnter:
+    case StatementKind::kCriticalLeave:
       ForEachStatement(unit_, id, [&](StatementId part) { continues = continues || Continues(part, id); });
       return true;
   }
+  PLCXX_UNREACHABLE();
 }
 
 /// Whether a statement in `outer` is a `continue` that belongs to a loop around `outer`.

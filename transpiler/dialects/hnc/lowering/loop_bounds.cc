@@ -6,6 +6,7 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/loop_paths.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -94,9 +95,30 @@ std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const StaticAddress&
       }
       return std::nullopt;
     }
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kLoad:
+    case ExprKind::kDecay:
+    case ExprKind::kConvert:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kConditional:
+    case ExprKind::kComma:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
+    case ExprKind::kCall:
       return std::nullopt;
   }
+  PLCXX_UNREACHABLE();
 }
 
 std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refusal) {

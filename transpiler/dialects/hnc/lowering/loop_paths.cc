@@ -128,7 +128,21 @@ bool LoopPaths::PathBack(StatementId label, StatementId jump, std::vector<Statem
         at = then ? statement.then : statement.otherwise;
         break;
       }
-      default:
+      case StatementKind::kDeclaration:
+      case StatementKind::kExpression:
+      case StatementKind::kEmpty:
+      case StatementKind::kSwitch:
+      case StatementKind::kWhile:
+      case StatementKind::kDo:
+      case StatementKind::kFor:
+      case StatementKind::kGoto:
+      case StatementKind::kContinue:
+      case StatementKind::kBreak:
+      case StatementKind::kReturn:
+      case StatementKind::kCase:
+      case StatementKind::kDefault:
+      case StatementKind::kCriticalEnter:
+      case StatementKind::kCriticalLeave:
         return false;
     }
   }

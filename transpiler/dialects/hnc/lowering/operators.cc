@@ -3,6 +3,7 @@
 #include "transpiler/dialects/hnc/lowering/conversions.h"
 #include "transpiler/dialects/hnc/lowering/faults.h"
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -44,9 +45,24 @@ OpKind ComparisonOf(BinaryOp op, const Type& type, bool with_sign) {
       return (with_sign ? kSignedGreaterEqual : kGreaterEqual).For(type);
     case BinaryOp::kEqual:
       return kEqual.For(type);
-    default:
+    case BinaryOp::kNotEqual:
       return kNotEqual.For(type);
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
+      break;
   }
+  PLCXX_UNREACHABLE();
 }
 
 /// The outcome of a comparison that the bounds decide.
@@ -71,7 +87,19 @@ std::optional<bool> Outcome(BinaryOp op, const Bounds& a, const Bounds& b) {
     case BinaryOp::kNotEqual:
       if (const std::optional<bool> equal = Outcome(BinaryOp::kEqual, a, b)) return !*equal;
       break;
-    default:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSubtract:
+    case BinaryOp::kMultiply:
+    case BinaryOp::kDivide:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       break;
   }
   return std::nullopt;
@@ -118,9 +146,18 @@ Value Operators::BinaryReal(BinaryOp op, const Value& left, const Value& right) 
       return compare(OpKind::kEqualF64);
     case BinaryOp::kNotEqual:
       return compare(OpKind::kNotEqualF64);
-    default:
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       return a;  // refused by the front end
   }
+  PLCXX_UNREACHABLE();
 }
 
 /// Division by zero, and the lowest int by -1, which an 8086 traps (6.2).
@@ -224,7 +261,15 @@ Value Operators::BinaryInteger(BinaryOp op, const Value& left, const Value& righ
     case BinaryOp::kShiftLeft:
     case BinaryOp::kShiftRight:
       return Shift(op, a, b, at);
-    default:
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
       return Compare(op, a, b);
   }
   Value result = conversions_.Make(Pure(widths->For(type), {a.id, b.id}), a.type);
@@ -292,7 +337,10 @@ Value Operators::SelectValue(ValueId condition, const Value& a, const Value& b, 
           SelectValue(condition, conversions_.Convert(x, double_), conversions_.Convert(y, double_), double_);
       return conversions_.Convert(wide, type);
     }
-    default:
+    case ir::Type::kNone:
+    case ir::Type::kBit:
+    case ir::Type::kI16:
+    case ir::Type::kI64:
       break;
   }
   Value result = conversions_.Make(Pure(op, {condition, x.id, y.id}), type);

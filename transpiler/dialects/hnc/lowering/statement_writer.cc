@@ -47,7 +47,28 @@ std::string StatementWriter::SubjectOf(const Statement& statement) const {
       case ExprKind::kCall:
         if (expr.function.valid()) return unit_.functions[expr.function].name;
         return frame_.function->name;
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kFunction:
+      case ExprKind::kLoad:
+      case ExprKind::kDecay:
+      case ExprKind::kConvert:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kBinary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kConditional:
+      case ExprKind::kComma:
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
+      case ExprKind::kDereference:
+      case ExprKind::kIndex:
+      case ExprKind::kMember:
         if (!expr.a.valid()) return frame_.function->name;
         id = expr.a;
     }

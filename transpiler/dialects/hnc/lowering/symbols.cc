@@ -46,7 +46,9 @@ void Symbols::AddSymbol(const std::string& name, TypeId type_id, uint32_t offset
         }
       }
       return;
-    default:
+    case TypeKind::kVoid:
+    case TypeKind::kPointer:
+    case TypeKind::kFunction:
       return;
   }
 }
