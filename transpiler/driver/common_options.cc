@@ -144,8 +144,6 @@ const dialects::Dialect* DialectHere(const CommonOptions& options) {
   return dialects::DialectByName(name);
 }
 
-}  // namespace
-
 std::string DialectKeysText() {
   constexpr size_t kMostColumns = 110;
   constexpr size_t kNameWidth = 11;
@@ -164,6 +162,8 @@ std::string DialectKeysText() {
   }
   return text + support::LeftAligned("  all", kNameWidth) + std::string(compilation::kFactsOption) + "\n";
 }
+
+}  // namespace
 
 std::string AllDialectOptionsText() {
   std::string text;

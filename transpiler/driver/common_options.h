@@ -46,8 +46,7 @@ void AddSettings(CLI::App& command, CommonOptions& options);
 /// The --set options for --help: those of the dialect that is asked for or that plcxx.yaml here says, with what they
 /// mean; else the keys alone.
 std::string DialectOptionsText(const CommonOptions& options);
-/// The keys of all dialects; the tables of all dialects, for the manual pages.
-std::string DialectKeysText();
+/// Those of all dialects, for the manual pages.
 std::string AllDialectOptionsText();
 
 /// None when an option is wrong: the error has been printed, the exit code is kWrongUse.

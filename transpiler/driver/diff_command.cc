@@ -43,7 +43,7 @@ With git, for a program in one file:
   git config diff.plc.command "plcxx diff --git-external"  and in .gitattributes: *.plc diff=plc
   git config diff.plc.textconv "plcxx print ir-structured" shows the logic instead of the text
 
-Exit codes, as diff's: 0 the versions behave alike, 1 they differ or it is not decided, 2 they cannot be compared.)";
+Exit codes: as of diff, 0 the versions behave alike, 1 they differ or it is not decided, 2 they cannot be compared.)";
 
 enum class DiffFormat : uint8_t { kText, kMarkdown, kJson, kSarif };
 

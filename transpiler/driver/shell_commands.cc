@@ -37,13 +37,14 @@ int PrintCompletion(CLI::App& app, const std::string& shell) {
   return kDone;
 }
 
-/// As --help has it, but with what every option of every dialect means: a page cannot ask which dialect it is.
+/// As --help has it, but with what every option of every dialect means: a page cannot ask which dialect it is, nor in
+/// which folder it is read.
 std::vector<CommandRow> ManualTable(CLI::App& app) {
   std::vector<CommandRow> table = CommandTable(app);
-  const std::string keys = DialectKeysText();
+  const std::string here = DialectOptionsText(CommonOptions());
   for (CommandRow& command : table) {
-    const size_t at = command.footer.find(keys);
-    if (at != std::string::npos) command.footer.replace(at, keys.size(), AllDialectOptionsText());
+    const size_t at = command.footer.find(here);
+    if (at != std::string::npos) command.footer.replace(at, here.size(), AllDialectOptionsText());
   }
   return table;
 }
