@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,17 +32,19 @@ class ForcedBytes {
     for (uint32_t i = 0; i < size(); ++i) bytes_[i] = static_cast<uint8_t>(bytes_[i] & forced_[i]);
   }
 
-  /// The first `count` bytes, forces included.
-  ForcedBytes First(uint32_t count) const {
-    ForcedBytes first(0);
-    first.bytes_.assign(bytes_.begin(), bytes_.begin() + count);
-    first.forced_.assign(forced_.begin(), forced_.begin() + count);
-    return first;
+  static constexpr uint32_t kKeptForEach = 2;  // bytes that Keep writes for each byte: its value, what is forced of it
+
+  /// Writes the first `count` bytes to `kept`, forces included. Says how many it wrote.
+  size_t Keep(uint32_t count, uint8_t* kept) const {
+    std::copy_n(bytes_.begin(), count, kept);
+    std::copy_n(forced_.begin(), count, kept + count);
+    return size_t{kKeptForEach} * count;
   }
-  /// They become those of `first` again.
-  void PutBack(const ForcedBytes& first) {
-    std::copy(first.bytes_.begin(), first.bytes_.end(), bytes_.begin());
-    std::copy(first.forced_.begin(), first.forced_.end(), forced_.begin());
+  /// They become what Keep wrote again. Says how many it read.
+  size_t PutBack(uint32_t count, const uint8_t* kept) {
+    std::copy_n(kept, count, bytes_.begin());
+    std::copy_n(kept + count, count, forced_.begin());
+    return size_t{kKeptForEach} * count;
   }
   /// They become 0, and free.
   void Renew(uint32_t count) {

@@ -23,6 +23,7 @@ Simulator::Simulator(const ir::Program& program)
     locals->used = std::max(locals->used, std::min(end, spaces_[access.owner].size()));
   }
   std::erase_if(locals_, [](const Locals& locals) { return locals.used == 0; });
+  for (const Locals& locals : locals_) bytes_of_locals_ += ForcedBytes::kKeptForEach * locals.used;
   for (uint32_t i = 0; i < program.insts.size(); ++i) {
     const ir::Inst& inst = program[ir::InstId(i)];
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);

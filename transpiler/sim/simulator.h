@@ -81,8 +81,8 @@ class Simulator : public Engine {
   /// Begins a partition: its named locals are all 0.
   void BeginLocals();
   /// Those of the caller, while a partition runs that it calls.
-  std::vector<ForcedBytes> KeepLocals() const;
-  void PutBackLocals(const std::vector<ForcedBytes>& callers);
+  void KeepLocals();
+  void PutBackLocals();
   Flow Execute(ir::RegionId region);
 
   /// Of a statement that is switched off: the other statements in the regions that its jumps made.
@@ -119,6 +119,9 @@ class Simulator : public Engine {
     uint32_t space, used;
   };
   std::vector<Locals> locals_;
+  size_t bytes_of_locals_ = 0;
+  /// Those of callers, the innermost at the end. One piece of memory that stays, for every partition has all of them.
+  std::vector<uint8_t> kept_locals_;
   Instances instances_;
   std::vector<uint64_t> values_;    // by ValueId, raw bits; constants are there from the start
   std::vector<bool> switched_off_;  // by StatementId

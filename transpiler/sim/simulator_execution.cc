@@ -38,14 +38,17 @@ void Simulator::BeginLocals() {
   for (const auto& [space, used] : locals_) spaces_[space].Renew(used);
 }
 
-std::vector<ForcedBytes> Simulator::KeepLocals() const {
-  std::vector<ForcedBytes> callers;
-  for (const auto& [space, used] : locals_) callers.push_back(spaces_[space].First(used));
-  return callers;
+void Simulator::KeepLocals() {
+  size_t at = kept_locals_.size();
+  kept_locals_.resize(at + bytes_of_locals_);
+  for (const auto& [space, used] : locals_) at += spaces_[space].Keep(used, &kept_locals_[at]);
 }
 
-void Simulator::PutBackLocals(const std::vector<ForcedBytes>& callers) {
-  for (size_t i = 0; i < locals_.size(); ++i) spaces_[locals_[i].space].PutBack(callers[i]);
+void Simulator::PutBackLocals() {
+  const size_t begin = kept_locals_.size() - bytes_of_locals_;
+  size_t at = begin;
+  for (const auto& [space, used] : locals_) at += spaces_[space].PutBack(used, &kept_locals_[at]);
+  kept_locals_.resize(begin);
 }
 
 bool Simulator::Stops() {
@@ -240,9 +243,9 @@ Simulator::Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
 Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
-  std::optional<std::vector<ForcedBytes>> callers;
-  if (routine.kind != ir::RoutineKind::kSubroutine) {
-    callers = KeepLocals();
+  const bool is_partition = routine.kind != ir::RoutineKind::kSubroutine;
+  if (is_partition) {
+    KeepLocals();
     BeginLocals();
   }
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
@@ -250,7 +253,7 @@ Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   }
   Run(call.routine);
   if (routine.result_place.valid()) values_[id.index] = Get(places_[routine.result_place.index], 0);
-  if (callers) PutBackLocals(*callers);
+  if (is_partition) PutBackLocals();
   return stopped_ ? Flow::kLeaving : Flow::kOn;
 }
 
