@@ -76,6 +76,22 @@ TEST(CostModel, CallsCostWhatTheyCall) {
   EXPECT_EQ(estimate.statements.size(), 1u);  // the callee's are listed with the callee
 }
 
+TEST(CostModel, WhatManyCallIsPricedForAllOfThem) {
+  const ir::Program program = ReadRoutines(
+      "routine fast fast {\n call middle ()\n call sub ()\n}\n"
+      "routine middle subroutine {\n call sub ()\n %0 = load a\n}\n"
+      "routine sub subroutine {\n %0 = load a\n store b %0\n}\n");
+  RoutineTimes known;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const Estimate alone = EstimateRoutine(program, ir::RoutineId(i));
+    const Estimate among_others = EstimateRoutine(program, ir::RoutineId(i), known);
+    EXPECT_EQ(among_others.total.time_ns, alone.total.time_ns) << i;
+    EXPECT_EQ(among_others.total.code_bytes, alone.total.code_bytes) << i;
+  }
+  EXPECT_EQ(known[1], kCall + 2 * kLoad + kStore);
+  EXPECT_EQ(known[2], kLoad + kStore);
+}
+
 TEST(CostModel, BoundsOfAnIndexCost) {
   EXPECT_GT(Time("%0 = const i32 1\n%1 = load row[%0]\n"), Time("%0 = const i32 1\n%1 = load w\n"));
 }

@@ -50,10 +50,11 @@ void TakeCosts(Compilation& compilation, const Compilation& shipped) {
 void EstimateCosts(Compilation& compilation) {
   ir::Program& program = compilation.program;
   Estimates& estimates = compilation.estimates;
+  cost::RoutineTimes known_times;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::RoutineId id(i);
     if (!IsPartition(program.routines[id].kind)) continue;
-    const cost::Estimate estimate = cost::EstimateRoutine(program, id);
+    const cost::Estimate estimate = cost::EstimateRoutine(program, id, known_times);
     ir::Routine& routine = program.routines[id];
     estimates.partitions.push_back({routine.name, routine.kind, estimate.total.time_ns, estimate.total.code_bytes});
     if (routine.kind != ir::RoutineKind::kSlow) continue;

@@ -43,8 +43,8 @@ void Add(Cost& sum, const Cost& cost) {
 
 struct Estimator {
   const ir::Program& program;
-  std::vector<std::optional<uint64_t>> routine_time;  // by RoutineId
-  std::vector<StatementCost>* listing = nullptr;      // none while a callee is priced
+  RoutineTimes& routine_time;
+  std::vector<StatementCost>* listing = nullptr;  // none while a callee is priced
 
   uint64_t TimeOf(RoutineId routine);
   Cost Region(RegionId region);
@@ -173,10 +173,14 @@ Cost Estimator::Region(RegionId region) { return region.valid() ? Stretch(progra
 }  // namespace
 
 Estimate EstimateRoutine(const ir::Program& program, RoutineId id) {
+  RoutineTimes known;
+  return EstimateRoutine(program, id, known);
+}
+
+Estimate EstimateRoutine(const ir::Program& program, RoutineId id, RoutineTimes& known) {
+  known.resize(program.routines.size());
   Estimate estimate;
-  Estimator estimator{.program = program,
-                      .routine_time = std::vector<std::optional<uint64_t>>(program.routines.size()),
-                      .listing = &estimate.statements};
+  Estimator estimator{.program = program, .routine_time = known, .listing = &estimate.statements};
   const ir::Routine& routine = program.routines[id];
   Add(estimate.total, estimator.Region(routine.prologue));
   const std::span<const InstId> insts = program.regions[routine.body].insts;

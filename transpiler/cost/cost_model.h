@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -34,6 +35,13 @@ struct Estimate {
 };
 
 Estimate EstimateRoutine(const ir::Program& program, ir::RoutineId routine);
+
+/// What one run of each routine takes, as far as somebody asked: by RoutineId.
+using RoutineTimes = std::vector<std::optional<uint64_t>>;
+
+/// The same for who asks of many routines: what they call is priced once for all of them. `known` is empty at first,
+/// and good as long as the program is what it was.
+Estimate EstimateRoutine(const ir::Program& program, ir::RoutineId routine, RoutineTimes& known);
 
 constexpr uint8_t kMostSlices = 64;
 

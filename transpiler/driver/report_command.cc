@@ -160,10 +160,11 @@ void PrintCrossReference(const compilation::Compilation& compilation) {
 
 void PrintCosts(const compilation::Compilation& compilation) {
   const ir::Program& program = compilation.program;
+  cost::RoutineTimes known_times;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::Routine& routine = program.routines[ir::RoutineId(i)];
     if (routine.kind != ir::RoutineKind::kFast && routine.kind != ir::RoutineKind::kSlow) continue;
-    const cost::Estimate estimate = cost::EstimateRoutine(program, ir::RoutineId(i));
+    const cost::Estimate estimate = cost::EstimateRoutine(program, ir::RoutineId(i), known_times);
     std::cout << routine.name << ": " << estimate.time_us() << " us, " << estimate.total.code_bytes << " bytes\n";
     for (const cost::StatementCost& statement : estimate.statements) {
       const source::Range range = program.statements[statement.statement].range;

@@ -31,8 +31,9 @@ std::vector<ir::StatementId> Costliest(const ir::Program& program, const std::ve
     }
   }
   std::vector<cost::StatementCost> all;
+  cost::RoutineTimes known_times;
   for (uint32_t i = 0; i < program.routines.size() && !inside.empty(); ++i) {
-    for (const cost::StatementCost& row : cost::EstimateRoutine(program, ir::RoutineId(i)).statements) {
+    for (const cost::StatementCost& row : cost::EstimateRoutine(program, ir::RoutineId(i), known_times).statements) {
       if (inside.contains(row.statement.index)) all.push_back(row);
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <unordered_set>
+#include <utility>
 
 #include "transpiler/ir/builder.h"
 
@@ -92,13 +94,14 @@ class Collector {
 void Collector::Parts() {
   const uint32_t count = program_.routines.size();
   std::vector<std::vector<uint32_t>> calls(count);
+  std::vector<uint32_t> last_caller(count, count);
   for (uint32_t i = 0; i < count; ++i) {
     const ir::Routine& routine = program_.routines[ir::RoutineId(i)];
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
       ir::ForEachInst(program_, region, [&](ir::InstId id) {
         if (program_[id].op != ir::OpKind::kCall) return;
         const uint32_t callee = program_.calls[ir::CallId(program_[id].payload)].routine.index;
-        if (std::ranges::find(calls[i], callee) == calls[i].end()) calls[i].push_back(callee);
+        if (std::exchange(last_caller[callee], i) != i) calls[i].push_back(callee);
       });
     }
   }
@@ -309,8 +312,9 @@ CrossReference MakeCrossReference(const ProgramInput& input) { return Collector(
 
 std::vector<ir::StatementId> Writers(const Signal& signal) {
   std::vector<ir::StatementId> writers;
+  std::unordered_set<uint32_t> seen;
   for (const Occurrence& occurrence : signal.occurrences) {
-    if (occurrence.use == Use::kRead || std::ranges::find(writers, occurrence.statement) != writers.end()) continue;
+    if (occurrence.use == Use::kRead || !seen.insert(occurrence.statement.index).second) continue;
     writers.push_back(occurrence.statement);
   }
   return writers;

@@ -127,8 +127,10 @@ View::View(const ProgramInput& data, std::string_view anchor_prefix)
   const ir::Program& program = *data.program;
   time_ns.assign(program.statements.size(), 0);
   code_bytes.assign(program.statements.size(), 0);
+  cost::RoutineTimes known_times;
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
-    for (const cost::StatementCost& statement : cost::EstimateRoutine(program, ir::RoutineId(i)).statements) {
+    for (const cost::StatementCost& statement :
+         cost::EstimateRoutine(program, ir::RoutineId(i), known_times).statements) {
       time_ns[statement.statement.index] += statement.own.time_ns;
       code_bytes[statement.statement.index] += statement.own.code_bytes;
     }
