@@ -110,7 +110,7 @@ void Lowering::Call(const Instruction& instruction) {
 
 void Lowering::Return() {
   registers_.Spill();
-  if (index_in_body_.at(now_.index) + 1 == body_->instructions.size()) return;
+  if (index_in_body_[now_.index] + 1 == body_->instructions.size()) return;
   end_is_used_ = true;
   builder_.Jump(kEndLabel);
 }

@@ -162,12 +162,14 @@ void Lowering::EnterStretch(InstructionId id) {
 void Lowering::LowerBody(Body& body) {
   body_ = &body;
   end_is_used_ = false;
-  index_in_body_ = {};  // to clear it takes as long as the largest body did
+  own_locals_.clear();
+  // What other bodies have left in it nobody asks for: to clear it for each body would take as long as the program is.
+  index_in_body_.resize(tree_.instructions.size());
   for (size_t i = 0; i < body.instructions.size(); ++i) index_in_body_[body.instructions[i].index] = i;
   BeginBody(body);
 
   label_at_.assign(body.instructions.size(), false);
-  const auto mark = [&](InstructionId id) { label_at_[index_in_body_.at(id.index)] = true; };
+  const auto mark = [&](InstructionId id) { label_at_[index_in_body_[id.index]] = true; };
   for (const InstructionId id : body.instructions) {
     flow_.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
       if (edge == Edge::kJump) mark(to);
@@ -195,7 +197,7 @@ void Lowering::LowerBody(Body& body) {
 
 void Lowering::Execute(InstructionId id) {
   const Instruction& instruction = tree_.instructions[id];
-  const size_t index = index_in_body_.at(id.index);
+  const size_t index = index_in_body_[id.index];
   now_ = id;
   width_ = flow_.WidthBefore(id) == 0 ? 16 : flow_.WidthBefore(id);
   const Effects effects = EffectsOf(tree_, instruction, width_);

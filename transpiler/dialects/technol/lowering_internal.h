@@ -279,7 +279,7 @@ class Lowering {
   ir::InstId loop_;                             // of a mechanism whose jumps go back
   ir::PlaceId chosen_;                          // the entry that its next round begins at
   ir::StatementId statement_;
-  std::unordered_map<uint32_t, size_t> index_in_body_;
+  std::vector<size_t> index_in_body_;  // by InstructionId, of the body's instructions
 
   /// What the last difference or logic operation of this statement compared.
   struct {
@@ -289,20 +289,20 @@ class Lowering {
 
   std::map<std::tuple<Area, uint32_t, ir::Type, uint8_t>, ir::PlaceId> places_;
   std::map<std::tuple<Area, uint32_t, ir::Type>, ir::PlaceId> indexed_;
-  std::map<uint32_t, ir::PlaceId> steps_, activations_;             // by UnitId
-  std::vector<uint32_t> mechanisms_before_;                         // in the source, by UnitId
-  std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;     // by UnitId and number
-  std::map<std::pair<uint32_t, std::string>, ir::PlaceId> locals_;  // by name
-  std::map<uint32_t, ir::SpaceId> own_spaces_;                      // locals of one routine alone, by its number
+  std::map<uint32_t, ir::PlaceId> steps_, activations_;          // by UnitId
+  std::vector<uint32_t> mechanisms_before_;                      // in the source, by UnitId
+  std::map<std::pair<uint32_t, uint32_t>, ir::PlaceId> timers_;  // by UnitId and number
+  std::map<std::string, ir::PlaceId> locals_, own_locals_;       // by name; of all routines, of the body alone
+  std::map<uint32_t, ir::SpaceId> own_spaces_;                   // locals of one routine alone, by its number
   uint32_t step_bytes_ = 0, local_count_ = 0;
   dialects::HostCalls<HostCall> host_{builder_};
   ir::RoutineId init_, fast_, slow_, requests_, period_, fast_only_;
 
   std::vector<source::Range> waiting_comments_;
   dialects::StatementIds statement_ids_;
-  std::vector<bool> is_target_;                               // by InstructionId: jumped to or called, from any routine
-  std::unordered_map<uint32_t, uint32_t> statement_numbers_;  // by InstructionId of the first one
-  source::Range last_lines_;                                  // of the statement before
+  std::vector<bool> is_target_;              // by InstructionId: jumped to or called, from any routine
+  std::vector<uint32_t> statement_numbers_;  // by InstructionId of the first one; 0: none yet
+  source::Range last_lines_;                 // of the statement before
 };
 
 template <class Compute>

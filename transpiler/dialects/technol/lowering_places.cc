@@ -229,7 +229,7 @@ ir::PlaceId Lowering::AddLocal(std::string name, Type type) {
 
 ir::PlaceId Lowering::Local(std::string_view name, Type type) {
   const bool own = body_ != nullptr && body_->unit.valid() && !body_->calls;
-  const auto [found, is_new] = locals_.try_emplace({own ? body_->unit.index : UnitId().index, std::string(name)});
+  const auto [found, is_new] = (own ? own_locals_ : locals_).try_emplace(std::string(name));
   if (!is_new) return found->second;
   found->second = own ? OwnLocal(std::string(name), type) : AddLocal(std::string(name), type);
   return found->second;

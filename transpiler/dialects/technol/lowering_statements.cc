@@ -133,6 +133,7 @@ std::string Lowering::SubjectOf(size_t first, size_t end) const {
 /// From the name of the unit and the tokens alone (8.1). Instructions that several routines have are one statement,
 /// with one number: a host that counts faults sees the place in the source.
 uint32_t Lowering::StatementNumber(size_t first, size_t end) {
+  statement_numbers_.resize(tree_.instructions.size());
   uint32_t& number = statement_numbers_[body_->instructions[first].index];
   if (number != 0) return number;
   dialects::TextHash hash;
