@@ -94,6 +94,7 @@ class AccessWalk {
 CellWords::CellWords(const Version& version, const compilation::Compilation& compilation)
     : version_(version), compilation_(compilation) {
   const ir::Program& program = *version.program;
+  for (const ir::Documentation& known : program.documentation) known_.emplace(known.address, &known);
   for (uint32_t i = 0; i < program.places.size(); ++i) {
     const ir::PlaceId id(i);
     const ir::Place& place = program.places[id];
@@ -221,13 +222,12 @@ CellWord CellWords::WordOf(CellId id) const {
 std::string CellWords::MeaningOf(const CellWord& word) const {
   const bool has_address = !word.address.empty();
   std::string text = word.address;
-  for (const ir::Documentation& known : version_.program->documentation) {
-    if (known.address != (has_address ? word.address : word.name)) continue;
-    const std::string symbols = has_address && known.symbols == word.name ? std::string() : known.symbols;
-    for (const std::string& part : {symbols, known.predefined, known.meaning, known.help}) {
-      if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
-    }
-    break;
+  const auto found = known_.find(has_address ? word.address : word.name);
+  if (found == known_.end()) return text;
+  const ir::Documentation& known = *found->second;
+  const std::string symbols = has_address && known.symbols == word.name ? std::string() : known.symbols;
+  for (const std::string& part : {symbols, known.predefined, known.meaning, known.help}) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return text;
 }

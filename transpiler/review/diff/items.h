@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "transpiler/prove/machine/version.h"
@@ -39,6 +41,7 @@ class CellWords {
   std::map<uint32_t, ir::PlaceId> bits_;          // by cell
   std::map<uint32_t, ir::PlaceId> words_;         // by cell of its first bit: the smallest one that begins there
   mutable std::map<std::string, bool> is_named_;  // what has been asked so far
+  std::unordered_map<std::string_view, const ir::Documentation*> known_;  // by address, the first row of each
 };
 
 /// Which statement reads and writes which cells.
