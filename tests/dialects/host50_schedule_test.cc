@@ -52,7 +52,7 @@ TEST(Host50Schedule, PowerOnPresetsEdgesBehindTheInputs) {
 TEST(Host50Schedule, AlarmsThatTheProgramDrives) {
   LoweredProgram lowered;
   LowerInto(lowered, {"ALARMS\n%Q405 WARNING \"five\"\n%Q403 CAUTION \"three\"\nEND_ALARMS\n" +
-                      Slow("LD %I0\nOUT %Q404\nWTOB %W0, %Q402, 2\n")});
+                      Slow("LD %I0\nOUT %Q404\nOUT %B406\nWTOB %W0, %Q402, 2\n")});
   const Text period = lowered.Routine("period");
   EXPECT_THAT(period, IsSupersetOf({"%10 = load Q402", "%11 = load Q402_was", "%12 = xor.bit %10 %11", "if %12 {",
                                     "%13 = const i32 2", "%14 = load Q402", "host alarm (%13, %14)", "%15 = load Q402",
@@ -60,6 +60,7 @@ TEST(Host50Schedule, AlarmsThatTheProgramDrives) {
   EXPECT_THAT(period, Contains("%16 = load Q403"));
   EXPECT_THAT(period, Contains("%22 = load Q404"));
   EXPECT_THAT(period, Not(Contains(HasSubstr("Q405"))));
+  EXPECT_THAT(period, Not(Contains(HasSubstr("Q406"))));  // a bit that has an alarm's number is none
   EXPECT_THAT(lowered.Printed(), HasSubstr("message 3 colour 1 \"three\"\nmessage 5 colour 2 \"five\"\n"));
   EXPECT_THAT(lowered.Printed(), HasSubstr("message_bits Q 50 first 0 count 100\n"));
 }

@@ -31,6 +31,28 @@ TEST(TechnolLowering, ADoublewordMakesTheOperationWide) {
   EXPECT_THAT(Main("LOD W\nAD D\nSTO D\n"), IsSupersetOf({"%4 = add.i32 %2 %3", "store D %4"}));
 }
 
+size_t StatementsOf(const std::vector<std::string>& lines) {
+  return static_cast<size_t>(std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("stmt"); }));
+}
+
+TEST(TechnolLowering, AStatementOfAssemblerEndsWhereItStores) {
+  EXPECT_EQ(StatementsOf(Main("MOV AX,W\nMOV W,AX\nMOV BX,AX\nMOV W,BX\n")), 2);
+  EXPECT_EQ(StatementsOf(Main("MOV AX,W\nCMP W,AX\nMOV BX,AX\nMOV W,BX\n")), 1);
+}
+
+TEST(TechnolLowering, WhatAMacroAddsIsAStatementOfItsOwn) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "ZAPIS MACRO\nWR Q\nENDM\nDATA\nBITS: DFM A,Q\nDATA_END\nMODULE_MAIN\nLDR A\n ZAPIS\nMODULE_MAIN_END\n"
+            "STOP\n");
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  EXPECT_EQ(StatementsOf(lowered.Routine("MODULE_MAIN")), 2);
+}
+
+TEST(TechnolLowering, AJumpBackWithinAStretchNeedsNoStep) {
+  EXPECT_THAT(Main("FL 1,B\nZPET: LDR A\nJL1 ZPET\nWR C\n"), Not(Contains(HasSubstr("step"))));
+}
+
 // covers: TECHNOL-155
 TEST(TechnolLowering, AJumpBehindCmpIsAComparison) {
   EXPECT_THAT(Main("MOV AX,W\nCMP AX,5\nJA L\nFL 1,A\nL: LDR A\nWR B\n"),

@@ -219,6 +219,22 @@ routine cycle schedule {
 )");
 }
 
+TEST(RemoveDeadLocals, WhatAPartOfTheScheduleWritesIsNotItsCallersLocal) {
+  const std::string routines = R"(routine slow slow {
+  %0 = const i32 2
+  store rounds %0
+  %1 = load rounds
+}
+routine cycle schedule {
+  %0 = const i32 1
+  store rounds %0
+  call slow ()
+  %1 = load rounds
+}
+)";
+  EXPECT_EQ(After(routines), routines);
+}
+
 TEST(RemoveDeadLocals, ALoopReadsWhatItsLastRoundLeft) {
   const std::string body = R"(%0 = const i32 5
 store rounds %0

@@ -273,6 +273,15 @@ TEST(NestBlocks, AnArmThatLeavesMakesTheRestTheOther) {
             "%0 = load a\nif %0 stays {\n  store b %0\n} else {\n  stmt s2\n  %0 = load b\n  store c %0\n}\nstmt s3\n");
 }
 
+TEST(NestBlocks, AnIfAtTheEndOfItsBlockLosesItsExits) {
+  const auto nested = [](std::string_view arms) {
+    return Nested("%0 = load a\nif %0" + std::string(arms) + "\nlabel L1\nstore a %0\n");
+  };
+  EXPECT_EQ(nested(" {\n  store b %0\n  jump L1\n} else {\n  store c %0\n  jump L1\n}"),
+            "%0 = load a\nif %0 {\n  store b %0\n} else {\n  store c %0\n}\nstore a %0\n");
+  EXPECT_EQ(nested(" {\n  store b %0\n  jump L1\n}"), "%0 = load a\nif %0 {\n  store b %0\n}\nstore a %0\n");
+}
+
 TEST(NestBlocks, WhatIsNeverReachedStaysVisible) {
   EXPECT_EQ(Nested("stmt s1\njump L1\nstmt s2\n%0 = load a\nstore b %0\nlabel L1\n"),
             "stmt s1\n%0 = const bit 0\nif %0 stays {\n  stmt s2\n  %0 = load a\n  store b %0\n}\n");
