@@ -4,7 +4,6 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -12,6 +11,7 @@
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/known_objects.h"
 #include "transpiler/compile/runtime_files.h"
+#include "transpiler/support/read_file.h"
 #include "transpiler/support/sha256.h"
 
 namespace plcxx::compile {
@@ -43,11 +43,6 @@ bool WriteSources(const LibraryRequest& request, std::vector<std::string>& sourc
   return written;
 }
 
-std::string BytesOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// The objects of the library, with what they are made of; `bytes` is empty of those that are to be compiled.
 KnownObjects TakeUnchanged(const LibraryRequest& request) {
   namespace fs = std::filesystem;
@@ -59,7 +54,7 @@ KnownObjects TakeUnchanged(const LibraryRequest& request) {
     objects[object].inputs = InputsOf(*request.toolchain, *request.target, request.level, file, object, common);
   }
   const fs::path library = fs::path(request.previous) / ("lib" + request.name);
-  const KnownObjects known = ReadRecord(BytesOf(library.string() + ".objects"));
+  const KnownObjects known = ReadRecord(support::ReadFile(library.string() + ".objects").value_or(""));
   std::vector<std::string> wanted;
   for (const auto& [name, object] : objects) {
     const auto found = known.find(name);
@@ -72,7 +67,7 @@ KnownObjects TakeUnchanged(const LibraryRequest& request) {
     const fs::path place = fs::path(request.directory) / name;
     const std::string& bytes = known.at(name).bytes;
     std::error_code failed;
-    if (support::Sha256(BytesOf(place)) == bytes) {
+    if (support::Sha256(support::ReadFile(place).value_or("")) == bytes) {
       objects[name].bytes = bytes;
     } else {
       fs::remove(place, failed);
@@ -123,7 +118,8 @@ std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& reques
   if (auto fault = CompileAll(request, changed)) return *fault;
   for (const std::string& source : changed) {
     const std::string object = ObjectName(source);
-    objects.at(object).bytes = support::Sha256(BytesOf(std::filesystem::path(request.directory) / object));
+    objects.at(object).bytes =
+        support::Sha256(support::ReadFile(std::filesystem::path(request.directory) / object).value_or(""));
   }
 
   Library library;

@@ -8,6 +8,7 @@
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/support/sha256.h"
+#include "transpiler/support/sized_text.h"
 
 namespace plcxx::compile {
 namespace {
@@ -20,11 +21,6 @@ constexpr size_t kDigits = 64;
 
 /// Compilers read them beside their arguments.
 constexpr const char* kVariables[] = {"CPATH", "CPLUS_INCLUDE_PATH", "COMPILER_PATH", "GCC_EXEC_PREFIX"};
-
-/// Sizes tell where one part ends and the next one begins.
-void Add(std::string& inputs, std::string_view part) {
-  inputs += std::to_string(part.size()) + ":" + std::string(part) + "\n";
-}
 
 /// The file that a command's word is, as the shell finds it; empty: none.
 fs::path ProgramOf(const std::string& word) {
@@ -65,24 +61,24 @@ std::string CommonInputs(const Toolchain& toolchain, const std::vector<emit::Out
   std::string inputs;
   for (const emit::OutputFile& file : files) {
     if (!file.name.ends_with(".hpp")) continue;
-    Add(inputs, file.name);
-    Add(inputs, file.text);
+    support::AddSized(inputs, file.name);
+    support::AddSized(inputs, file.text);
   }
   for (const RuntimeFile& header : RuntimeFiles()) {
-    Add(inputs, header.name);
-    Add(inputs, header.text);
+    support::AddSized(inputs, header.name);
+    support::AddSized(inputs, header.text);
   }
-  Add(inputs, OutputOf(toolchain.command, "--version"));
-  for (const std::string& word : toolchain.command) Add(inputs, StampOf(word));
+  support::AddSized(inputs, OutputOf(toolchain.command, "--version"));
+  for (const std::string& word : toolchain.command) support::AddSized(inputs, StampOf(word));
   if (!toolchain.is_clang) {  // g++ only calls the compiler
     std::string compiler = OutputOf(toolchain.command, "-print-prog-name=cc1plus");
     compiler.resize(std::min(compiler.find('\n'), compiler.size()));
-    Add(inputs, compiler);
-    Add(inputs, StampOf(compiler));
+    support::AddSized(inputs, compiler);
+    support::AddSized(inputs, StampOf(compiler));
   }
   for (const char* variable : kVariables) {
     const char* value = std::getenv(variable);
-    Add(inputs, value != nullptr ? value : "");
+    support::AddSized(inputs, value != nullptr ? value : "");
   }
   return inputs;
 }
@@ -91,8 +87,9 @@ std::string InputsOf(const Toolchain& toolchain, const Target& target, const std
                      const emit::OutputFile& source, const std::string& object, const std::string& common_inputs) {
   std::string inputs;
   // The directory is not in the object.
-  for (const std::string& word : CompileCommand(toolchain, target, level, "", source.name, object)) Add(inputs, word);
-  Add(inputs, source.text);
+  for (const std::string& word : CompileCommand(toolchain, target, level, "", source.name, object))
+    support::AddSized(inputs, word);
+  support::AddSized(inputs, source.text);
   return support::Sha256(inputs + common_inputs);
 }
 

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -32,6 +30,7 @@
 #include "transpiler/emit/print/print.h"
 #include "transpiler/measure/figures.h"
 #include "transpiler/measure/limits.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -98,11 +97,6 @@ std::string TargetsText() {
   return text;
 }
 
-std::string BytesOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// One build: from a compiled program to the files that are written.
 class Build {
  public:
@@ -164,7 +158,8 @@ class Build {
     }
     const auto& library = std::get<compile::Library>(compiled);
     if (!settings_.no_audit) Examine(directory.path(), library, emittable);
-    files_.push_back({library.archive, BytesOf(std::filesystem::path(directory.path()) / library.archive)});
+    files_.push_back(
+        {library.archive, support::ReadFile(std::filesystem::path(directory.path()) / library.archive).value_or("")});
     files_.push_back({"lib" + compilation_.name + ".objects", library.record});
     return compilation_.ok();
   }
@@ -173,7 +168,7 @@ class Build {
                const emit::Emittable& emittable) {
     progress_.Show("auditing");
     std::vector<std::string> objects;
-    for (const std::string& name : library.objects) objects.push_back(BytesOf(directory / name));
+    for (const std::string& name : library.objects) objects.push_back(support::ReadFile(directory / name).value_or(""));
     const std::optional<compile::ProgramCode> code = measure::ReadObjects(objects, target_, compilation_);
     if (!code) return;
     measure::AuditObjects(*code, emittable, compilation_);

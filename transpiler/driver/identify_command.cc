@@ -1,8 +1,6 @@
 // plcxx identify: which program is in an object, a library, an executable or a firmware image.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,6 +18,7 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/identity/identity.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -56,12 +55,8 @@ std::optional<std::string> BytesOf(const std::string& path) {
     PrintUsageError("'" + path + "' is larger than 1 GB: no image of a machine");
     return std::nullopt;
   }
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) {
-    PrintUsageError("'" + path + "' cannot be read");
-    return std::nullopt;
-  }
+  std::optional<std::string> bytes = support::ReadFile(path);
+  if (!bytes) PrintUsageError("'" + path + "' cannot be read");
   return bytes;
 }
 

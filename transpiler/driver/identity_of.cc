@@ -7,14 +7,12 @@
 #include <string_view>
 
 #include "transpiler/support/sha256.h"
+#include "transpiler/support/sized_text.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr size_t kOptionsDigits = 8, kDigestDigits = 32;
-
-/// Sizes say where one part ends and the next one begins.
-void Add(std::string& all, std::string_view part) { all += std::to_string(part.size()) + ":" + std::string(part); }
 
 std::array<uint8_t, 3> ParsedVersion(std::string_view text) {
   std::array<uint8_t, 3> version{};
@@ -31,21 +29,21 @@ std::string SourcesOf(const compilation::Compilation& compilation) {
   std::string all;
   for (uint32_t i = 0; i < compilation.sources->size(); ++i) {
     const source::File& file = compilation.sources->Get(source::FileId(i));
-    Add(all, std::filesystem::path(file.path).filename().string());
-    Add(all, file.text);
+    support::AddSized(all, std::filesystem::path(file.path).filename().string());
+    support::AddSized(all, file.text);
   }
   return all;
 }
 
 std::string OptionsOf(const compilation::Compilation& compilation) {
   std::string all;
-  Add(all, compilation.dialect->name);
+  support::AddSized(all, compilation.dialect->name);
   for (const auto& [key, value] : compilation.options) {
-    Add(all, key);
-    Add(all, value);
+    support::AddSized(all, key);
+    support::AddSized(all, value);
   }
   for (const dialects::MacroOption& macro : compilation.macros)
-    Add(all, macro.name + (macro.text ? "=" + *macro.text : std::string()));
+    support::AddSized(all, macro.name + (macro.text ? "=" + *macro.text : std::string()));
   return all;
 }
 
@@ -56,8 +54,8 @@ identity::Identity IdentityOf(const compilation::Compilation& compilation,
   std::string code;
   for (const emit::OutputFile& file : generated) {
     if (!file.name.ends_with(".hpp") && !file.name.ends_with(".cpp")) continue;
-    Add(code, file.name);
-    Add(code, file.text);
+    support::AddSized(code, file.name);
+    support::AddSized(code, file.text);
   }
   return {.program = compilation.name,
           .version = ParsedVersion(PLCXX_VERSION),

@@ -1,8 +1,6 @@
 // plcxx init: a folder of files from a control becomes a project.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -17,6 +15,7 @@
 #include "transpiler/project/project.h"
 #include "transpiler/project/proposal.h"
 #include "transpiler/support/columns.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -62,8 +61,7 @@ std::string ServiceOf(const fs::path& folder) {
     if (fs::exists(at / ".github", error)) return "github";
     if (project::IsVersioned(at.string()) || at == at.parent_path()) break;
   }
-  std::ifstream file(at / ".git" / "config");
-  const std::string config{std::istreambuf_iterator<char>(file), {}};
+  const std::string config = support::ReadFile(at / ".git" / "config").value_or("");
   if (config.find("github.com") != std::string::npos) return "github";
   return config.find("gitlab") != std::string::npos ? "gitlab" : "";
 }

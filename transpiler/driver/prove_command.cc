@@ -1,8 +1,6 @@
 // plcxx prove: properties of the machine, for all inputs and all scans.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +21,7 @@
 #include "transpiler/review/properties/runs.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/property_machine.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -175,11 +174,9 @@ class Prove {
                                           compilation.diagnostics));
     }
     for (const std::string& path : files_) {
-      std::error_code none;
-      std::ifstream in(path, std::ios::binary);
-      if (!in || std::filesystem::is_directory(path, none)) return Wrong("cannot read '" + path + "'");
-      const std::string text{std::istreambuf_iterator<char>(in), {}};
-      add(scenarios::PropertiesOfFile(path, text, dialect.name, context, *compilation.sources,
+      const std::optional<std::string> text = support::ReadFile(path);
+      if (!text) return Wrong("cannot read '" + path + "'");
+      add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources,
                                       compilation.diagnostics));
     }
     if (compilation.ok()) return kDone;

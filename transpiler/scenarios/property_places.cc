@@ -1,9 +1,9 @@
 #include "transpiler/scenarios/property_places.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
+
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -87,11 +87,6 @@ ScenarioProperties ParseScenarioProperties(const Scenario& scenario, std::string
   return result;
 }
 
-std::string TextOf(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std::string& text, std::string_view dialect,
@@ -108,7 +103,7 @@ std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std:
 std::vector<PlacedProperty> PropertiesOfScenario(const Scenario& scenario, std::string_view dialect,
                                                  const prove::properties::PropertyContext& context,
                                                  source::SourceManager& sources, diag::Engine& diagnostics) {
-  const std::string text = TextOf(scenario.path);
+  const std::string text = support::ReadFile(scenario.path).value_or("");
   const source::FileId file = sources.AddText(scenario.path, text);
   ScenarioProperties parsed = ParseScenarioProperties(scenario, text, context);
   for (const PropertyError& error : parsed.errors) Report(error, file, dialect, sources, diagnostics);
@@ -121,7 +116,7 @@ std::vector<PlacedProperty> PropertiesOfScenario(const Scenario& scenario, std::
 std::vector<prove::properties::Property> WatchedProperties(const Scenario& scenario, std::string_view dialect,
                                                            const prove::properties::PropertyContext& context,
                                                            std::vector<ScenarioError>& errors) {
-  ScenarioProperties parsed = ParseScenarioProperties(scenario, TextOf(scenario.path), context);
+  ScenarioProperties parsed = ParseScenarioProperties(scenario, support::ReadFile(scenario.path).value_or(""), context);
   for (const PropertyError& error : parsed.errors) {
     const auto [row, words] = MessageOf(error, scenario.path, dialect);
     errors.push_back({scenario.path,

@@ -1,8 +1,6 @@
 // One scenario from its program to its verdict.
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +21,7 @@
 #include "transpiler/scenarios/suite.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/trace.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -191,9 +190,7 @@ class Test {
 
 bool RunsOn(const PlatformUse& use, const Scenario& scenario) {
   if (use.one_in == 1) return true;
-  std::ifstream file(scenario.path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return ContentHash(text) % use.one_in == 0;
+  return ContentHash(support::ReadFile(scenario.path).value_or("")) % use.one_in == 0;
 }
 
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {

@@ -4,11 +4,11 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <system_error>
+
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::yaml {
 namespace {
@@ -102,9 +102,9 @@ std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, 
     constexpr int kMega = 20;  // bits
     return Fault{{}, "the file is larger than " + std::to_string(most >> kMega) + " MB: not a " + std::string(what)};
   }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Fault{{}, "the file cannot be read"};
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  std::optional<std::string> text = support::ReadFile(path);
+  if (!text) return Fault{{}, "the file cannot be read"};
+  return *std::move(text);
 }
 
 }  // namespace plcxx::yaml

@@ -1,11 +1,11 @@
 #include "transpiler/prove/verify/bitcode.h"
 
-#include <fstream>
 #include <iterator>
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -60,8 +60,7 @@ std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& req
     command.insert(command.end(), request.further_flags.begin(), request.further_flags.end());
     const compile::ProcessResult result = compile::RunProcess(command, kCompilerSeconds, directory.path());
     if (result.exit_code != 0) return BitcodeFailure{FirstFault(result.output), result.output};
-    std::ifstream stream(directory.path() + "/" + object, std::ios::binary);
-    bitcode.files.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    bitcode.files.push_back(support::ReadFile(directory.path() + "/" + object).value_or(""));
     if (!bitcode.flags.empty()) continue;
     for (const std::string& word : command) {
       const bool names_file = word == file.name || word == object || word.find(directory.path()) != std::string::npos;
