@@ -1,8 +1,11 @@
 #include "transpiler/driver/diagnostics_output.h"
 
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include "transpiler/diagnostics/render.h"
+#include "transpiler/driver/diagnostics_documents.h"
 #include "transpiler/driver/terminal.h"
 
 namespace plcxx::driver {
@@ -31,7 +34,34 @@ std::string Rendered(const compilation::Compilation& compilation, const MessageS
   return {};
 }
 
+/// What is kept for the end of a DiagnosticsDocuments, by stream.
+struct Kept {
+  bool is_open = false;
+  std::vector<std::string> output, errors;
+};
+Kept& Documents() {
+  static Kept kept;
+  return kept;
+}
+
+void Print(std::string text, DiagnosticsFormat format, std::ostream& out) {
+  Kept& kept = Documents();
+  if (kept.is_open && format != DiagnosticsFormat::kText) {
+    (&out == &std::cout ? kept.output : kept.errors).push_back(std::move(text));
+  } else {
+    out << text << std::flush;
+  }
+}
+
 }  // namespace
+
+DiagnosticsDocuments::DiagnosticsDocuments() { Documents().is_open = true; }
+
+DiagnosticsDocuments::~DiagnosticsDocuments() {
+  const Kept kept = std::exchange(Documents(), {});
+  std::cout << MergedDiagnostics(kept.output) << std::flush;
+  std::cerr << MergedDiagnostics(kept.errors) << std::flush;
+}
 
 std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name) {
   if (name == "text") return DiagnosticsFormat::kText;
@@ -41,12 +71,12 @@ std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name) 
 }
 
 void PrintDiagnosticsBeside(const compilation::Compilation& compilation, const MessageStyle& messages) {
-  std::cerr << Rendered(compilation, messages) << std::flush;
+  Print(Rendered(compilation, messages), messages.format, std::cerr);
 }
 
 void PrintDiagnostics(const compilation::Compilation& compilation, const MessageStyle& messages) {
   std::ostream& out = messages.format == DiagnosticsFormat::kText ? std::cerr : std::cout;
-  out << Rendered(compilation, messages) << std::flush;
+  Print(Rendered(compilation, messages), messages.format, out);
 }
 
 std::string CountText(const diag::Engine& diagnostics) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "transpiler/driver/diagnostics_documents.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/columns.h"
@@ -98,6 +99,7 @@ int ForEachProgram(const CommonOptions& options, const std::function<int(const C
   const std::optional<std::vector<project::Program>> programs = ChoosePrograms(own);
   if (!programs) return kWrongUse;
   int code = kDone;
+  const DiagnosticsDocuments as_one;
   for (const project::Program& program : *programs) {
     own.program = program;
     code = std::max(code, command(own));
