@@ -109,6 +109,9 @@ TEST_F(TestCommand, AScenarioThatFails) {
             "wrong.yaml:5:12: step 2 (expect), at 20 ms: expected U4A8 = 1, found 0\n"
             "  last writes to U4A8, newest first:\n"
             "    value 0 from 0 ms to 10 ms: coil.plc:2:1: U4A8=I0A3*/I0A4\n"
+            "  why:\n"
+            "    U4A8 is 0 at 10 ms: coil.plc:2:1: U4A8=I0A3*/I0A4\n"
+            "      I0A3 is 0: as at power-on\n"
             "1 scenario passed, 1 failed\n");
   EXPECT_THAT(Run("wrong.yaml --engine host").output, HasSubstr("only the simulator keeps a record"));
 }

@@ -68,7 +68,8 @@ def files_of(folder):
 def tools(client, folder):
     listed = client.ask("tools/list")["result"]["tools"]
     names = {tool["name"] for tool in listed}
-    assert names >= {"project", "check", "explain", "emit", "simulate", "test", "diff", "prove", "cross_reference", "ladder"}
+    assert names >= {"project", "check", "explain", "emit", "simulate", "test", "why",
+                     "diff", "prove", "cross_reference", "ladder"}
     for tool in listed:
         assert tool["inputSchema"]["type"] == "object" and tool["description"], tool
 
@@ -76,6 +77,13 @@ def tools(client, folder):
     assert found["sources"] == ["lamp.plc", "new/lamp.plc", "wrong.plc"] and found["scenarios"] == ["lamp.yaml"], found
 
     assert client.call("check", sources=["lamp.plc"])["ok"]
+    found = client.call("why", signal="U4A8", scenario="lamp.yaml")
+    assert [one["signal"] for one in found["why"]["conditions"]] == ["U4A8", "I0A3", "I0A4"], found
+    assert found["why"]["conditions"][0]["statement"]["line"] == 2, found
+    found = client.call("why", signal="U4A8", can=True, sources=["lamp.plc"])
+    assert found["why"]["can"] == "shown" and "I0A3: 1" in found["why"]["scenario"], found
+    assert "scenario" in client.refused("why", signal="U4A8")
+
     found = client.call("check", sources=["wrong.plc"])
     assert not found["ok"] and found["exitCode"] == 1, found
     first = found["diagnostics"][0]

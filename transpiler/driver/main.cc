@@ -14,6 +14,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/test_command.h"
+#include "transpiler/driver/why_command.h"
 
 namespace plcxx::driver {
 namespace {
@@ -60,6 +61,7 @@ int Main(int argc, char** argv) {
   AddPrint(app, run);
   AddTest(app, run);
   AddSim(app, run);
+  AddWhy(app, run);
   AddExplain(app, run);
   AddReport(app, run);
   AddVerify(app, run);

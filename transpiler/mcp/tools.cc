@@ -13,6 +13,7 @@
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/mcp/command.h"
 #include "transpiler/mcp/temporary_folder.h"
+#include "transpiler/mcp/why_tool.h"
 #include "transpiler/project/project.h"
 
 namespace plcxx::mcp {
@@ -362,6 +363,8 @@ std::span<const Tool> Tools() {
        RunSimulate},
       {"test", "Run scenarios", "Runs scenario files; a failure names its step, what was expected and who wrote last",
        TestSchema, RunTest},
+      {"why", "Why is a signal so", "Which conditions keep a signal off or on in a state of a scenario, down to inputs",
+       WhySchema, RunWhy},
       {"diff", "Compare behaviour", "Which outputs of two versions behave differently: proved equal, or shown by a run",
        DiffSchema, RunDiff},
       {"prove", "Prove properties", "Proves properties for all inputs and all scans, or shows a run that violates them",

@@ -184,6 +184,7 @@ class Runner {
       found += (found.empty() ? "" : ", but in " + std::string(engine->name()) + " ") + text(value);
     }
     if (!wrong) return std::nullopt;
+    if (run_.unmet != nullptr) run_.unmet->push_back(&planned);
     return Failed(planned.written.mark, expected + found) + "\n" +
            LastWritesText(planned.written.text, location, run_.writes, run_.program, run_.sources);
   }

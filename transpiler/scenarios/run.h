@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/engines/lockstep.h"
@@ -27,10 +28,11 @@ struct ScenarioRun {
   const ir::Program& program;
   const source::SourceManager& sources;
   engines::Lockstep& engines;
-  const sim::LastWrites* writes = nullptr;      // of the simulator; none without one
-  std::unique_ptr<dialects::ControlStub> stub;  // may be none
-  sim::Trace* trace = nullptr;                  // sampled after each period; may be none
-  PropertyMonitor* monitor = nullptr;           // of the scenario's properties; may be none
+  const sim::LastWrites* writes = nullptr;            // of the simulator; none without one
+  std::unique_ptr<dialects::ControlStub> stub;        // may be none
+  sim::Trace* trace = nullptr;                        // sampled after each period; may be none
+  PropertyMonitor* monitor = nullptr;                 // of the scenario's properties; may be none
+  std::vector<const PlannedValue*>* unmet = nullptr;  // gets the expectations that do not hold; may be none
 };
 
 /// EngineFault of an engine passes through.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "transpiler/scenarios/property_places.h"
 #include "transpiler/scenarios/run.h"
 #include "transpiler/scenarios/suite.h"
+#include "transpiler/scenarios/why.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/trace.h"
 #include "transpiler/support/read_file.h"
@@ -160,6 +162,7 @@ class Test {
       result_.ran += (result_.ran.back() == ' ' ? "" : " and ") + std::string(engine->name());
     }
     sim::Trace trace(WatchedLocations(plan, compilation.program));
+    std::vector<const PlannedValue*> unmet;
     Failure failure = RunScenario({.scenario = scenario_,
                                    .plan = plan,
                                    .dialect = *compilation.dialect,
@@ -169,9 +172,35 @@ class Test {
                                    .writes = engines.writes,
                                    .stub = MakeStub(compilation),
                                    .trace = options_.waveform ? &trace : nullptr,
-                                   .monitor = monitor_.get()});
+                                   .monitor = monitor_.get(),
+                                   .unmet = &unmet});
+    if (failure && engines.writes != nullptr) *failure += WhyOf(compilation, plan, unmet);
     if (options_.waveform) result_.waveform = sim::WriteVcd(trace, compilation.program.name);
     return failure;
+  }
+
+  /// Why the first bit that is not what was expected is what it is, in a few lines.
+  std::string WhyOf(const compilation::Compilation& compilation, const ScenarioPlan& plan,
+                    const std::vector<const PlannedValue*>& unmet) const {
+    constexpr size_t kMaxLines = 6;
+    for (const PlannedValue* value : unmet) {
+      const dialects::Location& location = value->location;
+      if (location.place.type != ir::Type::kBit || !CannotBeExplained(compilation, location).empty()) continue;
+      const auto step = std::ranges::find_if(plan.steps, [value](const PlannedStep& one) {
+        return !one.values.empty() && value >= &one.values.front() && value <= &one.values.back();
+      });
+      const WhyQuestion question{.name = value->written.text,
+                                 .location = location,
+                                 .steps = static_cast<uint32_t>(step - plan.steps.begin()),
+                                 .time_ms = {}};
+      const WhyAnswer answer = ExplainInScenario(compilation, scenario_, plan, question);
+      if (!answer.refusal.empty() || answer.conditions.empty() || answer.conditions.front().because.empty()) return {};
+      std::string text = "\n  why:";
+      std::istringstream lines(WhyText(answer, question, compilation, kMaxLines));
+      for (std::string line; std::getline(lines, line);) text += "\n    " + line;
+      return text;
+    }
+    return {};
   }
 
   static std::unique_ptr<dialects::ControlStub> MakeStub(const compilation::Compilation& compilation) {

@@ -38,6 +38,8 @@ def of(case):
     yield ["report", *base, "--ladder", "-o", "-"], False, 20
     yield ["sim", *base, "--for", "200ms", "--time-limit", "5"], True, 20
     yield ["test", case.scenario.name, "--engine", "sim"], True, 60
+    for form in ("text", "json"):
+        yield ["why", case.maps.partition("=")[0], "--scenario", case.scenario.name, "--format", form], True, 60
     yield ["diff", case.scenario.name, case.scenario.name, "--time", "2s"], True, 60
     # The case's plcxx.yaml, mutated like its other files; else the one that init makes.
     yield ["init", "--pipeline", "github"], True, 60

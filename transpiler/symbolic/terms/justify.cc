@@ -20,7 +20,12 @@ uint64_t All(uint8_t width) { return Masked(~uint64_t{0}, width); }
 }  // namespace
 
 Justification::Justification(const Terms& terms, std::span<const TermId> cone, const std::vector<uint64_t>& values)
-    : terms_(terms), values_(values), costs_(terms.size()) {
+    : Justification(terms, cone, values, {}, {}) {}
+
+Justification::Justification(const Terms& terms, std::span<const TermId> cone, const std::vector<uint64_t>& values,
+                             std::span<const TermId> definitions,
+                             std::function<UnknownFunction(const TermFunction&)> unknown)
+    : terms_(terms), values_(values), definitions_(definitions), unknown_(std::move(unknown)), costs_(terms.size()) {
   for (const TermId id : cone) costs_[id.index] = CostOf(terms[id], values[id.index]);
 }
 
@@ -28,8 +33,10 @@ uint32_t Justification::CostOf(const Term& term, uint64_t value) const {
   switch (term.kind) {
     case TermKind::kConst:
       return 0;
-    case TermKind::kVariable:
-      return 1;
+    case TermKind::kVariable: {
+      const bool is_defined = term.a < definitions_.size() && definitions_[term.a].valid();
+      return is_defined ? costs_[definitions_[term.a].index] : 1;
+    }
     case TermKind::kAnd:
     case TermKind::kOr: {
       // Of words the sum is what may be needed.
@@ -62,6 +69,9 @@ uint32_t Justification::CostOf(const Term& term, uint64_t value) const {
       break;
   }
   uint32_t sum = term.kind == TermKind::kApply ? 1 : 0;
+  if (IsUnknown(term) && UnknownOf(term) != UnknownFunction::kWithArguments) {
+    return UnknownOf(term) == UnknownFunction::kAvoided ? kMostCost : 1;
+  }
   terms_.ForEachOperand(term, [&](TermId operand) { sum = Sum(sum, costs_[operand.index]); });
   return sum;
 }
@@ -141,15 +151,22 @@ void Justification::Operands(const Term& term, uint64_t bits, Need&& need) const
 }
 
 std::vector<Reason> Justification::ReasonsFor(TermId term) const {
+  const Reason wanted{.term = term, .bits = All(terms_.Width(term))};
+  return ReasonsFor({&wanted, 1});
+}
+
+std::vector<Reason> Justification::ReasonsFor(std::span<const Reason> wanted) const {
   std::vector<Reason> reasons;
-  std::map<uint32_t, uint64_t, std::greater<>> needed{{term.index, All(terms_.Width(term))}};
+  std::map<uint32_t, uint64_t, std::greater<>> needed;
+  for (const Reason& one : wanted) needed[one.term.index] |= one.bits;
   while (!needed.empty()) {
     // Operands are older than what is made of them: nothing that comes later needs more of this one.
     const auto [index, bits] = *needed.begin();
     needed.erase(needed.begin());
     const Term& what = terms_[TermId(index)];
-    const bool unknown = what.kind == TermKind::kApply && terms_.Info(FunctionId(what.a)).evaluate == nullptr;
+    const bool unknown = IsUnknown(what);
     if (what.kind == TermKind::kVariable || unknown) reasons.push_back({TermId(index), bits});
+    if (unknown && UnknownOf(what) != UnknownFunction::kWithArguments) continue;
     Operands(what, bits, [&needed](uint32_t operand, uint64_t part) {
       if (part != 0) needed[operand] |= part;
     });

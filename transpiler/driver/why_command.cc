@@ -1,0 +1,229 @@
+// plcxx why: which conditions make a signal what it is, and whether it can be on at all.
+#include "transpiler/driver/why_command.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/common_options.h"
+#include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/sim_plan.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/driver/why_output.h"
+#include "transpiler/review/properties/runs.h"
+#include "transpiler/scenarios/known_runs.h"
+#include "transpiler/scenarios/near_location.h"
+#include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/property_machine.h"
+#include "transpiler/scenarios/why.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kWhyFooter = R"(Examples:
+  plcxx why U4A8 --scenario turret.yaml              at the end of the scenario, or where it fails
+  plcxx why U4A8 --scenario turret.yaml --step 3     after its third step
+  plcxx why U4A8 --scenario turret.yaml --at 1200ms  after the last scan that begins by then
+  plcxx why U4A8 --can                               can it be on at all? a run that shows it, or a proof that it cannot
+  plcxx why U4A8 turret.sym turret.plc --can
+
+The first line has the statement that wrote the signal last; below it are the conditions that make it so, down to inputs,
+timers with the time that is left, bits of the control, and what earlier scans left behind. As long as these are what they
+are, the signal is what it is, whatever everything else does in that scan. Where one of several conditions would be
+enough, one is shown: the one that comes down to fewer inputs.
+
+Exit codes: 0 done, 1 it is not known, the scenario did not get there, or the program has errors, 2 wrong use.)";
+
+constexpr size_t kMaxLines = 60;
+
+struct WhySettings {
+  CommonOptions common;
+  std::string signal, scenario, at, form = "text", time = "60s";
+  std::optional<uint32_t> step;
+  bool can = false;
+};
+
+int Wrong(const std::string& text) {
+  PrintUsageError(text);
+  return kWrongUse;
+}
+
+std::optional<dialects::Location> Locate(const WhySettings& settings, const compilation::Compilation& compilation) {
+  const std::optional<dialects::Location> location = compilation.dialect->locate(compilation.program, settings.signal);
+  if (!location) {
+    PrintUsageError("'" + settings.signal + "' is no location of " + std::string(compilation.dialect->name) +
+                    scenarios::DidYouMeanLocation(*compilation.dialect, compilation.program, settings.signal));
+    return std::nullopt;
+  }
+  if (const std::string why = scenarios::CannotBeExplained(compilation, *location); !why.empty()) {
+    PrintUsageError("'" + settings.signal + "' cannot be explained: " + why);
+    return std::nullopt;
+  }
+  return location;
+}
+
+std::optional<scenarios::Scenario> ReadScenario(const WhySettings& settings) {
+  scenarios::ScenarioOrErrors read = scenarios::ReadScenario(
+      settings.scenario, settings.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
+    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    return std::nullopt;
+  }
+  scenarios::Scenario scenario = std::move(std::get<scenarios::Scenario>(read));
+  if (scenario.sources.empty() && settings.common.sources.empty()) {
+    PrintUsageError(scenario.path + ": no 'sources': the scenario names no program");
+    return std::nullopt;
+  }
+  if (!scenario.steps || scenario.steps->empty()) {
+    PrintUsageError(scenario.path + ": no 'steps': nothing runs whose state could be asked about");
+    return std::nullopt;
+  }
+  if (settings.step && (*settings.step == 0 || *settings.step > scenario.steps->size())) {
+    PrintUsageError("--step " + std::to_string(*settings.step) + ": " + scenario.path + " has the steps 1 to " +
+                    std::to_string(scenario.steps->size()));
+    return std::nullopt;
+  }
+  return scenario;
+}
+
+int WhyInScenario(const WhySettings& settings) {
+  std::optional<scenarios::Scenario> scenario = ReadScenario(settings);
+  if (!scenario) return kWrongUse;
+  std::optional<uint64_t> time_ms;
+  if (!settings.at.empty()) {
+    time_ms = ParseDuration(settings.at);
+    if (!time_ms) return Wrong("'--at " + settings.at + "' is no time: write it as in 1200ms, 3s or 5min");
+  }
+  const std::optional<compilation::CompilationRequest> asked = MakeRequest(settings.common);
+  if (!asked) return kWrongUse;
+  ProgressLine progress;
+  compilation::CompilationRequest request =
+      scenarios::RequestOf(*scenario, {settings.common.sources, asked->options, asked->warnings});
+  request.progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  const compilation::Compilation compilation = compilation::Compile(request);
+  progress.Clear();
+  if (!compilation.ok()) {
+    PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
+    return ExitCodeOf(compilation);
+  }
+  const std::optional<dialects::Location> location = Locate(settings, compilation);
+  if (!location) return kWrongUse;
+  auto plan = scenarios::PlanScenario(*scenario, *compilation.dialect, compilation.program);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
+    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    return kWrongUse;
+  }
+  const scenarios::WhyQuestion question{
+      .name = settings.signal, .location = *location, .steps = settings.step, .time_ms = time_ms};
+  progress.Show("running " + scenario->path);
+  const scenarios::WhyAnswer answer = scenarios::ExplainInScenario(
+      compilation, *scenario, std::move(std::get<scenarios::ScenarioPlan>(plan)), question);
+  progress.Clear();
+  if (settings.form == "json") {
+    std::cout << WhyJson(answer, question, compilation);
+  } else {
+    std::cout << diag::EscapedLines(scenarios::WhyText(answer, question, compilation, kMaxLines));
+  }
+  const bool stopped_early = !answer.failure.empty() && settings.step.has_value();
+  if (!answer.failure.empty()) std::cerr << diag::EscapedLines(answer.failure) << "\n";
+  return answer.refusal.empty() && !stopped_early ? kDone : kProgramHasErrors;
+}
+
+/// "Never on" as a property: a run that violates it is the answer.
+int WhetherItCan(const WhySettings& settings) {
+  const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
+  if (!time_ms || *time_ms == 0)
+    return Wrong("'--time " + settings.time + "' is no time: write it as in 500ms, 60s or 5min");
+  std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  if (!settings.scenario.empty()) {
+    const std::optional<scenarios::Scenario> scenario = ReadScenario(settings);
+    if (!scenario) return kWrongUse;
+    request = scenarios::RequestOf(*scenario, {settings.common.sources, request->options, request->warnings});
+  }
+  ProgressLine progress;
+  scenarios::ProveMachine machine;
+  scenarios::MakeProveMachine(*request, machine);
+  compilation::Compilation& compilation = machine.compilation;
+  if (!compilation.ok()) {
+    PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
+    return ExitCodeOf(compilation);
+  }
+  const std::optional<dialects::Location> location = Locate(settings, compilation);
+  if (!location) return kWrongUse;
+  const bool is_bit = location->place.type == ir::Type::kBit;
+  const std::string text = "never '" + settings.signal + "'" + (is_bit ? "" : " != 0") + "\n";
+  const prove::properties::Properties parsed = prove::properties::ParseProperties(
+      text,
+      scenarios::PropertyContextOf(*compilation.dialect, compilation.program, machine.version.cells, machine.timing));
+  if (parsed.properties.empty()) return Wrong("'" + settings.signal + "' cannot be proved anything of");
+  const prove::properties::Property& property = parsed.properties.front();
+  scenarios::NameLocationsOf(property, machine);
+
+  review::properties::PropertyRuns runs(machine, scenarios::KnownRuns(*request));
+  CanAnswer answer{.signal = settings.signal, .is_bit = is_bit, .result = {}, .scenario = {}};
+  prove::properties::CheckOptions options;
+  options.time_ms = *time_ms;
+  options.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
+  options.why_not_shown = [&](const prove::properties::Property& violated,
+                              const prove::properties::PropertyResult& result) {
+    answer.scenario = review::properties::MakePropertyScenario(machine, *request, violated, result,
+                                                               {.directory = "", .name = "can.yaml"});
+    return answer.scenario.reason;
+  };
+  options.progress = [&progress](const std::string& what) { progress.Show(what); };
+  prove::properties::PropertyChecker checker(machine.version, std::move(options));
+  if (!checker.refusal().empty()) return Wrong("nothing can be proved: " + checker.refusal());
+  answer.result = checker.Check(property);
+  progress.Clear();
+  std::cout << (settings.form == "json" ? CanJson(answer) : CanText(answer));
+  return answer.result.verdict == prove::properties::PropertyVerdict::kUndecided ? kProgramHasErrors : kDone;
+}
+
+int RunWhy(const WhySettings& settings) {
+  if (settings.can && (settings.step || !settings.at.empty())) {
+    return Wrong("--can asks about all states: leave --step and --at out");
+  }
+  if (settings.step && !settings.at.empty()) return Wrong("--step and --at both name a state: leave one of them out");
+  if (!settings.can) {
+    if (settings.scenario.empty()) {
+      return Wrong("why is asked of a state: name a scenario with --scenario FILE, or ask with --can whether '" +
+                   settings.signal + "' can be on at all");
+    }
+    return WhyInScenario(settings);
+  }
+  return settings.scenario.empty() ? RunForPrograms(settings, WhetherItCan) : WhetherItCan(settings);
+}
+
+}  // namespace
+
+void AddWhy(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("why", "Tell which conditions keep a signal off, or on");
+  const auto settings = std::make_shared<WhySettings>();
+  command->add_option("SIGNAL", settings->signal, "The location: U4A8, a symbol, a word")->type_name("")->required();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--scenario", settings->scenario, "The run whose state is asked about")->type_name("FILE");
+  command->add_option("--step", settings->step, "The state after this step of it; else at its end")->type_name("N");
+  command->add_option("--at", settings->at, "The state after the last scan that begins by then, as in 1200ms or 3s")
+      ->type_name("TIME");
+  command->add_flag("--can", settings->can, "Whether it can be on at all: a run that shows it, or a proof");
+  command->add_option("--time", settings->time, "Of the proof, as in 500ms, 60s or 5min")
+      ->type_name("TIME")
+      ->default_str("60s");
+  command->add_option("--format", settings->form, "Form of the result: text, json")
+      ->type_name("FORM")
+      ->default_str("text")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->footer(kWhyFooter);
+  command->callback([settings, &run] { run = [settings] { return RunWhy(*settings); }; });
+}
+
+}  // namespace plcxx::driver
