@@ -178,6 +178,31 @@ g: movs r2, #1; movs r2, #2; bx lr
        {"a jump under a condition", "cbz r0, 1f; cmp r0, #1; it eq\n1: moveq r2, #1; bx lr", "under a condition"}});
 }
 
+/// ARMv6-M stops at an access that ARMv7-M makes.
+TEST(ObjectCode, OfCortexM0PlusIsAligned) {
+  const std::string head = R"(
+  .syntax unified
+  .thumb
+  .section .text.f, "ax"
+  .globl f
+  .thumb_func
+  .type f, %function
+f:
+)";
+  const std::string tail = "\n  .size f, . - f\n";
+  const auto all = [](const char* misaligned) {
+    return std::vector<Code>{
+        {"a word", "adds r2, r0, #1; ldr r1, [r2]; str r1, [r0]; bx lr", misaligned},
+        {"a half word", "adds r2, r0, #1; ldrh r1, [r2]; str r1, [r0]; bx lr", misaligned},
+        {"a word by its index", "movs r2, #2; ldr r1, [r0, r2]; str r1, [r0]; bx lr", misaligned},
+        {"a word that is written", "movs r1, #0; adds r2, r0, #2; str r1, [r2]; bx lr", misaligned},
+        {"an aligned word", "adds r2, r0, #4; ldr r1, [r2]; str r1, [r0]; bx lr", "0"},
+        {"an aligned half word", "adds r2, r0, #2; ldrh r1, [r2]; str r1, [r0]; bx lr", "0"}};
+  };
+  Expect("cortex-m0plus", head, tail, all("demanded"));
+  Expect("cortex-m4", head, tail, all("0"));
+}
+
 /// The compiler knows what a function of the same section writes.
 TEST(ObjectCode, CalleesOfTheSameSectionCount) {
   const std::string text = R"(

@@ -88,6 +88,8 @@ class ArmLifter : public ArmOperands {
   void Compute();
   void Move();
   void Shift();
+  /// Of one number in memory: ARMv6-M takes no others, ARMv7-M takes any.
+  unsigned LeastAlign();
   void Access();
   void AccessPair();
   void AccessMany();

@@ -1,5 +1,6 @@
 // What instructions of ARM's Thumb do: loads and stores.
 #include <llvm/BinaryFormat/ELF.h>
+#include <llvm/MC/MCSubtargetInfo.h>
 
 #include <utility>
 #include <vector>
@@ -13,6 +14,10 @@ void ArmLifter::RefuseBelowStack(unsigned base, unsigned offset) {
   if (below) lifter_.Refuse("an access below the stack pointer");
 }
 
+unsigned ArmLifter::LeastAlign() {
+  return lifter_.program().machine().subtarget().checkFeatures("+strict-align") ? row_.bits / 8 : 1;
+}
+
 void ArmLifter::Access() {
   const bool loads = row_.form == ArmForm::kLoad || row_.form == ArmForm::kLoadPre || row_.form == ArmForm::kLoadPost;
   const bool pre = row_.form == ArmForm::kLoadPre || row_.form == ArmForm::kStorePre;
@@ -24,8 +29,9 @@ void ArmLifter::Access() {
   llvm::Value* before = Get(base);
   llvm::Value* moved = build_.CreateAdd(before, Offset(base + 1, row_.scale));
   llvm::Value* address = post ? before : moved;
+  const unsigned align = LeastAlign();
   if (loads) {
-    llvm::Value* value = lifter_.Load(address, row_.bits, 1);
+    llvm::Value* value = lifter_.Load(address, row_.bits, align);
     if (row_.bits < 32)
       value = row_.has_sign ? build_.CreateSExt(value, lifter_.Word()) : build_.CreateZExt(value, lifter_.Word());
     if (pre || post) lifter_.Set(RegisterAt(back), moved);
@@ -34,7 +40,7 @@ void ArmLifter::Access() {
   }
   llvm::Value* value = Get(reg);
   if (row_.bits < 32) value = build_.CreateTrunc(value, build_.getIntNTy(row_.bits));
-  lifter_.Store(address, value, 1);
+  lifter_.Store(address, value, align);
   if (pre || post) lifter_.Set(RegisterAt(back), moved);
 }
 
