@@ -313,6 +313,8 @@ constexpr Undefined kUndefined[] = {
     {"Alignment", "uint8_t* p = &m.b[m.b[0] & 7]; m.w[0] = *reinterpret_cast<uint32_t*>(p);",
      "uint8_t* p = &m.b[m.b[0] & 4]; m.w[0] = *reinterpret_cast<uint32_t*>(p);",
      "an access at an address that is not aligned"},
+    {"CopyOntoAPartOfItself", "__builtin_memcpy(&m.b[m.b[0] & 3], &m.b[2], 12);",
+     "__builtin_memcpy(&m.b[m.b[0] & 1], m.w, 12);", "a copy onto a part of itself"},
     {"Truth", "m.b[1] = *reinterpret_cast<bool*>(&m.b[0]) ? 4 : 5;",
      "m.b[1] = m.b[0] < 2 && *reinterpret_cast<bool*>(&m.b[0]) ? 4 : 5;",
      "a read of a number that its type does not have"},
@@ -355,6 +357,21 @@ TEST_P(UndefinedTest, IsAnObligationThatAGuardMeets) {
 
 INSTANTIATE_TEST_SUITE_P(All, UndefinedTest, ::testing::ValuesIn(kUndefined),
                          [](const auto& undefined) { return undefined.param.name; });
+
+/// The compiler may use the place of one local for another one.
+TEST_F(CompiledCodeTest, LocalsThatAreGoneHaveNoValue) {
+  const auto is_kept = [this](const std::string& statement) {
+    terms_ = terms::Terms();
+    const verify::CodeOutcome outcome = Execute(
+        "[[gnu::noinline]] static void put(uint8_t& to, uint8_t value) { to = value; }\n"
+        "void f(State& m, Host&) noexcept { uint8_t* kept; " +
+        statement + " }");
+    EXPECT_EQ(outcome.refusal, "");
+    return outcome.slots[0] == outcome.slots[1];
+  };
+  EXPECT_TRUE(is_kept("uint8_t local; put(local, m.b[1]); kept = &local; m.b[0] = *kept;"));
+  EXPECT_FALSE(is_kept("{ uint8_t local; put(local, m.b[1]); kept = &local; } m.b[0] = *kept;"));
+}
 
 TEST_F(CompiledCodeTest, Refusals) {
   const auto refusal = [this](const std::string& body, const std::vector<std::string>& flags = {}) {

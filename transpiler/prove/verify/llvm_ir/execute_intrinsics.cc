@@ -72,6 +72,8 @@ CodeValue Executor::ExecuteIntrinsic(const llvm::IntrinsicInst& call) {
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::lifetime_start:
     case llvm::Intrinsic::lifetime_end:
+      ForgetLocals(ValueOf(call.getArgOperand(1)).targets);
+      return {};
     case llvm::Intrinsic::experimental_noalias_scope_decl:
       return {};
     case llvm::Intrinsic::assume:
@@ -151,6 +153,7 @@ void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
   RequireValue(source, kAddressUndefined);
   const std::vector<Target>& from = source.targets;
   RequireAligned(from, transfer.getSourceAlign().valueOrOne().value());
+  if (llvm::isa<llvm::MemCpyInst>(transfer)) RequireApart(to, from, bytes);
   // All is read before anything is written, so that the two may overlap.
   std::vector<terms::TermId> values;
   for (uint64_t i = 0; i < bytes && !refused(); ++i) values.push_back(Load(from, i, 1));

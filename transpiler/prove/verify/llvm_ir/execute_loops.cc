@@ -150,6 +150,10 @@ void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::Te
   }
   for (const auto& [when, passage] : state.heads) AddSlots(entry.slots, passage.slots, state);
   const std::string name = flows_.NameOf(*head->getParent()) + ", " + head->getName().str();
+  if (state.items.empty()) {
+    Refuse("a loop that changes nothing, and so may never end: " + name);
+    return;
+  }
   const size_t obligations = outcome_.obligations.size();
   environment_.OpenLoop();
   for (;;) {

@@ -149,4 +149,26 @@ void Executor::Store(const std::vector<Target>& targets, uint64_t at, terms::Ter
   }
 }
 
+void Executor::ForgetLocals(const std::vector<Target>& targets) {
+  for (const Target& target : targets) {
+    const Object& object = objects_[target.object];
+    if (object.kind != ObjectKind::kLocal || object.first_slot < initial_.size()) continue;
+    for (uint64_t at = 0; at < object.bytes; ++at)
+      slots_.Set(static_cast<uint32_t>(object.first_slot + at), terms::TermId());
+  }
+}
+
+void Executor::RequireApart(const std::vector<Target>& to, const std::vector<Target>& from, uint64_t bytes) {
+  const terms::TermId length = terms_.Const(bytes, 64);
+  for (const Target& one : to) {
+    for (const Target& other : from) {
+      if (one.object != other.object) continue;
+      const terms::TermId up = terms_.Sub(one.offset, other.offset), down = terms_.Sub(other.offset, one.offset);
+      const terms::TermId overlap =
+          terms_.And(terms_.Ne(one.offset, other.offset), terms_.Or(terms_.Ult(up, length), terms_.Ult(down, length)));
+      Require(terms_.And(terms_.And(one.when, other.when), overlap), "a copy onto a part of itself");
+    }
+  }
+}
+
 }  // namespace plcxx::prove::verify::llvm_ir

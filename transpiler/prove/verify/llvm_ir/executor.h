@@ -220,6 +220,10 @@ class Executor {
   Reach ReachOf(const Object& object, terms::TermId offset, uint32_t bytes);
   terms::TermId IsBeyond(const Reach& reach, terms::TermId offset);
   uint32_t NewLocal(uint64_t bytes, uint64_t align);
+  /// A local whose life begins or ends has no value.
+  void ForgetLocals(const std::vector<Target>& targets);
+  /// memcpy leaves open what it does with two places that overlap, unless they are one.
+  void RequireApart(const std::vector<Target>& to, const std::vector<Target>& from, uint64_t bytes);
 
   // Pointers as numbers (addresses.cc).
   terms::TermId AddressOf(uint32_t object, uint8_t width);
