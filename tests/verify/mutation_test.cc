@@ -4,28 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
-#include "tests/temporary_directory.h"
-#include "tests/volume.h"
-#include "transpiler/compilation/compilation.h"
-#include "transpiler/compile/runtime_files.h"
-#include "transpiler/compile/target.h"
-#include "transpiler/compile/toolchain.h"
-#include "transpiler/emit/legalize/legalize.h"
-#include "transpiler/emit/output_file.h"
-#include "transpiler/emit/print/print.h"
-#include "transpiler/prove/verify/bitcode.h"
-#include "transpiler/prove/verify/verify.h"
+#include "tests/verify/changed_code.h"
 
 namespace plcxx::prove {
 namespace {
@@ -135,13 +119,6 @@ constexpr const char* kCallsOfProStep = R"(:MOD PM 0
 :END PM 20
 )";
 
-struct Mutation {
-  std::string_view name;
-  std::string_view file;  // "turret.cpp", "plcxx/timers.h"
-  std::string_view from;  // stands in it once
-  std::string_view to;
-};
-
 constexpr Mutation kMutations[] = {
     // The emitter.
     {"and_to_or", "turret.cpp", "m[U4A0] & m[I0A2]", "m[U4A0] | m[I0A2]"},
@@ -222,38 +199,25 @@ constexpr Mutation kMutationsOfProStep[] = {
     {"prostep_other_module", "turret.cpp", "        PM11(m, host);", "        PM10(m, host);"},
 };
 
-enum class Expected : uint8_t { kProved, kCaught };
-
 struct Flags {
   std::string_view text;  // separated by blanks
-  Expected expected;
+  Outcome expected;
 };
 
 constexpr Flags kFlags[] = {
     // These do not change what generated code does.
-    {"-funsigned-char", Expected::kProved},
-    {"-fwrapv", Expected::kProved},
-    {"-fno-strict-aliasing", Expected::kProved},
-    {"-fshort-enums", Expected::kProved},
-    {"-DNDEBUG", Expected::kProved},
-    {"-ffast-math", Expected::kProved},  // without floating point; with it, compiled_code_test.cc
+    {"-funsigned-char", Outcome::kProved},
+    {"-fwrapv", Outcome::kProved},
+    {"-fno-strict-aliasing", Outcome::kProved},
+    {"-fshort-enums", Outcome::kProved},
+    {"-DNDEBUG", Outcome::kProved},
+    {"-ffast-math", Outcome::kProved},  // without floating point; with it, compiled_code_test.cc
     // These bend the runtime's names and types.
-    {"-DAddSaturate32=Add32", Expected::kCaught},
-    {"-D_PLCXX=1 -Delapsed_ms=last_ms", Expected::kCaught},
-    {"-include stdint.h -Duint32_t=uint16_t", Expected::kCaught},
-    {"-fpack-struct=1", Expected::kCaught},
+    {"-DAddSaturate32=Add32", Outcome::kCaught},
+    {"-D_PLCXX=1 -Delapsed_ms=last_ms", Outcome::kCaught},
+    {"-include stdint.h -Duint32_t=uint16_t", Outcome::kCaught},
+    {"-fpack-struct=1", Outcome::kCaught},
 };
-
-/// A row of the table in docs/verify.md.
-void ExpectInTable(std::string_view name, const std::string& caught) {
-  static const std::string kDocument = [] {
-    std::ifstream stream(PLCXX_ROOT "/docs/verify.md");
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  }();
-  const std::string row = "| `" + std::string(name) + "` | " + (caught.empty() ? "proved" : caught) + " |";
-  std::cout << row << "\n";
-  EXPECT_NE(kDocument.find(row), std::string::npos) << "docs/verify.md lacks: " << row;
-}
 
 std::vector<std::string> Words(std::string_view text) {
   std::vector<std::string> words;
@@ -265,106 +229,10 @@ std::vector<std::string> Words(std::string_view text) {
   return words;
 }
 
-enum class Asked : uint8_t { kRoutines, kFunctions };
-
-std::string FirstNotProved(const std::vector<verify::RoutineProof>& proofs, Asked asked) {
-  for (const verify::RoutineProof& proof : proofs) {
-    if (proof.exported != (asked == Asked::kRoutines) || proof.result == verify::ProofResult::kProved) continue;
-    return proof.routine + ": " + (proof.differences.empty() ? proof.reason : proof.differences.front().what);
-  }
-  return "";
-}
-
-/// One program, as it is compiled and proved.
-class Subject {
- public:
-  Subject(const compile::Toolchain& toolchain, const char* name, const char* text, const char* dialect,
-          const std::vector<std::pair<std::string, std::string>>& options = {})
-      : toolchain_(toolchain) {
-    compilation::CompilationRequest request;
-    request.sources = {directory_.Write(name, text)};
-    request.dialect = dialect;
-    request.options = options;
-    compilation_ = compilation::Compile(request);
-    EXPECT_TRUE(compilation_.ok());
-    emittable_ = emit::legalize::Legalize(compilation_.program, {.name = "turret"});
-    files_ = emit::print::PrintCpp(emittable_, *compilation_.sources);
-    for (const compile::RuntimeFile& file : compile::RuntimeFiles())
-      runtime_.push_back({.name = file.name, .text = std::string(file.text)});
-  }
-
-  /// By what it is caught: "slow: U.10", "not compiled"; empty: all is proved.
-  std::string Caught(const std::vector<std::string>& flags = {}) {
-    std::vector<std::string> further = {"-Wno-everything"};
-    further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled = verify::CompileToBitcode(
-        {.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
-    if (std::holds_alternative<verify::BitcodeFailure>(compiled)) return "not compiled";
-    const verify::LoadedCode loaded = verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
-    if (loaded.code == nullptr) return loaded.reason;
-    const std::vector<verify::RoutineProof> proofs =
-        verify::Verify(emittable_, *loaded.code, verify::RoutinesToVerify(compilation_.program), {});
-    std::string caught = FirstNotProved(proofs, Asked::kRoutines);
-    if (caught.find("all is proved but") != std::string::npos) caught = FirstNotProved(proofs, Asked::kFunctions);
-    return caught;
-  }
-
-  /// The file's text, generated or of the runtime.
-  std::string& TextOf(std::string_view name) {
-    for (std::vector<emit::OutputFile>* all : {&files_, &runtime_}) {
-      for (emit::OutputFile& file : *all) {
-        if (file.name == name) return file.text;
-      }
-    }
-    ADD_FAILURE() << "no file " << name;
-    return files_.front().text;
-  }
-
- private:
-  testing_support::TemporaryDirectory directory_;
-  const compile::Toolchain& toolchain_;
-  compilation::Compilation compilation_;
-  emit::Emittable emittable_;
-  std::vector<emit::OutputFile> files_, runtime_;
-};
-
 class MutationTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    auto found = compile::FindToolchain(compile::Targets().front(), verify::kVerifyCompiler);
-    ASSERT_TRUE(std::holds_alternative<compile::Toolchain>(found));
-    toolchain_ = std::get<compile::Toolchain>(found);
-    turret_ = std::make_unique<Subject>(toolchain_, "turret.plc", kProgram, "nc110");
-  }
+  void SetUp() override { turret_ = std::make_unique<Subject>("turret.plc", kProgram, "nc110"); }
 
-  static void ExpectCaught(Subject& subject, const Mutation& mutation) {
-    std::string& text = subject.TextOf(mutation.file);
-    const std::string whole = text;
-    const size_t at = text.find(mutation.from);
-    ASSERT_NE(at, std::string::npos) << mutation.name;
-    ASSERT_EQ(text.find(mutation.from, at + 1), std::string::npos) << mutation.name;
-    text.replace(at, mutation.from.size(), mutation.to);
-    const std::string caught = subject.Caught();
-    EXPECT_NE(caught, "") << mutation.name;
-    // It differs, and a state shows it; "not within the time" would be too little.
-    EXPECT_EQ(caught.find("not within"), std::string::npos) << mutation.name << ": " << caught;
-    ExpectInTable(mutation.name, caught);
-    text = whole;
-  }
-
-  /// As it is it is proved; with any of the changes it is not.
-  static void ExpectAllCaught(Subject& subject, std::span<const Mutation> mutations) {
-    EXPECT_EQ(subject.Caught(), "");
-    ExpectSampleCaught(subject, mutations);
-  }
-
-  /// One in four; all of them take minutes.
-  static void ExpectSampleCaught(Subject& subject, std::span<const Mutation> mutations) {
-    const size_t step = testing_support::Volume(size_t{4}, size_t{1});
-    for (size_t i = 0; i < mutations.size(); i += step) ExpectCaught(subject, mutations[i]);
-  }
-
-  compile::Toolchain toolchain_;
   std::unique_ptr<Subject> turret_;
 };
 
@@ -373,29 +241,29 @@ TEST_F(MutationTest, UnchangedIsProved) { EXPECT_EQ(turret_->Caught(), ""); }
 TEST_F(MutationTest, ChangesAreCaught) { ExpectSampleCaught(*turret_, kMutations); }
 
 TEST_F(MutationTest, ChangesInLoopsAreCaught) {
-  Subject loops(toolchain_, "turret.plc", kLoops, "nc110", {{"enable-dow", "on"}});
+  Subject loops("turret.plc", kLoops, "nc110", {{"enable-dow", "on"}});
   ExpectAllCaught(loops, kMutationsOfLoops);
 }
 
 TEST_F(MutationTest, ChangesInLoopsOfTechnolAreCaught) {
-  Subject loop(toolchain_, "turret.plc", kLoopOfTechnol, "technol");
+  Subject loop("turret.plc", kLoopOfTechnol, "technol");
   ExpectAllCaught(loop, kMutationsOfTechnol);
 }
 
 TEST_F(MutationTest, ChangesInLoopsOfHost50AreCaught) {
-  Subject loop(toolchain_, "turret.il", kLoopOfHost50, "host50");
+  Subject loop("turret.il", kLoopOfHost50, "host50");
   ExpectAllCaught(loop, kMutationsOfHost50);
 }
 
 TEST_F(MutationTest, ChangesOfCallsInProStepAreCaught) {
-  Subject calls(toolchain_, "turret.plc", kCallsOfProStep, "prostep");
+  Subject calls("turret.plc", kCallsOfProStep, "prostep");
   ExpectAllCaught(calls, kMutationsOfProStep);
 }
 
 TEST_F(MutationTest, FlagsThatChangeTheMeaningAreCaught) {
   for (const Flags& flags : kFlags) {
     const std::string caught = turret_->Caught(Words(flags.text));
-    EXPECT_EQ(caught.empty(), flags.expected == Expected::kProved) << flags.text << ": " << caught;
+    EXPECT_EQ(caught.empty(), flags.expected == Outcome::kProved) << flags.text << ": " << caught;
     ExpectInTable(flags.text, caught);
   }
 }

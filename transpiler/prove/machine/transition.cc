@@ -21,6 +21,7 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .summarize_after = 16,
                                  .is_late = environment.is_late};
   execution.observe = [&](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
+    if (version.program->host_functions[function].access == ir::HostAccess::kWritesState) return;
     Observation observation{.function = function, .when = when, .outputs = {}};
     for (const execute::CellId cell : environment.outputs) observation.outputs.push_back(memory.Read(cell));
     transition.observations.push_back(std::move(observation));

@@ -1,6 +1,9 @@
 #include "transpiler/prove/verify/host_environment.h"
 
+#include <array>
+
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/terms/gather.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -18,9 +21,27 @@ terms::TermId HavingSeen(terms::Terms& terms, const std::string& function, terms
   return terms.Apply(terms.Function("seen by " + function, 64), arguments);
 }
 
+bool MayReadState(ir::HostAccess access, Passes passes) {
+  return access == ir::HostAccess::kReadsState ||
+         (access == ir::HostAccess::kWritesState && passes == Passes::kStateAndHost);
+}
+
 terms::TermId StoredByte(terms::Terms& terms, const std::string& space, uint32_t offset) {
   const terms::TermId at = terms.Const(offset, 32);
   return terms.Apply(terms.Function("stored " + space, 8), {&at, 1});
+}
+
+/// What it has been told includes what it has seen; `slot` is where the memory begins that it gets.
+void HostEnvironment::Show(CodeMemory& memory, uint32_t slot, const ir::HostFunction& host, uint32_t counter,
+                           terms::TermId calls) {
+  const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
+  const uint32_t begin = retentive ? image_.retentive_begin() : 0;
+  const uint32_t end = retentive ? image_.retentive_end() : image_.size();
+  std::vector<terms::TermId> bytes;
+  for (uint32_t at = begin; at < end; ++at) {
+    if (image_[at].kind != ByteKind::kNothing) bytes.push_back(memory.Read(slot + at - begin));
+  }
+  memory.Write(counter, HavingSeen(terms_, host.name, calls, bytes));
 }
 
 void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& host, terms::TermId calls) {
@@ -30,14 +51,25 @@ void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& hos
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
       const emit::layout::ByteStorage& stored = emittable_.layout.bytes[s][offset];
       if (!execute::HostWrites(program, host.access, space, offset)) continue;
-      const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, program.spaces[space].name, offset);
+      const std::string& name = program.spaces[space].name;
+      const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, name, offset);
+      const terms::TermId written = execute::BitsWrittenByHost(terms_, host.name, calls, name, offset);
+      // What the code has written there stays where the host leaves the bit.
+      const auto after = [&](uint8_t bit, terms::TermId told, terms::TermId before) {
+        return terms_.Ite(terms_.Extract(written, bit, 1), told, before);
+      };
       if (stored.whole.storage != emit::layout::Storage::kNone) {
-        memory.Write(stored.whole.offset, byte);
+        const terms::TermId before = memory.Read(stored.whole.offset);
+        std::array<terms::TermId, 8> bits;
+        for (uint8_t bit = 0; bit < 8; ++bit)
+          bits[bit] = after(bit, terms_.Extract(byte, bit, 1), terms_.Extract(before, bit, 1));
+        memory.Write(stored.whole.offset, terms::Gather(terms_, bits));
         continue;
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
         if (stored.bits[bit].storage == emit::layout::Storage::kNone) continue;
-        memory.Write(stored.bits[bit].offset, terms_.Zext(terms_.Extract(byte, bit, 1), 8));
+        const uint32_t slot = stored.bits[bit].offset;
+        memory.Write(slot, after(bit, terms_.Zext(terms_.Extract(byte, bit, 1), 8), memory.Read(slot)));
       }
     }
   }
@@ -130,18 +162,11 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
     case ir::HostAccess::kNone:
       break;
     case ir::HostAccess::kReadsState:
-    case ir::HostAccess::kReadsRetentive: {
-      const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
-      const uint32_t begin = retentive ? image_.retentive_begin() : 0;
-      const uint32_t end = retentive ? image_.retentive_end() : image_.size();
-      std::vector<terms::TermId> bytes;
-      for (uint32_t at = begin; at < end; ++at) {
-        if (image_[at].kind != ByteKind::kNothing) bytes.push_back(memory.Read(slot + at - begin));
-      }
-      memory.Write(counter, HavingSeen(terms_, host.name, calls, bytes));
+    case ir::HostAccess::kReadsRetentive:
+      Show(memory, slot, host, counter, calls);
       break;
-    }
     case ir::HostAccess::kWritesState:
+      if (MayReadState(host.access, passes_)) Show(memory, slot, host, counter, calls);
       WriteState(memory, host, told);
       break;
     case ir::HostAccess::kWritesRetentive:

@@ -112,7 +112,7 @@ ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cell
       image_(image),
       unit_(unit),
       parameters_(ParametersOf(emittable, unit, passes)) {
-  AddItems();
+  AddItems(passes);
   for (const ir::PlaceId place : unit.values) {
     if (Gets(parameters, emittable.place_names[place.index]))
       items_.push_back({.kind = Kind::kValue,
@@ -134,13 +134,14 @@ ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cell
   }
 }
 
-void ReplacedCall::AddItems() {
+void ReplacedCall::AddItems(Passes passes) {
   const Footprint& footprint = unit_.footprint;
+  const bool shows_state = footprint.shows_state || (footprint.lends_state && passes == Passes::kStateAndHost);
   std::vector<bool> placed(cells_.count);
   for (uint32_t at = 0; at < image_.size(); ++at) {
     const StateByte& byte = image_[at];
     const bool retentive = image_.retentive_begin() <= at && at < image_.retentive_end();
-    const bool shown = footprint.shows_state || (footprint.shows_retentive && retentive);
+    const bool shown = shows_state || (footprint.shows_retentive && retentive);
     if (byte.kind == ByteKind::kNothing) continue;
     if (byte.kind == ByteKind::kLayout) {
       if (shown && byte.low == 0)

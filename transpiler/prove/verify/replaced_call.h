@@ -104,7 +104,7 @@ class ReplacedCall {
     std::vector<uint32_t> slots;        // by item, of kReference
   };
 
-  void AddItems();
+  void AddItems(Passes passes);
   std::optional<Bound> Bind(const HostRequest& request) const;
   terms::TermId ReadCode(terms::Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
   terms::TermId CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const;

@@ -68,7 +68,8 @@ class UnitEnvironment : public HostEnvironment {
  public:
   UnitEnvironment(terms::Terms& terms, const VerifiedProgram& program, terms::TermId now, Replaced* replaced,
                   LoopRelation* loops, std::function<terms::TermId(uint32_t slot)> initial)
-      : HostEnvironment(terms, program.emittable, program.cells, program.image, now, std::move(initial)),
+      : HostEnvironment(terms, program.emittable, program.cells, program.image, program.shape.passes, now,
+                        std::move(initial)),
         terms_(terms),
         program_(program),
         replaced_(replaced),

@@ -43,6 +43,8 @@ execute::Environment UnitVerifier::MakeEnvironment() {
     const execute::Cell cell = execute::CellAt(program_.ir, program_.cells, id);
     return terms_.Extract(StoredByte(terms_, program_.ir.spaces[cell.space].name, cell.offset), cell.bit, 1);
   };
+  // What either side has written into the inputs stays there where the host does not write it again.
+  environment.may_be_left = [](execute::CellId) { return true; };
   environment.observe = [this](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
     Observe(memory, function, when);
   };
@@ -52,6 +54,7 @@ execute::Environment UnitVerifier::MakeEnvironment() {
 void UnitVerifier::Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
   const ir::HostFunction& host = program_.ir.host_functions[function];
   const bool retentive = host.access == ir::HostAccess::kReadsRetentive;
+  if (!retentive && !MayReadState(host.access, program_.shape.passes)) return;
   const uint32_t begin = retentive ? image_.retentive_begin() : 0;
   const uint32_t end = retentive ? image_.retentive_end() : image_.size();
   std::vector<terms::TermId> bytes;
@@ -171,6 +174,26 @@ void UnitVerifier::AskAboutFaults(const CodeOutcome& outcome, terms::TermId give
                         .guess = {}});
 }
 
+/// The host tells calls apart by each of what it is told: asked one by one these questions are small, and many alike.
+void UnitVerifier::AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls) {
+  std::vector<solver::TermPair> open = {calls};
+  while (!open.empty()) {
+    const solver::TermPair pair = open.back();
+    open.pop_back();
+    const terms::Term& a = terms_[pair.a];
+    const terms::Term& b = terms_[pair.b];
+    const bool alike = a.kind == terms::TermKind::kApply && b.kind == a.kind && a.a == b.a && a.c == b.c;
+    if (!alike || pair.a == pair.b) {
+      questions_.push_back({.what = what, .pair = pair, .given = given, .guess = {}});
+      continue;
+    }
+    for (size_t i = 0; i < a.c; ++i) {
+      const solver::TermPair told{terms_.Arguments(a)[i], terms_.Arguments(b)[i]};
+      if (told.a != told.b) open.push_back(told);
+    }
+  }
+}
+
 void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
   const auto cell = [&memory](execute::CellId id) { return memory.Read(id); };
   const terms::TermId given = GivenAtEnd(outcome);
@@ -193,12 +216,13 @@ void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
   for (uint32_t i = 0; i < program_.ir.host_functions.size(); ++i) {
     const ir::HostFunctionId host(i);
     if (!program_.emittable.host_used[i] || host == program_.ir.schedule.now) continue;
-    ask("calls of " + program_.ir.host_functions[host].name, memory.Read(program_.cells.OfCalls(host)),
-        outcome.slots[image_.size() + i]);
+    AskAboutCalls("calls of " + program_.ir.host_functions[host].name, given,
+                  {memory.Read(program_.cells.OfCalls(host)), outcome.slots[image_.size() + i]});
     ++proof_.host_functions;
   }
   const execute::CellId order = program_.cells.OfOrder();
-  ask("order of calls", memory.Read(order), outcome.slots[image_.size() + order.index - program_.cells.calls]);
+  AskAboutCalls("order of calls", given,
+                {memory.Read(order), outcome.slots[image_.size() + order.index - program_.cells.calls]});
   for (size_t i = 0; i < references_.size(); ++i) {
     const ir::PlaceId id = unit_.references[i];
     const terms::TermId value = memory.ReadPlace(program_.ir.places[id]);

@@ -79,6 +79,7 @@ class UnitVerifier {
   void MakeArguments();
   std::string ExecuteProgram(execute::Memory& memory);
   CodeOutcome ExecuteCode();
+  void AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls);
   void Ask(execute::Memory& memory, const CodeOutcome& outcome);
   /// What is given everywhere behind loops.
   terms::TermId GivenAtEnd(const CodeOutcome& outcome);

@@ -128,6 +128,7 @@ void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   const ir::HostFunction& host = program_.host_functions[call.host];
   NoteCell(footprint, cells_.OfCalls(call.host), true);
   footprint.shows_state = footprint.shows_state || host.access == ir::HostAccess::kReadsState;
+  footprint.lends_state = footprint.lends_state || host.access == ir::HostAccess::kWritesState;
   // A retentive copy that is given is judged by the layout that it tells.
   footprint.shows_retentive = footprint.shows_retentive || host.access == ir::HostAccess::kReadsRetentive ||
                               host.access == ir::HostAccess::kWritesRetentive;
@@ -159,6 +160,7 @@ void UnitMaker::Note(Footprint& footprint, const ir::Inst& inst) {
     if (callee.touched[i]) NoteCell(footprint, execute::CellId(i), callee.written[i]);
   }
   footprint.shows_state = footprint.shows_state || callee.shows_state;
+  footprint.lends_state = footprint.lends_state || callee.lends_state;
   footprint.shows_retentive = footprint.shows_retentive || callee.shows_retentive;
 }
 

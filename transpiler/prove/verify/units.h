@@ -26,6 +26,7 @@ enum class Passes : uint8_t {
 struct Footprint {
   std::vector<bool> touched, written;
   bool shows_state = false, shows_retentive = false;  // to a host function, as a whole
+  bool lends_state = false;                           // to one that writes it, and may read it
 };
 
 struct Unit {

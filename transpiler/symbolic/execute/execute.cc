@@ -243,11 +243,11 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
     WritePlace(out, terms_.Ite(GivesSecond(terms_, host.name, told),
                                SecondAnswerOf(terms_, host.name, told, meaning::WidthOf(out.type)), ReadPlace(out)));
   }
-  if (host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive) {
-    if (memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
-    return;
-  }
-  if (host.access == ir::HostAccess::kNone || !answers) return;
+  // Who writes the state is given it, and may have looked at it before.
+  const bool only_reads = host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive;
+  const bool may_read = only_reads || host.access == ir::HostAccess::kWritesState;
+  if (may_read && memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
+  if (only_reads || host.access == ir::HostAccess::kNone || !answers) return;
   const bool restores = host.access == ir::HostAccess::kWritesRetentive && memory_.environment().stored;
   const bool exchanges_state = host.routine_exchange && host.access == ir::HostAccess::kWritesState;
   const auto is_exchanged = exchanges_state ? memory_.environment().is_exchanged : nullptr;

@@ -59,8 +59,8 @@ class ReplacedParts {
 struct Environment {
   /// The value of a cell that nothing has written yet; asked once for each cell that is read.
   std::function<terms::TermId(CellId cell)> initial;
-  /// Called at a call of a host function that reads the state, with the memory then and when it comes there; may be
-  /// empty.
+  /// Called at a call of a host function that is given the state, before it writes any, with the memory then and when
+  /// it comes there; may be empty.
   std::function<void(Memory& memory, ir::HostFunctionId function, terms::TermId when)> observe;
   /// Called at each call of a host function, with its arguments and when execution comes there (known with a policy for
   /// loops only). true: the call is dealt with, and nothing else follows from it. May be empty.
