@@ -33,6 +33,9 @@ PROMISES = [
      None),
     ("of one program, what is decided from ranges and bounds is so for every state", "`plcxx verify` proves each fact or "
      "lists it", "transpiler/prove/verify/facts", None),
+    ("the compiled code of one program does what the program means, for every state and every input, on each target",
+     "`plcxx verify` proves each function or says why not; changed code and changed instructions are not proved",
+     "tests/verify/table.py", "verify"),
     ("the simulator and the generated C++ are one meaning", "each scenario runs in both in lockstep, a part of them on "
      "emulated Cortex-M and RISC-V", "tests/golden", None),
     ("each effect of a program is in its C++ exactly once", "a record that the printer follows, and a check after "
