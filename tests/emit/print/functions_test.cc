@@ -96,6 +96,31 @@ TEST(Functions, NameTheStateWhereTheyAskForAStatementOnly) {
   EXPECT_THAT(PrintAll(of_statement, Flavour::kDebug), HasSubstr("void fast(State& m, Host& host) noexcept {"));
 }
 
+// To GCC 12 a function that stores to array + number stores to the beginning of the array: what the caller has stored
+// there before is gone.
+TEST(Functions, AddressBytesAsElements) {
+  const std::string wide =
+      "place w i32 A[4]\nplace low i16 A[6]\nroutine fast fast {\n body {\n %0 = load w\n store w %0\n %1 = load low\n"
+      " store low %1\n }\n}\n";
+  for (const Flavour flavour : {Flavour::kRelease, Flavour::kDebug}) {
+    const std::string text = PrintAll(wide, flavour);
+    EXPECT_THAT(text, HasSubstr("[tag.byte]"));
+    EXPECT_THAT(text, Not(HasSubstr(" + tag.byte")));
+    EXPECT_THAT(text, Not(HasSubstr(" + element.place.byte")));
+  }
+}
+
+// The head of a block is never switched off: of what it holds only an if asks for it.
+TEST(Functions, NameNoStateForTheHeadOfABlockAlone) {
+  const std::string head =
+      "statement s1 subject HEAD opens\nroutine fast fast {\n body {\n %0 = const bit 1\n store kept %0\nstmt s1\n"
+      " %1 = load kept\n %2 = const i32 1\n host stop (%2)\n";
+  EXPECT_THAT(PrintAll(head + " }\n}\n", Flavour::kDebug), HasSubstr("void fast(State&, Host& host) noexcept {"));
+  const std::string with_if = head + " if %1 {\n %3 = const i32 2\n host stop (%3)\n }\n }\n}\n";
+  EXPECT_THAT(PrintAll(with_if, Flavour::kDebug), HasSubstr("void fast(State& m, Host& host) noexcept {"));
+  EXPECT_THAT(PrintAll(with_if), HasSubstr("void fast(State&, Host& host) noexcept {"));
+}
+
 // What only a simulation calls is not printed: what it calls alone is not declared either.
 TEST(Functions, OfASimulationDeclareNothing) {
   const std::string called = "routine f subroutine {\n body {\n %0 = const bit 1\n store a %0\n }\n}\n";

@@ -87,19 +87,21 @@ void StatePrinter::PackedAccessor(std::string_view tag_type, std::string_view ar
           bytes + "[tag.byte] & plcxx::MaskOf(plcxx::PackedBit{tag.byte, tag.bit})) != 0;\n  }\n";
 }
 
+/// The address of a byte is that of an element, not a sum: to GCC 12 (-fipa-modref) a function that writes or reads
+/// array + number touches the beginning of the array, and the stores to what is there before its call are gone.
 void StatePrinter::WideAccessor(std::string_view tag_type, std::string_view array) {
   const std::string tag(tag_type), bytes(array);
   const std::string ref = "plcxx::WideRef<T, kOrder>", head = "  template <class T, plcxx::ByteOrder kOrder>\n";
   if (debug()) {
     out_ += head + "  plcxx::ForcedBytes<" + ref + ", T> operator[](plcxx::" + tag +
-            "<T, kOrder> tag) noexcept {\n    uint8_t* const at = " + bytes + " + tag.byte;\n    return {" + ref +
+            "<T, kOrder> tag) noexcept {\n    uint8_t* const at = &" + bytes + "[tag.byte];\n    return {" + ref +
             "(at), at, true, Mask(at), Value(at)};\n  }\n";
   } else {
     out_ += head + "  [[gnu::const, gnu::always_inline]] " + ref + " operator[](plcxx::" + tag +
-            "<T, kOrder> tag) noexcept {\n    return " + ref + "(" + bytes + " + tag.byte);\n  }\n";
+            "<T, kOrder> tag) noexcept {\n    return " + ref + "(&" + bytes + "[tag.byte]);\n  }\n";
   }
   out_ += head + "  [[gnu::pure, gnu::always_inline]] T operator[](plcxx::" + tag +
-          "<T, kOrder> tag) const noexcept {\n    return plcxx::ReadBytes<T, kOrder>(" + bytes + " + tag.byte);\n  }\n";
+          "<T, kOrder> tag) const noexcept {\n    return plcxx::ReadBytes<T, kOrder>(&" + bytes + "[tag.byte]);\n  }\n";
 }
 
 void StatePrinter::ElementAccessor(std::string_view tag_type, std::string_view array) {
@@ -107,15 +109,15 @@ void StatePrinter::ElementAccessor(std::string_view tag_type, std::string_view a
   const std::string ref = "plcxx::ElementRef<T, kOrder>", head = "  template <class T, plcxx::ByteOrder kOrder>\n";
   if (debug()) {
     out_ += head + "  plcxx::ForcedBytes<" + ref + ", T> operator[](" + element +
-            ") noexcept {\n    uint8_t* const at = " + bytes + " + element.place.byte;\n    return {" + ref +
+            ") noexcept {\n    uint8_t* const at = &" + bytes + "[element.place.byte];\n    return {" + ref +
             "(at, element.inside), at, element.inside, Mask(at), Value(at)};\n  }\n";
   } else {
     out_ += head + "  [[gnu::const, gnu::always_inline]] " + ref + " operator[](" + element +
-            ") noexcept {\n    return " + ref + "(" + bytes + " + element.place.byte, element.inside);\n  }\n";
+            ") noexcept {\n    return " + ref + "(&" + bytes + "[element.place.byte], element.inside);\n  }\n";
   }
   out_ += head + "  [[gnu::pure, gnu::always_inline]] T operator[](" + element +
-          ") const noexcept {\n    return element.inside ? plcxx::ReadBytes<T, kOrder>(" + bytes +
-          " + element.place.byte) : T{};\n  }\n";
+          ") const noexcept {\n    return element.inside ? plcxx::ReadBytes<T, kOrder>(&" + bytes +
+          "[element.place.byte]) : T{};\n  }\n";
 }
 
 void StatePrinter::Members() {

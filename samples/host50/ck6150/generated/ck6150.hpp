@@ -309,11 +309,11 @@ struct State {
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::RetentiveWide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&retentive.bytes[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::RetentiveWide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&retentive.bytes[tag.byte]);
   }
   [[gnu::const, gnu::always_inline]] plcxx::EdgeMemory& operator[](EdgeMemoryTag tag) noexcept { return edge_memory[tag]; }
   [[gnu::pure, gnu::always_inline]] const plcxx::EdgeMemory& operator[](EdgeMemoryTag tag) const noexcept { return edge_memory[tag]; }

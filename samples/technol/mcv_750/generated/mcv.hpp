@@ -270,29 +270,29 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](Word32 tag) const noexcept { return word32[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::Wide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(byte + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&byte[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Wide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(byte + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&byte[tag.byte]);
   }
   [[gnu::const, gnu::always_inline]] uint8_t& operator[](RetentiveByte tag) noexcept { return retentive.bytes[tag]; }
   [[gnu::pure, gnu::always_inline]] const uint8_t& operator[](RetentiveByte tag) const noexcept { return retentive.bytes[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::RetentiveWide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&retentive.bytes[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::RetentiveWide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&retentive.bytes[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::ElementRef<T, kOrder> operator[](plcxx::Element<plcxx::RetentiveWide<T, kOrder>> element) noexcept {
-    return plcxx::ElementRef<T, kOrder>(retentive.bytes + element.place.byte, element.inside);
+    return plcxx::ElementRef<T, kOrder>(&retentive.bytes[element.place.byte], element.inside);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Element<plcxx::RetentiveWide<T, kOrder>> element) const noexcept {
-    return element.inside ? plcxx::ReadBytes<T, kOrder>(retentive.bytes + element.place.byte) : T{};
+    return element.inside ? plcxx::ReadBytes<T, kOrder>(&retentive.bytes[element.place.byte]) : T{};
   }
 };
 

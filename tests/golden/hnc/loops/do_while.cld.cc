@@ -131,11 +131,11 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](Word32 tag) const noexcept { return word32[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::ElementRef<T, kOrder> operator[](plcxx::Element<plcxx::Wide<T, kOrder>> element) noexcept {
-    return plcxx::ElementRef<T, kOrder>(byte + element.place.byte, element.inside);
+    return plcxx::ElementRef<T, kOrder>(&byte[element.place.byte], element.inside);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Element<plcxx::Wide<T, kOrder>> element) const noexcept {
-    return element.inside ? plcxx::ReadBytes<T, kOrder>(byte + element.place.byte) : T{};
+    return element.inside ? plcxx::ReadBytes<T, kOrder>(&byte[element.place.byte]) : T{};
   }
 };
 

@@ -135,19 +135,19 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](Word32 tag) const noexcept { return word32[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::Wide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(byte + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&byte[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Wide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(byte + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&byte[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::ElementRef<T, kOrder> operator[](plcxx::Element<plcxx::Wide<T, kOrder>> element) noexcept {
-    return plcxx::ElementRef<T, kOrder>(byte + element.place.byte, element.inside);
+    return plcxx::ElementRef<T, kOrder>(&byte[element.place.byte], element.inside);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Element<plcxx::Wide<T, kOrder>> element) const noexcept {
-    return element.inside ? plcxx::ReadBytes<T, kOrder>(byte + element.place.byte) : T{};
+    return element.inside ? plcxx::ReadBytes<T, kOrder>(&byte[element.place.byte]) : T{};
   }
 };
 

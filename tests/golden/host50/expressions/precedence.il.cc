@@ -74,11 +74,11 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](Word32 tag) const noexcept { return word32[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::RetentiveWide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&retentive.bytes[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::RetentiveWide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(retentive.bytes + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&retentive.bytes[tag.byte]);
   }
 };
 

@@ -82,11 +82,11 @@ struct State {
   [[gnu::pure, gnu::always_inline]] const uint32_t& operator[](Word32 tag) const noexcept { return word32[tag]; }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::const, gnu::always_inline]] plcxx::WideRef<T, kOrder> operator[](plcxx::Wide<T, kOrder> tag) noexcept {
-    return plcxx::WideRef<T, kOrder>(byte + tag.byte);
+    return plcxx::WideRef<T, kOrder>(&byte[tag.byte]);
   }
   template <class T, plcxx::ByteOrder kOrder>
   [[gnu::pure, gnu::always_inline]] T operator[](plcxx::Wide<T, kOrder> tag) const noexcept {
-    return plcxx::ReadBytes<T, kOrder>(byte + tag.byte);
+    return plcxx::ReadBytes<T, kOrder>(&byte[tag.byte]);
   }
 };
 
