@@ -1,5 +1,7 @@
 // What the front end refuses, where it says so, and what it does not say twice (specification 10.2).
 // covers: HNC-345 HNC-346 HNC-348
+#include <algorithm>
+
 #include "tests/dialects/hnc_parsing.h"
 
 namespace plcxx::hnc {
@@ -50,6 +52,71 @@ TEST(HncDiagnostics, Extensions) {
     ASSERT_THAT(parsed.Errors(), testing::SizeIs(1)) << text;
     EXPECT_THAT(parsed.FirstText(), testing::StartsWith("extension")) << text;
   }
+}
+
+/// What the help of E054 says, done.
+TEST(HncDiagnostics, ExtensionsHaveRemediesThatCompile) {
+  struct Case {
+    const char *wrong, *remedy, *right;
+  };
+  for (const Case& c : std::initializer_list<Case>{
+           {"_Bool b;", "write unsigned char", "unsigned char b;"},
+           {"long long l;", "write long,", "long l;"},
+           {"__int64 l;", "write long,", "long l;"},
+           {"long l = 5LL;", "write 5L,", "long l = 5L;"},
+           {"unsigned long l = 0x5uLL;", "write 0x5UL,", "unsigned long l = 0x5UL;"},
+           {"int a = 0b11;", "write 0x03", "int a = 0x03;"},
+           {"unsigned a = 0B1000000000u;", "write 0x0200u", "unsigned a = 0x0200u;"},
+           {"int a = 0b12;", "write the number in hexadecimal", "int a = 0x05;"},
+           {"int a = 0x1p3;", "with decimal digits", "int a = 8;"},
+           {"int a = L'x';", "without the letter", "int a = 'x';"},
+           {"int a[0];", "a size of at least 1", "int a[1];"},
+           {"void f(n) int n; { int a[n]; a[0] = 1; }", "a constant size", "void f(n) int n; { int a[8]; a[0] = n; }"},
+           {"struct s { };", "a member", "struct s { int a; };"},
+           {"struct s { struct { int b; }; };", "a name between its '}'", "struct s { struct { int b; } m; };"},
+           {"int a[3] = { [1] = 2 };", "without names, and 0", "int a[3] = { 0, 2 };"},
+           {"int a[3] = { };", "write {0}", "int a[3] = {0};"},
+           {"void f() { ; { int a; a = 1; int b; } }", "the beginning of its block",
+            "void f() { ; { int b; int a; a = 1; } }"},
+           {"void f() { for (int i = 0; i < 2; i++) ; }", "the beginning of the block",
+            "void f() { int i; for (i = 0; i < 2; i++) ; }"},
+           {"void f() { switch (R[0]) { case 1 ... 2: ; } }", "a case for each value",
+            "void f() { switch (R[0]) { case 1: case 2: ; } }"},
+           {"void f() { R[0] = R[1] ?: 2; }", "between '?' and ':'", "void f() { R[0] = R[1] ? R[1] : 2; }"},
+           {"void f() { R[0] = ({ R[1]; }); }", "in front of this one", "void f() { R[1]; R[0] = R[1]; }"},
+           {"char *t = __func__;", "in quotation marks", "char *t = \"t\";"},
+           {"__typeof__(int) a;", "write the type itself", "int a;"},
+           {"int a __attribute__((unused));", "delete it", "int a;"},
+           {"_Static_assert(1, \"\");", "#if and #error", "#if 0\n#error\n#endif"},
+           {"int a = __alignof__(int);", "write 1", "int a = 1;"},
+           {"#define m(a, ...) a\nint b = m(1, 2);", "a fixed number of parameters",
+            "#define m(a, c) a\nint b = m(1, 2);"},
+       }) {
+    Parsed wrong;
+    ParseInto(wrong, Program(c.wrong + std::string("\n")));
+    wrong.diagnostics.SortBySource();
+    const auto first =
+        std::ranges::find(wrong.diagnostics.all(), diag::Severity::kError, [](const auto& d) { return d.severity; });
+    ASSERT_NE(first, wrong.diagnostics.all().end()) << c.wrong;
+    EXPECT_EQ(first->row->code, "hnc-E054") << c.wrong;
+    EXPECT_THAT(first->remedy, HasSubstr(c.remedy)) << c.wrong;
+    Parsed right;
+    ParseInto(right, Program(c.right + std::string("\n")));
+    EXPECT_THAT(right.Errors(), IsEmpty()) << c.right;
+  }
+}
+
+/// The texts that #line makes are not longer than the program but for the lines up to it, and these are limited.
+TEST(HncDiagnostics, LineDirectivesDoNotGrow) {
+  constexpr size_t kMany = 3000;
+  Parsed parsed;
+  std::string text;
+  for (size_t i = 0; i < kMany; ++i) text += "#line 32767 \"a.h\"\n\n";
+  ParseInto(parsed, Program(text + "int a = nowhere;\n"));
+  size_t bytes = 0;
+  for (uint32_t i = 0; i < parsed.sources.size(); ++i) bytes += parsed.sources.Get(source::FileId(i)).text.size();
+  EXPECT_LT(bytes, 2'000'000);
+  EXPECT_THAT(parsed.Errors(), testing::SizeIs(1));
 }
 
 TEST(HncDiagnostics, CallsOfWhatIsNotThere) {

@@ -76,13 +76,19 @@ bool SameLetters(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// abs that keeps the width of its argument: every type of one that C converts to int without the option has its own,
+/// for none of two would fit better.
+constexpr std::string_view kAbsOfBothWidths =
+    "int abs(int) __attribute__((overloadable));\nint abs(unsigned) __attribute__((overloadable));\n"
+    "int abs(double) __attribute__((overloadable));\nlong abs(long) __attribute__((overloadable));\n"
+    "long abs(unsigned long) __attribute__((overloadable));";
+
 std::string Prototypes(std::string_view header, AbsMeaning abs) {
   std::string text;
   for (const FunctionRow& row : SystemFunctions()) {
     if (!IsDeclaredBy(row, header)) continue;
     const bool keeps_type = row.function == SystemFunction::kAbs && abs == AbsMeaning::kLong;
-    text += keeps_type ? "int abs(int) __attribute__((overloadable));\nlong abs(long) __attribute__((overloadable));"
-                       : std::string(row.prototype);
+    text += keeps_type ? kAbsOfBothWidths : std::string_view(row.prototype);
     text += '\n';
   }
   return text;

@@ -261,9 +261,9 @@ void Rewriter::PragmaLine() {
   out_.unsigned_char = true;
 }
 
-/// #line number "name"; what has another form is the C parser's to refuse.
+/// #line number "name"; what has another form is the C parser's to refuse, and so are other numbers.
 void Rewriter::LineLine() {
-  constexpr uint32_t kMostLines = 100000;
+  constexpr uint32_t kMostLines = 32767;
   const size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
   std::string_view words = text_.substr(at_, end - at_);
   words.remove_prefix(std::min(words.find_first_not_of(" \t"), words.size()));
@@ -452,25 +452,6 @@ void Rewriter::CharacterConstant() {
 
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file) {
   return Rewriter(sources.Get(file), file).Run();
-}
-
-void ApplyLineDirectives(source::SourceManager& sources, SourceText& text) {
-  const std::string original = sources.Get(text.file).text;
-  std::string name = sources.Get(text.file).path;
-  for (size_t i = 0; i < text.line_directives.size(); ++i) {
-    const SourceText::LineDirective& directive = text.line_directives[i];
-    if (!directive.name.empty()) name = directive.name;
-    const bool last = i + 1 == text.line_directives.size();
-    const size_t end = last ? original.size() : text.line_directives[i + 1].at;
-    const uint32_t before = directive.line - 1;
-    const source::FileId shown =
-        sources.AddText(name, std::string(before, '\n') + original.substr(directive.at, end - directive.at));
-    text.moved.push_back({text.base + directive.at, sources.Get(shown).base + before});
-  }
-  if (text.moved.empty()) return;
-  const auto move = [&](source::Range& range) { range = {text.Shown(range.begin), text.Shown(range.end)}; };
-  for (Comment& comment : text.comments) move(comment.range);
-  for (Finding& finding : text.findings.all()) move(finding.range);
 }
 
 SourceText ProductText(std::string name, std::string text) {

@@ -25,8 +25,9 @@ CallResult LibraryCalls::Call(const Expr& expr) {
     case SystemFunction::kAbs:
     case SystemFunction::kLabs: {
       const Value value = expressions_.Evaluate(argument(0));
-      const Value number = conversions_.ConvertInteger(value, value.is_bit ? int_ : value.type);
-      const bool wide = TypeAt(number.type).bits == 32;
+      // With abs=long the parameter may be unsigned or double (headers.cc).
+      const bool wide = function == SystemFunction::kLabs;
+      const Value number = conversions_.Convert(value, wide ? long_ : int_);
       Value absolute = conversions_.Make(Pure(wide ? OpKind::kAbs32 : OpKind::kAbs16, {number.id}), number.type);
       const Bounds& b = number.bounds;
       if (b.low > BoundsOf(TypeAt(number.type)).low) {

@@ -75,14 +75,14 @@ const Rule kRules[] = {
     {cd::err_pp_illegal_floating_literal, &diag::HncPreprocessor, kWords, "floating constant in #if"},
     {cd::err_pp_macro_not_identifier, &diag::HncPreprocessor, kWords, "a macro has a name"},
     {cd::err_pp_missing_macro_name, &diag::HncPreprocessor, kWords, "the name of a macro is missing"},
+    {cd::ext_pp_line_zero, &diag::HncPreprocessor, kWords, "#line takes a number from 1 to 32767"},
+    {cd::ext_pp_line_too_big, &diag::HncPreprocessor, kWords, "#line takes a number from 1 to 32767"},
     {cd::err_pp_stringize_not_parameter, &diag::HncPreprocessor, kWords, "behind '#' stands a parameter of the macro"},
     {cd::err_pp_bad_paste, &diag::HncPreprocessor, kWords, "'##' does not join these to one token"},
     {cd::err_pp_operator_used_as_macro_name, &diag::HncPreprocessor, kWords, "'defined' is no name of a macro"},
     {cd::err_paste_at_start, &diag::HncPreprocessor, kWords, "'##' at the beginning of a macro"},
     {cd::err_paste_at_end, &diag::HncPreprocessor, kWords, "'##' at the end of a macro"},
     {cd::err_unterm_macro_invoc, &diag::HncPreprocessor, kWords, "the macro's arguments have no closing ')'"},
-    {cd::ext_variadic_macro, &diag::HncExtension, kWords, "macro with any number of arguments"},
-    {cd::ext_named_variadic_macro, &diag::HncExtension, kWords, "macro with any number of arguments"},
     // names
     {cd::err_undeclared_var_use, &diag::HncUndeclared, 0},
     {cd::err_undeclared_use, &diag::HncUndeclared, 0},
@@ -194,34 +194,54 @@ const Rule kRules[] = {
     {cd::err_typecheck_call_not_function, &diag::HncIncompatible, kWords, "what is called is no function"},
     {cd::err_not_integral_type_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
     {cd::err_not_integral_type_anon_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
-    // what the language does not have, 3.5
-    {cd::ext_vla, &diag::HncExtension, kWords, "array of variable length"},
-    {cd::ext_typecheck_zero_array_size, &diag::HncExtension, kWords, "array without elements"},
-    {cd::ext_designated_init, &diag::HncExtension, kWords, "designated initialiser"},
-    {cd::ext_gnu_array_range, &diag::HncExtension, kWords, "designated initialiser"},
-    {cd::ext_gnu_missing_equal_designator, &diag::HncExtension, kWords, "designated initialiser"},
-    {cd::ext_gnu_old_style_field_designator, &diag::HncExtension, kWords, "designated initialiser"},
-    {cd::ext_c_empty_initializer, &diag::HncExtension, kWords, "empty initialiser"},
-    {cd::ext_mixed_decls_code, &diag::HncExtension, kWords, "declaration behind a statement"},
-    {cd::ext_c99_variable_decl_in_for_loop, &diag::HncExtension, kWords, "declaration in the head of for"},
-    {cd::ext_empty_struct_union, &diag::HncExtension, kWords, "struct or union without members"},
-    {cd::ext_no_named_members_in_struct_union, &diag::HncExtension, kWords, "struct or union without members"},
-    {cd::ext_c11_anonymous_struct, &diag::HncExtension, kWords, "struct without a name as a member"},
-    {cd::ext_gnu_anonymous_struct, &diag::HncExtension, kWords, "struct without a name as a member"},
-    {cd::ext_gnu_case_range, &diag::HncExtension, kWords, "range of cases"},
-    {cd::ext_gnu_statement_expr, &diag::HncExtension, kWords, "statements in an expression"},
-    {cd::ext_gnu_statement_expr_macro, &diag::HncExtension, kWords, "statements in an expression"},
-    {cd::ext_gnu_conditional_expr, &diag::HncExtension, kWords, "'?:' without its middle operand"},
-    {cd::ext_gnu_indirect_goto, &diag::HncExtension, kWords, "computed goto"},
-    {cd::ext_gnu_address_of_label, &diag::HncExtension, kWords, "address of a label"},
-    {cd::ext_c99_compound_literal, &diag::HncExtension, kWords, "compound literal"},
-    {cd::ext_c99_longlong, &diag::HncExtension, kWords, "long long"},
-    {cd::ext_typecheck_cast_to_union, &diag::HncExtension, kWords, "cast to a union"},
     {cd::ext_typecheck_cond_one_void, &diag::HncIncompatible, kWords, "one side of ':' is void"},
-    {cd::ext_imaginary_constant, &diag::HncExtension, kWords, "imaginary constant"},
-    {cd::ext_c99_array_usage, &diag::HncExtension, kWords, "static or qualifier in an array"},
     // accepted
     {cd::ext_c_label_end_of_compound_statement, &diag::HncWithoutMeaning, kWords, "a label without a statement"},
+};
+
+/// What the language does not have (3.5), and what to write.
+struct Extension {
+  unsigned id;
+  const char* words;
+  const char* remedy;
+};
+
+constexpr const char* kFixedParameters = "give the macro a fixed number of parameters";
+constexpr const char* kInOrder = "write the values in their order, without names, and 0 for what is left out";
+constexpr const char* kAMember = "write a member into it";
+constexpr const char* kMemberName = "write a name between its '}' and the ';'";
+constexpr const char* kStatementsBefore = "write them as statements in front of this one, or as a function";
+
+const Extension kExtensions[] = {
+    {cd::ext_variadic_macro, "macro with any number of arguments", kFixedParameters},
+    {cd::ext_named_variadic_macro, "macro with any number of arguments", kFixedParameters},
+    {cd::ext_vla, "array of variable length", "write a constant size that is large enough"},
+    {cd::ext_typecheck_zero_array_size, "array without elements", "write a size of at least 1"},
+    {cd::ext_designated_init, "designated initialiser", kInOrder},
+    {cd::ext_gnu_array_range, "designated initialiser", kInOrder},
+    {cd::ext_gnu_missing_equal_designator, "designated initialiser", kInOrder},
+    {cd::ext_gnu_old_style_field_designator, "designated initialiser", kInOrder},
+    {cd::ext_c_empty_initializer, "empty initialiser", "write {0}"},
+    {cd::ext_mixed_decls_code, "declaration behind a statement",
+     "move it to the beginning of its block, and write the initial value as an assignment here"},
+    {cd::ext_c99_variable_decl_in_for_loop, "declaration in the head of for",
+     "declare the variable at the beginning of the block, and assign it in the head"},
+    {cd::ext_empty_struct_union, "struct or union without members", kAMember},
+    {cd::ext_no_named_members_in_struct_union, "struct or union without members", kAMember},
+    {cd::ext_c11_anonymous_struct, "struct without a name as a member", kMemberName},
+    {cd::ext_gnu_anonymous_struct, "struct without a name as a member", kMemberName},
+    {cd::ext_gnu_case_range, "range of cases", "write a case for each value, or an if in front of the switch"},
+    {cd::ext_gnu_statement_expr, "statements in an expression", kStatementsBefore},
+    {cd::ext_gnu_statement_expr_macro, "statements in an expression", kStatementsBefore},
+    {cd::ext_gnu_conditional_expr, "'?:' without its middle operand", "write the condition between '?' and ':' again"},
+    {cd::ext_gnu_indirect_goto, "computed goto", "write a switch with a goto in each case"},
+    {cd::ext_gnu_address_of_label, "address of a label", "keep a number, and write a switch with a goto in each case"},
+    {cd::ext_c99_compound_literal, "compound literal",
+     "declare a variable with this initialiser, and write its name here"},
+    {cd::ext_c99_longlong, "long long", "write long, which has 32 bits"},
+    {cd::ext_typecheck_cast_to_union, "cast to a union", "assign to the member of a union variable"},
+    {cd::ext_imaginary_constant, "imaginary constant", "write a real number"},
+    {cd::ext_c99_array_usage, "static or qualifier in an array", "write the size alone, or a pointer"},
 };
 
 /// Diagnostics that other code of ours reports, or that mean nothing here.
@@ -322,6 +342,11 @@ std::string Diagnoser::TokenAt(source::Range range) const {
 }
 
 bool Diagnoser::ByTable(const clang::Diagnostic& info) {
+  if (const Extension* form = std::ranges::find(kExtensions, info.getID(), &Extension::id);
+      form != std::end(kExtensions)) {
+    session_.findings().Report(RangeOf(info), diag::HncExtension, form->words, form->remedy);
+    return true;
+  }
   const Rule* rule = std::ranges::find(kRules, info.getID(), &Rule::id);
   if (rule == std::end(kRules)) return false;
   const source::Range range = RangeOf(info);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/dialects/hnc/parser/foreign_forms.h"
 #include "transpiler/dialects/hnc/parser/session.h"
 #include "transpiler/dialects/hnc/product_names.h"
 
@@ -20,6 +21,7 @@ namespace tok = clang::tok;
 
 constexpr size_t kMostLevels = 127;         // 10.1
 constexpr size_t kSignificantLetters = 32;  // 2.3
+constexpr const char* kWithoutPrefix = "write it without the letter in front";
 
 enum class Treatment : uint8_t {
   kIgnored,
@@ -163,7 +165,7 @@ void Filter::Identifier() {
   if (word != Words().end()) {
     if (Apply(word->second, name)) return;
   } else if (name.starts_with("__builtin_") || name == "__extension__" || name == "__extension") {
-    session_.findings().Report(RangeOf(token), diag::HncExtension, name);
+    session_.findings().Report(RangeOf(token), diag::HncExtension, name, InsteadOfWord(name));
     ++at_;
     if (name.starts_with("__builtin_")) {
       Put(MadeName(token, std::string(kPoisonName), tok::identifier));
@@ -171,7 +173,7 @@ void Filter::Identifier() {
     }
     return;
   } else if (token.isNot(tok::identifier) && !IsKeyword(name)) {
-    session_.findings().Report(RangeOf(token), diag::HncExtension, name);
+    session_.findings().Report(RangeOf(token), diag::HncExtension, name, InsteadOfWord(name));
     ++at_;
     return;
   }
@@ -186,7 +188,7 @@ void Filter::Identifier() {
 bool Filter::Apply(Treatment treatment, const std::string& name) {
   const clang::Token token = Peek();
   const source::Range range = RangeOf(token);
-  const auto extension = [&] { session_.findings().Report(range, diag::HncExtension, name); };
+  const auto extension = [&] { session_.findings().Report(range, diag::HncExtension, name, InsteadOfWord(name)); };
   ++at_;
   switch (treatment) {
     case Treatment::kIgnored:
@@ -352,9 +354,13 @@ void Filter::Number() {
   };
   const bool hex = text.size() > 1 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
   const bool binary = text.size() > 1 && text[0] == '0' && (text[1] == 'b' || text[1] == 'B');
-  if (binary) return report(diag::HncExtension);
+  const auto extension = [&](const std::string& remedy) {
+    session_.findings().Report(RangeOf(token), diag::HncExtension, text, remedy);
+    replace();
+  };
+  if (binary) return extension(InsteadOfBinary(text));
   const bool real = !hex && text.find_first_of(".eE") != std::string::npos;
-  if (hex && text.find_first_of(".pP") != std::string::npos) return report(diag::HncExtension);
+  if (hex && text.find_first_of(".pP") != std::string::npos) return extension("write the number with decimal digits");
   size_t digits = hex ? 2 : 0;
   if (real) {
     while (digits < text.size()) {
@@ -378,7 +384,9 @@ void Filter::Number() {
     Put(token);
     return;
   }
-  if (suffix == "ll" || suffix == "ull" || suffix == "llu") return report(diag::HncExtension);
+  if (suffix == "ll" || suffix == "ull" || suffix == "llu") {
+    return extension("write " + text.substr(0, digits) + (suffix == "ll" ? "L" : "UL") + ", which has 32 bits");
+  }
   if (!suffix.empty() && suffix != "u" && suffix != "l" && suffix != "ul" && suffix != "lu") {
     return report(diag::HncConstantSuffix);
   }
@@ -401,7 +409,7 @@ void Filter::Character() {
   session_.output.unit.last_token = RangeOf(token);
   ++at_;
   if (token.is(tok::char_constant)) return Put(token);
-  session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token));
+  session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token), kWithoutPrefix);
   Put(MadeLiteral(token, "0", tok::numeric_constant));
 }
 
@@ -410,7 +418,7 @@ void Filter::String() {
   session_.output.unit.last_token = RangeOf(token);
   ++at_;
   if (token.is(tok::string_literal)) return Put(token);
-  session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token));
+  session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token), kWithoutPrefix);
   Put(MadeLiteral(token, "\"\"", tok::string_literal));
 }
 

@@ -1,6 +1,9 @@
 #include "transpiler/dialects/hnc/parser/foreign_forms.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
 #include <iterator>
 
 #include "transpiler/dialects/hnc/characters.h"
@@ -59,6 +62,36 @@ constexpr MeantWord kForeignNames[] = {
     {"STRING", "write an array of char"},
 };
 
+/// Extensions that are words; what is not here says nothing that the program needs.
+constexpr MeantWord kExtensionWords[] = {
+    {"__int64", "write long, which has 32 bits"},
+    {"_int64", "write long, which has 32 bits"},
+    {"__int128", "write long, which has 32 bits"},
+    {"__int32", "write long, which has 32 bits"},
+    {"__int16", "write int, which has 16 bits"},
+    {"__int8", "write char"},
+    {"_Bool", "write unsigned char"},
+    {"_Complex", "write a struct with two members"},
+    {"__complex__", "write a struct with two members"},
+    {"__func__", "write the function's name in quotation marks"},
+    {"__FUNCTION__", "write the function's name in quotation marks"},
+    {"__PRETTY_FUNCTION__", "write the function's name in quotation marks"},
+    {"_Generic", "write the expression for the type that it has here"},
+    {"__typeof", "write the type itself"},
+    {"__typeof__", "write the type itself"},
+    {"__auto_type", "write the type itself"},
+    {"__alignof", "write 1: nothing is aligned here"},
+    {"__alignof__", "write 1: nothing is aligned here"},
+    {"_Alignof", "write 1: nothing is aligned here"},
+    {"_Static_assert", "delete it, or check with #if and #error"},
+    {"__const", "write const"},
+    {"__const__", "write const"},
+    {"__signed", "write signed"},
+    {"__signed__", "write signed"},
+    {"__volatile", "write volatile"},
+    {"__volatile__", "write volatile"},
+};
+
 std::string Capitals(std::string_view text) {
   std::string capitals(text);
   std::ranges::transform(capitals, capitals.begin(),
@@ -103,6 +136,27 @@ std::string MeantByName(std::string_view name) {
   if (h_form && std::ranges::all_of(digits, IsHexDigit))
     return "a hexadecimal number begins with 0x: 0x" + std::string(digits);
   return {};
+}
+
+std::string InsteadOfWord(std::string_view word) {
+  if (word.starts_with("__builtin_")) return "write the calculation itself";
+  const auto* const row = std::ranges::find(kExtensionWords, word, &MeantWord::word);
+  return row == std::end(kExtensionWords) ? "delete it" : std::string(row->remedy);
+}
+
+std::string InsteadOfBinary(std::string_view number) {
+  uint32_t value = 0;
+  const std::string_view digits = number.substr(2);
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value, 2);
+  const std::string suffix(read.ptr, digits.data() + digits.size());
+  const bool other_digit = !suffix.empty() && suffix.front() >= '0' && suffix.front() <= '9';
+  if (read.ec != std::errc{} || read.ptr == digits.data() || other_digit) {
+    return "write the number in hexadecimal, such as 0x05";
+  }
+  constexpr size_t kLongest = 11;  // 0xFFFFFFFF and the end
+  char text[kLongest];
+  std::snprintf(text, sizeof text, value > 0xFF ? "0x%04X" : "0x%02X", value);
+  return std::string("write ") + text + suffix;
 }
 
 std::string MeantBy(std::string_view before, std::string_view token, std::string_view after) {

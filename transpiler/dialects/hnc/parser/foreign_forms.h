@@ -19,4 +19,10 @@ bool EndsWithType(std::string_view before);
 /// For a name that is not declared, or is no type.
 std::string MeantByName(std::string_view name);
 
+/// For words of newer compilers, such as _Bool or __attribute__.
+std::string InsteadOfWord(std::string_view word);
+
+/// For 0b101: the number in hexadecimal.
+std::string InsteadOfBinary(std::string_view number);
+
 }  // namespace plcxx::hnc

@@ -125,7 +125,7 @@ class Watcher : public clang::PPCallbacks {
 void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) {
   const source::Range range = session_.places.OfToken(place);
   if (introducer != clang::PIK_HashPragma) {
-    session_.findings().Report(range, diag::HncExtension, "_Pragma");
+    session_.findings().Report(range, diag::HncExtension, "_Pragma", "write #pragma on a line of its own");
     return;
   }
   const auto [file, offset] = session_.sources().getDecomposedExpansionLoc(place);
