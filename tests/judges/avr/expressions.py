@@ -3,9 +3,10 @@ import dataclasses
 import random
 
 import spelled
-from spelled import FAULT, INTEGERS, NOTHING, POSTFIX, UNARY, Spelled, Struct
+from control import SYSTEM, Control
+from reals import Reals
+from spelled import FAULT, INTEGERS, NOTHING, POSTFIX, REAL, UNARY, VIEWS, Spelled, Struct
 
-VIEWS = {"uc": "unsigned char", "c": "char", "ui": "unsigned", "i": "int", "ul": "unsigned long", "l": "long"}
 # What programs use of the areas, in bytes, and so what is looked at: the rest stays 0.
 WINDOWS = {"X": 16, "Y": 16, "R": 48, "P": 16, "B": 16, "F": 32, "G": 32}
 AREA_BYTES = {"X": 128, "Y": 128, "R": 768, "P": 200, "B": 200}
@@ -38,7 +39,8 @@ class Object:
     is_volatile: bool = False  # or has no address
 
     def spelled(self):
-        return Spelled(self.plc or self.name, self.name, self.kind, reads=frozenset({self.name}), target=frozenset({self.name}))
+        whole = frozenset({self.name.partition(".")[0]})  # of a member
+        return Spelled(self.plc or self.name, self.name, self.kind, reads=whole, target=whole)
 
 
 @dataclasses.dataclass
@@ -58,7 +60,7 @@ class Macro:
     parameters: int
 
 
-class Expressions:
+class Expressions(Reals, Control):
     """What is in scope, and expressions over it."""
 
     def __init__(self, seed):
@@ -69,6 +71,10 @@ class Expressions:
         self.rounds = 1
         self.pure = False  # neither stores nor calls
         self.known = list(LIBRARY[:1])
+        self.headers, self.options, self.words, self.unions = set(), {}, set(), set()
+        self.enumerator_values, self.enumerators_apart = {}, []
+        self.real_functions, self.real_changers, self.pointer_functions = [], [], []
+        self.has_reals = self.has_pointers = self.has_control = self.uses_system = False
 
     def chance(self, of_hundred):
         return self.random.randrange(100) < of_hundred
@@ -91,6 +97,7 @@ class Expressions:
             return spelled.literal(text, next(k for limit, k in limits if value <= limit))
         if kind == 9:
             text, value = pick.choice(list(ESCAPES.items()))
+            value &= 255 if self.options.get("char") else -1
             return spelled.literal(f"'{text}'", "int", str(value) if value >= 0 else f"({value})")
         if kind == 10:
             one, other = pick.choice("ABMSTaz09 "), pick.choice("ABxyz12")
@@ -181,6 +188,8 @@ class Expressions:
 
     def word(self, area, depth, writable, sure):
         """*F_T[k] and F_T[k][n] of the tables of pointers, and the names that the header has for some."""
+        if self.has_control and self.chance(25):
+            return self.control_word(area, depth)
         if self.chance(15):
             name, view, at = self.random.choice(HEADER_WORDS[area])
             kind = VIEWS[view]
@@ -221,6 +230,8 @@ class Expressions:
             row = self.element(base, item.kind, item.count, depth, True)
             return self.element(row, item.kind, item.second, depth, True)
         if item.count:
+            if not item.is_volatile and self.chance(3):
+                base = dataclasses.replace(base, plc=f"(*&{base.plc})", avr=f"(*&{base.avr})")
             base = self.element(base, item.kind, item.count, depth, sure or isinstance(item.kind, Struct))
         if isinstance(item.kind, Struct):
             return self.member(dataclasses.replace(base, plc=f"{base.plc}.", avr=f"{base.avr}."), item.kind, depth, sure)
@@ -228,7 +239,7 @@ class Expressions:
 
     def member(self, base, struct, depth, sure):
         """`base` ends in . or ->"""
-        member = self.random.choice([m for m in struct.members if m.name])
+        member = self.random.choice([m for m in struct.members if m.name and m.kind not in REAL])
         inner = dataclasses.replace(base, plc=base.plc + member.name, avr=base.avr + member.name)
         if isinstance(member.kind, Struct):
             inner = dataclasses.replace(inner, plc=inner.plc + ".", avr=inner.avr + ".")
@@ -248,7 +259,7 @@ class Expressions:
             else:
                 item = self.random.choice(usable)
                 found = self.access(item, depth, sure)
-            if not (found.target | found.writes) & self.protected and found.kind != "float":
+            if not (found.target | found.writes) & self.protected and found.kind not in REAL:
                 return found
         return Spelled(self.sink, self.sink, "int", reads=frozenset({self.sink}), target=frozenset({self.sink}))
 
@@ -260,7 +271,7 @@ class Expressions:
         if self.chance(30) or not self.objects:
             return self.register(depth, False)
         found = self.access(self.random.choice(self.objects), depth)
-        return found if found.kind != "float" else self.number()
+        return found if found.kind not in REAL else self.number()
 
     def integer(self, depth):
         if depth <= 0:
@@ -268,6 +279,10 @@ class Expressions:
         pick = self.random.randrange(100)
         if pick < 14:
             return self.leaf(depth)
+        if self.has_reals and depth > 1 and self.chance(6):
+            return self.of_real(depth).at(POSTFIX)
+        if self.has_control and not self.pure and self.chance(2) and not SYSTEM & self.protected:
+            return self.system_value(depth)
         if pick < 62:
             return self.operation(depth)
         if pick < 72:
@@ -318,6 +333,10 @@ class Expressions:
             return Spelled(f"{name}({one.plc}, {other.plc})", f"{name}({one.avr}, {other.avr})", spelled.common(one.kind, other.kind),
                            POSTFIX, one.reads | other.reads, one.writes | other.writes, one.constant and other.constant)
         made = spelled.call(Function(name, kinds, []), arguments)
+        if name == "abs" and self.options.get("abs"):
+            # of the width of its argument; in the two spellings alike but for the name
+            kind = "long" if first.kind in ("long", "unsigned long") else "int"
+            made = dataclasses.replace(made, avr="ABS" + made.avr[len("abs"):], kind=kind)
         return dataclasses.replace(made, constant=all(a.constant for a in arguments))
 
     def stepped(self, depth):
@@ -357,7 +376,7 @@ class Expressions:
         else:
             return None
         # An array in a value cannot be indexed in the C of either compiler.
-        members = [m for m in item.kind.members if m.name and not m.count and not isinstance(m.kind, Struct)]
+        members = [m for m in item.kind.members if m.name and not m.count and not isinstance(m.kind, Struct) and m.kind not in REAL]
         if not members:
             return None
         member = self.random.choice(members)

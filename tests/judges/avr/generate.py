@@ -1,50 +1,61 @@
 """Random programs over the language that plcxx accepts, each written for both compilers."""
 import dataclasses
+import re
 
+import shapes
 import spelled
-from expressions import AREA_BYTES, VIEWS, LIBRARY, WINDOWS, Function, Macro, Object
-from program import Observed, Program, Step, array
-from spelled import INTEGERS, NOTHING, SIZES, Member, Spelled, Struct
+from expressions import LIBRARY, Function, Macro, Object
+from inputs import HANDLED, Inputs
+from program import Observed, Program
+from spelled import INTEGERS, NOTHING, SIZES, VIEWS, Member, Spelled, Struct
 from statements import Body, Lines, Statements, both
 
-SCANS = 3
 # Further names of a type, in declarations (3.2).
 WORDS = {"unsigned long": ("long unsigned int", "unsigned long int"), "long": ("long int", "signed long", "int long"),
          "unsigned": ("unsigned int", "int unsigned"), "short": ("short int", "signed short"), "int": ("signed", "int near", "signed int"),
          "unsigned char": ("char unsigned", "unsigned char far")}
 KINDS = "MSTB"  # of the dispatcher; the fifth is E
-HANDLED = (0, 1)  # channels whose words are looked at
 NEVER = "#if {}\nthis isn't C at all: {{ 'x\n#{}\n"
 POINTED = ("unsigned char", "int", "unsigned", "long", "char")
 # Macros with ?: for avr-gcc, see ARM of judge.h.
 ARMS = {"((x) > (y) ? (x) : (y))": "((x) > (y) ? ARM(x) : ARM(y))",
         "((x) < 0 ? -(x) : (x) | (y))": "((x) < 0 ? ARM(-(x)) : ARM((x) | (y)))"}
-HOST = {"X": "host.x[{}]", "F": "host.f[{}]", "P": "host.p[{}]"}
 
 
-class Generator(Statements):
+class Generator(Statements, Inputs):
     def __init__(self, seed, mark):
         super().__init__(seed, mark)
         self.text = Lines()
         self.observed, self.defined, self.header = [], [], []
         self.registered = []
         self.has_memory = self.chance(40)
+        self.shape = shapes.draw(self.random)
+        self.has_reals, self.has_pointers, self.has_control = (self.chance(share) for share in (35, 60, 45))
+        if self.has_reals and self.chance(60):
+            self.headers.add("math")
+        self.choose_options()
 
     def program(self):
         if self.chance(40):
             self.known = list(LIBRARY)
+            if self.options.get("abs"):
+                self.known.remove(LIBRARY[0])
         self.types()
         self.variables()
+        self.real_objects()
         self.preprocessor()
-        functions = self.struct_function()
-        for _ in range(self.random.randrange(1, 5)):
+        functions = self.struct_function() + self.real_functions_made()
+        if self.has_pointers:
+            functions += self.pointer_functions_made()
+        for _ in range(self.random.randrange(1, self.shape.functions + 1)):
             functions += self.function()
         if self.chance(35):
             functions += self.handlers()
-        parts = self.part("plc1", 6) + self.part("plc2", 3)
+        parts = self.part("plc1", self.shape.part) + self.part("plc2", (self.shape.part + 1) // 2)
         init = self.init()
         library = ["#include <stdlib.h>"] if len(self.known) > 1 else []
         library += ["#include <string.h>"] if self.has_memory else []
+        library += [f"#include <{name}.h>" for name in sorted(self.headers)]
         self.hidden_text()
         plc = ['#include "plc.h"', *library, *self.text.plc, *functions.plc, *init.plc, *parts.plc]
         files = {}
@@ -53,8 +64,11 @@ class Generator(Statements):
             plc = ['#include "plc.h"', *library, f'#include "{self.mark}.h"'] + plc[cut:]
             files[f"{self.mark}.h"] = "\n".join([f"#ifndef H_{self.mark}", f"#define H_{self.mark}", *self.text.plc, "#endif", ""])
         avr = [*self.text.avr, *functions.avr, *init.avr, *parts.avr, *(f"#undef {name}" for name in self.defined)]
-        return Program(self.mark, {f"{self.mark}.cld": "\n".join(plc) + "\n", **files}, "\n".join(avr) + "\n", self.inputs(),
-                       self.observed + self.areas())
+        text = "\n".join(avr) + "\n"
+        if self.options.get("char"):
+            text = re.sub(r"(?<!signed )\bchar\b", "unsigned char", re.sub(r"\b([XYRPBFG])\.c\b", r"\1.uc", text))
+        return Program(self.mark, {f"{self.mark}.cld": "\n".join(plc) + "\n", **files}, text, self.inputs(),
+                       self.observed + self.areas(), options=self.options, settings=self.settings())
 
     # what only the control and the preprocessor see
 
@@ -113,7 +127,12 @@ class Generator(Statements):
             rows.append(row)
             if self.chance(4) and not row.startswith("#"):
                 test = self.random.choice(("0", "!defined(__TURBOC__)", "(1L << 16) == 0", "'a' != 97 || UNKNOWN", "65535u + 1 != 0x10000"))
-                if self.chance(50):
+                if self.chance(40):
+                    rows += self.random.choice(((f"#ifdef __PLCXX__", f"#undef NONE_{self.mark}", "#elif 1", "no C {", "#endif"), ("#pragma argsused",), ("#pragma warn -par",),
+                                                (f"#line {self.random.randrange(1, 32767)}",), (f'#line {self.random.randrange(1, 999)} "x.h"',),
+                                                (f"#define NONE_{self.mark} 1", f"#ifndef NONE_{self.mark}", "'", "#elif NONE_{0} == 1".format(self.mark), "#else", "{", "#endif",
+                                                 f"#undef NONE_{self.mark}")))
+                elif self.chance(50):
                     rows += NEVER.format(test, "endif").splitlines()
                 else:
                     rows += [*NEVER.format(test, "else").splitlines(), f"/* taken */ extern int sink_{self.mark};", "#endif"]
@@ -122,16 +141,18 @@ class Generator(Statements):
     # declarations
 
     def types(self):
-        names = []
-        value = self.random.randrange(-5, 5)
+        names, value = [], -1
         for _ in range(self.random.randrange(0, 5)):
             name = self.fresh("E")
             if self.chance(40):
                 value = self.random.randrange(-300, 300)
                 names.append(f"{name} = {value}")
             else:
+                value += 1
                 names.append(name)
             self.enumerators.append(name)
+            self.enumerator_values[name] = value
+        self.enumerators_apart = list(self.enumerators)
         if names:
             self.enum = self.fresh("T")
             self.text += both(f"enum {self.enum} {{ {', '.join(names)} }};")
@@ -151,25 +172,25 @@ class Generator(Statements):
         for i in range(self.random.randrange(2, 6)):
             pick = self.random.randrange(10)
             if pick < 5:
-                members.append(Member(f"m{i}", self.random.choice(INTEGERS)))
+                members.append(Member(f"m{i}", "float" if self.has_reals and self.chance(15) else self.random.choice(INTEGERS)))
             elif pick < 7:
                 members.append(Member(f"m{i}", self.random.choice(INTEGERS), self.random.choice((2, 3, 4))))
             elif pick < 8 and self.structs:
                 members.append(Member(f"m{i}", self.random.choice(self.structs)))
             else:
-                kind = self.random.choice(("int", "unsigned", "unsigned", "unsigned char"))
+                kind = self.random.choice(("int", "unsigned", "unsigned", "unsigned char", "char"))
                 for k in range(self.random.randrange(1, 5)):
                     name = "" if self.chance(10) else f"f{i}{k}"
-                    bits = self.random.randrange(0 if not name else 1, 9 if kind == "unsigned char" else 17 if self.chance(20) else 8)
+                    bits = self.random.randrange(0 if not name else 1, 9 if kind.endswith("char") else 17 if self.chance(20) else 8)
                     members.append(Member(name, kind, 0, bits))
-        if not any(m.name for m in members):
+        if not any(m.name and m.kind not in spelled.REAL for m in members):
             members.append(Member("m", "int"))
         return Struct("struct", self.fresh("S"), members)
 
     def variables(self):
         self.text += Lines([f"int sink_{self.mark};"], [f"static int sink_{self.mark};"])
         self.sink = f"sink_{self.mark}"
-        for _ in range(self.random.randrange(5, 12)):
+        for _ in range(self.random.randrange(*self.shape.variables)):
             self.variable()
         for struct in self.structs:
             # At least two, so that one is assigned to another.
@@ -194,11 +215,11 @@ class Generator(Statements):
             self.table(name)
             return
         if pick < 9:
-            item = Object(name, self.random.choice(INTEGERS))
+            item = Object(name, self.random.choice(self.shape.kinds))
         elif pick < 12:
-            item = Object(name, self.random.choice(INTEGERS), self.random.choice((2, 3, 4, 5, 8)))
+            item = Object(name, self.random.choice(self.shape.kinds), self.random.choice((1, 2, 3, 4, 5, 8, 13)))
         elif pick < 13:
-            item = Object(name, self.random.choice(INTEGERS), 3, 4)
+            item = Object(name, self.random.choice(self.shape.kinds), *self.random.choice(((3, 4), (2, 2), (1, 5), (5, 1))))
         elif pick < 14:
             kind = self.random.choice(("unsigned char", "int", "unsigned", "long", "char"))
             count = self.random.choice((4, 5, 8))
@@ -218,6 +239,7 @@ class Generator(Statements):
         elif pick < 18:
             self.text += Lines([f"union {{ float f; unsigned long u; }} {name};"], [f"static union {{ float f; unsigned long u; }} {name};"])
             self.objects.append(Object(name, "float"))
+            self.unions.add(name)
             self.observed.append(Observed(f"{name}.u", [(f"{name}.u", "unsigned long")]))
             return
         else:
@@ -292,6 +314,8 @@ class Generator(Statements):
         found = spelled.leaves(item.name, item.kind, item.count)
         if isinstance(item.kind, Struct):
             for name, kind, is_field in found:
+                if kind in spelled.REAL:
+                    continue
                 self.observed.append(Observed(name, [(name, kind)], is_field))
         else:
             self.observed.append(Observed(item.name, [(name, kind) for name, kind, _ in found]))
@@ -342,9 +366,10 @@ class Generator(Statements):
         body = self.body = Body(kind)
         self.function_locals = []
         parameters = []
-        for _ in range(self.random.randrange(0, 4)):
+        for _ in range(self.random.randrange(0, self.shape.parameters)):
             parameters.append(self.parameter())
         old = self.chance(20) and parameters and not any(p.pointer for p in parameters)
+        rows_at_end = Lines()
         statics = Lines()
         items = list(parameters)
         for _ in range(self.random.randrange(0, 3)):
@@ -367,13 +392,29 @@ class Generator(Statements):
             else:
                 statics += self.local(item)
             items.append(item)
+        if self.structs and self.chance(20):
+            struct = self.random.choice([s for s in self.structs])
+            item = Object(self.fresh("s"), struct)
+            statics += both(f"static {spelled.declared(struct, item.name)};")
+            items.append(item)
+        if self.has_reals and self.chance(50):
+            item, declared = self.local_real()
+            statics += declared
+            items.append(item)
+        if self.has_reals and self.chance(20):
+            item = Object(self.fresh("s"), self.random.choice(spelled.REAL))
+            statics += both(f"static {item.kind} {item.name} = {self.random.choice(('1.5', '-3', '0.25f'))};")
+            items.append(item)
         for _ in range(self.random.randrange(0, 3)):
             item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 4)))
             statics += self.local(item)
             items.append(item)
         before = list(self.objects)
+        if self.has_pointers and self.chance(20):
+            declared, rows_at_end = self.static_pointer()
+            statics += declared
         self.objects += items
-        inner = self.several(2, 5)
+        inner = self.several(min(2, self.shape.depth), self.shape.block + 1) + rows_at_end
         result = self.note(self.integer(2)) if kind != "void" else None
         self.objects = before
         tail = Lines([f"return {result.plc};"], [f"return {result.avr};"]) if result else Lines()
@@ -387,6 +428,8 @@ class Generator(Statements):
         head = f"{kind} {name}({', '.join(texts) or 'void'})"
         plc_head = [f"{kind} {name}({', '.join(p.name for p in parameters)})", *(t + ";" for t in texts)] if old else [head]
         plc_head[0] = (self.random.choice(("static ", "")) if not old else "") + plc_head[0]
+        if self.chance(6):  # no meaning here, but words of the language
+            plc_head[0] = plc_head[0].replace(f" {name}(", f" {self.random.choice(('pascal', 'cdecl', '_cdecl', 'far', 'huge'))} {name}(", 1)
         if not old and self.chance(30):
             names = [t.rsplit(p.name, 1)[0].strip() if self.chance(50) and not t.endswith("]") else t for t, p in zip(texts, parameters)]
             self.text.plc.append(plc_head[0].partition("(")[0] + f"({', '.join(names) or 'void'});")
@@ -398,10 +441,10 @@ class Generator(Statements):
         """Structs go in and out by value."""
         made = Lines()
         for struct in self.structs:
-            scalars = [m.name for m in struct.members if m.name and not m.count and not isinstance(m.kind, Struct)]
-            if struct.word == "union" or not scalars or self.chance(50):
+            scalars = [m.name for m in struct.members if m.name and not m.count and not isinstance(m.kind, Struct) and m.kind not in spelled.REAL]
+            if not scalars or self.chance(50):
                 continue
-            name, word = self.fresh("h"), f"struct {struct.tag}"
+            name, word = self.fresh("h"), f"{struct.word} {struct.tag}"
             member = self.random.choice(scalars)
             operator = self.random.choice(("+=", "=", "^=", "-="))
             rows = [f"{word} {name}(long a, {word} s)", "{", f"s.{member} {operator} a;", "return s;", "}"]
@@ -466,7 +509,7 @@ class Generator(Statements):
         self.function_locals = []
         inner = Lines()
         for _ in range(self.random.randrange(2, statements + 2)):
-            inner += self.statement(3)
+            inner += self.statement(self.shape.depth)
             if self.chance(25):
                 inner += self.whole_struct() or Lines()
             if self.chance(6):
@@ -481,56 +524,18 @@ class Generator(Statements):
         if name == "plc2" and self.chance(10):
             inner += Lines(["plc1();"], [f"plc1_{self.mark}();"])
         if name == "plc1":
+            for function, kind in self.pointer_functions:
+                # its parameters are to have objects
+                item = self.random.choice([o for o in self.pointed_arrays(kind) if o.name.startswith("g")])
+                self.note(Spelled("", "", reads=frozenset({item.name})))
+                inner += both(f"{self.sink} = *{function}(2, {item.name}, {item.name});")
+            for function, kind in self.real_changers:
+                inner += both(f"{{ {kind} own; own = 1; {function}(&own, 2); }}")
             # a function that no part reaches is not the judge's business
             for function in self.functions:
                 inner += self.simple(self.call_of(function, 2))
         return Lines([f"void {name}()", "{", *self.function_locals, *inner.plc, "}"],
                      [f"static void {name}_{self.mark}(void)", "{", *body.hoisted, *inner.avr, "}"])
-
-    # inputs and what is looked at
-
-    def inputs(self):
-        steps = []
-        for _ in range(SCANS):
-            locations, statements = {}, []
-            for area, count, most in (("X", WINDOWS["X"], 256), ("P", WINDOWS["P"] // 2, 65536), ("F", WINDOWS["F"] // 2, 65536)):
-                for i in range(count):
-                    if self.chance(50):
-                        value = self.random.choice((self.random.randrange(most), 0, 1, most - 1, most // 2, most // 2 - 1))
-                        locations[f"{area}[{i}]"] = value
-                        statements.append(f"{HOST[area].format(i)} = {value}u;")
-            for channel in HANDLED if self.registered or self.chance(20) else ():
-                words = {163: self.random.choice((0, 0x100, 0x300, 0xF00, 0x400, 0x800, 0x2100, 0x8100, 0x2F00))}
-                words |= {word: self.random.choice((0, 1, 3, 30, 65535, 303)) for word in range(164, 168) if self.chance(50)}
-                for word, value in words.items():
-                    locations[f"F[{word + 20 * channel}]"] = value
-                    statements.append(f"host.f[{word + 20 * channel}] = {value}u;")
-                if self.chance(20):
-                    locations[f"MODAL[{channel}]"] = 1
-                    statements.append(f"asked[{channel}] = 1;")
-            for i in range(WINDOWS["R"]):
-                if self.chance(25):
-                    value = self.random.randrange(256)
-                    locations[f"R[{i}]"] = value
-                    statements.append(f"R.uc[{i}] = {value};")
-            steps.append(Step(locations, statements, self.random.choice((1, 1, 1, 2, 3, 6))))
-        return steps
-
-    def areas(self):
-        made = []
-        for channel in HANDLED:
-            first = 163 + 20 * channel
-            made.append(Observed(f"*(unsigned (*)[12])&G.ui[{first}]", [(f"G[{first + i}]", "unsigned") for i in range(12)]))
-        made.append(Observed("plc1_time", [("plc1_time", "unsigned")]))
-        made.append(Observed("plc2_time", [("plc2_time", "unsigned")]))
-        for area, window in WINDOWS.items():
-            view = "" if area in "FG" else "_uc"
-            if area in "FG":
-                made.append(Observed(f"*({'unsigned (*)'}[{window // 2}])&{area}", [(f"{area}[{i}]", "unsigned") for i in range(window // 2)]))
-                continue
-            size = AREA_BYTES[area] if self.chance(5) else window
-            made.append(Observed(f"*(unsigned char (*)[{size}])&{area}", [(f"{area}{view}[{i}]", "unsigned char") for i in range(size)]))
-        return made
 
 
 def generate(seed):

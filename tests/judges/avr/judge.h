@@ -1,6 +1,7 @@
 // What plcxx' C dialect defines beyond C, written out for avr-gcc: the register areas, accesses outside an object,
 // division by 0, shift counts outside the width, and the fault record. Programs of the judge are compiled with -fwrapv.
 #include <avr/io.h>
+#include <avr/pgmspace.h>
 #include <string.h>
 
 #define AREA(bytes)                \
@@ -123,6 +124,7 @@ SHIFT(ul, unsigned long, 32)
 #define labs judge_labs
 static int abs(int a) { return a < 0 ? -a : a; }
 static long labs(long a) { return a < 0 ? -a : a; }
+#define ABS(a) _Generic((a) + 0, long: labs, unsigned long: labs, default: abs)(a)
 static unsigned _rotl(unsigned a, int n) { return n ? a << n | a >> (16 - n) : a; }
 static unsigned _rotr(unsigned a, int n) { return n ? a >> n | a << (16 - n) : a; }
 static unsigned long _lrotl(unsigned long a, int n) { return n ? a << n | a >> (32 - n) : a; }
@@ -137,6 +139,110 @@ static void show(const void* at, unsigned count) {
   OCR3A = count;
   __asm__ volatile("" ::: "memory");
   GPIOR0 = 1;
+}
+
+// Options (10.5).
+static unsigned char mirrored = 28, calls_once, flags_off, stop_printed, stop_at_fault;
+static int base = 1;
+static int hw[4];
+static unsigned char called[4][4], halted, was_due1, was_due2;
+
+// The system functions (6.10), on the images.
+#define G_L(word) (*(long*)&G.uc[2 * (word)])
+#define F_L(word) (*(long*)&F.uc[2 * (word)])
+static int is_axis(int a) {
+  if (a >= 0 && a < 16) return 1;
+  fault(2);
+  return 0;
+}
+static long magnitude(long v) { return v < 0 ? -v : v; }
+static void set_axis_home(int a, int on) {
+  if (!is_axis(a)) return;
+  if (on)
+    G.ui[10 * a] |= 0x40;
+  else
+    G.ui[10 * a] &= ~0x40;
+}
+static void set_axis_jog(int a, int v) {
+  if (is_axis(a)) G.i[10 * a + 4] = v;
+}
+static void step_axis(int a, long d) {
+  long v;
+  if (d == 0) return;
+  v = magnitude((long)((unsigned long)G_L(10 * a + 1) + d)) / 200 * (long)F.ui[251];
+  if (v > F.i[10 * a + 7]) v = F.i[10 * a + 7];
+  if (v < 2) v = 2;
+  G_L(10 * a + 1) += d;
+  G.i[10 * a + 3] = v;
+}
+static void set_axis_step(int a, long d) {
+  if (is_axis(a)) step_axis(a, d);
+}
+static void set_axis_move(int a, long d, int s) {
+  long l1, l2, v1, v2;
+  if (!is_axis(a) || d == 0) return;
+  l1 = magnitude(G_L(10 * a + 1));
+  l2 = magnitude(d);
+  v1 = G.i[10 * a + 3] < 0 ? -G.i[10 * a + 3] : G.i[10 * a + 3];
+  v2 = s < 0 ? -s : s;
+  G.i[10 * a + 3] = divide_l(l1 * v1 + l2 * v2, l1 + l2);
+  G_L(10 * a + 1) += d;
+}
+static long get_axis_pos(int a) { return is_axis(a) ? F_L(10 * a + 1) + G_L(10 * a + 1) : 0; }
+static int get_axis_den(int a) { return !is_axis(a) || (G_L(10 * a + 1) == 0 && G.i[10 * a + 4] == 0); }
+static void set_axis_moveto(int a, long p, int s) {
+  if (a < 0 || a > 15)
+    fault(2);
+  else
+    set_axis_move(a, p - get_axis_pos(a), s);
+}
+static void set_axis_stop(int a) {
+  long l, b;
+  if (!is_axis(a)) return;
+  l = G_L(10 * a + 1);
+  b = G.i[10 * a + 3] * (long)F.ui[251] / 200;
+  if (l > 0) {
+    if (l > b) l = b;
+  } else if (-l > b) {
+    l = stop_printed ? -l : -b;
+  }
+  G_L(10 * a + 1) = l;
+  set_axis_jog(a, 0);
+  set_axis_home(a, 0);
+}
+static int get_handwheel(int h) {
+  int n;
+  if (h < 0 || h > 3) {
+    fault(2);
+    return 0;
+  }
+  n = hw[h];
+  hw[h] = 0;
+  return n;
+}
+static void handwheel(int h, int a, int mul) {
+  const int ok = h >= 0 && h < 4 && a >= 0 && a < 16;
+  if (!ok)
+    fault(2);
+  else
+    step_axis(a, (long)get_handwheel(h) * mul);
+}
+
+// What a power cycle keeps.
+static struct {
+  unsigned char b[200];
+  unsigned char host[100 + 512 + 200];
+  long now;
+} kept __attribute__((section(".noinit")));
+extern char __data_start, __data_end, __bss_start, __bss_end, __data_load_start;
+// Variables get their initial values again, of every program: this is the one that runs.
+static void load_data(void) {
+  char* to = &__data_start;
+  unsigned long from;
+  __asm__("ldi %A0, lo8(__data_load_start)\n\tldi %B0, hi8(__data_load_start)\n\tldi %C0, hh8(__data_load_start)\n\tclr %D0"
+          : "=d"(from));
+  for (; to != &__data_end; ++to, ++from) *to = pgm_read_byte_far(from);
+  for (to = &__bss_start; to != &__bss_end; ++to) *to = 0;
 }
 
 static void power_on(void) {
@@ -156,8 +262,20 @@ static void power_on(void) {
   memset(asked, 0, sizeof asked);
   memset(request, 0, sizeof request);
   memset(handler, 0, sizeof handler);
+  memset(hw, 0, sizeof hw);
+  halted = 0;
   plc1_time = plc2_time = 0;
   now = next1 = next2 = 0;
+}
+static void power_cycle(void) {
+  memcpy(kept.b, B.uc, 200);
+  memcpy(kept.host, &host, sizeof kept.host);
+  kept.now = now;
+  load_data();
+  power_on();
+  memcpy(B.uc, kept.b, 200);
+  memcpy(&host, kept.host, sizeof kept.host);
+  now = next1 = next2 = kept.now;
 }
 
 // The dispatcher (7.3): kinds M, S, T, B; the fifth handler is E's.
@@ -176,15 +294,17 @@ static void dispatch(unsigned char c) {
       G.ui[word + 10 + k] = F.ui[word + code[k]];
       G.ui[word + 14] |= 1 << k;
       request[c][k] = ACTIVE;
-      if (k == 0 && F.ui[word + code[k]] == 0) G.ui[word + 14] |= 0x1000;
-      if (k == 0 && F.ui[word + code[k]] == 1) G.ui[word + 14] |= 0x2000;
+      called[c][k] = 0;
+      if (!flags_off && k == 0 && F.ui[word + code[k]] == 0) G.ui[word + 14] |= 0x1000;
+      if (!flags_off && k == 0 && F.ui[word + code[k]] == 1) G.ui[word + 14] |= 0x2000;
     }
     if (request[c][k] == ACTIVE && (!strobe || cancel)) {
       G.i[word + 10 + k] = -1;
       G.ui[word + 14] &= ~(1 << k);
       request[c][k] = DONE;
     }
-    if (request[c][k] == ACTIVE && !(held && !(G.ui[word + 14] & 0x0100 << k))) {
+    if (request[c][k] == ACTIVE && !(held && !(G.ui[word + 14] & 0x0100 << k)) && !(calls_once && called[c][k])) {
+      called[c][k] = 1;
       if (handler[c][k])
         handler[c][k](c);
       else
@@ -210,25 +330,37 @@ static void complete(unsigned char c) {
   G.ui[word + 3] &= ~0x10;
   if (active) G.ui[word + 3] |= 0x10;
 }
-// The cycle (4.2), at a base cycle of 1 ms.
+// With faults=stop: after the part in which a fault was.
+static int is_stopped(long faults) {
+  if (!stop_at_fault || fault_count == faults) return halted;
+  halted = 1;
+  memset(&Y, 0, sizeof Y);
+  memset(&G, 0, sizeof G);
+  return 1;
+}
+// The cycle (4.2).
 static void cycle(void (*plc1)(void), void (*plc2)(void)) {
   const unsigned char due1 = now - next1 >= 0, due2 = now - next2 >= 0;
+  const long faults = fault_count;
   unsigned char c;
+  was_due1 = due1 && !halted;
+  was_due2 = due2 && !halted;
   memcpy(X.uc, host.x, 100);
   memcpy(F.uc, host.f, 512);
   memcpy(P.uc, host.p, 200);
-  if (due2) memcpy(X.uc + 100, X.uc, 28);
-  if (due1) {
+  if (due2) memcpy(X.uc + 100, X.uc, mirrored);
+  if (due1 && !halted) {
     for (c = 0; c < 4; ++c) dispatch(c);
     plc1();
     next1 = now + plc1_time;
   }
-  if (due2) {
+  if (!is_stopped(faults) && due2) {
     plc2();
     next2 = now + plc2_time;
   }
-  for (c = 0; c < 4; ++c) complete(c);
-  ++now;
+  if (!is_stopped(faults))
+    for (c = 0; c < 4; ++c) complete(c);
+  now += base;
 }
 static void stop(void) {
   for (;;) __asm__ volatile("cli\n\tsleep");

@@ -41,6 +41,9 @@ class Step:
     locations: dict
     statements: list
     cycles: int = 1
+    unit: str = "ms"  # or fast, slow: so many of these
+    power_cycle: bool = False  # before all else
+    forced: dict = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass
@@ -51,13 +54,24 @@ class Program:
     steps: list
     observed: list
     faults: bool = True
+    options: dict = dataclasses.field(default_factory=dict)
+    settings: list = dataclasses.field(default_factory=list)  # the options, as statements of the AVR's program
 
     def driver(self):
-        rows = [f"static void run_{self.name}(void)", "{", "power_on();"]
+        rows = [f"static void run_{self.name}(void)", "{", *self.settings, "power_on();"]
         for number, step in enumerate(self.steps):
+            if step.power_cycle:
+                rows += ["power_cycle();", *self.settings]
             # The first run step begins with init(), to which the parameters are there.
-            rows += step.statements + (["memcpy(P.uc, host.p, 200);", f"init_{self.name}();"] if number == 0 else [])
-            rows += [f"cycle(plc1_{self.name}, plc2_{self.name});"] * step.cycles
+            rows += step.statements
+            if number == 0 or step.power_cycle:
+                rows += ["memcpy(P.uc, host.p, 200);", f"init_{self.name}();", "is_stopped(0);"]
+            call = f"cycle(plc1_{self.name}, plc2_{self.name});"
+            if step.unit == "ms":
+                rows += [call] * step.cycles
+            else:
+                due = "was_due1" if step.unit == "fast" else "was_due2"
+                rows.append(f"{{ int runs_ = 0; while (runs_ < {step.cycles}) {{ {call} runs_ += {due}; }} }}")
             rows += [o.show() for o in self.observed] + ["show(&fault_code, 2);", "show(&fault_count, 4);"]
         return "\n".join(rows + ["}", ""])
 
@@ -75,11 +89,16 @@ class Program:
     def write(self, directory, values):
         """Sources and scenario; the scenario's path."""
         self.write_sources(directory)
-        rows = ["dialect: hnc", f"sources: [{next(iter(self.files))}]", "steps:"]
+        rows = ["dialect: hnc", f"sources: [{next(iter(self.files))}]"]
+        rows += ["options: " + flow(self.options.items())] if self.options else []
+        rows.append("steps:")
         for step, expected in zip(self.steps, values):
+            if step.power_cycle:
+                rows.append("- power_cycle: {}")
             if step.locations:
                 rows.append("- set: " + flow(step.locations.items()))
-            rows += [f"- run: {{ms: {step.cycles}}}", "- expect: " + flow(expected)]
+            count = step.cycles * self.options.get("base-cycle", 1) if step.unit == "ms" else step.cycles
+            rows += [f"- run: {{{step.unit}: {count}}}", "- expect: " + flow(expected)]
         path = directory / f"{self.name}.yaml"
         path.write_text("\n".join(rows) + "\n")
         return path

@@ -8,8 +8,10 @@ import dataclasses
 NOTHING = frozenset()
 FAULT = frozenset({"FAULT"})
 SIZES = {"char": 1, "signed char": 1, "unsigned char": 1, "short": 2, "unsigned short": 2, "int": 2, "unsigned": 2, "long": 4,
-         "unsigned long": 4, "float": 4}
-INTEGERS = tuple(SIZES)[:-1]
+         "unsigned long": 4, "float": 4, "double": 8}
+INTEGERS = tuple(SIZES)[:-2]
+REAL = tuple(SIZES)[-2:]
+VIEWS = {"uc": "unsigned char", "c": "char", "ui": "unsigned", "i": "int", "ul": "unsigned long", "l": "long"}
 PRECEDENCE = {",": 1, "=": 2, "?": 3, "||": 4, "&&": 5, "|": 6, "^": 7, "&": 8, "==": 9, "!=": 9, "<": 10, ">": 10, "<=": 10,
               ">=": 10, "<<": 11, ">>": 11, "+": 12, "-": 12, "*": 13, "/": 13, "%": 13}
 UNARY, POSTFIX = 14, 15

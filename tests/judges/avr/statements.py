@@ -3,6 +3,8 @@ import dataclasses
 
 import spelled
 from expressions import Expressions, Object
+from pointing import Pointing
+from shapes import Forms
 from spelled import INTEGERS, NOTHING, SIZES, Spelled, Struct
 
 MOST_ROUNDS = 1500
@@ -37,7 +39,7 @@ def block(inner):
     return both("{") + inner + both("}")
 
 
-class Statements(Expressions):
+class Statements(Expressions, Pointing, Forms):
     def __init__(self, seed, mark):
         super().__init__(seed)
         self.struct_functions = []
@@ -67,19 +69,23 @@ class Statements(Expressions):
     # statements
 
     def statement(self, depth):
+        if self.chance(14) and (made := self.special(depth)):
+            return made
         pick = self.random.randrange(100)
         if depth <= 0 or pick < 42:
-            return self.simple(self.assigned(3, sure=self.chance(60)))
+            return self.simple(self.assigned(self.shape.expression, sure=self.chance(60)))
         if pick < 46:
             return self.simple(self.stepped(2))
         if pick < 48:
             return self.expression_statement()
         if pick < 58:
-            return self.conditional(depth)
+            return self.chain(depth) if self.chance(15) else self.dangling() if self.chance(8) else self.conditional(depth)
         if pick < 66:
-            return self.selection(depth)
+            return self.odd_selection(depth) if self.chance(25) else self.selection(depth)
         if pick < 82:
-            return self.loop(depth)
+            if not self.chance(self.shape.loops):
+                return self.simple(self.assigned(self.shape.expression))
+            return self.odd_loop(depth) if self.chance(20) else self.loop(depth)
         if pick < 86:
             if self.exits and self.chance(50):
                 return self.leave()
@@ -102,9 +108,25 @@ class Statements(Expressions):
                 function = self.random.choice(usable)
                 self.body.rounds += function.rounds
                 return self.simple(self.call_of(function, 2))
-        if self.chance(30) and not self.loops:
+        if self.chance(30) and "goto" not in self.loops:
             return self.early_return()
         return self.walk()
+
+    def special(self, depth):
+        """What only some programs have; none: something else is to be made."""
+        pick = self.random.randrange(12)
+        if pick < 4 and self.has_reals:
+            return self.real_statement(depth)
+        if pick < 8 and self.has_pointers and depth > 0:
+            return self.struct_elements() if self.chance(25) else self.text_pointing() if self.chance(15) else self.pointing(depth)
+        if pick < 10 and self.has_control:
+            return self.system_call(2)
+        if pick < 11 and self.has_control and self.chance(40):
+            return self.critical()
+        if self.has_reals and depth > 0 and self.chance(50):
+            test = self.real_condition(2)
+            return Lines([f"if ({test.plc}) {{"], [f"if ({test.avr}) {{"]) + self.several(depth - 1, 3) + both("}")
+        return None
 
     def expression_statement(self):
         """A value of which only the effects count: x && y++; c ? (a = 1) : (b = 2);"""
@@ -133,7 +155,7 @@ class Statements(Expressions):
 
     def conditional(self, depth):
         test = self.condition()
-        yes = self.several(depth - 1, 3)
+        yes = self.several(depth - 1, min(3, self.shape.block))
         made = Lines([f"if ({test.plc}) {{"], [f"if ({test.avr}) {{"]) + yes + both("}")
         if self.chance(50):
             made += both("else {") + self.several(depth - 1, 3) + both("}")
@@ -198,7 +220,7 @@ class Statements(Expressions):
         label_behind = self.fresh("out")
         self.exits.append(label_behind)
         self.objects.append(counter) if declaration.plc else None
-        body = self.several(depth - 1, 4)
+        body = self.several(depth - 1, self.shape.block)
         self.loops.pop()
         self.exits.pop()
         self.rounds //= most + 1
@@ -233,7 +255,7 @@ class Statements(Expressions):
             before, head = both(f"{name} = {most};"), (f"while ({name}) {{{{", "", "")
             tail = both(self.random.choice((f"{name}--;", f"{name} -= 1;"))) + tail
         elif form == "noted":
-            test = self.condition()
+            test = self.real_condition(2) if self.has_reals and self.chance(40) else self.condition()
             bound = self.random.randrange(1, 6)
             guard = self.fresh("n")
             self.body.hoisted.append(f"int {guard} = 0;")
@@ -333,7 +355,7 @@ class Statements(Expressions):
 
     def floating(self):
         """One operation a statement: rounding once is what plcxx' double and AVR's float have in common."""
-        floats = [o for o in self.objects if o.kind == "float"]
+        floats = [o for o in self.objects if o.name in self.unions]
         if not floats:
             return both(";")
         target, other = (self.random.choice(floats).spelled() for _ in range(2))
@@ -416,6 +438,10 @@ class Statements(Expressions):
         if self.chance(40):
             value = self.note(self.integer(1)).at(2)
             return Lines([f"memset({to[0]}, {value.plc}, {size});"], [f"memset((void *)({to[1]}), {value.avr}, {size});"])
+        if self.chance(20):
+            relation = self.random.choice(("== 0", "> 0", "< 0", "!= 0"))
+            return Lines([f"{self.sink} = memcmp({to[0]}, {source[0]}, {size}) {relation};"],
+                         [f"{self.sink} = memcmp((void *)({to[1]}), (void *)({source[1]}), {size}) {relation};"])
         word = self.random.choice(("memcpy", "memmove"))
         return Lines([f"{word}({to[0]}, {source[0]}, {size});"], [f"{word}((void *)({to[1]}), (void *)({source[1]}), {size});"])
 
