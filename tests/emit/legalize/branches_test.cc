@@ -110,5 +110,16 @@ TEST(Branches, OnlyTheDebugFlavourGuardsStatements) {
   EXPECT_THAT(record, HasSubstr("guard of TWO: 4 to 6\n"));
 }
 
+// Where a jump has put other statements into the arms, the statement is not switched off as a whole: an if of its own
+// in the other arm asks for it, which a chain could not say.
+TEST(Branches, InTheDebugFlavourAnIfThatAsksIsNoPartOfAChain) {
+  const std::string_view body =
+      "stmt s1\n%0 = load a\nif %0 jumps {\n%1 = load b\nstore c %1\n} else {\n%2 = load b\nif %2 {\n%3 = load "
+      "a\nstore b %3\n}\n}\n";
+  const std::string record = Record(body, Flavour::kDebug);
+  EXPECT_THAT(record, HasSubstr("line: if, else, switched"));
+  EXPECT_THAT(record, Not(HasSubstr("else if")));
+}
+
 }  // namespace
 }  // namespace plcxx::emit::legalize
