@@ -42,27 +42,26 @@ bool Touches(source::Range a, source::Range b) { return a.begin <= b.end && b.be
 
 }  // namespace
 
-std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis) {
-  std::map<std::string, Json> by_file;
+FileDiagnostics DiagnosticsByFile(const Analysis& analysis) {
+  FileDiagnostics by_file;
   for (const diag::Diagnostic& diagnostic : analysis.compilation().diagnostics.all()) {
     if (analysis.sources().size() == 0) break;
     const FileRange at = analysis.Locate(diagnostic.range);
-    Json& found = by_file[analysis.IdentityOf(at.file)];
-    found.push_back(ToJson(analysis, diagnostic));
+    by_file[analysis.IdentityOf(at.file)].push_back(rpc::Written(ToJson(analysis, diagnostic)));
   }
   return by_file;
 }
 
-Json ProjectFaults(const std::vector<yaml::Error>& errors) {
-  Json faults = Json::array();
+std::vector<std::string> ProjectFaults(const std::vector<yaml::Error>& errors) {
+  std::vector<std::string> faults;
   for (const yaml::Error& error : errors) {
     const Position begin{error.mark.line == 0 ? 0 : int64_t{error.mark.line} - 1,
                          error.mark.column == 0 ? 0 : int64_t{error.mark.column} - 1};
     const std::string text = error.message + (error.remedy.empty() ? "" : "\nhelp: " + error.remedy);
-    faults.push_back({{"range", {{"start", ToJson(begin)}, {"end", ToJson(begin)}}},
-                      {"severity", 1},
-                      {"source", "plcxx"},
-                      {"message", text}});
+    faults.push_back(rpc::Written({{"range", {{"start", ToJson(begin)}, {"end", ToJson(begin)}}},
+                                   {"severity", 1},
+                                   {"source", "plcxx"},
+                                   {"message", text}}));
   }
   return faults;
 }

@@ -99,9 +99,10 @@ Json LanguageServer::Initialize(const Json& params) {
 
 void LanguageServer::Publish(std::string_view identity) {
   const Document* open = workspace_.documents().Find(identity);
-  Json params = {{"uri", UriOf(workspace_.documents(), identity)}, {"diagnostics", workspace_.DiagnosticsOf(identity)}};
-  if (open != nullptr) params["version"] = open->version;
-  server_.Notify("textDocument/publishDiagnostics", std::move(params));
+  std::string params = R"({"diagnostics":)" + workspace_.DiagnosticsOf(identity) + R"(,"uri":)" +
+                       rpc::Written(UriOf(workspace_.documents(), identity));
+  if (open != nullptr) params += R"(,"version":)" + std::to_string(open->version);
+  server_.NotifyWritten("textDocument/publishDiagnostics", params + "}");
 }
 
 bool LanguageServer::Idle() {

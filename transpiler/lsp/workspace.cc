@@ -54,8 +54,8 @@ void Workspace::ReadBaselineOf(WorkspaceProgram& program, const std::string& pat
   // What names the file is open in an editor rather than the file itself.
   const yaml::Error& error = std::get<yaml::Error>(read);
   const yaml::Error fault{program.project, {}, ToText(error)};
-  Json& faults = project_faults_[source::FileIdentity(program.project)];
-  for (Json& one : ProjectFaults({fault})) faults.push_back(std::move(one));
+  std::vector<std::string>& faults = project_faults_[source::FileIdentity(program.project)];
+  for (std::string& one : ProjectFaults({fault})) faults.push_back(std::move(one));
 }
 
 void Workspace::ReadProjectFile(const std::string& project) {
@@ -181,19 +181,23 @@ WorkspaceProgram* Workspace::ProgramOf(const std::string& identity, const Publis
   return nullptr;
 }
 
-Json Workspace::DiagnosticsOf(std::string_view identity) const {
-  Json all = Json::array();
-  if (const auto faults = project_faults_.find(std::string(identity)); faults != project_faults_.end()) {
-    all = faults->second;
-  }
-  for (const auto& program : programs_) {
-    const auto found = program->diagnostics.find(std::string(identity));
-    if (found == program->diagnostics.end()) continue;
-    for (const Json& diagnostic : found->second) {
-      if (programs_.size() == 1 || std::ranges::find(all, diagnostic) == all.end()) all.push_back(diagnostic);
+std::string Workspace::DiagnosticsOf(std::string_view identity) const {
+  const std::string file(identity);
+  std::string array = "[";
+  std::set<std::string_view> seen;
+  const auto add = [&](const FileDiagnostics& by_file) {
+    const auto found = by_file.find(file);
+    if (found == by_file.end()) return;
+    for (const std::string& diagnostic : found->second) {
+      // Several programs that read one file find the same in it.
+      if (programs_.size() > 1 && !seen.insert(diagnostic).second) continue;
+      if (array.size() > 1) array += ',';
+      array += diagnostic;
     }
-  }
-  return all;
+  };
+  add(project_faults_);
+  for (const auto& program : programs_) add(program->diagnostics);
+  return array + "]";
 }
 
 }  // namespace plcxx::lsp

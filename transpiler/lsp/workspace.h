@@ -18,6 +18,9 @@
 
 namespace plcxx::lsp {
 
+/// By FileIdentity; each diagnostic as it is sent: a text costs far less than a tree, and a program may have thousands.
+using FileDiagnostics = std::map<std::string, std::vector<std::string>>;
+
 struct WorkspaceProgram {
   compilation::CompilationRequest request;
   std::string name;             // in the project
@@ -28,7 +31,7 @@ struct WorkspaceProgram {
   std::unique_ptr<Analysis> analysis;
   /// The last one without errors: names keep their meaning while a statement is being typed.
   std::unique_ptr<Analysis> whole;
-  std::map<std::string, Json> diagnostics;  // by FileIdentity, arrays
+  FileDiagnostics diagnostics;
 
   const Analysis& Meaning() const { return whole != nullptr ? *whole : *analysis; }
 };
@@ -59,8 +62,8 @@ class Workspace {
   WorkspaceProgram* ProgramOf(const std::string& identity, const Publish& publish);
   const std::vector<std::unique_ptr<WorkspaceProgram>>& programs() const { return programs_; }
 
-  /// What has been found in a file, by whichever program reads it.
-  Json DiagnosticsOf(std::string_view identity) const;
+  /// What has been found in a file, by whichever program reads it: an array as JSON.
+  std::string DiagnosticsOf(std::string_view identity) const;
 
  private:
   void PublishWaiting(const Publish& publish);
@@ -77,15 +80,15 @@ class Workspace {
 
   Units units_ = Units::kUtf16;
   Documents documents_;
-  std::set<std::string> projects_;              // paths
-  std::map<std::string, Json> project_faults_;  // by FileIdentity, arrays
-  std::set<std::string> to_publish_;            // identities, beside what an analysis publishes
+  std::set<std::string> projects_;  // paths
+  FileDiagnostics project_faults_;
+  std::set<std::string> to_publish_;  // identities, beside what an analysis publishes
   std::vector<std::unique_ptr<WorkspaceProgram>> programs_;
 };
 
-/// The diagnostics of one compilation, by FileIdentity.
-std::map<std::string, Json> DiagnosticsByFile(const Analysis& analysis);
-/// What is wrong with a plcxx.yaml.
-Json ProjectFaults(const std::vector<yaml::Error>& errors);
+/// The diagnostics of one compilation.
+FileDiagnostics DiagnosticsByFile(const Analysis& analysis);
+/// What is wrong with a plcxx.yaml, as diagnostics.
+std::vector<std::string> ProjectFaults(const std::vector<yaml::Error>& errors);
 
 }  // namespace plcxx::lsp

@@ -95,15 +95,23 @@ void Server::SetCancel(std::string method, std::string key) {
   cancel_key_ = std::move(key);
 }
 
-void Server::Send(const Json& message) {
+std::string Written(const Json& value) {
   // A text that is no UTF-8 (a name of a file) must not cost the answer.
-  send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+void Server::Send(const Json& message) { send_(Written(message)); }
 
 void Server::SendError(const Json& id, int code, const std::string& text) { Send(ErrorAnswer(id, code, text)); }
 
 void Server::Notify(std::string_view method, Json params) {
   Send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+}
+
+void Server::NotifyWritten(std::string_view method, std::string_view params) {
+  std::string text = R"({"jsonrpc":"2.0","method":)" + Written(method) + R"(,"params":)";
+  text.append(params).push_back('}');
+  send_(text);
 }
 
 void Server::Feed(std::string_view bytes) {

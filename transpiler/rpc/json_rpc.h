@@ -44,6 +44,9 @@ int64_t NumberOf(const Json& object, const char* key);
 const Json& ObjectOf(const Json& object, const char* key);
 const Json& ArrayOf(const Json& object, const char* key);
 /// None: there is no such member, or it is null; a wrong type is an error.
+/// As it is sent.
+std::string Written(const Json& value);
+
 std::optional<std::string> OptionalText(const Json& object, const char* key);
 std::optional<int64_t> OptionalNumber(const Json& object, const char* key);
 std::optional<bool> OptionalFlag(const Json& object, const char* key);
@@ -63,6 +66,8 @@ class Server {
   void SetCancel(std::string method, std::string key);
 
   void Notify(std::string_view method, Json params);
+  /// The same with parameters that are JSON already: thousands of diagnostics cost more as a tree than as text.
+  void NotifyWritten(std::string_view method, std::string_view params);
 
   /// Bytes that have arrived, in any pieces.
   void Feed(std::string_view bytes);
