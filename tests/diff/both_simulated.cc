@@ -167,8 +167,8 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     if (item.kind == ItemKind::kSchedule) listed.insert(item.through.begin(), item.through.end());
   }
   const auto is_named = [&diff](const std::string& name) {
-    return std::ranges::find(diff.old_only, name) != diff.old_only.end() ||
-           std::ranges::find(diff.new_only, name) != diff.new_only.end();
+    return std::ranges::any_of(std::array{&diff.old_only, &diff.new_only, &diff.of_slices},
+                               [&name](const auto* names) { return std::ranges::find(*names, name) != names->end(); });
   };
   Locations locations;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
@@ -197,13 +197,9 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
-      // A flag that one version alone has is not compared, and the verdict names it. What has no name that a scenario
-      // could write is bookkeeping of slices, which the comparison takes as one.
-      const bool is_private = prove::machine::DirectionOf(old_version, old_cell) == ir::Direction::kInternal &&
-                              !prove::machine::IsRetentive(old_version, old_cell);
-      const bool has_name = old_side.compilation.dialect->locate(old_side.compilation.program, name).has_value();
-      if (old_used != new_used && is_private && !has_name) continue;
-      if (!is_named(name)) locations.equal.push_back({name, *old_place, *new_place});
+      // A flag that one version alone has is not compared, and the verdict names it.
+      if (!is_named(name) && !is_named(new_words.WordOf(new_cell).name))
+        locations.equal.push_back({name, *old_place, *new_place});
     }
   }
   return locations;

@@ -1,6 +1,7 @@
 #include "transpiler/prove/diff/compare.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
 
@@ -8,41 +9,26 @@ namespace plcxx::prove::diff {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
-constexpr size_t kMostReached = 2000;  // pairs
-
-/// Whether a version of its own does anything with the cell.
-bool IsUsed(const machine::Uses& uses, execute::CellId cell) {
-  return uses.reads[cell.index] || uses.writes[cell.index];
-}
-
-/// Internal memory that power-off clears: nobody but the version itself knows of it.
-bool IsPrivate(const machine::Version& version, execute::CellId cell) {
-  return machine::DirectionOf(version, cell) == ir::Direction::kInternal && !machine::IsRetentive(version, cell);
-}
-
-/// Of memory: the bit that it begins with; of the rest 0.
-bool PowerOnValue(const machine::Version& version, execute::CellId id) {
-  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-  return cell.kind == execute::CellKind::kBit &&
-         machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
-}
+constexpr size_t kMostReached = 2000;                                  // pairs
+constexpr uint64_t kRoundOfManyShare = 20, kInductionOfManyShare = 4;  // of the time
 
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
+  const OneSidedMemory one_sided(comparison.old_version, comparison.new_version, comparison.old_uses,
+                                 comparison.new_uses, comparison.match);
+  comparison.one_sided = one_sided.Written();
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
     const execute::CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
     if (!new_cell.valid() || !machine::IsState(comparison.old_version, old_cell)) continue;
-    const bool old_uses = IsUsed(comparison.old_uses, old_cell), new_uses = IsUsed(comparison.new_uses, new_cell);
+    const auto is_used = [](const machine::Uses& uses, execute::CellId cell) {
+      return uses.reads[cell.index] || uses.writes[cell.index];
+    };
     // A table that no version touches by itself is there for the host.
     const bool begins_alike =
         PowerOnValue(comparison.old_version, old_cell) == PowerOnValue(comparison.new_version, new_cell);
-    if (!old_uses && !new_uses && begins_alike) continue;
+    if (!is_used(comparison.old_uses, old_cell) && !is_used(comparison.new_uses, new_cell) && begins_alike) continue;
     // A flag that one version alone uses is how it does something, not what it does: it may be anything in the proof.
-    if (old_uses != new_uses && begins_alike && IsPrivate(comparison.old_version, old_cell)) {
-      if (comparison.old_uses.writes[i]) comparison.old_only.push_back(old_cell);
-      if (comparison.new_uses.writes[new_cell.index]) comparison.new_only.push_back(new_cell);
-      continue;
-    }
+    if (one_sided.Has(old_cell)) continue;
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
@@ -60,10 +46,7 @@ void AddUnmatched(const Comparison& comparison, CompareResult& all) {
   const auto add = [&all](const machine::Version& version, const machine::Uses& uses, execute::CellId cell,
                           PairResult result) {
     if (!machine::IsState(version, cell) || !uses.writes[cell.index]) return;
-    if (IsPrivate(version, cell)) {
-      (result.old_cell.valid() ? all.old_only : all.new_only).push_back(cell);
-      return;
-    }
+    if (IsPrivate(version, cell)) return;  // one-sided
     const bool visible = machine::DirectionOf(version, cell) == ir::Direction::kOutput;
     result.verdict = visible ? PairVerdict::kDifferent : PairVerdict::kUndecided;
     result.changed_itself = true;
@@ -135,6 +118,25 @@ void JoinAllButDifferent(Comparison& comparison) {
   }
 }
 
+std::vector<execute::CellId> SeparatedCells(const Comparison& comparison) {
+  std::vector<execute::CellId> separated;
+  for (const PairResult& result : comparison.results) {
+    if (!comparison.pairing.IsEqual(result.old_cell)) separated.push_back(result.old_cell);
+  }
+  return separated;
+}
+
+/// Of cells that the versions would write.
+uint32_t ConstantCount(const Comparison& comparison) {
+  uint32_t count = 0;
+  for (const PairResult& result : comparison.results) {
+    const bool written =
+        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    count += written && comparison.pairing.IsConstantPair(result.old_cell) ? 1 : 0;
+  }
+  return count;
+}
+
 /// Back to what is proved.
 void SeparateUndecided(Comparison& comparison) {
   for (const PairResult& result : comparison.results) {
@@ -159,8 +161,7 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
                        .refusal = comparison.refusal,
                        .invariants = invariants,
                        .changes_are_found = comparison.changes_are_found,
-                       .old_only = std::move(comparison.old_only),
-                       .new_only = std::move(comparison.new_only)};
+                       .one_sided = std::move(comparison.one_sided)};
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
@@ -239,9 +240,19 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   };
   // With everything taken for equal: which functions differ by themselves.
   if (!CheckPowerOn(comparison)) return finish_early();
-  const bool at_power_on = std::ranges::all_of(
-      comparison.results, [&](const PairResult& result) { return comparison.pairing.IsEqual(result.old_cell); });
-  if (!FindInductiveSet(comparison, 1)) return finish_early();
+  const auto any_separated = [&] { return !SeparatedCells(comparison).empty(); };
+  bool at_power_on = !any_separated();
+  if (!FindInductiveSet(comparison, {.most_rounds = 1})) return finish_early();
+  // Much of what a change reaches is masked by what never changes.
+  uint32_t constants = 0;
+  if (any_separated()) {
+    JoinAllButDifferent(comparison);
+    if (!FindConstants(comparison)) return finish_early();
+    constants = ConstantCount(comparison);
+    if (!CheckPowerOn(comparison)) return finish_early();
+    at_power_on = !any_separated();
+    if (!FindInductiveSet(comparison, {.most_rounds = 1})) return finish_early();
+  }
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<execute::CellId> reach;
   if (at_power_on) {
@@ -255,13 +266,27 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
   MarkDifferent(comparison, Effort::kQuick);
   uint32_t beyond_reach = 0;
+  bool is_found = false;
   if (reaches_much) {
-    for (const execute::CellId cell : reach) comparison.pairing.Separate(cell);
-    if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return finish_early();
+    // What is masked on the way is found in some rounds, or not in time: then what is reached is what is open.
+    const std::vector<execute::CellId> separated = SeparatedCells(comparison);
+    const uint64_t before_ms = std::exchange(comparison.round_ms, limits.total_ms / kRoundOfManyShare);
+    const uint64_t end_ms =
+        comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kInductionOfManyShare);
+    if (!FindInductiveSet(comparison, {.end_ms = end_ms})) return finish_early();
+    comparison.round_ms = before_ms;
+    is_found = comparison.is_inductive;
+    if (!is_found) {
+      JoinAllButDifferent(comparison);
+      for (const std::vector<execute::CellId>* const cells : {&separated, &std::as_const(reach)}) {
+        for (const execute::CellId cell : *cells) comparison.pairing.Separate(cell);
+      }
+      if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return finish_early();
+    }
   }
-  if ((!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return finish_early();
+  if (!is_found && (!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return finish_early();
   SetVerdicts(comparison);
-  uint32_t invariants = 0;
+  uint32_t invariants = constants;
   // The solver's runs are the shortest ones; longer ones are tried for what these leave.
   SearchRuns(comparison);
   // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can be
@@ -278,7 +303,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
     JoinAllButDifferent(comparison);
     const size_t before = comparison.InvariantCount();
     const bool any = AddInvariants(comparison, most_ms);
-    invariants = static_cast<uint32_t>(comparison.InvariantCount());
+    invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
     if (any && invariants != before) {
       try_reachable();
     } else {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "transpiler/prove/diff/match.h"
+#include "transpiler/prove/diff/one_sided.h"
 #include "transpiler/prove/diff/pairing.h"
 #include "transpiler/prove/invariants/invariants.h"
 #include "transpiler/symbolic/solver/solver.h"
@@ -64,9 +65,7 @@ struct CompareResult {
   std::string refusal;             // not empty: nothing was compared, and why
   uint32_t invariants = 0;         // that were proved on the way and needed
   bool changes_are_found = false;  // PairResult::changed_itself says something
-  /// Internal memory, cleared by power-off, that one version writes and the other one does not use: how that version
-  /// does something. It is in no pair, so that nothing is claimed of it.
-  std::vector<execute::CellId> old_only, new_only;
+  OneSided one_sided;              // what is in no pair
 };
 
 /// kScenarios: known runs alone, before anything is asked; what they show is told with the next effort.

@@ -1,8 +1,10 @@
 // The inner part of CompareVersions: which pairs are still taken for equal, and why others are not.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct Comparison {
   std::unique_ptr<solver::Solver> solver;
   std::string refusal;
   bool changes_are_found = false;  // SeparatePropagated was done
+  bool is_inductive = false;       // see FindInductiveSet
   Pairing pairing;
   machine::Uses old_uses, new_uses;
   std::vector<execute::CellId> requests;                  // old cells that the control clears when it likes
@@ -35,11 +38,11 @@ struct Comparison {
   /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
   uint64_t round_ms;
   terms::TermId now;
-  std::vector<execute::CellId> old_only, new_only;  // see CompareResult
-  std::vector<PairResult> results;                  // of matched state, ascending by old cell
-  std::vector<uint32_t> result_of_old;              // by old cell; kNone: it is none
-  machine::Transition old_next, new_next;           // of the last period, over the pairing's variables
-  uint64_t execution_ms = 0;                        // that the last execution of a part took
+  OneSided one_sided;                      // see CompareResult
+  std::vector<PairResult> results;         // of matched state, ascending by old cell
+  std::vector<uint32_t> result_of_old;     // by old cell; kNone: it is none
+  machine::Transition old_next, new_next;  // of the last period, over the pairing's variables
+  uint64_t execution_ms = 0;               // that the last execution of a part took
   std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
   std::chrono::steady_clock::time_point deadline;
   std::function<void()> before_questions;  // called once, before the solver is asked anything
@@ -87,14 +90,23 @@ std::vector<machine::Part> PartsOf(const Comparison& comparison);
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.
 bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswers answers = machine::HostAnswers::kAny,
                  const Cut* cut = nullptr);
+/// Power-on of both, old and new; none: comparison.refusal says why not.
+std::optional<std::array<machine::Transition, 2>> ExecutePowerOn(Comparison& comparison);
+/// Finds cells of either version that never change, and tells the pairing. To be called when every pair is equal. False
+/// as above.
+bool FindConstants(Comparison& comparison);
 /// Takes pairs that differ after power-on out of what is equal. False as above.
 bool CheckPowerOn(Comparison& comparison);
 /// Takes out what starts with other values because retentive memory differs when power fails; adds the number. False as
 /// above.
 bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated);
-/// Takes out what fails until nothing does, or for so many rounds: the set is inductive only when nothing failed in the
-/// last one. False as above.
-bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds = 0xFFFFFFFF);
+/// Takes out what fails until nothing does, or for so many rounds: the set is inductive (Comparison::is_inductive) only
+/// when nothing failed in the last one. False as above.
+struct InductionLimits {
+  uint32_t most_rounds = 0xFFFFFFFF;
+  uint64_t end_ms = 0;  // as RestMs: then it is given up
+};
+bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_limits = {});
 /// Of the pairs that are not equal in one period from the same state: which have a change in their own statements, and
 /// which differ because of those. To be called when exactly these pairs are separated. False as above.
 bool SeparatePropagated(Comparison& comparison);

@@ -208,16 +208,21 @@ bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswer
   return !TakeRefusal(comparison, comparison.new_next, "new");
 }
 
+std::optional<std::array<machine::Transition, 2>> ExecutePowerOn(Comparison& comparison) {
+  std::array init{machine::RunInit(comparison.terms, comparison.old_version, EnvironmentOf(comparison, Which::kOld)),
+                  machine::RunInit(comparison.terms, comparison.new_version, EnvironmentOf(comparison, Which::kNew))};
+  if (TakeRefusal(comparison, init[0], "old") || TakeRefusal(comparison, init[1], "new")) return std::nullopt;
+  return init;
+}
+
 namespace {
 
 /// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
 std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
   comparison.Report("power-on");
-  const machine::Transition old_init =
-      machine::RunInit(comparison.terms, comparison.old_version, EnvironmentOf(comparison, Which::kOld));
-  const machine::Transition new_init =
-      machine::RunInit(comparison.terms, comparison.new_version, EnvironmentOf(comparison, Which::kNew));
-  if (TakeRefusal(comparison, old_init, "old") || TakeRefusal(comparison, new_init, "new")) return std::nullopt;
+  const std::optional<std::array<machine::Transition, 2>> init = ExecutePowerOn(comparison);
+  if (!init) return std::nullopt;
+  const auto& [old_init, new_init] = *init;
   std::vector<Question> questions;
   for (uint32_t i = 0; i < comparison.results.size(); ++i) {
     const PairResult& result = comparison.results[i];
@@ -250,7 +255,9 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   return true;
 }
 
-bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
+bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_limits) {
+  const uint32_t most_rounds = induction_limits.most_rounds;
+  comparison.is_inductive = false;
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
     // With everything equal power-on is checked already.
@@ -261,15 +268,17 @@ bool FindInductiveSet(Comparison& comparison, uint32_t most_rounds) {
       std::vector<Question> questions;
       for (uint32_t i = 0; i < comparison.results.size(); ++i) {
         PairResult& result = comparison.results[i];
-        if (!comparison.pairing.IsEqual(result.old_cell)) continue;
+        if (!comparison.pairing.IsEqual(result.old_cell) || comparison.pairing.IsConstantPair(result.old_cell))
+          continue;
         const solver::TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
         if (pair.a != pair.b) questions.push_back({pair, i});
       }
       AddObservations(comparison, questions);
       separated += SeparateFailing(comparison, questions);
     }
-    if (separated == 0) return true;
-    if (comparison.Late()) {
+    comparison.is_inductive = separated == 0;
+    if (comparison.is_inductive) return true;
+    if (comparison.RestMs() <= induction_limits.end_ms) {
       // The set is not inductive: nothing is proved.
       for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
       return true;

@@ -7,6 +7,7 @@
 
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/op.h"
+#include "transpiler/prove/diff/one_sided.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
@@ -244,8 +245,13 @@ bool IsInputPair(const machine::Version& old_version, const machine::Uses& old_u
   if (machine::DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
   const execute::CellId new_cell = match.new_of_old[old_cell.index];
   const ir::Space& space = old_version.program->spaces[cell.space];
-  return space.host_visible &&
-         !(old_uses.writes[old_cell.index] && (!new_cell.valid() || new_uses.writes[new_cell.index]));
+  const bool old_writes = old_uses.writes[old_cell.index];
+  const bool new_writes = new_cell.valid() ? new_uses.writes[new_cell.index] : old_writes;
+  if (!space.host_visible || (old_writes && new_writes)) return false;
+  // What one version alone uses, and writes, is how it does something: no host of the other one knows of it.
+  const bool old_uses_it = old_writes || old_uses.reads[old_cell.index];
+  const bool new_uses_it = new_writes || (new_cell.valid() && new_uses.reads[new_cell.index]);
+  return !((old_writes || new_writes) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
 }
 
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

@@ -25,7 +25,7 @@ Match MatchCells(const machine::Version& old_version, const machine::Version& ne
                  const std::vector<std::pair<ir::Place, ir::Place>>& same);
 
 /// Whether a matched pair is an input, which anybody may set between two parts: an input of the machine, or memory that
-/// a version at least never writes. What both versions write is theirs.
+/// a version at least never writes. What both versions write is theirs, and so is what one alone uses and writes.
 bool IsInputPair(const machine::Version& old_version, const machine::Uses& old_uses, const machine::Uses& new_uses,
                  const Match& match, execute::CellId old_cell);
 

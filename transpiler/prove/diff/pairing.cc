@@ -75,6 +75,8 @@ terms::TermId Pairing::Bit(Which which, execute::CellId id, bool shared) {
 terms::TermId Pairing::Initial(Which which, execute::CellId id) {
   const execute::CellId old_cell = which == Which::kOld ? id : match_.old_of_new[id.index];
   const bool shared = old_cell.valid() && equal_[old_cell.index];
+  const terms::TermId constant = ConstantOf(which, id);
+  if (constant.valid() && (!shared || IsConstantPair(old_cell))) return constant;
   if (shared) {
     which = Which::kOld;
     id = old_cell;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "transpiler/prove/diff/match.h"
@@ -24,10 +25,26 @@ class Pairing {
   void Separate(execute::CellId old_cell) { equal_[old_cell.index] = false; }
   void Join(execute::CellId old_cell) { equal_[old_cell.index] = true; }
 
+  /// By cell of each version: the value that it has in every state that can be reached; none where there is no such
+  /// one, or nothing at all. Initial gives it from now on, of an equal pair where both have the same.
+  void SetConstants(std::vector<terms::TermId> old_constants, std::vector<terms::TermId> new_constants) {
+    old_constants_ = std::move(old_constants);
+    new_constants_ = std::move(new_constants);
+  }
+  /// Both versions never change it, and have the same in it.
+  bool IsConstantPair(execute::CellId old_cell) const {
+    const terms::TermId constant = ConstantOf(Which::kOld, old_cell);
+    return constant.valid() && constant == ConstantOf(Which::kNew, match_.new_of_old[old_cell.index]);
+  }
+
   const machine::Version& version(Which which) const { return which == Which::kOld ? old_ : new_; }
   const Match& match() const { return match_; }
 
  private:
+  terms::TermId ConstantOf(Which which, execute::CellId cell) const {
+    const std::vector<terms::TermId>& constants = which == Which::kOld ? old_constants_ : new_constants_;
+    return cell.valid() && cell.index < constants.size() ? constants[cell.index] : terms::TermId();
+  }
   terms::TermId Bit(Which which, execute::CellId cell, bool shared);
   bool SharesByte(execute::CellId old_cell) const;
   terms::TermId& VariableOf(Which which, uint32_t cell, bool shared, bool byte);
@@ -36,7 +53,8 @@ class Pairing {
   const machine::Version& old_;
   const machine::Version& new_;
   const Match& match_;
-  std::vector<bool> equal_;                  // by old cell
+  std::vector<bool> equal_;  // by old cell
+  std::vector<terms::TermId> old_constants_, new_constants_;
   std::vector<bool> old_words_, new_words_;  // by cell of the first bit of a byte: it is part of a word somewhere
   std::unordered_map<uint64_t, terms::TermId> variables_;  // looked up only
 };

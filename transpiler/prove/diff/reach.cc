@@ -125,7 +125,8 @@ std::optional<std::vector<execute::CellId>> ReachOfDifferences(Comparison& compa
     added = reach.ReachedByObservation();
     std::erase_if(added, [&](uint32_t result) { return reached[result]; });
     for (uint32_t i = 0; i < reached.size(); ++i) {
-      if (!reached[i] && reach.IsReached(i)) added.push_back(i);
+      if (reached[i] || comparison.pairing.IsConstantPair(comparison.results[i].old_cell)) continue;
+      if (reach.IsReached(i)) added.push_back(i);
     }
   }
   for (uint32_t i = 0; i < reached.size(); ++i) {

@@ -19,9 +19,17 @@ struct SeenState {
   uint64_t now_ms = 0;
 };
 
-/// At most one run for each of `sought` (old cells), as short as they come.
-std::vector<Run> RunsFrom(const UnrolledVersions& versions, const SeenState& state,
-                          const std::vector<execute::CellId>& sought, uint32_t most_periods,
-                          std::chrono::steady_clock::time_point end);
+struct AimLimits {
+  uint32_t most_periods = 1;
+  size_t most_questions = 12;  // of one state: what is not found here may be found from the next one
+  uint32_t question_ms = 200;
+  std::chrono::steady_clock::time_point end;
+};
+
+/// At most one run for each of `sought` (old cells), as short as they come, told to `found`; none for what `is_open` no
+/// longer says then.
+void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const std::vector<execute::CellId>& sought,
+              const AimLimits& limits, const std::function<bool(execute::CellId)>& is_open,
+              const std::function<void(const Run&)>& found);
 
 }  // namespace plcxx::prove::diff

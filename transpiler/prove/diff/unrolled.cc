@@ -40,7 +40,8 @@ void Unrolled::BeginAt(const std::function<uint64_t(Which, execute::CellId)>& va
       state.push_back(terms_.Const(is_calls ? 0 : value(which, id), width));
     }
   }
-  level_at_begin_ = [value](uint32_t old_cell) { return value(Which::kOld, execute::CellId(old_cell)); };
+  // The one who asks may have gone on from there since.
+  level_at_begin_ = [this, levels = old_state_](uint32_t old_cell) { return terms_.Value(levels[old_cell]); };
 }
 
 /// By either version; a cell that only the old one has, by that one.

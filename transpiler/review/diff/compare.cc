@@ -11,8 +11,8 @@
 #include "transpiler/review/diff/confirm.h"
 #include "transpiler/review/diff/declared.h"
 #include "transpiler/review/diff/diff.h"
-#include "transpiler/review/diff/groups.h"
 #include "transpiler/review/diff/items.h"
+#include "transpiler/review/diff/left_out.h"
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/statements.h"
@@ -186,27 +186,6 @@ std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& ne
   return std::nullopt;
 }
 
-/// The words of cells, each once, in their order.
-std::vector<std::string> NamesOf(const std::vector<CellId>& cells, const CellWords& words) {
-  std::vector<std::string> names;
-  std::set<std::string> known;
-  for (const CellId cell : cells) {
-    std::string name = words.WordOf(cell).name;
-    if (known.insert(name).second) names.push_back(std::move(name));
-  }
-  return names;
-}
-
-/// What one version alone has inside is no item, but the verdict says that nobody looked at it.
-void NameWhatOneVersionHas(Diff& diff) {
-  constexpr size_t kMostRangesOfVerdict = 6;
-  for (const auto& [names, version] : {std::pair(&diff.old_only, "old"), std::pair(&diff.new_only, "new")}) {
-    if (names->empty()) continue;
-    diff.not_looked_at.push_back("internal memory that only the " + std::string(version) + " version writes (" +
-                                 NamesAsRanges(*names, kMostRangesOfVerdict) + ")");
-  }
-}
-
 }  // namespace
 
 DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& request,
@@ -313,9 +292,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                                    limits);
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
-  diff.old_only = NamesOf(result.old_only, old_named.words);
-  diff.new_only = NamesOf(result.new_only, new_named.words);
-  NameWhatOneVersionHas(diff);
+  NameWhatOneVersionHas(result.one_sided, old_named.words, new_named.words, diff);
+  if (sliced) NameBookkeepingOfSlices(old_side, new_side, same, diff);
   DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),
                    .new_statements = ChangedStatements(new_side, old_side)};
   if (std::max(changes.old_statements.size(), changes.new_statements.size()) <= kMostChangesShown)

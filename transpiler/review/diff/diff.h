@@ -87,6 +87,7 @@ struct Diff {
   /// Internal memory that one version writes and the other one does not use: it is how that version does something, and
   /// no item. A sentence of not_looked_at names it.
   std::vector<std::string> old_only, new_only;
+  std::vector<std::string> of_slices;      // the same that there is only because the slow part is cut
   std::vector<std::string> not_looked_at;  // what no claim is made of, a sentence each
 };
 

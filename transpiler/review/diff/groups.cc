@@ -18,32 +18,62 @@ std::vector<std::string> OwnChangesOf(const Diff& diff) {
   return names;
 }
 
-/// The items with a change of their own from which `item` takes its difference. Of what is not decided these are named
-/// as far as it is proved that there are no others; of what differs else what it reads.
-std::vector<std::string> CausesOf(const DiffItem& item, const std::map<std::string, const DiffItem*>& by_name,
-                                  const Diff& diff) {
-  const bool is_claim = item.verdict == ItemVerdict::kUndecided;
-  if (is_claim && !diff.changes_are_found) return {};
-  std::set<std::string> seen{item.name}, causes;
-  std::vector<const DiffItem*> open{&item};
-  while (!open.empty()) {
-    const DiffItem& from = *open.back();
-    open.pop_back();
-    for (const std::string& name : from.through) {
-      if (!seen.insert(name).second) continue;
-      const auto at = by_name.find(name);
-      if (at == by_name.end()) continue;
-      if (at->second->changed_itself) causes.insert(name);
-      // What differs through others and has a change of its own is one of the causes, and may not be the first one.
-      if (!at->second->changed_itself) open.push_back(at->second);
+/// For each item those with a change of their own from which it takes its difference. Found from these on, so that many
+/// items that read each other are walked once for each change.
+class Causes {
+ public:
+  explicit Causes(const Diff& diff) : diff_(diff), readers_(diff.items.size()), causes_(diff.items.size()) {
+    std::map<std::string, uint32_t> by_name;
+    for (uint32_t i = 0; i < diff.items.size(); ++i) by_name.emplace(diff.items[i].name, i);
+    for (uint32_t i = 0; i < diff.items.size(); ++i) {
+      for (const std::string& name : diff.items[i].through) {
+        const auto at = by_name.find(name);
+        if (at != by_name.end() && at->second != i) readers_[at->second].push_back(i);
+      }
+    }
+    for (const auto& [name, i] : by_name) {  // so that causes are in the order of their names
+      if (diff.items[i].changed_itself) AddCause(i);
     }
   }
-  if (causes.empty() && is_claim) return OwnChangesOf(diff);
-  // Of many that read each other none is the cause of the others.
-  constexpr size_t kMostNamed = 3;
-  if (causes.empty() && item.through.size() <= kMostNamed) causes.insert(item.through.begin(), item.through.end());
-  return {causes.begin(), causes.end()};
-}
+
+  /// Of what is not decided these are named as far as it is proved that there are no others; of what differs else what
+  /// it reads.
+  std::vector<std::string> Of(uint32_t index) const {
+    const DiffItem& item = diff_.items[index];
+    const bool is_claim = item.verdict == ItemVerdict::kUndecided;
+    if (is_claim && !diff_.changes_are_found) return {};
+    std::vector<std::string> names;
+    for (const uint32_t cause : causes_[index]) names.push_back(diff_.items[cause].name);
+    if (names.empty() && is_claim) return OwnChangesOf(diff_);
+    // Of many that read each other none is the cause of the others.
+    constexpr size_t kMostNamed = 3;
+    if (names.empty() && item.through.size() <= kMostNamed) names = item.through;
+    std::ranges::sort(names);
+    return names;
+  }
+
+ private:
+  void AddCause(uint32_t cause) {
+    std::vector<bool> seen(readers_.size());
+    seen[cause] = true;
+    std::vector<uint32_t> open{cause};
+    while (!open.empty()) {
+      const uint32_t from = open.back();
+      open.pop_back();
+      for (const uint32_t reader : readers_[from]) {
+        if (seen[reader]) continue;
+        seen[reader] = true;
+        causes_[reader].push_back(cause);
+        // What differs through others and has a change of its own is one of the causes, and may not be the first one.
+        if (!diff_.items[reader].changed_itself) open.push_back(reader);
+      }
+    }
+  }
+
+  const Diff& diff_;
+  std::vector<std::vector<uint32_t>> readers_;  // by item: those that take their difference through it
+  std::vector<std::vector<uint32_t>> causes_;   // by item
+};
 
 using StatementIds = std::vector<uint32_t>;
 StatementIds IdsOf(const std::vector<ItemStatement>& statements) {
@@ -148,14 +178,13 @@ std::string RangeOf(const std::vector<std::string>& names, size_t first, size_t 
 }  // namespace
 
 std::vector<DiffGroup> GroupsOf(const Diff& diff) {
-  std::map<std::string, const DiffItem*> by_name;
-  for (const DiffItem& item : diff.items) by_name.emplace(item.name, &item);
+  const Causes all_causes(diff);
   std::vector<DiffGroup> groups;
   std::map<GroupKey, size_t> of_key;
   for (size_t i = 0; i < diff.items.size(); ++i) {
     const DiffItem& item = diff.items[i];
     std::vector<std::string> causes;
-    if (!item.changed_itself) causes = CausesOf(item, by_name, diff);
+    if (!item.changed_itself) causes = all_causes.Of(static_cast<uint32_t>(i));
     const auto [at, added] = of_key.try_emplace(KeyOf(item, causes, i), groups.size());
     if (added) groups.push_back({.items = {}, .causes = std::move(causes)});
     groups[at->second].items.push_back(&item);

@@ -191,7 +191,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_
     if (found == request.runs.difference_of.end()) continue;
     if (shortest == nullptr || found->second.periods < shortest->periods) shortest = &found->second;
   }
-  if (shortest != nullptr) {
+  if (shortest != nullptr && shortest->steps != 0) {
     const Stimuli& run = request.runs.runs[shortest->run];
     candidates.push_back({Stimuli(run.begin(), run.begin() + shortest->steps)});
   }

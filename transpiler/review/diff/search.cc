@@ -13,8 +13,12 @@ using execute::CellId;
 using prove::diff::SetCell;
 
 constexpr size_t kMostSignatures = 4000;
-constexpr uint32_t kAimedPasses = 4;      // whole slow passes that the solver looks ahead
-constexpr uint32_t kWatchedPeriods = 60;  // of a wait, one by one; the rest in larger pieces
+constexpr size_t kManyInputs = 100;  // of a program with so many a few others change nothing that is far away
+constexpr uint32_t kQuestionOfManyMs = 40;
+constexpr size_t kMostKeptInputs = 8'000'000;  // of all runs; what is seen after that differs, and is not shown
+constexpr int kAimedOfMany = 4;                // times the time that is spent otherwise
+constexpr uint32_t kAimedPasses = 4;           // whole slow passes that the solver looks ahead
+constexpr uint32_t kWatchedPeriods = 60;       // of a wait, one by one; the rest in larger pieces
 
 uint64_t Mixed(uint64_t hash, uint64_t value) {
   hash = (hash ^ value) * 0x9E3779B97F4A7C15;
@@ -85,9 +89,11 @@ void DirectedSearch::Compare(RandomRuns& result) {
   }
   if (differ.empty()) return;
   const auto run = static_cast<uint32_t>(result.runs.size());
-  result.runs.push_back(stimuli_);
+  for (const Stimulus& stimulus : stimuli_) kept_inputs_ += stimulus.inputs.size();
+  result.runs.push_back(kept_inputs_ < kMostKeptInputs ? stimuli_ : Stimuli());
   for (const CellId cell : differ) {
-    result.difference_of[cell] = {.run = run, .steps = static_cast<uint32_t>(stimuli_.size()), .periods = periods_};
+    result.difference_of[cell] = {
+        .run = run, .steps = static_cast<uint32_t>(result.runs.back().size()), .periods = periods_};
   }
   has_new_difference_ = true;
 }
@@ -171,6 +177,17 @@ void DirectedSearch::Disturb(const Input& input, Stimulus& stimulus) {
   }
 }
 
+void DirectedSearch::DisturbMany(Stimulus& stimulus) {
+  const uint64_t one_in = uint64_t{2} << random_.Next() % 6, ones = 1 + random_.Next() % 7;  // of eight
+  for (const Input& input : inputs_) {
+    if (!random_.OneIn(one_in)) continue;
+    for (const SetCell& bit : input) {
+      stimulus.inputs.push_back(bit);
+      stimulus.inputs.back().value = random_.Next() % 8 < ones ? 1 : 0;
+    }
+  }
+}
+
 Stimulus DirectedSearch::Unexpected() {
   Stimulus stimulus;
   const bool follows = scenario_ < known_.size() && next_step_ < known_[scenario_].size();
@@ -187,6 +204,7 @@ Stimulus DirectedSearch::Unexpected() {
   for (const SetCell& request : requests_) {
     if (random_.OneIn(4)) stimulus.inputs.push_back(request);
   }
+  if (inputs_.size() > kManyInputs && random_.OneIn(2)) DisturbMany(stimulus);
   for (uint64_t i = random_.Next() % 4; i > 0; --i) {
     const uint64_t which = random_.Next() % 8;
     const std::vector<Input>& from = which < 4 && !near_.empty()     ? near_
@@ -255,7 +273,12 @@ void DirectedSearch::ForEachSeenState(
   }
 }
 
-DirectedSearch::Moment* DirectedSearch::NextToAsk() {
+DirectedSearch::Moment* DirectedSearch::NextToAsk(bool is_many) {
+  // What differs leads to what is computed from it: the last moments are the farthest.
+  if (is_many && random_.OneIn(2)) {
+    const auto last = std::find_if(differing_.rbegin(), differing_.rend(), [](const Moment& m) { return !m.is_asked; });
+    if (last != differing_.rend()) return &*last;
+  }
   for (std::vector<Moment>* const kept : {&new_, &between_, &differing_}) {
     const auto found = std::ranges::find(*kept, false, &Moment::is_asked);
     if (found != kept->end()) return &*found;
@@ -274,19 +297,10 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   const auto value = [this](prove::diff::Which which, CellId cell) {
     return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
   };
-  const std::vector<prove::diff::Run> runs = prove::diff::RunsFrom({.old_version = old_version_,
-                                                                    .new_version = new_version_,
-                                                                    .match = match_,
-                                                                    .old_uses = old_uses_,
-                                                                    .new_uses = new_uses_,
-                                                                    .requests = {}},
-                                                                   {.value = value, .now_ms = old_machine_.time_ms()},
-                                                                   sought, kAimedPasses * pass_periods_, limit);
-  // Asked again when there is more time.
-  if (Late()) moment.is_asked = false;
   // The moment may have gone when others are kept.
   const Moment from = Here();
-  for (const prove::diff::Run& run : runs) {
+  const uint64_t now_ms = old_machine_.time_ms();
+  const auto repeat = [&](const prove::diff::Run& run) {
     GoTo(from);
     // What is set, and as much time as passes until something is set again.
     for (size_t period = 0; period < run.periods.size();) {
@@ -297,7 +311,26 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
       } while (period < run.periods.size() && run.periods[period].empty());
       if (!Step(stimulus, result)) break;
     }
+  };
+  prove::diff::AimLimits limits{.most_periods = kAimedPasses * pass_periods_, .end = limit};
+  // Each answer is one more location then, and most of them are small questions.
+  if (sought.size() > kMostSought) {
+    limits.most_questions = sought.size();
+    limits.question_ms = kQuestionOfManyMs;
   }
+  prove::diff::RunsFrom(
+      {.old_version = old_version_,
+       .new_version = new_version_,
+       .match = match_,
+       .old_uses = old_uses_,
+       .new_uses = new_uses_,
+       .requests = {}},
+      {.value = value, .now_ms = now_ms}, sought, limits,
+      [&result](CellId cell) { return !result.difference_of.contains(cell); }, repeat);
+  if (!Late()) return;
+  // To be asked again when there is more time.
+  GoTo(from);
+  Keep(Kept::kNew);
 }
 
 void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
@@ -309,9 +342,11 @@ void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns
   using Clock = std::chrono::steady_clock;
   while (!Late()) {
     const Clock::time_point begin = Clock::now();
-    if (Moment* const moment = aimed_ <= searched_ ? NextToAsk() : nullptr) {
-      std::vector<CellId> open = sought;
-      std::erase_if(open, [&](CellId cell) { return !is_open(cell); });
+    std::vector<CellId> open = sought;
+    std::erase_if(open, [&](CellId cell) { return !is_open(cell); });
+    const bool is_many = open.size() > kMostSought;
+    const bool may_aim = is_many ? aimed_ <= kAimedOfMany * searched_ : aimed_ <= searched_;
+    if (Moment* const moment = may_aim ? NextToAsk(is_many) : nullptr) {
       Aim(*moment, open, result);
       aimed_ += Clock::now() - begin;
     } else {

@@ -78,8 +78,10 @@ class DirectedSearch {
   /// A number for what the changed statements read.
   uint64_t Signature() const;
   Stimulus Unexpected();
+  /// A part of all inputs gets other values.
+  void DisturbMany(Stimulus& stimulus);
   /// The next moment of which the solver was not asked yet; null: there is none.
-  Moment* NextToAsk();
+  Moment* NextToAsk(bool is_many);
   /// Asks the solver what has to be set at the moment, and does that.
   void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
@@ -107,7 +109,8 @@ class DirectedSearch {
   uint64_t periods_ = 0;
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;
-  size_t followed_ = 0;  // computed runs
+  size_t followed_ = 0;     // computed runs
+  size_t kept_inputs_ = 0;  // of the runs that were kept
   prove::machine::Uses old_uses_, new_uses_;
   uint32_t period_ms_ = 1;
   uint32_t pass_periods_ = 1;                                 // of a whole slow pass
