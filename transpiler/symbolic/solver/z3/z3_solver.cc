@@ -49,17 +49,17 @@ class Z3Solver : public Solver {
       applies = applies || translation_.Applies(condition);
     }
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
-    bits_.push();
-    const Answer answer = milliseconds == 0 ? Answer::kUnknown : Ask(bits_, holds, milliseconds, bits_ms_);
-    bits_.pop();
-    if (!applies || answer == Answer::kNever) return answer;
-    general_.push();
-    Define(general_, conditions);
-    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-    const Answer of_functions =
-        rest.count() <= 0 ? Answer::kUnknown : Ask(general_, holds, static_cast<uint32_t>(rest.count()), general_ms_);
-    general_.pop();
-    return of_functions;
+    const auto ask = [&](z3::solver& solver, bool defines) {
+      solver.push();
+      if (defines) Define(solver, conditions);
+      const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+      const Answer answer =
+          rest.count() <= 0 ? Answer::kUnknown : Ask(solver, holds, static_cast<uint32_t>(rest.count()));
+      solver.pop();
+      return answer;
+    };
+    const Answer answer = ask(bits_, false);
+    return applies && answer != Answer::kNever ? ask(general_, true) : answer;
   }
 
   uint64_t ValueOf(terms::TermId term) override {
@@ -71,15 +71,11 @@ class Z3Solver : public Solver {
   }
 
  private:
-  /// `has_ms`: the limit that the solver has. Where one is set Z3 looks at all of its parameters by their names.
-  Answer Ask(z3::solver& solver, const z3::expr_vector& holds, uint32_t milliseconds, uint32_t& has_ms) {
+  Answer Ask(z3::solver& solver, const z3::expr_vector& holds, uint32_t milliseconds) {
     try {
-      if (milliseconds != has_ms) {
-        z3::params parameters(context_);
-        parameters.set("timeout", milliseconds);
-        solver.set(parameters);
-        has_ms = milliseconds;
-      }
+      z3::params parameters(context_);
+      parameters.set("timeout", milliseconds);
+      solver.set(parameters);
       for (const z3::expr& one : holds) solver.add(one);
       const z3::check_result result = solver.check();
       model_.reset();
@@ -121,7 +117,6 @@ class Z3Solver : public Solver {
   const terms::Terms& terms_;
   z3::context context_;
   z3::solver bits_, general_;
-  uint32_t bits_ms_ = 0, general_ms_ = 0;
   Translation translation_;
   std::vector<bool> assumed_applies_ = {false};  // by level
   std::unique_ptr<z3::model> model_;
