@@ -239,8 +239,9 @@ extern char __data_start, __data_end, __bss_start, __bss_end, __data_load_start;
 static void load_data(void) {
   char* to = &__data_start;
   unsigned long from;
-  __asm__("ldi %A0, lo8(__data_load_start)\n\tldi %B0, hi8(__data_load_start)\n\tldi %C0, hh8(__data_load_start)\n\tclr %D0"
-          : "=d"(from));
+  __asm__(
+      "ldi %A0, lo8(__data_load_start)\n\tldi %B0, hi8(__data_load_start)\n\tldi %C0, hh8(__data_load_start)\n\tclr %D0"
+      : "=d"(from));
   for (; to != &__data_end; ++to, ++from) *to = pgm_read_byte_far(from);
   for (to = &__bss_start; to != &__bss_end; ++to) *to = 0;
 }

@@ -159,8 +159,12 @@ void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
     case Replay::kSideBySide:
     case Replay::kSimulator:
     case Replay::kCompiled:
-      // A state from which they differ is a difference when it can be set and both were run from it.
-      item.verdict = ItemVerdict::kDifferent;
+      // A state from which they differ is a difference when a scenario can set it and both were run from it.
+      if (item.counterexample->from_state && item.counterexample->steps.empty()) {
+        not_decided("they differ from a state that no scenario can set, and no run to it is known");
+      } else {
+        item.verdict = ItemVerdict::kDifferent;
+      }
       return;
     case Replay::kRefuted:
       not_decided("a run shows a difference that its scenario does not show");
