@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "transpiler/prove/verify/local_sweep.h"
@@ -177,9 +178,12 @@ void UnitVerifier::AskAboutFaults(const CodeOutcome& outcome, terms::TermId give
 /// The host tells calls apart by each of what it is told: asked one by one these questions are small, and many alike.
 void UnitVerifier::AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls) {
   std::vector<solver::TermPair> open = {calls};
+  // What a later call is told holds what the earlier ones were: without this set each of them is met on every way.
+  std::set<std::pair<uint32_t, uint32_t>> seen;
   while (!open.empty()) {
     const solver::TermPair pair = open.back();
     open.pop_back();
+    if (!seen.emplace(pair.a.index, pair.b.index).second) continue;
     const terms::Term& a = terms_[pair.a];
     const terms::Term& b = terms_[pair.b];
     const bool alike = a.kind == terms::TermKind::kApply && b.kind == a.kind && a.a == b.a && a.c == b.c;
