@@ -59,7 +59,8 @@ std::optional<uint64_t> PresetMs(const ir::Program& program, ir::StateId state, 
 std::string FieldsText(ir::StateKind kind, uint32_t instance, const sim::Instances& instances) {
   std::string text;
   const auto fields = ir::Info(kind).fields;
-  for (uint8_t field = 0; field < fields.size(); ++field) {
+  const auto count = static_cast<uint8_t>(fields.size());
+  for (uint8_t field = 0; field < count; ++field) {
     if (fields[field].hidden || fields[field].count != 1) continue;
     text += (text.empty() ? "" : ", ") + std::string(fields[field].name) + " " +
             sim::ValueDigits(fields[field].type, instances.Read(instance, field));

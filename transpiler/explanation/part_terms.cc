@@ -167,7 +167,7 @@ PartTerms::PartTerms(const ir::Program& program, const execute::Cells& cells, co
 terms::TermId PartTerms::NewVariable(PartVariable variable) {
   const execute::Cell cell = execute::CellAt(program_, cells_, variable.cell);
   definitions_.push_back(variable.definition);
-  variables_.push_back(std::move(variable));
+  variables_.push_back(variable);
   return terms_.Variable({}, execute::CellWidth(program_, cell));
 }
 

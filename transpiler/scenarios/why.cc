@@ -173,7 +173,9 @@ class Investigation {
   std::optional<uint32_t> PartThatWrote(const Condition& kept, uint32_t before) const {
     // What the schedule writes counts its scans and slices: where that comes from tells nobody anything.
     if (!kept.last_write || !kept.last_write->statement.valid()) return std::nullopt;
-    for (uint32_t part = before; part-- > 0 && parts_[part].session == parts_[before].session;) {
+    for (uint32_t part = before; part > 0;) {
+      --part;
+      if (parts_[part].session != parts_[before].session) break;
       if (parts_[part].now_ms == static_cast<uint32_t>(kept.last_write->first_ms)) return part;
       if (parts_[part].now_ms < kept.last_write->first_ms) break;
     }
