@@ -1,7 +1,9 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
-#include "transpiler/support/check.h"
 
 #include <algorithm>
+
+#include "transpiler/dialects/hnc/loop_counts.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -79,43 +81,7 @@ std::optional<Cell> Intervals::CellOfRead(ExprId id) const {
 }
 
 void Intervals::RefineComparison(const Expr& expr, bool holds) {
-  BinaryOp op = expr.binary;
-  if (!holds) {
-    switch (op) {
-      case BinaryOp::kLess:
-        op = BinaryOp::kGreaterEqual;
-        break;
-      case BinaryOp::kGreater:
-        op = BinaryOp::kLessEqual;
-        break;
-      case BinaryOp::kLessEqual:
-        op = BinaryOp::kGreater;
-        break;
-      case BinaryOp::kGreaterEqual:
-        op = BinaryOp::kLess;
-        break;
-      case BinaryOp::kEqual:
-        op = BinaryOp::kNotEqual;
-        break;
-      case BinaryOp::kNotEqual:
-        op = BinaryOp::kEqual;
-        break;
-      case BinaryOp::kAdd:
-      case BinaryOp::kSubtract:
-      case BinaryOp::kMultiply:
-      case BinaryOp::kDivide:
-      case BinaryOp::kRemainder:
-      case BinaryOp::kShiftLeft:
-      case BinaryOp::kShiftRight:
-      case BinaryOp::kBitAnd:
-      case BinaryOp::kBitXor:
-      case BinaryOp::kBitOr:
-      case BinaryOp::kPointerAdd:
-      case BinaryOp::kPointerSubtract:
-      case BinaryOp::kPointerDifference:
-        return;
-    }
-  }
+  const BinaryOp op = holds ? expr.binary : Negated(expr.binary);
   for (const bool turned : {false, true}) {
     const ExprId read = turned ? expr.b : expr.a, limit = turned ? expr.a : expr.b;
     const std::optional<Cell> cell = CellOfRead(read);
