@@ -1,5 +1,7 @@
 #include "transpiler/dialects/technol/operands_internal.h"
 
+#include <algorithm>
+
 namespace plcxx::technol {
 
 /// Is there exactly one operand?

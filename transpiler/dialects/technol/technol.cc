@@ -7,7 +7,7 @@
 #include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/technol/flow_checks.h"
 #include "transpiler/dialects/technol/locate.h"
-#include "transpiler/dialects/technol/lowering.h"
+#include "transpiler/dialects/technol/lowering/lowering.h"
 #include "transpiler/dialects/technol/options.h"
 #include "transpiler/dialects/technol/parser.h"
 #include "transpiler/dialects/technol/raised_errors.h"

@@ -2,7 +2,7 @@
 //
 // With the count in CL a count of 0 changes nothing, flags included (D41): what a flag was before is asked for then.
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

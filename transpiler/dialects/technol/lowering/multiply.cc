@@ -1,6 +1,6 @@
 // Inline assembler: products, quotients, sign extension, decimal adjustment (specification 6.9).
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

@@ -1,9 +1,9 @@
-#include "transpiler/dialects/technol/lowering.h"
+#include "transpiler/dialects/technol/lowering/lowering.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 #include "transpiler/dialects/technol/subprogram_groups.h"
 
 namespace plcxx::technol {

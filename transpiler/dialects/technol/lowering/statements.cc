@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 #include "transpiler/dialects/technol/parser.h"
 
 namespace plcxx::technol {

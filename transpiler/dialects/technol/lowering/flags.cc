@@ -2,7 +2,7 @@
 //
 // A difference is remembered as what it compares, so that the jump behind it becomes a comparison.
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

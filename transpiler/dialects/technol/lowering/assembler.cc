@@ -1,7 +1,7 @@
 // Inline assembler: moves, sums, logic, jumps (specification 6.9). Values are what the registers hold; a flag is
 // computed where somebody reads it.
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 

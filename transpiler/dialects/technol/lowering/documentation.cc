@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 #include "transpiler/dialects/technol/names.h"
 #include "transpiler/dialects/technol/raised_errors.h"
 

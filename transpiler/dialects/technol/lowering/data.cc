@@ -1,6 +1,6 @@
 // Data instructions: DR and what it meets (specification 6.5, 6.6).
 
-#include "transpiler/dialects/technol/lowering_internal.h"
+#include "transpiler/dialects/technol/lowering/internal.h"
 
 namespace plcxx::technol {
 
