@@ -155,6 +155,21 @@ TEST(HncLowering, ASwitchStaysOneAndFallsThrough) {
   EXPECT_FALSE(HasLine(lines, "jump")) << testing::PrintToString(lines);
 }
 
+// covers: HNC-237
+TEST(HncLowering, ASwitchStaysOneWhereAGotoLeavesNoArm) {
+  const auto jumps = [](const std::string& arms) {
+    const std::vector<std::string> lines = Body("switch (a) { " + arms + " }");
+    return std::ranges::count_if(lines, [](const std::string& line) { return line.starts_with("jump "); });
+  };
+  EXPECT_EQ(jumps("case 1: b = 1; if (n) goto on; b = 2; on: b = 3; break; case 2: b = 4;"), 1);
+  EXPECT_GT(jumps("case 1: b = 1; if (n) goto on; b = 2; break; case 2: b = 4; on: b = 3;"), 1);
+}
+
+// Errors of the arguments are reported beside that of the call, the first argument's too.
+TEST(HncLowering, WhatIsCalledThoughItIsNotThereHasItsArgumentsChecked) {
+  EXPECT_THAT(Errors("a = nowhere(a / 0, b / 0);"), ElementsAre("3 E016", "3 E053", "3 E053"));
+}
+
 // covers: HNC-092, HNC-093
 TEST(HncLowering, RecursionIsRefusedAtTheCallThatClosesIt) {
   LoweredProgram lowered;

@@ -208,6 +208,22 @@ TEST(HncRanges, WhatMayHaveChangedIsChecked) {
       {"switch (n) { case 3: return; default: a = 1; }", "n"},
       {"if (n >= 0 && n < 10) a = 1;", "n"},
       {"if (n >= 0 && n < 10) goto on; a = 1; on:", "n"},
+      // What a condition says does not outlive what it chooses.
+      {"k = u > 9 ? 1 : 2;", "u"},
+      {"k = u < 10 ? 1 : 2;", "u"},
+      {"k = u > 9 ? a++ : b++;", "u"},
+      {"k = u < 10 ? a++ : b++;", "u"},
+      {"u < 10 ? a++ : b++;", "u"},
+      {"u > 9 ? a++ : b++;", "u"},
+      {"u < 10 && a++;", "u"},
+      {"u > 9 || a++;", "u"},
+      {"k = u < 10 && a;", "u"},
+      {"k = u > 9 || a;", "u"},
+      {"k = u < 10;", "u"},
+      {"q = u < 10 ? &g : table; *q = 1;", "u"},
+      {"q = u > 9 ? &g : table; *q = 1;", "u"},
+      {"if (u > 9 ? a : b) a = 1;", "u"},
+      {"while (u > 9 && k < 5) k++;", "u"},
   };
   for (const auto& [before, index] : rows) {
     EXPECT_TRUE(IsChecked(before, index, before.find("R[5]") != std::string::npos ? 200 : 20))

@@ -7,7 +7,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-void ExpectAll(const std::vector<Wrong>& table) {
+void ExpectBlockErrors(const std::vector<Wrong>& table) {
   for (const Wrong& wrong : table) {
     ExpectWrong(wrong);
   }
@@ -46,7 +46,7 @@ TEST(Nc110Blocks, AbsentConditionOfDoe) {
 
 // covers: NC110-191 NC110-192 NC110-195 NC110-196 NC110-197 NC110-198 NC110-199 NC110-251
 TEST(Nc110Blocks, Errors) {
-  ExpectAll({
+  ExpectBlockErrors({
       {"DOF A: I0A0\nENDF B", "2:6 nc110-41", {"block name"}},
       {"DOF: I0A0\nENDF B", "2:6 nc110-41", {"block name"}},
       {"DOF a: I0A0\nENDF A", "2:6 nc110-41", {"block name"}},

@@ -55,9 +55,9 @@ void CellPlaces::CollectNames() {
       const MacroUse& use = unit_.macro_uses[expr.macro];
       const Macro& macro = unit_.macros[use.macro];
       if (macro.is_system != system || (!system && macro.has_parameters)) continue;
-      const bool table = expr.kind == ExprKind::kLoad && TypeAt(expr.type).kind == TypeKind::kPointer;
-      if (!expr.is_lvalue && !table) continue;
-      const std::optional<StaticAddress> at = table ? facts_.PointeeOf(ExprId(i)) : facts_.AddressOf(ExprId(i));
+      if (!expr.is_lvalue) continue;
+      // An element of a table of pointers is as far from the table's beginning as its word from the area's.
+      const std::optional<StaticAddress> at = facts_.AddressOf(ExprId(i));
       if (!at || objects_[at->object].kind != ObjectKind::kArea || at->offset < 0) continue;
       const std::string name = macro.has_parameters ? AsName(sources_.Text(use.range)) : macro.name;
       cell_names_.emplace(std::pair(at->object.index, static_cast<uint32_t>(at->offset)), name);
