@@ -44,7 +44,7 @@ MNEMONICS = {
     "technol": (
         [("transpiler/dialects/technol/machine.def", "TECHNOL_ASSEMBLER(Not, ",
           ['TECHNOL_ASSEMBLER(Com, "COM", One, ReadWrite, Pure, None, 0, 0, 0)']),
-         ("transpiler/dialects/technol/lowering/assembler.cc", "      return Negate(instruction);",
+         ("transpiler/dialects/technol/lowering/assembler.cc", "      return arithmetic_.Negate(instruction);",
           ["    case Op::kCom:"])],
         "tests/golden/technol/assembler/not_changes_no_flag", r"\bNOT\b", "COM"),
     "hnc": (

@@ -51,7 +51,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
     WarnOfPaths(flow, diagnostics);
     Warn(flow, diagnostics);
   }
-  lowered.program = Lower(tree, flow, settings, *request.sources);
+  lowered.program = Lower(flow, settings, *request.sources);
   return lowered;
 }
 

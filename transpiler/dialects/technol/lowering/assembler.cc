@@ -1,137 +1,145 @@
-// Inline assembler: moves, sums, logic, jumps (specification 6.9). Values are what the registers hold; a flag is
-// computed where somebody reads it.
+#include "transpiler/dialects/technol/lowering/assembler.h"
 
-#include "transpiler/dialects/technol/lowering/internal.h"
+#include "transpiler/dialects/technol/lowering/arithmetic.h"
+#include "transpiler/dialects/technol/lowering/flags.h"
+#include "transpiler/dialects/technol/lowering/jumps.h"
+#include "transpiler/dialects/technol/lowering/moves.h"
+#include "transpiler/dialects/technol/lowering/products.h"
+#include "transpiler/dialects/technol/lowering/shifts.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::technol {
 
-using ir::OpKind;
-using ir::Type;
-using ir::ValueId;
-
-namespace {
-
-constexpr ByWidth kAdd = {OpKind::kAdd8, OpKind::kAdd16, OpKind::kAdd32};
-constexpr ByWidth kSub = {OpKind::kSub8, OpKind::kSub16, OpKind::kSub32};
-constexpr ByWidth kAnd = {OpKind::kAnd8, OpKind::kAnd16, OpKind::kAnd32};
-constexpr ByWidth kOr = {OpKind::kOr8, OpKind::kOr16, OpKind::kOr32};
-constexpr ByWidth kXor = {OpKind::kXor8, OpKind::kXor16, OpKind::kXor32};
-constexpr ByWidth kNot = {OpKind::kNot8, OpKind::kNot16, OpKind::kNot32};
-constexpr ByWidth kCarry = {OpKind::kCarryOfAdd8, OpKind::kCarryOfAdd16, OpKind::kCarryOfAdd32};
-constexpr ByWidth kBorrow = {OpKind::kBorrowOfSub8, OpKind::kBorrowOfSub16, OpKind::kBorrowOfSub32};
-constexpr ByWidth kAddOverflow = {OpKind::kOverflowOfAdd8, OpKind::kOverflowOfAdd16, OpKind::kOverflowOfAdd32};
-constexpr ByWidth kSubOverflow = {OpKind::kOverflowOfSub8, OpKind::kOverflowOfSub16, OpKind::kOverflowOfSub32};
-
-uint32_t StackBase(uint32_t level) { return level * kStackWords; }
-
-}  // namespace
-
-void Lowering::Assemble(const Instruction& instruction) {
+void Assembler::Lower(const Instruction& instruction) {
+  using Sum = Arithmetic::Sum;
+  using Logic = Arithmetic::Logic;
+  using Step = Arithmetic::Step;
+  using Kind = Shifts::Kind;
+  using Signedness = Products::Signedness;
+  using Adjusted = Products::Adjusted;
   switch (instruction.op) {
-    case Op::kMov: {
-      const Operand& target = tree_.OperandOf(instruction, 0);
-      return Write(target, ReadAs(tree_.OperandOf(instruction, 1), target.width));
-    }
+    case Op::kMov:
+      return moves_.Move(instruction);
     case Op::kAdd:
+      return arithmetic_.AddOrSubtract(instruction, Sum::kAdd);
     case Op::kAdc:
+      return arithmetic_.AddOrSubtract(instruction, Sum::kAddWithCarry);
     case Op::kSub:
+      return arithmetic_.AddOrSubtract(instruction, Sum::kSubtract);
     case Op::kSbb:
+      return arithmetic_.AddOrSubtract(instruction, Sum::kSubtractWithBorrow);
     case Op::kCmp:
-      return AddOrSubtract(instruction);
+      return arithmetic_.AddOrSubtract(instruction, Sum::kCompare);
     case Op::kAsmAnd:
+      return arithmetic_.Combine(instruction, Logic::kAnd);
     case Op::kAsmOr:
+      return arithmetic_.Combine(instruction, Logic::kOr);
     case Op::kAsmXor:
+      return arithmetic_.Combine(instruction, Logic::kXor);
     case Op::kTest:
-      return Logic(instruction);
+      return arithmetic_.Combine(instruction, Logic::kTest);
     case Op::kInc:
+      return arithmetic_.Count(instruction, Step::kUp);
     case Op::kDec:
-      return Increment(instruction);
+      return arithmetic_.Count(instruction, Step::kDown);
     case Op::kNeg:
-      return Negate(instruction);
-    case Op::kNot: {
-      const Operand& target = tree_.OperandOf(instruction, 0);
-      const Reach reach = ReachOfTarget(target);
-      return WriteAt(target, reach, builder_.Pure(kNot.At(target.width), {ReadAt(target, reach)}));
-    }
+      return arithmetic_.Negate(instruction);
+    case Op::kNot:
+      return arithmetic_.Invert(instruction);
     case Op::kShl:
+      return shifts_.Shift(instruction, Kind::kLeft);
     case Op::kShr:
+      return shifts_.Shift(instruction, Kind::kRight);
     case Op::kSar:
-      return Shift(instruction);
+      return shifts_.Shift(instruction, Kind::kArithmeticRight);
     case Op::kRol:
+      return shifts_.Rotate(instruction, Turn::kLeft);
     case Op::kRor:
-      return Rotate(instruction);
+      return shifts_.Rotate(instruction, Turn::kRight);
     case Op::kRcl:
+      return shifts_.RotateWithCarry(instruction, Turn::kLeft);
     case Op::kRcr:
-      return RotateWithCarry(instruction);
+      return shifts_.RotateWithCarry(instruction, Turn::kRight);
     case Op::kMul:
+      return products_.Multiply(instruction, Signedness::kUnsigned);
     case Op::kImul:
-      return MultiplyRegister(instruction);
+      return products_.Multiply(instruction, Signedness::kSigned);
     case Op::kDiv:
+      return products_.Divide(instruction, Signedness::kUnsigned);
     case Op::kIdiv:
-      return DivideRegister(instruction);
-    case Op::kPush:
-      return Push(instruction);
-    case Op::kPop:
-      return Pop(instruction);
-    case Op::kMovzx:
-    case Op::kMovsx:
-      return Extend(instruction);
-    case Op::kXchg:
-      return Exchange(instruction);
-    case Op::kCbw:
-      return registers_.Write(Register::kAx, builder_.Pure(OpKind::kSignExtend8To16, {registers_.Read(Register::kAl)}));
-    case Op::kCwd: {
-      const ValueId wide = builder_.SignedTo32(registers_.Read(Register::kAx));
-      return registers_.Write(Register::kDx, builder_.Pure(OpKind::kHighHalf32, {wide}));
-    }
-    case Op::kCwde:
-      return registers_.Write(Register::kEax, builder_.SignedTo32(registers_.Read(Register::kAx)));
-    case Op::kCdq: {
-      const ValueId low = registers_.Read(Register::kEax);
-      return registers_.Write(Register::kEdx,
-                              builder_.Pure(OpKind::kArithmeticShiftRight32, {low, builder_.Number(31)}));
-    }
+      return products_.Divide(instruction, Signedness::kSigned);
     case Op::kDaa:
+      return products_.AdjustDecimal(Adjusted::kSum);
     case Op::kDas:
-      return Decimal(instruction);
+      return products_.AdjustDecimal(Adjusted::kDifference);
     case Op::kAam:
+      return products_.SplitDigits();
     case Op::kAad:
-      return Unpack(instruction);
+      return products_.JoinDigits();
+    case Op::kPush:
+      return moves_.Push(instruction);
+    case Op::kPop:
+      return moves_.Pop(instruction);
+    case Op::kMovzx:
+      return moves_.ZeroExtend(instruction);
+    case Op::kMovsx:
+      return moves_.SignExtend(instruction);
+    case Op::kXchg:
+      return moves_.Exchange(instruction);
+    case Op::kCbw:
+      return moves_.ByteToWord();
+    case Op::kCwd:
+      return moves_.WordToPair();
+    case Op::kCwde:
+      return moves_.WordToDouble();
+    case Op::kCdq:
+      return moves_.DoubleToPair();
     case Op::kClc:
-      return Flag(kCf, [&] { return builder_.Bit(0); });
+      return flags_.Set(kCf, [&] { return builder_.Bit(0); });
     case Op::kStc:
-      return Flag(kCf, [&] { return builder_.Bit(1); });
+      return flags_.Set(kCf, [&] { return builder_.Bit(1); });
     case Op::kCmc: {
-      const ValueId carry = FlagValue(kCf);
-      return Flag(kCf, [&] { return builder_.Not(carry); });
+      const ir::ValueId carry = flags_.Value(kCf);
+      return flags_.Set(kCf, [&] { return builder_.Not(carry); });
     }
     case Op::kNop:
       return;
     case Op::kJmp:
       registers_.Spill();
-      return Jump(TargetOf(instruction), {});
+      return jumps_.Always(instruction);
     case Op::kLoop:
+      return jumps_.IfCounting(instruction);
     case Op::kJcxz:
-      return LoopJump(instruction);
+      return jumps_.IfCxIsZero(instruction);
     case Op::kJe:
+      return jumps_.If(instruction, Relation::kEqual);
     case Op::kJne:
+      return jumps_.If(instruction, Relation::kNotEqual);
     case Op::kJc:
+      return jumps_.If(instruction, Relation::kBelow);
     case Op::kJnc:
+      return jumps_.If(instruction, Relation::kNotBelow);
     case Op::kJa:
+      return jumps_.If(instruction, Relation::kAbove);
     case Op::kJbe:
+      return jumps_.If(instruction, Relation::kBelowOrEqual);
     case Op::kJg:
+      return jumps_.If(instruction, Relation::kGreater);
     case Op::kJge:
+      return jumps_.If(instruction, Relation::kNotLess);
     case Op::kJl:
+      return jumps_.If(instruction, Relation::kLess);
     case Op::kJle:
+      return jumps_.If(instruction, Relation::kLessOrEqual);
     case Op::kJs:
+      return jumps_.IfFlag(instruction, kSf);
     case Op::kJns:
+      return jumps_.IfNotFlag(instruction, kSf);
     case Op::kJo:
-    case Op::kJno: {
-      const ValueId condition = Condition(instruction.op);
-      registers_.Spill();
-      return Jump(TargetOf(instruction), condition);
-    }
-    // TECHNOL's own instructions, and marks
+      return jumps_.IfFlag(instruction, kOf);
+    case Op::kJno:
+      return jumps_.IfNotFlag(instruction, kOf);
+      // TECHNOL's own instructions, and marks
 #define TECHNOL_ASSEMBLER(...)
 #define TECHNOL_INSTRUCTION(Key, ...) case Op::k##Key:
 #include "transpiler/dialects/technol/machine.def"
@@ -142,149 +150,6 @@ void Lowering::Assemble(const Instruction& instruction) {
     case Op::kUnknown:
       PLCXX_UNREACHABLE();
   }
-}
-
-void Lowering::AddOrSubtract(const Instruction& instruction) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
-  const uint32_t width = target.width;
-  const bool adds = instruction.op == Op::kAdd || instruction.op == Op::kAdc;
-  const bool carries = instruction.op == Op::kAdc || instruction.op == Op::kSbb;
-  if (IsClearing(tree_, instruction)) {
-    registers_.Write(target.reg, builder_.Constant(0, width));
-    UndefineFlags(kFlags & ~kZf);  // 0 is what SUB r,r leaves in them
-    return Flag(kZf, [&] { return builder_.Bit(1); });
-  }
-  const Reach reach = ReachOfTarget(target);
-  const ValueId left = ReadAt(target, reach);
-  const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
-  const ByWidth& row = adds ? kAdd : kSub;
-  ValueId result = builder_.Pure(row.At(width), {left, right});
-  if (carries) {
-    const ValueId carry = builder_.Pure(OpKind::kWiden1To32, {FlagValue(kCf)});
-    result = builder_.Pure(row.At(width), {result, builder_.ToWidth(carry, width)});
-  }
-  if (instruction.op != Op::kCmp) WriteAt(target, reach, result);
-  Flag(kCf, [&] {
-    if (carries) return builder_.Pure((adds ? kCarry : kBorrow).At(width), {left, right, result});
-    if (adds) return builder_.Pure(OpKind::kLess32, {builder_.ToWidth(result, 32), builder_.ToWidth(left, 32)});
-    return builder_.Pure(OpKind::kLess32, {builder_.ToWidth(left, 32), builder_.ToWidth(right, 32)});
-  });
-  Flag(kOf, [&] { return builder_.Pure((adds ? kAddOverflow : kSubOverflow).At(width), {left, right, result}); });
-  Flag(kAf, [&] {
-    return builder_.Pure(OpKind::kHalfCarry8,
-                         {builder_.ToWidth(left, 8), builder_.ToWidth(right, 8), builder_.ToWidth(result, 8)});
-  });
-  ResultFlags(result, width);
-  if (!adds && !carries) compared_ = {.left = left, .right = right, .width = width};
-}
-
-void Lowering::Logic(const Instruction& instruction) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
-  const uint32_t width = target.width;
-  ValueId result;
-  if (IsClearing(tree_, instruction)) {
-    result = builder_.Constant(0, width);
-    registers_.Write(target.reg, result);
-  } else {
-    const Reach reach = ReachOfTarget(target);
-    const ValueId left = ReadAt(target, reach);
-    const ValueId right = ReadAs(tree_.OperandOf(instruction, 1), width);
-    const ByWidth& row = instruction.op == Op::kAsmOr ? kOr : instruction.op == Op::kAsmXor ? kXor : kAnd;
-    // TEST AX,AX and OR AX,AX ask for the value as it is.
-    const bool same = left == right && instruction.op != Op::kAsmXor;
-    result = same ? left : builder_.Pure(row.At(width), {left, right});
-    if (instruction.op != Op::kTest && !same) WriteAt(target, reach, result);
-  }
-  UndefineFlags(kCf | kOf);  // both are 0
-  ResultFlags(result, width);
-  compared_ = {.left = result, .right = builder_.Constant(0, width), .width = width};
-}
-
-void Lowering::Increment(const Instruction& instruction) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
-  const uint32_t width = target.width;
-  const bool up = instruction.op == Op::kInc;
-  const Reach reach = ReachOfTarget(target);
-  const ValueId left = ReadAt(target, reach);
-  const ValueId one = builder_.Constant(1, width);
-  const ValueId result = builder_.Pure((up ? kAdd : kSub).At(width), {left, one});
-  WriteAt(target, reach, result);
-  Flag(kOf, [&] { return builder_.Pure((up ? kAddOverflow : kSubOverflow).At(width), {left, one, result}); });
-  Flag(kAf, [&] {
-    return builder_.Pure(OpKind::kHalfCarry8,
-                         {builder_.ToWidth(left, 8), builder_.Byte(1), builder_.ToWidth(result, 8)});
-  });
-  ResultFlags(result, width);
-}
-
-void Lowering::Negate(const Instruction& instruction) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
-  const uint32_t width = target.width;
-  const Reach reach = ReachOfTarget(target);
-  const ValueId value = ReadAt(target, reach);
-  const ValueId zero = builder_.Constant(0, width);
-  const ValueId result = builder_.Pure(kSub.At(width), {zero, value});
-  WriteAt(target, reach, result);
-  Flag(kCf, [&] { return builder_.Not(IsZero(value, width)); });
-  Flag(kOf, [&] { return builder_.Pure(kSubOverflow.At(width), {zero, value, result}); });
-  Flag(kAf, [&] {
-    return builder_.Pure(OpKind::kHalfCarry8,
-                         {builder_.Byte(0), builder_.ToWidth(value, 8), builder_.ToWidth(result, 8)});
-  });
-  ResultFlags(result, width);
-}
-
-void Lowering::Exchange(const Instruction& instruction) {
-  const Operand &first = tree_.OperandOf(instruction, 0), &second = tree_.OperandOf(instruction, 1);
-  const bool first_is_memory = first.kind == OperandKind::kMemory;
-  const Operand &memory = first_is_memory ? first : second, &reg = first_is_memory ? second : first;
-  if (memory.kind == OperandKind::kMemory) {
-    const Reach reach = ReachOf(memory);
-    const ValueId value = builder_.Load(reach.place, reach.index);
-    builder_.Store(reach.place, Read(reg), reach.index);
-    return Write(reg, value);
-  }
-  const ValueId left = Read(first), right = Read(second);
-  Write(first, right);
-  Write(second, left);
-}
-
-void Lowering::Extend(const Instruction& instruction) {
-  const Operand &target = tree_.OperandOf(instruction, 0), &source = tree_.OperandOf(instruction, 1);
-  const ValueId value = Read(source);
-  if (instruction.op == Op::kMovzx) return Write(target, builder_.ToWidth(value, target.width));
-  if (source.width == 8 && target.width == 16) return Write(target, builder_.Pure(OpKind::kSignExtend8To16, {value}));
-  Write(target, builder_.SignedTo32(value));
-}
-
-/// Each depth of the stack is a local of its own; subprograms use those behind their callers'.
-void Lowering::Push(const Instruction& instruction) {
-  const Operand& reg = tree_.OperandOf(instruction, 0);
-  const uint32_t slot = StackBase(body_->level) + flow_.PushesBefore(now_);
-  const bool wide = reg.width == 32;
-  builder_.Store(Local("pushed" + std::to_string(slot) + (wide ? "_wide" : ""), wide ? Type::kI32 : Type::kI16),
-                 Read(reg));
-}
-
-void Lowering::Pop(const Instruction& instruction) {
-  const Operand& reg = tree_.OperandOf(instruction, 0);
-  const uint32_t slot = StackBase(body_->level) + flow_.PushesBefore(now_) - 1;
-  const bool wide = reg.width == 32;
-  Write(reg,
-        builder_.Load(Local("pushed" + std::to_string(slot) + (wide ? "_wide" : ""), wide ? Type::kI32 : Type::kI16)));
-}
-
-void Lowering::LoopJump(const Instruction& instruction) {
-  ValueId count = registers_.Read(Register::kCx);
-  OpKind test = OpKind::kEqual16;
-  if (instruction.op == Op::kLoop) {
-    count = builder_.Pure(OpKind::kSub16, {count, builder_.Constant(1, 16)});
-    registers_.Write(Register::kCx, count);
-    test = OpKind::kNotEqual16;
-  }
-  const ValueId condition = builder_.Pure(test, {count, builder_.Constant(0, 16)});
-  registers_.Spill();
-  Jump(TargetOf(instruction), condition);
 }
 
 }  // namespace plcxx::technol

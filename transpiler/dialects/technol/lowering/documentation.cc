@@ -1,15 +1,14 @@
-// What is known of the names of a program: for maps, reports, and for those who name a location (specification 5.7).
+#include "transpiler/dialects/technol/lowering/documentation.h"
 
-#include <string>
+#include <map>
+#include <utility>
 
-#include "transpiler/dialects/technol/lowering/internal.h"
 #include "transpiler/dialects/technol/names.h"
 #include "transpiler/dialects/technol/raised_errors.h"
 
 namespace plcxx::technol {
 
-/// A comment without its ';' and the strokes of a frame.
-std::string Lowering::CommentText(const Symbol& symbol) const {
+std::string Documentation::CommentOf(const Symbol& symbol) const {
   for (uint32_t i = 0; i < symbol.comments.count; ++i) {
     const Comment& comment = tree_.comments[symbol.comments.first + i];
     if (comment.place != CommentPlace::kTrailing) continue;
@@ -20,7 +19,12 @@ std::string Lowering::CommentText(const Symbol& symbol) const {
   return {};
 }
 
-void Lowering::Document() {
+void Documentation::Add() {
+  AddSymbols();
+  AddErrors();
+}
+
+void Documentation::AddSymbols() {
   for (const Symbol& symbol : tree_.symbols) {
     const bool named = symbol.origin == SymbolOrigin::kSource || symbol.uses > 0;
     std::string address = AddressOfSymbol(symbol);
@@ -28,18 +32,16 @@ void Lowering::Document() {
     ir::Documentation row{
         .address = std::move(address), .symbols = symbol.name, .predefined = {}, .meaning = {}, .help = {}};
     if (symbol.origin == SymbolOrigin::kSource) {
-      row.meaning = CommentText(symbol);
+      row.meaning = CommentOf(symbol);
     } else {
       row.predefined = symbol.name;
       row.meaning = symbol.meaning;
     }
     program_.documentation.push_back(std::move(row));
   }
-  DocumentErrors();
 }
 
-/// The numbers of all ESETs, with where they stand (9.5).
-void Lowering::DocumentErrors() {
+void Documentation::AddErrors() {
   std::map<std::pair<uint32_t, uint32_t>, std::string> errors;
   for (const dialects::RaisedError& error : RaisedErrors(tree_)) {
     const source::Position place = sources_.Locate(error.range.begin);

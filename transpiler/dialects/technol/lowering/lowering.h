@@ -2,7 +2,7 @@
 // evaluated at compile time, so that a sequence becomes one expression; a mechanism becomes a routine that begins with
 // a choice of its waiting point.
 //
-// In: a tree without errors, its paths. Out: a complete program.
+// In: the paths of a tree without errors. Out: a complete program.
 #pragma once
 
 #include "transpiler/dialects/technol/flow.h"
@@ -13,7 +13,6 @@
 
 namespace plcxx::technol {
 
-ir::Program Lower(const Program& tree, const Flow& flow, const Settings& settings,
-                  const source::SourceManager& sources);
+ir::Program Lower(const Flow& flow, const Settings& settings, const source::SourceManager& sources);
 
 }  // namespace plcxx::technol

@@ -1,14 +1,14 @@
-// The scheduler around the modules: power-on, slow and fast passes (specification 4.2 to 4.4).
+#include "transpiler/dialects/technol/lowering/schedule.h"
 
-#include <utility>
+#include <string>
 
-#include "transpiler/dialects/technol/lowering/internal.h"
+#include "transpiler/dialects/technol/lowering/cell_places.h"
+#include "transpiler/dialects/technol/lowering/mechanisms.h"
+#include "transpiler/dialects/technol/lowering/requests.h"
 
 namespace plcxx::technol {
 
-using ir::ValueId;
-
-void Lowering::AddScheduleRoutines() {
+void Schedule::AddRoutines() {
   using Kind = ir::RoutineKind;
   const std::string slow_ms = std::to_string(settings_.slow_ms), fast_ms = std::to_string(settings_.fast_ms);
   init_ = builder_.AddRoutine(
@@ -23,15 +23,23 @@ void Lowering::AddScheduleRoutines() {
   program_.routines[fast_only_].simulation_only = true;
 }
 
-/// Does the program, or its host by the program's requests, touch the area?
-bool Lowering::IsUsed(Area area) const {
+bool Schedule::IsUsed(Area area) const {
   for (const Operand& operand : tree_.operands) {
     if (operand.address.area == area) return true;  // what is no cell has no area
   }
   return false;
 }
 
-void Lowering::Init() {
+void Schedule::Lower() {
+  frame_.routine = nullptr;
+  Slow();
+  builder_.SetRegion(program_.routines[requests_].body);
+  served_.Serve();
+  Period();
+  Fill();
+}
+
+void Schedule::LowerPowerOn() {
   builder_.SetRange({});
   const ir::RegionId prologue = builder_.NewRegion();
   program_.routines[init_].prologue = prologue;
@@ -41,60 +49,47 @@ void Lowering::Init() {
 }
 
 /// A module of functions runs while its bit is 1; else it begins anew the next time (7.4).
-void Lowering::RunFunctions(ModuleKind kind, std::string_view bit) {
-  const Body* body = BodyOfModule(kind);
-  const ir::PlaceId active = SystemPlace(bit);
-  if (body == nullptr) return builder_.Store(active, builder_.Bit(0));  // nothing to do is done at once
-  const auto run = [&] { builder_.CallRoutine(body->routine, {}); };
-  const bool keeps = !body->entries.empty() || tree_.units[body->unit].timers > 0;
-  if (keeps) {
-    builder_.Choose(builder_.Load(active), run, [&] { Rewind(body->unit); });
+void Schedule::RunFunctions(ModuleKind kind, std::string_view bit) {
+  const Routine* routine = routines_.OfModule(kind);
+  const ir::PlaceId active = cells_.System(bit);
+  if (routine == nullptr) return builder_.Store(active, builder_.Bit(0));  // nothing to do is done at once
+  const auto run = [&] { builder_.CallRoutine(routine->id, {}); };
+  if (mechanisms_.Keeps(*routine)) {
+    builder_.Choose(builder_.Load(active), run, [&] { mechanisms_.Rewind(routine->unit); });
   } else {
     builder_.When(builder_.Load(active), run);
   }
 }
 
-/// With mech-clear=abort: what the host has cleared begins anew, though its MECH_BEGIN may not be reached before the
-/// bit is set again. What the program clears is rewound where it does.
-void Lowering::RewindCleared() {
-  if (settings_.mech_clear != MechClear::kAbort) return;
-  for (const Body& body : bodies_) {
-    if (body.unit.valid() && tree_.units[body.unit].kind == UnitKind::kMechanism) RewindIfCleared(body.unit);
-  }
-}
-
-void Lowering::Slow() {
-  body_ = nullptr;
+void Schedule::Slow() {
   builder_.SetRange({});
   builder_.SetRegion(program_.routines[slow_].body);
-  RewindCleared();
-  const ir::PlaceId annulment = SystemPlace("NC_CLEAR");
-  const Body* clear = BodyOfModule(ModuleKind::kClear);
+  mechanisms_.RewindCleared();
+  const ir::PlaceId annulment = cells_.System("NC_CLEAR");
+  const Routine* clear = routines_.OfModule(ModuleKind::kClear);
   if (clear != nullptr) {
     builder_.When(builder_.Load(annulment), [&] {
-      builder_.CallRoutine(clear->routine, {});
+      builder_.CallRoutine(clear->id, {});
       builder_.Store(annulment, builder_.Bit(0));
     });
   } else {
     builder_.Store(annulment, builder_.Bit(0));
   }
   RunFunctions(ModuleKind::kPripravne, "NC_PRIPRAVNE");
-  if (const Body* main = BodyOfModule(ModuleKind::kMain)) builder_.CallRoutine(main->routine, {});
-  for (const Body& body : bodies_) {
-    if (!body.unit.valid()) continue;
-    const Unit& unit = tree_.units[body.unit];
-    if (unit.kind == UnitKind::kMechanism && !unit.parent.valid()) CallMechanism(body);
+  if (const Routine* main = routines_.OfModule(ModuleKind::kMain)) builder_.CallRoutine(main->id, {});
+  for (const Routine& routine : routines_.all()) {
+    if (IsMechanism(routine) && !tree_.units[routine.unit].parent.valid()) mechanisms_.Enter(routine);
   }
   RunFunctions(ModuleKind::kZaverecne, "NC_ZAVERECNE");
-  const Body* halt = BodyOfModule(ModuleKind::kHalt);
+  const Routine* halt = routines_.OfModule(ModuleKind::kHalt);
   if (halt == nullptr) return;
-  builder_.When(builder_.Load(SystemPlace("REQ_PIS_HALT")), [&] {
-    builder_.CallRoutine(halt->routine, {});
+  builder_.When(builder_.Load(cells_.System("REQ_PIS_HALT")), [&] {
+    builder_.CallRoutine(halt->id, {});
     host_(HostCall::kHaltPass);
   });
 }
 
-void Lowering::Period() {
+void Schedule::Period() {
   builder_.SetRegion(program_.routines[period_].body);
   host_(HostCall::kReadInputs);
   builder_.CallRoutine(slow_, {});
@@ -104,7 +99,7 @@ void Lowering::Period() {
   builder_.CallRoutine(fast_, {});
 }
 
-void Lowering::FillSchedule() {
+void Schedule::Fill() {
   ir::Schedule& schedule = program_.schedule;
   schedule.init = init_;
   schedule.period = period_;
@@ -118,8 +113,7 @@ void Lowering::FillSchedule() {
   if (settings_.retain == Retain::kDual) schedule.retain_at_power_off = NeverPlace();
 }
 
-/// A bit that is always 0.
-ir::PlaceId Lowering::NeverPlace() {
+ir::PlaceId Schedule::NeverPlace() {
   return program_.places.Add({.name = "keeps_at_power_off",
                               .type = ir::Type::kBit,
                               .space = memory_[SpaceKey::kSteps],

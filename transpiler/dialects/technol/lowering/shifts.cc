@@ -1,8 +1,7 @@
-// Inline assembler: shifts and rotations with their flags (specification 6.9).
-//
-// With the count in CL a count of 0 changes nothing, flags included (D41): what a flag was before is asked for then.
+#include "transpiler/dialects/technol/lowering/shifts.h"
 
-#include "transpiler/dialects/technol/lowering/internal.h"
+#include "transpiler/dialects/technol/lowering/flags.h"
+#include "transpiler/dialects/technol/lowering/operands.h"
 
 namespace plcxx::technol {
 
@@ -11,147 +10,140 @@ using ir::ValueId;
 
 namespace {
 
-constexpr uint64_t kCountMask = 31;
+constexpr uint32_t kCountMask = 31;
 
-bool IsLeft(Op op) { return op == Op::kShl || op == Op::kRol || op == Op::kRcl; }
+constexpr ByWidth kRotateLeft = {OpKind::kRotateLeft8, OpKind::kRotateLeft16, OpKind::kRotateLeft32};
+constexpr ByWidth kRotateRight = {OpKind::kRotateRight8, OpKind::kRotateRight16, OpKind::kRotateRight32};
+constexpr ByWidth kRotateCarryLeft = {OpKind::kRotateCarryLeft8, OpKind::kRotateCarryLeft16,
+                                      OpKind::kRotateCarryLeft32};
+constexpr ByWidth kCarryAfterRotate = {OpKind::kCarryAfterRotate8, OpKind::kCarryAfterRotate16,
+                                       OpKind::kCarryAfterRotate32};
 
 }  // namespace
 
+std::optional<uint32_t> Shifts::ConstantCount(const Operand& count) {
+  if (count.kind != OperandKind::kConstant) return std::nullopt;
+  return static_cast<uint32_t>(count.value) & kCountMask;
+}
+
+ValueId Shifts::CountInCl() {
+  return Pure(OpKind::kAnd32, {builder_.ToWidth(registers_.Read(Register::kCl), 32), builder_.Number(kCountMask)});
+}
+
+ValueId Shifts::BitAt(ValueId value, uint32_t bit) {
+  return Pure(OpKind::kTestBit32, {builder_.ToWidth(value, 32), builder_.Number(bit)});
+}
+
 /// In 32 bits, so that counts above the width work as well.
-ValueId Lowering::Shifted(Op op, ValueId value, ValueId count, uint32_t width) {
-  if (op == Op::kSar)
-    return builder_.ToWidth(builder_.Pure(OpKind::kArithmeticShiftRight32, {builder_.SignedTo32(value), count}), width);
-  if (width == 32) return builder_.Pure(IsLeft(op) ? OpKind::kShiftLeft32 : OpKind::kShiftRight32, {value, count});
-  const OpKind shift = IsLeft(op) ? OpKind::kShiftLeft16 : OpKind::kShiftRight16;
-  return builder_.ToWidth(builder_.Pure(shift, {builder_.ToWidth(value, 16), builder_.ToWidth(count, 16)}), width);
-}
-
-/// The last bit that goes out; `count` is 1 to 31.
-ValueId Lowering::ShiftedOut(Op op, ValueId value, ValueId count, uint32_t width) {
-  if (IsLeft(op)) {  // bit width - count; beyond the width the number wraps, and there is no such bit
-    const ValueId bit = builder_.Pure(OpKind::kSub32, {builder_.Number(width), count});
-    return builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(value, 32), bit});
+ValueId Shifts::Shifted(Kind kind, ValueId value, ValueId count, uint32_t width) {
+  const bool left = kind == Kind::kLeft;
+  if (kind == Kind::kArithmeticRight) {
+    return builder_.ToWidth(Pure(OpKind::kArithmeticShiftRight32, {builder_.SignedTo32(value), count}), width);
   }
-  const ValueId wide = op == Op::kSar ? builder_.SignedTo32(value) : builder_.ToWidth(value, 32);
-  return builder_.Pure(OpKind::kTestBit32, {wide, builder_.Pure(OpKind::kSub32, {count, builder_.Number(1)})});
+  if (width == 32) return Pure(left ? OpKind::kShiftLeft32 : OpKind::kShiftRight32, {value, count});
+  const OpKind shift = left ? OpKind::kShiftLeft16 : OpKind::kShiftRight16;
+  return builder_.ToWidth(Pure(shift, {builder_.ToWidth(value, 16), builder_.ToWidth(count, 16)}), width);
 }
 
-void Lowering::Shift(const Instruction& instruction) {
-  const Operand& count = tree_.OperandOf(instruction, 1);
-  if (count.kind != OperandKind::kConstant) return ShiftByCl(instruction);
-  const auto bits = static_cast<uint32_t>(static_cast<uint64_t>(count.value) & kCountMask);
-  if (bits != 0) ShiftByConstant(instruction, bits);
+ValueId Shifts::ShiftedOut(Kind kind, ValueId value, ValueId count, uint32_t width) {
+  if (kind == Kind::kLeft) {  // bit width - count; beyond the width the number wraps, and there is no such bit
+    const ValueId bit = Pure(OpKind::kSub32, {builder_.Number(width), count});
+    return Pure(OpKind::kTestBit32, {builder_.ToWidth(value, 32), bit});
+  }
+  const ValueId wide = kind == Kind::kArithmeticRight ? builder_.SignedTo32(value) : builder_.ToWidth(value, 32);
+  return Pure(OpKind::kTestBit32, {wide, Pure(OpKind::kSub32, {count, builder_.Number(1)})});
 }
 
-void Lowering::ShiftByConstant(const Instruction& instruction, uint32_t count) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
+void Shifts::Shift(const Instruction& instruction, Kind kind) {
+  const std::optional<uint32_t> count = ConstantCount(OperandOf(instruction, 1));
+  if (!count) return ShiftByCl(instruction, kind);
+  if (*count != 0) ShiftByConstant(instruction, kind, *count);
+}
+
+void Shifts::ShiftByConstant(const Instruction& instruction, Kind kind, uint32_t count) {
+  const Operand& target = OperandOf(instruction, 0);
   const uint32_t width = target.width;
-  const Op op = instruction.op;
-  const Reach reach = ReachOfTarget(target);
-  const ValueId value = ReadAt(target, reach);
-  const ValueId result = Shifted(op, value, builder_.Number(count), width);
-  WriteAt(target, reach, result);
+  const Operands::Reach reach = operands_.ReachOfTarget(target);
+  const ValueId value = operands_.ReadAt(target, reach);
+  const ValueId result = Shifted(kind, value, builder_.Number(count), width);
+  operands_.WriteAt(target, reach, result);
   const auto out = [&] {
-    if (IsLeft(op)) {
-      if (count > width) return builder_.Bit(0);
-      return builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(value, 32), builder_.Number(width - count)});
-    }
-    const ValueId wide = op == Op::kSar ? builder_.SignedTo32(value) : builder_.ToWidth(value, 32);
-    return builder_.Pure(OpKind::kTestBit32, {wide, builder_.Number(count - 1)});
+    if (kind == Kind::kLeft) return count > width ? builder_.Bit(0) : BitAt(value, width - count);
+    const ValueId wide = kind == Kind::kArithmeticRight ? builder_.SignedTo32(value) : builder_.ToWidth(value, 32);
+    return Pure(OpKind::kTestBit32, {wide, builder_.Number(count - 1)});
   };
-  Flag(kCf, out);
+  flags_.Set(kCf, out);
   if (count == 1) {
-    Flag(kOf, [&] {
-      if (op == Op::kSar) return builder_.Bit(0);
-      if (op == Op::kShr) return Sign(value, width);
-      return builder_.Pure(OpKind::kBitXor, {Sign(result, width), out()});
+    flags_.Set(kOf, [&] {
+      if (kind == Kind::kArithmeticRight) return builder_.Bit(0);
+      if (kind == Kind::kRight) return flags_.SignOf(value, width);
+      return Pure(OpKind::kBitXor, {flags_.SignOf(result, width), out()});
     });
   }
-  ResultFlags(result, width);
+  flags_.SetResult(result, width);
 }
 
-/// By CL: what the flags are behind a count of 0 is what they were.
-void Lowering::ShiftByCl(const Instruction& instruction) {
-  const Operand& target = tree_.OperandOf(instruction, 0);
+/// What the flags are after a count of 0 is what they were.
+void Shifts::ShiftByCl(const Instruction& instruction, Kind kind) {
+  const Operand& target = OperandOf(instruction, 0);
   const uint32_t width = target.width;
-  const ValueId count = builder_.Pure(
-      OpKind::kAnd32, {builder_.ToWidth(registers_.Read(Register::kCl), 32), builder_.Number(kCountMask)});
-  const Reach reach = ReachOfTarget(target);
-  const ValueId value = ReadAt(target, reach);
-  const ValueId result = Shifted(instruction.op, value, count, width);
-  WriteAt(target, reach, result);
-  KeepUnless(kCf, count, [&] { return ShiftedOut(instruction.op, value, count, width); });
-  KeepUnless(kZf, count, [&] { return IsZero(result, width); });
-  KeepUnless(kSf, count, [&] { return Sign(result, width); });
+  const ValueId count = CountInCl();
+  const Operands::Reach reach = operands_.ReachOfTarget(target);
+  const ValueId value = operands_.ReadAt(target, reach);
+  const ValueId result = Shifted(kind, value, count, width);
+  operands_.WriteAt(target, reach, result);
+  flags_.SetUnlessZero(kCf, count, [&] { return ShiftedOut(kind, value, count, width); });
+  flags_.SetUnlessZero(kZf, count, [&] { return flags_.IsZero(result, width); });
+  flags_.SetUnlessZero(kSf, count, [&] { return flags_.SignOf(result, width); });
 }
 
-void Lowering::Rotate(const Instruction& instruction) {
-  const Operand &target = tree_.OperandOf(instruction, 0), &by = tree_.OperandOf(instruction, 1);
+void Shifts::Rotate(const Instruction& instruction, Turn turn) {
+  const Operand& target = OperandOf(instruction, 0);
   const uint32_t width = target.width;
-  const bool left = instruction.op == Op::kRol;
-  const bool fixed = by.kind == OperandKind::kConstant;
-  const uint64_t bits = fixed ? static_cast<uint64_t>(by.value) & kCountMask : 0;
-  if (fixed && bits == 0) return;
-  const ValueId count = fixed ? builder_.Number(bits)
-                              : builder_.Pure(OpKind::kAnd32, {builder_.ToWidth(registers_.Read(Register::kCl), 32),
-                                                               builder_.Number(kCountMask)});
-  const Reach reach = ReachOfTarget(target);
-  const ValueId value = ReadAt(target, reach);
-  const OpKind row = width == 8    ? (left ? OpKind::kRotateLeft8 : OpKind::kRotateRight8)
-                     : width == 16 ? (left ? OpKind::kRotateLeft16 : OpKind::kRotateRight16)
-                                   : (left ? OpKind::kRotateLeft32 : OpKind::kRotateRight32);
-  const ValueId result = builder_.Pure(row, {value, count});
-  WriteAt(target, reach, result);
-  const auto out = [&] {
-    return left ? builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(result, 32), builder_.Number(0)})
-                : Sign(result, width);
-  };
-  if (!fixed) return KeepUnless(kCf, count, out);
-  Flag(kCf, out);
-  if (bits != 1) return;
-  Flag(kOf, [&] {
-    const ValueId other =
-        left ? out() : builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(result, 32), builder_.Number(width - 2)});
-    return builder_.Pure(OpKind::kBitXor, {Sign(result, width), other});
+  const bool left = turn == Turn::kLeft;
+  const std::optional<uint32_t> bits = ConstantCount(OperandOf(instruction, 1));
+  if (bits == 0U) return;
+  const ValueId count = bits ? builder_.Number(*bits) : CountInCl();
+  const Operands::Reach reach = operands_.ReachOfTarget(target);
+  const ValueId value = operands_.ReadAt(target, reach);
+  const ValueId result = Pure((left ? kRotateLeft : kRotateRight).At(width), {value, count});
+  operands_.WriteAt(target, reach, result);
+  const auto out = [&] { return left ? BitAt(result, 0) : flags_.SignOf(result, width); };
+  if (!bits) return flags_.SetUnlessZero(kCf, count, out);
+  flags_.Set(kCf, out);
+  if (*bits != 1) return;
+  flags_.Set(kOf, [&] {
+    const ValueId other = left ? out() : BitAt(result, width - 2);
+    return Pure(OpKind::kBitXor, {flags_.SignOf(result, width), other});
   });
 }
 
 /// To the right by n is to the left by what n lacks to the width with the carry.
-void Lowering::RotateWithCarry(const Instruction& instruction) {
-  const Operand &target = tree_.OperandOf(instruction, 0), &by = tree_.OperandOf(instruction, 1);
+void Shifts::RotateWithCarry(const Instruction& instruction, Turn turn) {
+  const Operand& target = OperandOf(instruction, 0);
   const uint32_t width = target.width;
-  const bool left = instruction.op == Op::kRcl;
-  const bool fixed = by.kind == OperandKind::kConstant;
-  const uint64_t bits = fixed ? static_cast<uint64_t>(by.value) & kCountMask : 0;
-  if (fixed && bits == 0) return;
-  const uint32_t turn = width + 1, turns = 4 * turn;  // more than any count
+  const bool left = turn == Turn::kLeft;
+  const std::optional<uint32_t> bits = ConstantCount(OperandOf(instruction, 1));
+  if (bits == 0U) return;
+  const uint32_t positions = width + 1, full_turns = 4 * positions;  // more than any count
   ValueId count;
-  if (fixed) {
-    count = builder_.Number((left ? bits : turns - bits) % turn);
+  if (bits) {
+    count = builder_.Number((left ? *bits : full_turns - *bits) % positions);
   } else {
-    count = builder_.Pure(OpKind::kAnd32,
-                          {builder_.ToWidth(registers_.Read(Register::kCl), 32), builder_.Number(kCountMask)});
-    if (!left) count = builder_.Pure(OpKind::kSub32, {builder_.Number(turns), count});
+    count = CountInCl();
+    if (!left) count = Pure(OpKind::kSub32, {builder_.Number(full_turns), count});
   }
-  const ValueId carry = FlagValue(kCf);
-  const Reach reach = ReachOfTarget(target);
-  const ValueId value = ReadAt(target, reach);
-  const OpKind rotate = width == 8    ? OpKind::kRotateCarryLeft8
-                        : width == 16 ? OpKind::kRotateCarryLeft16
-                                      : OpKind::kRotateCarryLeft32;
-  const OpKind out = width == 8    ? OpKind::kCarryAfterRotate8
-                     : width == 16 ? OpKind::kCarryAfterRotate16
-                                   : OpKind::kCarryAfterRotate32;
-  const ValueId result = builder_.Pure(rotate, {value, carry, count});
-  WriteAt(target, reach, result);
-  const auto carry_behind = [&] { return builder_.Pure(out, {value, carry, count}); };
-  Flag(kCf, carry_behind);  // a count of 0 leaves it as it was
-  if (!fixed || bits != 1) return;
-  Flag(kOf, [&] {
-    const ValueId other =
-        left ? carry_behind()
-             : builder_.Pure(OpKind::kTestBit32, {builder_.ToWidth(result, 32), builder_.Number(width - 2)});
-    return builder_.Pure(OpKind::kBitXor, {Sign(result, width), other});
+  const ValueId carry = flags_.Value(kCf);
+  const Operands::Reach reach = operands_.ReachOfTarget(target);
+  const ValueId value = operands_.ReadAt(target, reach);
+  const ValueId result = Pure(kRotateCarryLeft.At(width), {value, carry, count});
+  operands_.WriteAt(target, reach, result);
+  const auto carry_after = [&] { return Pure(kCarryAfterRotate.At(width), {value, carry, count}); };
+  flags_.Set(kCf, carry_after);  // a count of 0 leaves it as it was
+  if (bits != 1U) return;
+  flags_.Set(kOf, [&] {
+    const ValueId other = left ? carry_after() : BitAt(result, width - 2);
+    return Pure(OpKind::kBitXor, {flags_.SignOf(result, width), other});
   });
 }
 

@@ -1,0 +1,85 @@
+// What every part of the lowering works on: the tree and what is known of it, the program that is made, and where in
+// both it is.
+//
+// RLO, registers and flags are registers in the sense of dialects/common: modules and mechanisms begin with zeros in
+// them, subprograms share those of their callers.
+#pragma once
+
+#include <initializer_list>
+
+#include "transpiler/dialects/technol/flow.h"
+#include "transpiler/dialects/technol/lowering/routines.h"
+#include "transpiler/dialects/technol/memory.h"
+#include "transpiler/dialects/technol/options.h"
+#include "transpiler/dialects/technol/register_file.h"
+#include "transpiler/dialects/technol/value_builder.h"
+#include "transpiler/ir/facts.h"
+#include "transpiler/source/source.h"
+
+namespace plcxx::technol {
+
+/// The instruction that is being lowered, and where it is.
+struct Frame {
+  const Routine* routine = nullptr;  // none: the schedule around them
+  InstructionId now;
+  uint32_t width = 16;         // of DR before it
+  Resources wanted_flags = 0;  // read on some path after it
+  ir::StatementId statement;
+};
+
+/// One operation in its three widths.
+struct ByWidth {
+  ir::OpKind narrow, word, wide;
+  ir::OpKind At(uint32_t width) const { return width == 8 ? narrow : width == 16 ? word : wide; }
+};
+
+/// Which way a shift or a rotation goes.
+enum class Turn : uint8_t { kLeft, kRight };
+
+/// One tree on its way to a program.
+struct Translation {
+  Translation(const Flow& paths, const Settings& options, const source::SourceManager& files);
+
+  const Program& tree;
+  const Flow& flow;
+  const Settings& settings;
+  const source::SourceManager& sources;
+  ir::Program program;
+  ValueBuilder builder{program};
+  ir::FactChecks facts{builder};
+  RegisterFile registers{builder, facts};
+  Memory memory;
+  Routines routines{flow, settings};
+  Frame frame;
+};
+
+/// What a part of the lowering sees of it. Refers to the translation, and may be copied.
+class Context {
+ public:
+  explicit Context(Translation& translation);
+
+ protected:
+  const Operand& OperandOf(const Instruction& instruction, uint32_t index) const {
+    return tree_.OperandOf(instruction, index);
+  }
+  ir::ValueId Pure(ir::OpKind op, std::initializer_list<ir::ValueId> operands) const {
+    return builder_.Pure(op, operands);
+  }
+  bool IsMechanism(const Routine& routine) const {
+    return routine.unit.valid() && tree_.units[routine.unit].kind == UnitKind::kMechanism;
+  }
+
+  const Program& tree_;
+  const Flow& flow_;
+  const Settings& settings_;
+  const source::SourceManager& sources_;
+  ir::Program& program_;
+  ValueBuilder& builder_;
+  ir::FactChecks& facts_;
+  RegisterFile& registers_;
+  const Memory& memory_;
+  Routines& routines_;
+  Frame& frame_;
+};
+
+}  // namespace plcxx::technol
