@@ -55,6 +55,18 @@ TEST_F(Sim, UntilSlowCyclesAreDone) {
   EXPECT_THAT(ran.errors, HasSubstr("ran 8 periods, 80 ms simulated, 4 slow cycles"));
 }
 
+// A fast part with a period of its own is no period of the machine: the time is as long as asked for.
+TEST_F(Sim, TimeIsTimeWhereTheFastPartHasItsOwnPeriod) {
+  work_.Write("t.plc",
+              "        DATA\nBITY: DFM A,Q\n        DATA_END\n        MODULE_MAIN\n        LDR A\n        WR Q\n"
+              "        MODULE_MAIN_END\n        STOP\n");
+  const Ran ran = work_.Run("sim t.plc --dialect technol --for 400ms --changes --watch Q --at 300ms:A=1");
+  EXPECT_THAT(ran.out, HasSubstr("      300  1\n"));
+  EXPECT_THAT(ran.errors, HasSubstr("ran 20 periods, 400 ms simulated, 20 slow cycles"));
+  EXPECT_THAT(work_.Run("sim t.plc --dialect technol --cycles 7").errors,
+              HasSubstr("ran 7 periods, 140 ms simulated, 7 slow cycles"));
+}
+
 // covers: NC110-236
 TEST_F(Sim, ForceWinsAgainstTheProgram) {
   const Ran ran = Run("--for 20ms --watch U4A0,W100K0 --force U4A0=1 --force W100K0=0FH");

@@ -126,7 +126,8 @@ SimOutcome RunSimulation(const compilation::Compilation& compilation, const SimP
       table.Event(clock.time_ms(), MessageLine(message));
     if (options.with_trace) outcome.trace.Record(clock.time_ms(), read);
     if (plan.graph) graph.Observe(clock.time_ms(), read);
-    ++outcome.periods;
+    // Fast parts of their own are no periods: --for and --cycles count what the period is made of.
+    if (clock.last_part() == sim::Clock::Part::kWholePeriod) ++outcome.periods;
   };
   const auto slow_cycles = [&]() -> uint64_t {
     const ir::PlaceId count = program.schedule.slow_done;

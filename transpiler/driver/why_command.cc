@@ -1,6 +1,7 @@
 // plcxx why: which conditions make a signal what it is, and whether it can be on at all.
 #include "transpiler/driver/why_command.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
@@ -23,7 +25,10 @@
 #include "transpiler/scenarios/near_location.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/property_machine.h"
+#include "transpiler/scenarios/traced_run.h"
 #include "transpiler/scenarios/why.h"
+#include "transpiler/sim/read_vcd.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -32,6 +37,7 @@ constexpr const char* kWhyFooter = R"(Examples:
   plcxx why U4A8 --scenario turret.yaml              at the end of the scenario, or where it fails
   plcxx why U4A8 --scenario turret.yaml --step 3     after its third step
   plcxx why U4A8 --scenario turret.yaml --at 1200ms  after the last scan that begins by then
+  plcxx why U4A8 --vcd machine.vcd --at 3s           as the machine was when the trace was recorded
   plcxx why U4A8 --can                               can it be on at all? a run that shows it, or a proof that it cannot
   plcxx why U4A8 turret.sym turret.plc --can
 
@@ -40,13 +46,17 @@ timers with the time that is left, bits of the control, and what earlier scans l
 are, the signal is what it is, whatever everything else does in that scan. Where one of several conditions would be
 enough, one is shown: the one that comes down to fewer inputs.
 
+Of a trace (plcxx sim --vcd, or any logger that writes VCD) the program is run with the inputs that it has, from power-on at
+its first time. What else it has is compared: the first moment at which the run is not what the trace says is named for each
+signal, for then inputs are missing in it, or the machine had kept something from before.
+
 Exit codes: 0 done, 1 it is not known, the scenario did not get there, or the program has errors, 2 wrong use.)";
 
 constexpr size_t kMaxLines = 60;
 
 struct WhySettings {
   CommonOptions common;
-  std::string signal, scenario, at, form = "text", time = "60s";
+  std::string signal, scenario, waveform, at, form = "text", time = "60s";
   std::optional<uint32_t> step;
   bool can = false;
 };
@@ -94,14 +104,52 @@ std::optional<scenarios::Scenario> ReadScenario(const WhySettings& settings) {
   return scenario;
 }
 
+/// None: --at was not given. Wrong words are told, and end the command.
+bool TakeTime(const WhySettings& settings, std::optional<uint64_t>& time_ms) {
+  if (settings.at.empty()) return true;
+  time_ms = ParseDuration(settings.at);
+  if (!time_ms) PrintUsageError("'--at " + settings.at + "' is no time: write it as in 1200ms, 3s or 5min");
+  return time_ms.has_value();
+}
+
+/// A run of a program whose state is asked about.
+struct Asked {
+  const compilation::Compilation& compilation;
+  const scenarios::Scenario& scenario;
+  std::optional<uint64_t> time_ms;
+  uint64_t origin_ms = 0;  // what the run's time 0 is for the user
+};
+
+int Answer(const WhySettings& settings, const Asked& asked, ProgressLine& progress) {
+  const std::optional<dialects::Location> location = Locate(settings, asked.compilation);
+  if (!location) return kWrongUse;
+  auto plan = scenarios::PlanScenario(asked.scenario, *asked.compilation.dialect, asked.compilation.program);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
+    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    return kWrongUse;
+  }
+  const scenarios::WhyQuestion question{
+      .name = settings.signal, .location = *location, .steps = settings.step, .time_ms = asked.time_ms};
+  progress.Show("running " + asked.scenario.path);
+  scenarios::WhyAnswer answer = scenarios::ExplainInScenario(
+      asked.compilation, asked.scenario, std::move(std::get<scenarios::ScenarioPlan>(plan)), question);
+  scenarios::ShiftTimes(answer, asked.origin_ms);
+  progress.Clear();
+  if (settings.form == "json") {
+    std::cout << WhyJson(answer, question, asked.compilation);
+  } else {
+    std::cout << diag::EscapedLines(scenarios::WhyText(answer, question, asked.compilation, kMaxLines));
+  }
+  const bool stopped_early = !answer.failure.empty() && settings.step.has_value();
+  if (!answer.failure.empty()) std::cerr << diag::EscapedLines(answer.failure) << "\n";
+  return answer.refusal.empty() && !stopped_early ? kDone : kProgramHasErrors;
+}
+
 int WhyInScenario(const WhySettings& settings) {
   std::optional<scenarios::Scenario> scenario = ReadScenario(settings);
   if (!scenario) return kWrongUse;
   std::optional<uint64_t> time_ms;
-  if (!settings.at.empty()) {
-    time_ms = ParseDuration(settings.at);
-    if (!time_ms) return Wrong("'--at " + settings.at + "' is no time: write it as in 1200ms, 3s or 5min");
-  }
+  if (!TakeTime(settings, time_ms)) return kWrongUse;
   const std::optional<compilation::CompilationRequest> asked = MakeRequest(settings.common);
   if (!asked) return kWrongUse;
   ProgressLine progress;
@@ -114,27 +162,75 @@ int WhyInScenario(const WhySettings& settings) {
     PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
     return ExitCodeOf(compilation);
   }
-  const std::optional<dialects::Location> location = Locate(settings, compilation);
-  if (!location) return kWrongUse;
-  auto plan = scenarios::PlanScenario(*scenario, *compilation.dialect, compilation.program);
-  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
-    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
-    return kWrongUse;
+  return Answer(settings, {.compilation = compilation, .scenario = *scenario, .time_ms = time_ms}, progress);
+}
+
+std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
+  const std::optional<std::string> text = support::ReadFile(path);
+  if (!text) {
+    PrintUsageError("cannot read '" + path + "'");
+    return std::nullopt;
   }
-  const scenarios::WhyQuestion question{
-      .name = settings.signal, .location = *location, .steps = settings.step, .time_ms = time_ms};
-  progress.Show("running " + scenario->path);
-  const scenarios::WhyAnswer answer = scenarios::ExplainInScenario(
-      compilation, *scenario, std::move(std::get<scenarios::ScenarioPlan>(plan)), question);
+  std::variant<sim::Vcd, sim::VcdError> read = sim::ReadVcd(*text);
+  if (const auto* error = std::get_if<sim::VcdError>(&read)) {
+    std::cerr << diag::Escaped(path) << ":" << error->line << ": error: " << diag::Escaped(error->message) << "\n";
+    return std::nullopt;
+  }
+  return std::get<sim::Vcd>(std::move(read));
+}
+
+constexpr size_t kMaxNamed = 10;
+
+/// "A, B, C and 4 more"
+std::string Listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kMaxNamed) text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
+  return text;
+}
+
+/// What of the trace was not taken, and where the run is another one: to standard error, for it is about the question.
+void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures) {
+  const auto note = [](const std::string& text) { std::cerr << "note: " << diag::Escaped(text) << "\n"; };
+  if (!run.left_out.empty())
+    note("left out of the trace, for the program has no such location: " + Listed(run.left_out));
+  if (run.inputs.empty()) note("the trace has no input of the program: nothing is set");
+  std::vector<std::string> texts;
+  for (const scenarios::Departure& departure : departures) {
+    texts.push_back(departure.name + " (at " + std::to_string(departure.time_ms) + " ms " + departure.traced +
+                    " in the trace, " + departure.run + " in the run)");
+  }
+  if (!texts.empty()) note("the run is not that of the trace: " + Listed(texts));
+}
+
+int WhyInTrace(const WhySettings& settings) {
+  std::optional<uint64_t> time_ms;
+  if (!TakeTime(settings, time_ms)) return kWrongUse;
+  const std::optional<sim::Vcd> trace = ReadWaveform(settings.waveform);
+  if (!trace) return kWrongUse;
+  if (time_ms && (*time_ms < trace->first_ms || *time_ms > trace->last_ms)) {
+    return Wrong("--at " + settings.at + ": the trace has the times " + std::to_string(trace->first_ms) + " to " +
+                 std::to_string(trace->last_ms) + " ms");
+  }
+  std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  const std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
   progress.Clear();
-  if (settings.form == "json") {
-    std::cout << WhyJson(answer, question, compilation);
-  } else {
-    std::cout << diag::EscapedLines(scenarios::WhyText(answer, question, compilation, kMaxLines));
+  if (!compiled) return kWrongUse;
+  if (!compiled->ok()) {
+    PrintDiagnosticsBeside(*compiled, MessagesOf(settings.common));
+    return ExitCodeOf(*compiled);
   }
-  const bool stopped_early = !answer.failure.empty() && settings.step.has_value();
-  if (!answer.failure.empty()) std::cerr << diag::EscapedLines(answer.failure) << "\n";
-  return answer.refusal.empty() && !stopped_early ? kDone : kProgramHasErrors;
+  const scenarios::TracedRun run = scenarios::RunOfTrace(*compiled, *trace, settings.waveform);
+  PrintHowFarTraced(run, scenarios::Departures(*compiled, *trace, run));
+  return Answer(settings,
+                {.compilation = *compiled,
+                 .scenario = run.scenario,
+                 .time_ms = time_ms.value_or(trace->last_ms) - run.begins_ms,
+                 .origin_ms = run.begins_ms},
+                progress);
 }
 
 /// "Never on" as a property: a run that violates it is the answer.
@@ -189,14 +285,20 @@ int WhetherItCan(const WhySettings& settings) {
 }
 
 int RunWhy(const WhySettings& settings) {
+  if (!settings.waveform.empty() && (settings.can || settings.step || !settings.scenario.empty())) {
+    return Wrong("--vcd names a state by its trace and --at: leave --scenario, --step and --can out");
+  }
+  if (!settings.waveform.empty()) return RunForPrograms(settings, WhyInTrace);
   if (settings.can && (settings.step || !settings.at.empty())) {
     return Wrong("--can asks about all states: leave --step and --at out");
   }
   if (settings.step && !settings.at.empty()) return Wrong("--step and --at both name a state: leave one of them out");
   if (!settings.can) {
     if (settings.scenario.empty()) {
-      return Wrong("why is asked of a state: name a scenario with --scenario FILE, or ask with --can whether '" +
-                   settings.signal + "' can be on at all");
+      return Wrong(
+          "why is asked of a state: name a scenario with --scenario FILE or a trace with --vcd FILE, or ask with --can "
+          "whether '" +
+          settings.signal + "' can be on at all");
     }
     return WhyInScenario(settings);
   }
@@ -211,6 +313,7 @@ void AddWhy(CLI::App& app, Run& run) {
   command->add_option("SIGNAL", settings->signal, "The location: U4A8, a symbol, a word")->type_name("")->required();
   AddCommonOptions(*command, settings->common);
   command->add_option("--scenario", settings->scenario, "The run whose state is asked about")->type_name("FILE");
+  command->add_option("--vcd", settings->waveform, "The recorded trace whose state is asked about")->type_name("FILE");
   command->add_option("--step", settings->step, "The state after this step of it; else at its end")->type_name("N");
   command->add_option("--at", settings->at, "The state after the last scan that begins by then, as in 1200ms or 3s")
       ->type_name("TIME");

@@ -8,6 +8,7 @@ Json WhySchema() {
   return ProgramSchema(
       {{"signal", TextSchema("the location: U4A8, a symbol, a word")},
        {"scenario", TextSchema("the run whose state is asked about")},
+       {"vcd", TextSchema("instead of a scenario: a recorded trace whose inputs the program is run with")},
        {"step", NumberSchema("the state after this step of it; else at its end")},
        {"at", TextSchema("the state after the last scan that begins by then: 1200ms, 3s")},
        {"can",
@@ -21,13 +22,20 @@ Json RunWhy(const Workplace& workplace, const Json& arguments) {
   command.Add("--format=json");
   const bool can = rpc::OptionalFlag(arguments, "can").value_or(false);
   const auto scenario = rpc::OptionalText(arguments, "scenario");
-  if (!can && !scenario) throw rpc::Error(rpc::kInvalidParams, "name a 'scenario', or ask with 'can'");
+  const auto trace = rpc::OptionalText(arguments, "vcd");
+  if (!can && !scenario && !trace) {
+    throw rpc::Error(rpc::kInvalidParams, "name a 'scenario' or a 'vcd', or ask with 'can'");
+  }
   if (can) command.Add("--can");
   if (scenario) {
     command.Add("--scenario");
     command.AddPath(*scenario);
   } else {
     command.AddProgram();
+  }
+  if (trace) {
+    command.Add("--vcd");
+    command.AddPath(*trace);
   }
   if (const auto step = rpc::OptionalNumber(arguments, "step")) {
     command.Add("--step");

@@ -226,4 +226,15 @@ WhyAnswer ExplainInScenario(const compilation::Compilation& compilation, const S
   return Investigation(compilation, scenario, std::move(plan), question).Run();
 }
 
+void ShiftTimes(WhyAnswer& answer, uint64_t origin_ms) {
+  if (!answer.has_run) return;
+  answer.time_ms += origin_ms;
+  for (Condition& condition : answer.conditions) {
+    condition.time_ms += origin_ms;
+    if (!condition.last_write) continue;
+    condition.last_write->first_ms += origin_ms;
+    condition.last_write->last_ms += origin_ms;
+  }
+}
+
 }  // namespace plcxx::scenarios

@@ -43,6 +43,9 @@ std::string CannotBeExplained(const compilation::Compilation& compilation, const
 WhyAnswer ExplainInScenario(const compilation::Compilation& compilation, const Scenario& scenario, ScenarioPlan plan,
                             const WhyQuestion& question);
 
+/// Tells the times of an answer from another moment than power-on: that one is `origin_ms` then.
+void ShiftTimes(WhyAnswer& answer, uint64_t origin_ms);
+
 /// Indented lines: the signal, then its conditions, each below what it is a reason of. At most so many lines.
 std::string WhyText(const WhyAnswer& answer, const WhyQuestion& question, const compilation::Compilation& compilation,
                     size_t most_lines);

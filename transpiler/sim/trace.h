@@ -56,6 +56,8 @@ class Trace {
   std::vector<Sample> samples_;
 };
 
+/// A name as a VCD file can have it: there it ends at white space, and a bracket would be the range of a vector.
+std::string VcdName(std::string_view name);
 /// The text of a VCD file; `program` names its outermost scope.
 std::string WriteVcd(const Trace& trace, std::string_view program);
 /// One line for each sample: the time and the values in digits.

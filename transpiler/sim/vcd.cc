@@ -19,16 +19,6 @@ std::string Code(size_t index) {
   return code;
 }
 
-/// A name ends at white space, and a bracket would be taken for the range of a vector.
-std::string SafeName(std::string_view name) {
-  std::string safe;
-  for (const char c : name) {
-    const bool kept = static_cast<unsigned char>(c) > ' ' && c != 0x7F && c != '[' && c != ']' && c != '$';
-    safe += kept ? c : '_';
-  }
-  return safe.empty() ? "_" : safe;
-}
-
 uint32_t WidthOf(ir::Type type) { return type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type); }
 
 std::string Change(uint64_t value, ir::Type type, const std::string& code) {
@@ -45,8 +35,17 @@ std::string Change(uint64_t value, ir::Type type, const std::string& code) {
 
 }  // namespace
 
+std::string VcdName(std::string_view name) {
+  std::string safe;
+  for (const char c : name) {
+    const bool kept = static_cast<unsigned char>(c) > ' ' && c != 0x7F && c != '[' && c != ']' && c != '$';
+    safe += kept ? c : '_';
+  }
+  return safe.empty() ? "_" : safe;
+}
+
 std::string WriteVcd(const Trace& trace, std::string_view program) {
-  std::string out = "$timescale 1 ms $end\n$scope module " + SafeName(program) + " $end\n";
+  std::string out = "$timescale 1 ms $end\n$scope module " + VcdName(program) + " $end\n";
   // Scopes in the order of their first signal.
   std::vector<std::string> scopes;
   std::map<std::string, std::vector<size_t>> members;
@@ -56,13 +55,12 @@ std::string WriteVcd(const Trace& trace, std::string_view program) {
     members[scope].push_back(i);
   }
   for (const std::string& scope : scopes) {
-    out += "$scope module " + SafeName(scope) + " $end\n";
+    out += "$scope module " + VcdName(scope) + " $end\n";
     for (const size_t i : members[scope]) {
       const Watched& watched = trace.watched()[i];
       const uint32_t width = WidthOf(watched.place.type);
       const bool real = IsFloat(watched.place.type);
-      out +=
-          (real ? "$var real " : "$var wire ") + std::to_string(width) + ' ' + Code(i) + ' ' + SafeName(watched.name);
+      out += (real ? "$var real " : "$var wire ") + std::to_string(width) + ' ' + Code(i) + ' ' + VcdName(watched.name);
       if (width > 1 && !real) out += " [" + std::to_string(width - 1) + ":0]";
       out += " $end\n";
     }
