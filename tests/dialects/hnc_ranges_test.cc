@@ -224,6 +224,11 @@ TEST(HncRanges, WhatMayHaveChangedIsChecked) {
       {"q = u > 9 ? &g : table; *q = 1;", "u"},
       {"if (u > 9 ? a : b) a = 1;", "u"},
       {"while (u > 9 && k < 5) k++;", "u"},
+      // Of a number that is 0 its complement is none, and the other way about.
+      {"if (-n)", "n"},
+      {"if (~n)", "n"},
+      {"if (!-n) return;", "n"},
+      {"if (!~n) a = 1;", "n"},
   };
   for (const auto& [before, index] : rows) {
     EXPECT_TRUE(IsChecked(before, index, before.find("R[5]") != std::string::npos ? 200 : 20))

@@ -180,6 +180,11 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "for (i = 0; i < table[3]; i++) table[b & 7] = 5;",
            "for (i = 0; i < table[b & 7]; i++) table[2] = 5;",
            "for (i = 0; i < table[b & 7]; i++) b = 1;",
+           // Neither a comparison nor a counter alone.
+           "while (-i) i++;",
+           "while (~i) i++;",
+           "while (i + 1) i++;",
+           "for (;;) { if (b) continue; break; }",
            // 6.6, 4: not past the end of the type.
            "for (i = 0; i <= n; i++) a++;",
            "for (i = 0; i < n; i += 2) a++;",
@@ -202,6 +207,10 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "for (i = 0; i < n; i++) a = n;",
            "for (c = 0; c < 255; c++) a++;",
            "for (u = 9; u > 1; u -= 2) a++;",
+           // A continue of a loop inside is none of the loop that every path leaves.
+           "for (;;) { for (i = 0; i < 5; i++) { if (b) continue; a++; } break; }",
+           "while (1) { switch (a) { case 1: for (i = 0; i < 5; i++) { if (b) continue; a++; } } break; }",
+           "for (;;) { if (a) { for (i = 0; i < 5; i++) { if (b) continue; a++; } } break; }",
        }) {
     EXPECT_THAT(Errors(loop), testing::IsEmpty()) << loop;
   }

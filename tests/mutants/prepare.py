@@ -30,12 +30,12 @@ FOLDERS = {
 }
 # The folders of tests that may see them.
 TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "reference")
-# The mutated libraries, whose code is large and runs for moments.
+# The mutated libraries, whose code is large and runs for moments. What reads beyond the end of a list is to be seen.
 LIBRARIES = {"emit": "emit emit_layout emit_legalize emit_print", "runtime": "sim"}  # others are named as their folder
 FAST_TO_COMPILE = """
 foreach(FOLDER {libraries})
   if(TARGET plcxx_${{FOLDER}})
-    target_compile_options(plcxx_${{FOLDER}} PRIVATE -O0 -w)
+    target_compile_options(plcxx_${{FOLDER}} PRIVATE -O0 -w -D_GLIBCXX_ASSERTIONS)
   endif()
 endforeach()
 """

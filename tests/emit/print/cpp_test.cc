@@ -116,6 +116,16 @@ TEST(Temporaries, AResultOfAStepIsSpelledWhereItIsAsked) {
               HasSubstr("  if (!CountSlow(m[C5], m[a], 3, 1)) {\n    fault(host, fault_kind::HIGH, 5);\n  }\n"));
 }
 
+// What a host function takes has a type of its own where the function says so: a number becomes one of it.
+TEST(Calls, AnArgumentWithNamesIsOneOfThemOrAConversion) {
+  const auto call = [](const std::string& kind) {
+    return Print(kind + "\n%6 = const i32 5\nhost fault (%5, %6)\n").source;
+  };
+  EXPECT_THAT(call("%5 = const i8 0"), HasSubstr("  fault(host, fault_kind::LOW, 5);\n"));
+  EXPECT_THAT(call("%5 = const i8 1"), HasSubstr("  fault(host, fault_kind::HIGH, 5);\n"));
+  EXPECT_THAT(call("%5 = load V"), HasSubstr("  fault(host, static_cast<fault_kind>(m[V]), 5);\n"));
+}
+
 TEST(Branches, AnElseArmThatIsOneIfIsAChain) {
   const std::string source = Print(
                                  "%0 = load a\nif %0 {\n%1 = const bit 1\nstore c %1\n} else {\n%2 = load b\nif %2 "

@@ -96,6 +96,13 @@ TEST(Functions, NameTheStateWhereTheyAskForAStatementOnly) {
   EXPECT_THAT(PrintAll(of_statement, Flavour::kDebug), HasSubstr("void fast(State& m, Host& host) noexcept {"));
 }
 
+// What is stored where it was is not there, and neither is what it was read from.
+TEST(Functions, NameNoStateForWhatIsNotStoredAgain) {
+  const std::string unchanged = "routine fast fast {\n body {\n stmt s1\n %0 = load a\n store a %0\n";
+  EXPECT_THAT(PrintAll(unchanged + " }\n}\n"), HasSubstr("void fast(State&, Host&) noexcept {"));
+  EXPECT_THAT(PrintAll(unchanged + " store b %0\n }\n}\n"), HasSubstr("void fast(State& m, Host&) noexcept {"));
+}
+
 // To GCC 12 a function that stores to array + number stores to the beginning of the array: what the caller has stored
 // there before is gone.
 TEST(Functions, AddressBytesAsElements) {

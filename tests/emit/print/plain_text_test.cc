@@ -144,6 +144,10 @@ TEST(PlainText, MasksHaveAsManyDigitsAsTheirNumberNeeds) {
   EXPECT_THAT(source("0xFF"), HasSubstr("m[d] & 0xFF;\n"));
   EXPECT_THAT(source("0xFFFF"), HasSubstr("m[d] & 0xFFFF;\n"));
   EXPECT_THAT(source("0xFFFFFFFF"), HasSubstr("m[d] & 0xFFFFFFFF;\n"));
+  const ir::Program wide = ir::ReadOrDie(
+      "space m 8 volatile little\nplace q i64 m[0]\nroutine fast fast {\n%0 = const i64 0x100000000\nstore q %0\n}\n");
+  EXPECT_THAT(PrintCpp(legalize::Legalize(wide, {.name = "p"}), source::SourceManager()).back().text,
+              HasSubstr("m[q] = 0x0000000100000000;\n"));
 }
 
 TEST(PlainText, WhatTheControlAssignsFirstIsInTheDeclaration) {

@@ -17,10 +17,6 @@ using ir::ValueId;
 
 CallResult Calls::Call(ExprId id) {
   const Expr& expr = ExprAt(id);
-  if (!expr.function.valid()) {
-    for (size_t i = expr.arguments.size(); i-- > 0;) expressions_.Execute(expr.arguments[i]);
-    return {};
-  }
   const Function& callee = unit_.functions[expr.function];
   if (callee.system) return system_calls_.Call(expr);
   return CallFunction(expr);

@@ -127,7 +127,7 @@ CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
     const ExprId named = expr.arguments[address == &to ? 0 : 1];
     diagnostics_.Report(
         ExprAt(named).range, diag::HncPointerObject,
-        "'" + std::string(sources_.Text(ExprAt(named).range)) + "' is never assigned the address of one");
+        "'" + std::string(sources_.Text(ExprAt(named).range)) + "' " + std::string(Pointers::WhyRefused(*address)));
     return result;
   }
   // Kept in locals: what follows has regions of its own.

@@ -148,13 +148,13 @@ bool Pointers::CheckTargets(const Address& address, ExprId at) {
   if (variable.valid() && HasPoisonedSource(variable)) return false;
   const std::string name =
       variable.valid() ? unit_.variables[variable].name : std::string(sources_.Text(ExprAt(at).range));
-  const bool many = address.targets.objects.size() > kMostTargets;
-  diagnostics_.Report(ExprAt(at).range, diag::HncPointerObject,
-                      "'" + name + "' " +
-                          (many              ? "may refer to more than 16 objects"
-                           : address.is_null ? "is 0"
-                                             : "is never assigned the address of one"));
+  diagnostics_.Report(ExprAt(at).range, diag::HncPointerObject, "'" + name + "' " + std::string(WhyRefused(address)));
   return false;
+}
+
+std::string_view Pointers::WhyRefused(const Address& address) {
+  if (address.targets.objects.size() > kMostTargets) return "may refer to more than 16 objects";
+  return address.is_null ? "is 0" : "is never assigned the address of one";
 }
 
 /// Whether something that was refused already is assigned to the pointer.

@@ -23,6 +23,8 @@ class Pointers : Context {
   static bool MayBeNull(const Address& address);
   /// Whether an access through the pointer can be lowered; else it is refused, once for each variable.
   bool CheckTargets(const Address& address, ExprId at);
+  /// Why not, of a pointer whose targets are none or too many: "is 0".
+  static std::string_view WhyRefused(const Address& address);
   Address SelectAddress(ir::ValueId condition, const Address& a, const Address& b);
 
  private:
