@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What a plcxx.yaml says to plcxx lsp beside the sources: warnings that are accepted, and which program a file belongs to.
+"""What a plcxx.yaml says to plcxx lsp beside the sources: warnings that are accepted, and which program a file
+belongs to, why a signal is so in its scenarios.
 
 usage: project_session.py PLCXX PROJECT
 """
@@ -83,6 +84,42 @@ def program_of(plcxx, root, folder):
     assert client.shut_down() == 0
 
 
+def why(plcxx, folder):
+    """Why a signal is what it is at the end of each scenario that runs the program, of the text as it is in the editor."""
+    source = folder / "lamp.plc"
+    source.write_text("$\nU4A8=I0A3*I0A4\n")
+    (folder / "plcxx.yaml").write_text("name: lamp\ndialect: nc110\nsources: [lamp.plc]\n")
+    (folder / "scenarios").mkdir()
+    steps = "steps:\n- set: {I0A3: 1}\n- run: {slow: 2}\n"
+    (folder / "scenarios" / "one.yaml").write_text(steps)
+    (folder / "scenarios" / "other.yaml").write_text(f"dialect: nc110\nsources: [other.plc]\n{steps}")
+    (folder / "scenarios" / "other.plc").write_text("$\nU4A8=I0A5\n")
+    (folder / "scenarios" / "broken.yaml").write_text("steps: 7\n")
+    client = Client(plcxx)
+    client.open(source, "$\nU4A8=I0A3*I0A4\n")
+    at = {"start": {"line": 1, "character": 0}, "end": {"line": 1, "character": 0}}
+    asked = {"textDocument": {"uri": uri_of(source)}, "range": at, "context": {"diagnostics": []}}
+    actions = [one for one in client.request("textDocument/codeAction", asked) if one["kind"] == "plcxx.why"]
+    assert [one["title"] for one in actions] == ["Why is U4A8 so at the end of one.yaml?"], actions
+    command = {key: actions[0]["command"][key] for key in ("command", "arguments")}
+    text = client.request("workspace/executeCommand", command)
+    assert text.startswith("U4A8 is 0 at 10 ms: ") and "\n  I0A4 is 0: as at power-on\n" in text, text
+    assert [one["params"]["message"] for one in client.messages if one["method"] == "window/showMessage"] == [text]
+    client.change(source, [{"text": "$\nU4A8=I0A3*I0A5\n"}], 2)
+    text = client.request("workspace/executeCommand", command)
+    assert "I0A5 is 0" in text, "a buffer that is not saved counts"
+    nothing = {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 0}}
+    assert client.request("textDocument/codeAction", {**asked, "range": nothing}) == []
+    argument = command["arguments"][0]
+    for wrong in ({"command": "rm"}, {"command": "plcxx.why"}, {"command": "plcxx.why", "arguments": [7]},
+                  {"command": "plcxx.why", "arguments": [{**argument, "scenario": "/etc/passwd"}]},
+                  {"command": "plcxx.why", "arguments": [{**argument, "signal": 5}]}):
+        assert "error" in client.raw_request("workspace/executeCommand", wrong), wrong
+    unknown = {"command": "plcxx.why", "arguments": [{**argument, "signal": "NOPE"}]}
+    assert "is no location" in client.request("workspace/executeCommand", unknown)
+    assert client.shut_down() == 0
+
+
 def main():
     plcxx, root = sys.argv[1:3]
     with tempfile.TemporaryDirectory(prefix="plcxx-test-") as directory:
@@ -90,6 +127,8 @@ def main():
         (folder / "baseline").mkdir()
         baseline(plcxx, folder / "baseline")
         program_of(plcxx, pathlib.Path(root), folder)
+        (folder / "why").mkdir()
+        why(plcxx, folder / "why")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "transpiler/driver/common_options.h"
+#include "transpiler/driver/lsp_scenarios.h"
 #include "transpiler/lsp/server.h"
 
 namespace plcxx::driver {
@@ -23,7 +24,7 @@ void AddLsp(CLI::App& app, Run& run) {
   const auto stdio = std::make_shared<bool>(false);
   command->add_flag("--stdio", *stdio, "Standard input and output, which are used in any case");
   command->footer(kLspFooter);
-  command->callback([&run, stdio] { run = [] { return lsp::Serve(); }; });
+  command->callback([&run, stdio] { run = [] { return lsp::Serve(AnswersOfScenarios()); }; });
 }
 
 }  // namespace plcxx::driver

@@ -88,6 +88,7 @@ Json CodeActions(const FeatureContext& context, const Json& params) {
                        {"diagnostics", {ToJson(context.analysis, diagnostic)}},
                        {"edit", {{"changes", changes}}}});
   }
+  AddWhyActions(context, params, actions);
   return actions;
 }
 

@@ -28,6 +28,10 @@ struct FeatureContext {
 /// `identity` is a FileIdentity.
 std::string UriOf(const Documents& documents, std::string_view identity);
 
+/// The kind of these actions, and the command whose argument is {uri, signal, scenario}; its result is what plcxx why
+/// says.
+inline constexpr const char* kWhyCommand = "plcxx.why";
+void AddWhyActions(const FeatureContext& context, const Json& params, Json& actions);
 Json CodeActions(const FeatureContext& context, const Json& params);
 Json Hover(const FeatureContext& context, const Json& params);
 Json GoToDefinition(const FeatureContext& context, const Json& params);

@@ -1,5 +1,6 @@
 #include "transpiler/lsp/server.h"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -16,9 +17,9 @@ enum class State : uint8_t { kNew, kInitialized, kShutDown, kEnded };
 
 class LanguageServer {
  public:
-  LanguageServer()
-      : server_(rpc::Framing::kHeaders,
-                [this](std::string_view text) { streams_.Send(rpc::Framing::kHeaders, text); }) {
+  explicit LanguageServer(ScenarioAnswers answers)
+      : server_(rpc::Framing::kHeaders, [this](std::string_view text) { streams_.Send(rpc::Framing::kHeaders, text); }),
+        workspace_(std::move(answers)) {
     AddMethods();
   }
 
@@ -35,6 +36,7 @@ class LanguageServer {
   void AddFeature(const char* method, Feature feature);
   Json WorkspaceSymbols(const Json& params);
   Json ProgramOf(const Json& params);
+  Json ExecuteCommand(const Json& params);
   void CheckState(std::string_view method) const;
   Json Initialize(const Json& params);
   void Publish(std::string_view identity);
@@ -81,7 +83,7 @@ Json LanguageServer::Initialize(const Json& params) {
   return {{"capabilities",
            {{"positionEncoding", Name(workspace_.units())},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
-            {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+            {"codeActionProvider", {{"codeActionKinds", {"quickfix", kWhyCommand}}}},
             {"hoverProvider", true},
             {"definitionProvider", true},
             {"referencesProvider", true},
@@ -93,7 +95,8 @@ Json LanguageServer::Initialize(const Json& params) {
             {"renameProvider", {{"prepareProvider", true}}},
             {"semanticTokensProvider", {{"legend", SemanticTokensLegend()}, {"full", true}}},
             {"foldingRangeProvider", true},
-            {"callHierarchyProvider", true}}},
+            {"callHierarchyProvider", true},
+            {"executeCommandProvider", {{"commands", {kWhyCommand}}}}}},
           {"serverInfo", {{"name", "plcxx"}, {"version", PLCXX_VERSION}}}};
 }
 
@@ -172,6 +175,7 @@ void LanguageServer::AddMethods() {
     return nullptr;
   });
   add("workspace/symbol", [this](const Json& params) { return WorkspaceSymbols(params); });
+  add("workspace/executeCommand", [this](const Json& params) { return ExecuteCommand(params); });
   add("plcxx/program", [this](const Json& params) { return ProgramOf(params); });
   AddFeatures();
 }
@@ -208,6 +212,27 @@ Json LanguageServer::WorkspaceSymbols(const Json& params) {
     AddWorkspaceSymbols({workspace_, *program, analysis, names, source::FileId(0)}, query, symbols);
   }
   return symbols;
+}
+
+/// The answer goes to who asked, and as a message to the user: most editors show no results of commands.
+Json LanguageServer::ExecuteCommand(const Json& params) {
+  const support::FaultGuard guard;
+  const std::string command = rpc::TextOf(params, "command");
+  if (command != kWhyCommand) throw rpc::Error(rpc::kInvalidParams, "unknown command '" + command + "'");
+  const Json arguments = params.value("arguments", Json::array());
+  if (!arguments.is_array() || arguments.size() != 1) {
+    throw rpc::Error(rpc::kInvalidParams, "'arguments' has one object: uri, signal, scenario");
+  }
+  const Json& asked = arguments.front();
+  const WorkspaceProgram* program = workspace_.ProgramOf(source::FileIdentity(PathOfItem(asked)), Publisher());
+  if (program == nullptr) throw rpc::Error(rpc::kInvalidParams, "the file is part of no program");
+  const std::string scenario = rpc::TextOf(asked, "scenario");
+  if (std::ranges::find(workspace_.ScenariosOf(*program), scenario) == workspace_.ScenariosOf(*program).end()) {
+    throw rpc::Error(rpc::kInvalidParams, "'" + scenario + "' is no scenario of the program");
+  }
+  const std::string text = workspace_.Why(*program, scenario, rpc::TextOf(asked, "signal"));
+  server_.Notify("window/showMessage", {{"type", 3}, {"message", text}});
+  return text;
 }
 
 /// Our own: what a file belongs to, which need not be open; null where it is no part of a program. An editor has one
@@ -253,6 +278,6 @@ dialects::Request FeatureContext::RequestOf(diag::Engine& unused) const {
   return request;
 }
 
-int Serve() { return LanguageServer().Run(); }
+int Serve(ScenarioAnswers answers) { return LanguageServer(std::move(answers)).Run(); }
 
 }  // namespace plcxx::lsp

@@ -10,6 +10,7 @@
 #include "transpiler/lsp/program_options.h"
 #include "transpiler/project/project.h"
 #include "transpiler/source/find_file.h"
+#include "transpiler/source/unsaved.h"
 #include "transpiler/support/fault_guard.h"
 
 namespace plcxx::lsp {
@@ -77,6 +78,7 @@ void Workspace::ReadProjectFile(const std::string& project) {
     program->request = project::RequestOf(said);
     program->project = project;
     program->name = project::NameOf(said);
+    program->scenario_paths = said.scenarios;
     if (!said.baseline.empty()) ReadBaselineOf(*program, said.baseline);
     programs_.push_back(std::move(program));
   }
@@ -128,7 +130,28 @@ void Workspace::Closed(const std::string& identity, const Publish& publish) {
 
 void Workspace::ChangedOnDisk() {
   for (const std::string& project : projects_) ReadProjectFile(project);
-  for (const auto& program : programs_) program->changed = true;
+  for (const auto& program : programs_) {
+    program->changed = true;
+    program->scenarios = std::nullopt;
+  }
+}
+
+const std::vector<std::string>& Workspace::ScenariosOf(const WorkspaceProgram& program) const {
+  if (!program.scenarios) {
+    program.scenarios.emplace();
+    std::vector<std::string> sources;
+    for (const std::string& path : program.request.sources) {
+      sources.push_back(source::FileIdentity(compilation::FromBase(program.request.base_directory, path)));
+    }
+    if (answers_.of_program) program.scenarios = answers_.of_program(program.scenario_paths, sources);
+  }
+  return *program.scenarios;
+}
+
+std::string Workspace::Why(const WorkspaceProgram& program, const std::string& scenario,
+                           const std::string& signal) const {
+  const source::UnsavedScope scope(program.analysis->unsaved());
+  return answers_.why(scenario, signal);
 }
 
 void Workspace::PublishWaiting(const Publish& publish) {

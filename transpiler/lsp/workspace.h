@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "transpiler/lsp/analysis.h"
 #include "transpiler/lsp/documents.h"
+#include "transpiler/lsp/scenario_answers.h"
 #include "transpiler/yaml/place.h"
 
 namespace plcxx::lsp {
@@ -32,12 +34,17 @@ struct WorkspaceProgram {
   /// The last one without errors: names keep their meaning while a statement is being typed.
   std::unique_ptr<Analysis> whole;
   FileDiagnostics diagnostics;
+  std::vector<std::string> scenario_paths;                    // files and folders, as the project says
+  mutable std::optional<std::vector<std::string>> scenarios;  // those of the program, when somebody has asked
 
   const Analysis& Meaning() const { return whole != nullptr ? *whole : *analysis; }
 };
 
 class Workspace {
  public:
+  /// Without answers no scenario is known.
+  explicit Workspace(ScenarioAnswers answers = {}) : answers_(std::move(answers)) {}
+
   using Publish = std::function<void(std::string_view identity)>;
 
   void SetUnits(Units units) { units_ = units; }
@@ -62,6 +69,11 @@ class Workspace {
   WorkspaceProgram* ProgramOf(const std::string& identity, const Publish& publish);
   const std::vector<std::unique_ptr<WorkspaceProgram>>& programs() const { return programs_; }
 
+  /// The scenarios that run a program, as they were on the disk when it was asked first after a change there.
+  const std::vector<std::string>& ScenariosOf(const WorkspaceProgram& program) const;
+  /// What `plcxx why` says of the texts as they are, saved or not.
+  std::string Why(const WorkspaceProgram& program, const std::string& scenario, const std::string& signal) const;
+
   /// What has been found in a file, by whichever program reads it: an array as JSON.
   std::string DiagnosticsOf(std::string_view identity) const;
 
@@ -78,6 +90,7 @@ class Workspace {
   /// Does the program read the file, as far as is known?
   static bool Reads(const WorkspaceProgram& program, const std::string& identity);
 
+  ScenarioAnswers answers_;
   Units units_ = Units::kUtf16;
   Documents documents_;
   std::set<std::string> projects_;  // paths
