@@ -36,10 +36,10 @@ MNEMONICS = {
           ["PROSTEP_FUNCTION(DifferLong, None, 2, Long, Long, LongWritten)"]),
          ("transpiler/dialects/prostep/machine.def", "PROSTEP_FUNCTION_NUMBER(66, ",
           ["PROSTEP_FUNCTION_NUMBER(67, DifferLong)"]),
-         ("transpiler/dialects/prostep/lowering_functions.cc", "    case Function::kOrLong:",
+         ("transpiler/dialects/prostep/lowering/functions.cc", "    case Function::kOrLong:",
           ["    case Function::kDifferLong:"]),
-         ("transpiler/dialects/prostep/lowering_functions.cc", "      return LongOperation(instruction, OpKind::kXor32);",
-          ["    case Function::kDifferLong:", "      return LongOperation(instruction, OpKind::kXor32);"])],
+         ("transpiler/dialects/prostep/lowering/functions.cc", "      return long_words_.Combine(instruction, OpKind::kXor32);",
+          ["    case Function::kDifferLong:", "      return long_words_.Combine(instruction, OpKind::kXor32);"])],
         "tests/golden/prostep/functional/fm_64_65_66", r"\bFM 66\b", "FM 67"),
     "technol": (
         [("transpiler/dialects/technol/machine.def", "TECHNOL_ASSEMBLER(Not, ",

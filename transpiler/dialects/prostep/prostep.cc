@@ -3,7 +3,7 @@
 #include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/prostep/lexer.h"
 #include "transpiler/dialects/prostep/locate.h"
-#include "transpiler/dialects/prostep/lowering.h"
+#include "transpiler/dialects/prostep/lowering/lowering.h"
 #include "transpiler/dialects/prostep/numbers.h"
 #include "transpiler/dialects/prostep/options.h"
 #include "transpiler/dialects/prostep/parser.h"

@@ -1,15 +1,14 @@
-// Which instructions are one statement, and what generated code says above it.
-//
-// A statement is a sequence with all the instructions that use its S: "A ... = ... S ... JC"; likewise a load with the
-// transfers behind it. Values end with their statement, and so does what a reader has to keep in mind. Its text is
-// lines of the source as they stand, labels and comments included.
+#include "transpiler/dialects/prostep/lowering/statement_writer.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/prostep/lowering_internal.h"
+#include "transpiler/dialects/common/statement_ids.h"
+#include "transpiler/dialects/common/statement_texts.h"
+#include "transpiler/dialects/prostep/lowering/registers.h"
 
 namespace plcxx::prostep {
+
 namespace {
 
 /// Texts end: "A", "N" is not "AN".
@@ -38,14 +37,21 @@ std::string_view SubjectSpace(const Instruction& instruction) {
 
 }  // namespace
 
-void Lowering::CutStatements(const Module& module) {
-  begins_statement_.assign(module.instructions.count, false);
-  bool behind_end = false, behind_border = true, sets_ax = false;
-  for (uint32_t i = 0; i < module.instructions.count; ++i) {
-    const Instruction& instruction = tree_.instructions[InstructionId(module.instructions.first + i)];
+void StatementWriter::BeginModule(const std::vector<bool>& label_at) {
+  Cut(label_at);
+  dialects::AddComments(tree_.comments, module().comments.first, module().comments.count, CommentPlace::kLeading,
+                        waiting_comments_);
+  waiting_comments_.push_back(dialects::LinesOf(sources_, module().open.begin, module().open.end));
+}
+
+void StatementWriter::Cut(const std::vector<bool>& label_at) {
+  begins_.assign(module().instructions.count, false);
+  bool after_end = false, after_border = true, sets_ax = false;
+  for (uint32_t i = 0; i < module().instructions.count; ++i) {
+    const Instruction& instruction = tree_.instructions[InstructionId(module().instructions.first + i)];
     const Role role = Info(instruction.op).role;
-    bool begins = behind_border || label_at_[i];
-    if (behind_end) {
+    bool begins = after_border || label_at[i];
+    if (after_end) {
       const bool uses = role == Role::kEnds || role == Role::kJump;
       switch (uses ? TakesOf(instruction) : Takes::kNothing) {
         case Takes::kS:
@@ -59,14 +65,14 @@ void Lowering::CutStatements(const Module& module) {
       }
     }
     if (begins) sets_ax = false;
-    begins_statement_[i] = begins;
+    begins_[i] = begins;
     sets_ax |= Info(instruction.op).ax_use == AxUse::kLoadsWord;
-    behind_end = role == Role::kEnds;
-    behind_border = EndsStatement(instruction.op);
+    after_end = role == Role::kEnds;
+    after_border = EndsStatement(instruction.op);
   }
 }
 
-std::string Lowering::SubjectOf(InstructionId first, InstructionId end) const {
+std::string StatementWriter::SubjectOf(InstructionId first, InstructionId end) const {
   for (uint32_t i = first.index; i < end.index; ++i) {
     const Instruction& instruction = tree_.instructions[InstructionId(i)];
     if (SubjectSpace(instruction).empty()) continue;
@@ -74,10 +80,10 @@ std::string Lowering::SubjectOf(InstructionId first, InstructionId end) const {
     return std::string(Name(operand.kind)) + std::to_string(operand.number) +
            (operand.shape() == Shape::kBit ? "_" + std::to_string(operand.bit) : "");
   }
-  return module_->number == 0 ? "init" : "PM" + std::to_string(module_->number);
+  return module().number == 0 ? "init" : "PM" + std::to_string(module().number);
 }
 
-uint32_t Lowering::StatementNumber(InstructionId first, InstructionId end) {
+uint32_t StatementWriter::NumberOf(InstructionId first, InstructionId end) {
   dialects::TextHash text;
   for (uint32_t i = first.index; i < end.index; ++i) {
     const Instruction& instruction = tree_.instructions[InstructionId(i)];
@@ -85,7 +91,7 @@ uint32_t Lowering::StatementNumber(InstructionId first, InstructionId end) {
     if (instruction.operand.exists()) Add(text, ToText(instruction.operand));
     if (instruction.target.valid()) Add(text, tree_.labels[instruction.target].name);
     for (uint32_t k = 0; k < instruction.arguments.count; ++k) {
-      Add(text, ToText(tree_.Argument(instruction, k)));
+      Add(text, ToText(Argument(instruction, k)));
     }
   }
   // The first of equal texts keeps the text's own hash; 0 is no number.
@@ -96,38 +102,39 @@ uint32_t Lowering::StatementNumber(InstructionId first, InstructionId end) {
   }
 }
 
-void Lowering::BeginStatement(InstructionId first, InstructionId end) {
-  const Instruction& head = tree_.instructions[first];
-  source::Offset begin = head.range.begin;
-  for (uint32_t i = 0; i < module_->labels.count; ++i) {
-    const Label& label = tree_.labels[LabelId(module_->labels.first + i)];
+source::Range StatementWriter::LinesOf(InstructionId first, InstructionId end) const {
+  source::Offset begin = tree_.instructions[first].range.begin;
+  for (uint32_t i = 0; i < module().labels.count; ++i) {
+    const Label& label = tree_.labels[LabelId(module().labels.first + i)];
     if (label.at == first) begin = std::min(begin, label.range.begin);
   }
-  const source::Range lines =
-      dialects::LinesOf(sources_, begin, tree_.instructions[InstructionId(end.index - 1)].whole.end);
+  return dialects::LinesOf(sources_, begin, tree_.instructions[InstructionId(end.index - 1)].whole.end);
+}
+
+void StatementWriter::Begin(uint32_t index) {
+  uint32_t after = index + 1;
+  while (after < begins_.size() && !begins_[after]) ++after;
+  const InstructionId first(module().begin_of().index + index), end(module().begin_of().index + after);
+  const Instruction& head = tree_.instructions[first];
+  const source::Range lines = LinesOf(first, end);
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
   dialects::AddComments(tree_.comments, head.comments.first, head.comments.count, CommentPlace::kLeading, comments);
   dialects::RemoveCommentsIn(lines, comments);
-  const ir::StatementId id = program_.statements.Add({.range = lines,
-                                                      .comments = std::move(comments),
-                                                      .subject = SubjectOf(first, end),
-                                                      .id = StatementNumber(first, end)});
+  const ir::StatementId id = program_.statements.Add(
+      {.range = lines, .comments = std::move(comments), .subject = SubjectOf(first, end), .id = NumberOf(first, end)});
   builder_.SetRange(head.range);
   builder_.Statement(id);
 }
 
-/// What stands before END belongs to no instruction.
-void Lowering::EndComments(const Module& module) {
+void StatementWriter::EndModule() {
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
-  dialects::AddComments(tree_.comments, module.end_comments.first, module.end_comments.count, CommentPlace::kLeading,
-                        comments);
+  dialects::AddComments(tree_.comments, module().end_comments.first, module().end_comments.count,
+                        CommentPlace::kLeading, comments);
   if (comments.empty()) return;
-  s_->EndStatement();
-  ax_->EndStatement();
-  if (first_ != nullptr) first_->EndStatement();
-  const source::Range place{module.close.begin, module.close.begin};
+  registers_.EndStatement();
+  const source::Range place{module().close.begin, module().close.begin};
   ir::Statement statement{.range = place, .comments = std::move(comments), .subject = {}, .id = 0};
-  statement.id = StatementNumber(module.end_of(), module.end_of());
+  statement.id = NumberOf(module().end_of(), module().end_of());
   builder_.Statement(program_.statements.Add(std::move(statement)));
 }
 

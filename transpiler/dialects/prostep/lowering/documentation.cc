@@ -1,13 +1,16 @@
-// What is known of the addresses that a program uses: the signal table's names and meanings, else the comment of the
-// declaration that gives the address its first value (specification 8).
+#include "transpiler/dialects/prostep/lowering/documentation.h"
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
+#include <vector>
 
-#include "transpiler/dialects/prostep/lowering_internal.h"
+#include "transpiler/dialects/prostep/lowering/cells.h"
+#include "transpiler/dialects/prostep/lowering/instances.h"
 #include "transpiler/dialects/prostep/signals.h"
 
 namespace plcxx::prostep {
+
 namespace {
 
 struct Entry {
@@ -23,7 +26,7 @@ void AddWord(std::string& to, std::string_view word, std::string_view between) {
 
 }  // namespace
 
-std::string Lowering::DeclaredComment(uint32_t address, uint32_t bytes) const {
+std::string Documentation::DeclaredComment(uint32_t address, uint32_t bytes) const {
   for (const DataDeclaration& declared : tree_.data) {
     if (declared.address != address || declared.bytes != bytes) continue;
     for (uint32_t i = 0; i < declared.comments.count; ++i) {
@@ -37,9 +40,14 @@ std::string Lowering::DeclaredComment(uint32_t address, uint32_t bytes) const {
   return {};
 }
 
-void Lowering::Document() {
+void Documentation::Add() {
+  AddCells();
+  AddInstances();
+}
+
+void Documentation::AddCells() {
   std::vector<Entry> entries;
-  for (const auto& [key, id] : places_) {
+  for (const auto& [key, id] : cells_.places()) {
     const ir::Place& place = program_.places[id];
     const auto space = static_cast<Space>(key >> 24);
     const uint32_t address = key >> 8 & 0xFFFF, bytes = ir::Bytes(place.type);
@@ -56,7 +64,10 @@ void Lowering::Document() {
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.order < b.order; });
   for (Entry& entry : entries) program_.documentation.push_back(std::move(entry.documentation));
-  const auto instances = [&](const auto& states, std::string_view letter) {
+}
+
+void Documentation::AddInstances() {
+  const auto add = [&](const auto& states, std::string_view letter) {
     for (uint32_t number = 0; number < states.size(); ++number) {
       if (!states[number].valid()) continue;
       program_.documentation.push_back({.address = std::string(letter) + " " + std::to_string(number),
@@ -66,8 +77,8 @@ void Lowering::Document() {
                                         .help = {}});
     }
   };
-  instances(timers_, "T");
-  instances(counters_, "C");
+  add(instances_.timers(), "T");
+  add(instances_.counters(), "C");
 }
 
 }  // namespace plcxx::prostep

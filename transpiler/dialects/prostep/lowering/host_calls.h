@@ -1,0 +1,27 @@
+// The functions by which a program reaches its host (specification 8.1).
+#pragma once
+
+#include <vector>
+
+#include "transpiler/dialects/common/host_calls.h"
+
+namespace plcxx::prostep {
+
+enum class HostCall : uint8_t {
+  kNow,
+  kReadPort,
+  kWritePort,
+  kNcRead,
+  kNcWrite,
+  kNcToPlc,
+  kPlcToNc,
+  kRetentiveLoad,
+  kFault,
+  kCount
+};
+
+using HostCalls = dialects::HostCalls<HostCall>;
+
+const std::vector<dialects::HostRow<HostCall>>& HostRows();
+
+}  // namespace plcxx::prostep
