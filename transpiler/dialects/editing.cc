@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "transpiler/dialects/classicladder/classicladder.h"
+#include "transpiler/dialects/classicladder/editing.h"
 #include "transpiler/dialects/hnc/editing.h"
 #include "transpiler/dialects/hnc/hnc.h"
 #include "transpiler/dialects/host50/editing.h"
@@ -17,7 +19,8 @@
 namespace plcxx::dialects {
 
 const Editing& EditingOf(const Dialect& dialect) {
-  const std::pair<const Dialect*, const Editing*> rows[] = {{&hnc::kHnc, &hnc::kEditing},
+  const std::pair<const Dialect*, const Editing*> rows[] = {{&classicladder::kClassicladder, &classicladder::kEditing},
+                                                            {&hnc::kHnc, &hnc::kEditing},
                                                             {&host50::kHost50, &host50::kEditing},
                                                             {&nc110::kNc110, &nc110::kEditing},
                                                             {&prostep::kProstep, &prostep::kEditing},

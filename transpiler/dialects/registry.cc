@@ -1,3 +1,4 @@
+#include "transpiler/dialects/classicladder/classicladder.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/dialects/hnc/hnc.h"
 #include "transpiler/dialects/host50/host50.h"
@@ -8,7 +9,12 @@
 namespace plcxx::dialects {
 namespace {
 
-const Dialect* const kAll[] = {&hnc::kHnc, &host50::kHost50, &nc110::kNc110, &prostep::kProstep, &technol::kTechnol};
+const Dialect* const kAll[] = {&classicladder::kClassicladder,
+                               &hnc::kHnc,
+                               &host50::kHost50,
+                               &nc110::kNc110,
+                               &prostep::kProstep,
+                               &technol::kTechnol};
 
 }  // namespace
 

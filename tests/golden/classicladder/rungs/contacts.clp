@@ -1,0 +1,9 @@
+_FILES_CLASSICLADDER
+_FILE-sections.csv
+000,0,-1,0,0,0
+_/FILE-sections.csv
+_FILE-rung_0.csv
+1-0-50/0 , 2-0-50/1 , 50-0-60/0
+1-0-50/2 , 51-0-60/1
+_/FILE-rung_0.csv
+_/FILES_CLASSICLADDER

@@ -1,0 +1,10 @@
+_FILES_CLASSICLADDER
+_FILE-sections.csv
+000,0,-1,0,0,0
+_/FILE-sections.csv
+_FILE-rung_0.csv
+3-0-50/0 , 50-0-60/0
+1-0-50/1 , 3-0-50/0 , 50-0-60/1
+4-0-50/0 , 50-0-60/2
+_/FILE-rung_0.csv
+_/FILES_CLASSICLADDER

@@ -1,0 +1,10 @@
+// The dialect classicladder.
+#pragma once
+
+#include "transpiler/dialects/dialect.h"
+
+namespace plcxx::classicladder {
+
+extern const dialects::Dialect kClassicladder;
+
+}  // namespace plcxx::classicladder

@@ -1,0 +1,45 @@
+#include "transpiler/dialects/classicladder/locate.h"
+
+#include <charconv>
+
+#include "transpiler/dialects/classicladder/places.h"
+
+namespace plcxx::classicladder {
+namespace {
+
+std::optional<Address> AddressOf(const ir::Program& program, std::string_view text) {
+  if (const auto address = AddressByName(text)) return address;
+  for (const ir::Documentation& entry : program.documentation) {
+    if (!entry.symbols.empty() && entry.symbols == text) return AddressByName(entry.address);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
+  const auto address = AddressOf(program, text);
+  if (!address) return std::nullopt;
+  const Sizes sizes = SizesOf(program);
+  const auto resolved = Resolve(*address, sizes);
+  if (!resolved || *resolved != *address) return std::nullopt;  // beyond its kind
+  const VariableInfo& info = Info(address->kind);
+  dialects::Location location;
+  location.place = PlaceAt(info.group, info.part, IndexOf(*address, sizes));
+  location.place.name = NameOf(*address);
+  location.has_sign = location.place.type == ir::Type::kI32;
+  return location;
+}
+
+std::optional<uint64_t> ParseValue(std::string_view text) {
+  constexpr size_t kMostHexDigits = 8;
+  if (!text.starts_with('$')) return std::nullopt;
+  text.remove_prefix(1);
+  uint64_t value = 0;
+  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  const bool whole = last == text.data() + text.size();
+  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || !whole) return std::nullopt;
+  return value;
+}
+
+}  // namespace plcxx::classicladder
