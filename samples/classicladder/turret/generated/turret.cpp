@@ -15,8 +15,8 @@ static void SR0(State& m, Host& host) noexcept;
 static void refresh_steps(State& m, Host& host) noexcept;
 
 static_assert(offsetof(State, word32) == 0, "the symbol map holds for this layout");
-static_assert(offsetof(State, edge_memory) == 96, "the symbol map holds for this layout");
-static_assert(offsetof(State, bit) == 97, "the symbol map holds for this layout");
+static_assert(offsetof(State, edge_memory) == 100, "the symbol map holds for this layout");
+static_assert(offsetof(State, bit) == 101, "the symbol map holds for this layout");
 
 // Power-on: presets as the project has them, initial steps active, the rest 0.
 void init(State& m, Host&) noexcept {
@@ -131,25 +131,25 @@ void fast(State& m, Host& host) noexcept {
 
   // MOTORS
   // of the steps
-  // 1-0-30/1 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/1
-  // 1-0-30/2 , 0-1-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0
-  // 1-0-30/2 , 1-0-60/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/2
-  // 1-0-30/4 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/3
-  const bool t688 = m[X4_A];
-  const bool t689 = m[X2_A] & m[ENABLE];
-  m[UNCLAMP] = m[X1_A] | m[X2_A];
-  m[TURN] = t689;
-  m[CHANGED] = t688;
+  // 1-0-30/2 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/1
+  // 1-0-30/3 , 0-1-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0
+  // 1-0-30/3 , 1-0-60/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/2
+  // 1-0-30/5 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 50-0-60/3
+  const bool t424 = m[X5_A];
+  const bool t425 = m[X3_A] & m[ENABLE];
+  m[UNCLAMP] = m[X2_A] | m[X3_A];
+  m[TURN] = t425;
+  m[CHANGED] = t424;
 
   // ALARM
   // turns for too long
-  // 1-0-30/2 , 99-0-0/0 , 13-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 52-0-60/5
+  // 1-0-30/3 , 99-0-0/0 , 13-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 52-0-60/5
   // 0-0-0/0 , 99-0-0/0 , 99-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0 , 0-0-0/0
   // 3-0-50/1 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 53-0-60/5
   // 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 9-0-0/0 , 99-0-0/0 , 99-0-0/0 , 60-0-0/1
-  const bool t477 = m[X2_A];
-  const bool t478 = Rising(m[RESET_edge], m[RESET]);
-  if (t477) {
+  const bool t148 = m[X3_A];
+  const bool t149 = Rising(m[RESET_edge], m[RESET]);
+  if (t148) {
     if (S32(m[TOO_LONG_V]) < S32(m[TOO_LONG_P])) {
       m[TM0_part_ms] = Add32(m[TM0_part_ms], 10);
       if (S32(m[TM0_part_ms]) >= 1000) {
@@ -163,11 +163,11 @@ void fast(State& m, Host& host) noexcept {
     m[TOO_LONG_Q] = false;
     m[TOO_LONG_V] = 0;
   }
-  m[TM0_input_was] = t477;
+  m[TM0_input_was] = t148;
   if (m[TOO_LONG_Q]) {
     m[ALARM] = true;
   }
-  if (t478) {
+  if (t149) {
     m[ALARM] = false;
   }
   m[STATION] = m[COUNT_V];
@@ -224,36 +224,36 @@ static void refresh_steps(State& m, Host&) noexcept {
   } else {
     m[step0_ms] = 0;
   }
-  m[X0_A] = m[step0_active];
-  m[X0_V] = SignedDiv32(m[step0_ms], 1000);
+  m[X1_A] = m[step0_active];
+  m[X1_V] = SignedDiv32(m[step0_ms], 1000);
   if (m[step1_active]) {
     m[step1_ms] = Add32(m[step1_ms], 10);
   } else {
     m[step1_ms] = 0;
   }
-  m[X1_A] = m[step1_active];
-  m[X1_V] = SignedDiv32(m[step1_ms], 1000);
+  m[X2_A] = m[step1_active];
+  m[X2_V] = SignedDiv32(m[step1_ms], 1000);
   if (m[step2_active]) {
     m[step2_ms] = Add32(m[step2_ms], 10);
   } else {
     m[step2_ms] = 0;
   }
-  m[X2_A] = m[step2_active];
-  m[X2_V] = SignedDiv32(m[step2_ms], 1000);
+  m[X3_A] = m[step2_active];
+  m[X3_V] = SignedDiv32(m[step2_ms], 1000);
   if (m[step3_active]) {
     m[step3_ms] = Add32(m[step3_ms], 10);
   } else {
     m[step3_ms] = 0;
   }
-  m[X3_A] = m[step3_active];
-  m[X3_V] = SignedDiv32(m[step3_ms], 1000);
+  m[X4_A] = m[step3_active];
+  m[X4_V] = SignedDiv32(m[step3_ms], 1000);
   if (m[step4_active]) {
     m[step4_ms] = Add32(m[step4_ms], 10);
   } else {
     m[step4_ms] = 0;
   }
-  m[X4_A] = m[step4_active];
-  m[X4_V] = SignedDiv32(m[step4_ms], 1000);
+  m[X5_A] = m[step4_active];
+  m[X5_V] = SignedDiv32(m[step4_ms], 1000);
   if (m[step127_active]) {
     m[step127_ms] = Add32(m[step127_ms], 10);
   } else {

@@ -48,6 +48,7 @@ enum Bit : uint16_t {
   X2_A,
   X3_A,
   X4_A,
+  X5_A,
   T0_D,
   T0_R,
   M0_input_was,
@@ -77,6 +78,7 @@ enum Word32 : uint16_t {
   X2_V,
   X3_V,
   X4_V,
+  X5_V,
   T0_P,
   T0_V,
   M0_P,
@@ -101,9 +103,9 @@ enum EdgeMemoryTag : uint16_t {
 };
 
 struct State {
-  uint32_t word32[24];
+  uint32_t word32[25];
   plcxx::EdgeMemory edge_memory[1];
-  bool bit[39];
+  bool bit[40];
 
   [[gnu::const, gnu::always_inline]] bool& operator[](Bit tag) noexcept { return bit[tag]; }
   [[gnu::pure, gnu::always_inline]] const bool& operator[](Bit tag) const noexcept { return bit[tag]; }
