@@ -30,6 +30,16 @@ TEST(HncKnownBounds, APointerKeepsWhatIsKnownOfTheIndexInIt) {
   EXPECT_TRUE(IsChecked(around + "a = p[2];"));
 }
 
+// Of an element and of a byte in it: what is known of both is counted in bytes.
+TEST(HncKnownBounds, BytesOfElementsAreCountedInBytes) {
+  const std::string around = "if (b < -2 || b > 2) return; ";
+  EXPECT_TRUE(IsChecked(around + "a = ((unsigned char *)(table + b))[X[0] & 3];"));
+  EXPECT_TRUE(IsChecked(around + "a = ((unsigned char *)(table + 1 + b))[X[0] & 3];"));
+  EXPECT_FALSE(IsChecked(around + "a = ((unsigned char *)(table + 2 + b))[X[0] & 3];"));
+  EXPECT_FALSE(IsChecked(around + "a = ((unsigned char *)(table + 4 + b))[X[0] & 3];"));
+  EXPECT_TRUE(IsChecked(around + "a = ((unsigned char *)(table + 5 + b))[X[0] & 3];"));
+}
+
 TEST(HncKnownBounds, OfAPointerThatMayBe0TheAccessIsChecked) {
   EXPECT_TRUE(IsChecked("int *p; p = 0; if (b) p = &table[1]; a = *p;"));
   EXPECT_TRUE(IsChecked("int *p; p = table; if (b) p = 0; a = *p;"));
@@ -97,6 +107,46 @@ TEST(HncKnownBounds, ThePeriodIsThatOfFunctionsThatAreCalled) {
   EXPECT_EQ(FastEvery("void never() { plc1_time = 48; }\n"), 16U);
   EXPECT_EQ(FastEvery("void never() { plc1_time = P[0]; }\n"), 16U);
   EXPECT_EQ(FastEvery("void set() { plc1_time = P[0]; }\n", "set(); plc2_time = 32;"), 0U);
+}
+
+// Where a signed number is known not to be negative it is widened as if it had no sign: that is a fact.
+TEST(HncKnownBounds, ThatANumberIsNotNegativeIsAFactWhereItIsWidened) {
+  const auto facts = [](const std::string& statements) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements("int k = X_i[0]; { " + statements + " }"), {}, ir::Facts::kChecked);
+    const std::vector<std::string> lines = lowered.Routine("plc1");
+    return std::ranges::count_if(lines, [](const std::string& line) { return line.find("false_fact") != line.npos; });
+  };
+  EXPECT_EQ(facts("l = k;"), 0);
+  EXPECT_GT(facts("long w = X_l[0]; if (w < 0 || w > 7) return; table[w] = 1;"), 0);
+  EXPECT_EQ(facts("if (k < 0) return; l = k;"), facts("if (k < 0) return; i = k;") + 1);
+}
+
+// 6.5: an address of a local is refused, not that of a string or of an area of the same number.
+TEST(HncKnownBounds, OnlyTheAddressOfALocalIsTakenForOne) {
+  constexpr int kTables = 14, kStrings = 10;
+  std::string text = "#include \"plc.h\"\nchar *kept;\n";
+  for (int table = 0; table < kTables; ++table) {
+    text += "char *const t" + std::to_string(table) + "[] = {";
+    for (int i = 0; i < kStrings; ++i) text += "\"s" + std::to_string(table * kStrings + i) + "\", ";
+    text += "};\n";
+  }
+  std::string calls;
+  for (int table = 0; table < kTables; ++table) {
+    const std::string number = std::to_string(table);
+    text += "char *f" + number +
+            "(int i) { int a, b, c, d, e, f, g, h, k; a = b = c = d = e = f = g = h = k = i; "
+            "return t" +
+            number + "[a + b + c + d + e + f + g + h + k & 7]; }\n";
+    calls += "R[" + number + "] = *f" + number + "(X[0]); ";
+  }
+  LoweredProgram lowered;
+  LowerInto(lowered, text +
+                         "unsigned char *area() { int n; n = X[0]; return &R[n]; }\nvoid init() { plc1_time = 16; "
+                         "plc2_time = 32; }\nvoid plc1() { " +
+                         calls + "*area() = 1; }\nvoid plc2() { }\n");
+  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << testing::PrintToString(lowered.Reported());
+  EXPECT_THAT(Errors("int k; static int *p; p = &k; k = *p;"), testing::ElementsAre("3 E049"));
 }
 
 TEST(HncKnownBounds, TheAreasOfInputsAndOutputsAreWholeAreas) {

@@ -173,45 +173,6 @@ TEST(HncLowering, NegativeNumbersAreNegated) {
   EXPECT_FALSE(HasLine(Body("l = -2147483647L - 1;"), "neg.i32"));
 }
 
-// Where a signed number is known not to be negative it is widened as if it had no sign: that is a fact.
-TEST(HncLowering, ThatANumberIsNotNegativeIsAFactWhereItIsWidened) {
-  const auto facts = [](const std::string& statements) {
-    LoweredProgram lowered;
-    LowerInto(lowered, WithStatements("int k = X_i[0]; " + statements), {}, ir::Facts::kChecked);
-    const std::vector<std::string> lines = lowered.Routine("plc1");
-    return std::ranges::count_if(lines, [](const std::string& line) { return line.find("false_fact") != line.npos; });
-  };
-  EXPECT_EQ(facts("l = k;"), 0);
-  EXPECT_EQ(facts("if (k < 0) return; l = k;"), facts("if (k < 0) return; i = k;") + 1);
-}
-
-// 6.5: an address of a local is refused, not that of a string or of an area of the same number.
-TEST(HncLowering, OnlyTheAddressOfALocalIsTakenForOne) {
-  constexpr int kTables = 14, kStrings = 10;
-  std::string text = "#include \"plc.h\"\nchar *kept;\n";
-  for (int table = 0; table < kTables; ++table) {
-    text += "char *const t" + std::to_string(table) + "[] = {";
-    for (int i = 0; i < kStrings; ++i) text += "\"s" + std::to_string(table * kStrings + i) + "\", ";
-    text += "};\n";
-  }
-  std::string calls;
-  for (int table = 0; table < kTables; ++table) {
-    const std::string number = std::to_string(table);
-    text += "char *f" + number +
-            "(int i) { int a, b, c, d, e, f, g, h, k; a = b = c = d = e = f = g = h = k = i; "
-            "return t" +
-            number + "[a + b + c + d + e + f + g + h + k & 7]; }\n";
-    calls += "R[" + number + "] = *f" + number + "(X[0]); ";
-  }
-  LoweredProgram lowered;
-  LowerInto(lowered, text +
-                         "unsigned char *area() { int n; n = X[0]; return &R[n]; }\nvoid init() { plc1_time = 16; "
-                         "plc2_time = 32; }\nvoid plc1() { " +
-                         calls + "*area() = 1; }\nvoid plc2() { }\n");
-  EXPECT_FALSE(lowered.diagnostics.HasErrors()) << testing::PrintToString(lowered.Reported());
-  EXPECT_THAT(Errors("int k; static int *p; p = &k; k = *p;"), ElementsAre("3 E049"));
-}
-
 // Errors of the arguments are reported beside that of the call, the first argument's too.
 TEST(HncLowering, WhatIsCalledThoughItIsNotThereHasItsArgumentsChecked) {
   EXPECT_THAT(Errors("a = nowhere(a / 0, b / 0);"), ElementsAre("3 E016", "3 E053", "3 E053"));
@@ -430,6 +391,7 @@ TEST(HncLowering, ASlipInARecordIsAnErrorAndNoCrash) {
 TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
   EXPECT_THAT(Errors("int *p; if (p == nowhere) a = 1; a = *p;"), ElementsAre("3 E010", "3 E050"));
   EXPECT_THAT(Errors("int *p; p = nowhere; a = *p;"), ElementsAre("3 E010"));
+  EXPECT_THAT(Errors("int *p; if (nowhere == p\n) a = 1; a = *p;"), ElementsAre("3 E010", "4 E050"));
   EXPECT_THAT(Errors("a = *(int *)0x1234; *(char *)16 = 1;"), ElementsAre("3 E048", "3 E048"));
 }
 

@@ -233,7 +233,8 @@ def recorded(name, tests, record_one, jobs):
             if number % 500 == 0:
                 print(f"what {name} reach: {number} of {len(todo)}", flush=True)
     with open(kept, "wb") as file:
-        pickle.dump((keys, results), file)
+        # What did not pass may pass by then.
+        pickle.dump((keys, {test: result for test, result in results.items() if result is not None}), file)
     return [results[identity(test)] for test in tests if results[identity(test)] is not None]
 
 

@@ -102,6 +102,43 @@ TEST(Chunks, OfOneSubjectAreToldApartByTheirFirstStatement) {
   }
 }
 
+// A statement that was generated many times is one text: what follows it in the name is a number.
+TEST(Chunks, OfOneStatementAreToldApartByNumbers) {
+  const ir::Program program = CoilProgram(std::vector<uint32_t>(500, 7));
+  const Emittable emittable = Legalize(program, {.name = "coils"});
+  ASSERT_GT(emittable.chunks.size(), 3u);
+  char id[16];
+  std::snprintf(id, sizeof id, "_%08x", 7 * 2654435761u >> 3);
+  EXPECT_EQ(emittable.chunks[0].name, "slow_U7");
+  EXPECT_EQ(emittable.chunks[1].name, std::string("slow_U7") + id);
+  EXPECT_EQ(emittable.chunks[2].name, std::string("slow_U7") + id + "_2");
+  std::set<std::string> names;
+  for (const Chunk& chunk : emittable.chunks) names.insert(chunk.name);
+  EXPECT_EQ(names.size(), emittable.chunks.size());
+}
+
+// Of one long if the arm is cut out; what is executed otherwise stays readable as a chain where it is no longer than
+// that.
+TEST(Chunks, TheArmOfALongIfIsAFunctionOfItsOwn) {
+  ir::Program program = CoilProgram(Sequence(140));
+  const ir::RegionId body = program.routines[ir::RoutineId(0)].body;
+  const ir::RegionId then = program.regions.Add({}), otherwise = program.regions.Add({});
+  const std::vector<ir::InstId> insts = std::exchange(program.regions[body].insts, {});
+  const auto half = insts.begin() + static_cast<std::ptrdiff_t>(insts.size() / 2);
+  program.regions[then].insts.assign(insts.begin(), half);
+  program.regions[otherwise].insts.assign(half, insts.end());
+  ir::Builder builder(program);
+  builder.SetRegion(body);
+  ir::Statement head;
+  head.subject = "HEAD";
+  head.id = 77;
+  builder.Statement(program.statements.Add(head));
+  builder.If(builder.Load(ir::PlaceId(0)), then, otherwise);
+  const Emittable emittable = Legalize(program, {.name = "coils"});
+  EXPECT_FALSE(emittable.chunks.empty());
+  for (const Chunk& chunk : emittable.chunks) EXPECT_EQ(chunk.region, then);
+}
+
 TEST(Chunks, AShortProgramIsOneFunction) {
   const ir::Program program = CoilProgram(Sequence(100));
   EXPECT_TRUE(Legalize(program, {.name = "coils"}).chunks.empty());

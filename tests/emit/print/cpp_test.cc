@@ -57,6 +57,16 @@ TEST(Expressions, ChainsOfOneOperatorNeedNoBrackets) {
               HasSubstr("  m[d] = m[a] & m[b] & m[c];\n"));
 }
 
+TEST(Expressions, OnTheRightTheyNeedThem) {
+  for (const auto& [operation, sign] :
+       {std::pair("and.bit", "&"), std::pair("or.bit", "|"), std::pair("xor.bit", "^")}) {
+    const std::string op(operation), text(sign);
+    EXPECT_THAT(
+        Print("%0 = load b\n%1 = load c\n%2 = " + op + " %0 %1\n%3 = load a\n%4 = " + op + " %3 %2\nstore d %4").source,
+        HasSubstr("m[d] = m[a] " + text + " (m[b] " + text + " m[c]);\n"));
+  }
+}
+
 TEST(Expressions, TheTreeIsKept) {
   EXPECT_THAT(Print("%0 = load a\n%1 = load b\n%3 = load c\n%2 = or.bit %1 %3\n%4 = or.bit %0 %2\nstore d %4").source,
               HasSubstr("  m[d] = m[a] | (m[b] | m[c]);\n"));
@@ -98,6 +108,14 @@ TEST(Temporaries, AValueUsedVeryOftenGetsANameAsWell) {
     std::string body = "%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\n";
     for (uint32_t i = 0; i < uses; ++i) body += i % 2 == 0 ? "store c %2\n" : "store d %2\n";
     EXPECT_THAT(Print(body).source, HasSubstr("  const bool t1 = m[a] & m[b];\n  m[c] = t1;\n  m[d] = t1;\n")) << uses;
+    // In one expression, where nothing is stored between them.
+    std::string once = "%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\n%3 = load c\n";
+    for (uint32_t i = 0; i < uses; ++i) {
+      once += "%" + std::to_string(i + 4) + " = or.bit %" + std::to_string(i + 3) + " %2\n";
+    }
+    EXPECT_THAT(Print(once + "store d %" + std::to_string(uses + 3) + "\n").source,
+                HasSubstr("  const bool t1 = m[a] & m[b];\n  m[d] = m[c] | t1 | t1"))
+        << uses;
   }
 }
 

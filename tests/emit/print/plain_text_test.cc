@@ -128,6 +128,35 @@ TEST(PlainText, WhatIsComparedWithItsSignReadsAsSuch) {
   EXPECT_THAT(source("i16", "u", "32767"), HasSubstr("m[a] = S16(m[u]) < 32767;\n"));
   EXPECT_THAT(source("i32", "d", "4294967295"), HasSubstr("m[a] = S32(m[d]) < -1;\n"));
   EXPECT_THAT(source("i32", "d", "32767"), HasSubstr("m[a] = S32(m[d]) < 32767;\n"));
+  EXPECT_THAT(source("i32", "d", "4294934529"), HasSubstr("m[a] = S32(m[d]) < -32767;\n"));
+  // What no int of 16 bits holds stays the number that it is.
+  EXPECT_THAT(source("i32", "d", "32768"), HasSubstr("m[a] = S32(m[d]) < S32(32768u);\n"));
+  EXPECT_THAT(source("i32", "d", "4294934527"), HasSubstr("m[a] = S32(m[d]) < S32(4294934527u);\n"));
+}
+
+TEST(PlainText, ANumberThatNoIntHoldsHasNoSign) {
+  const auto stored = [](const std::string& type, const std::string& place, const std::string& number) {
+    return Plain("%0 = const " + type + " " + number + "\nstore " + place + " %0\n");
+  };
+  EXPECT_THAT(stored("i16", "u", "32767"), HasSubstr("m[u] = 32767;\n"));
+  EXPECT_THAT(stored("i16", "u", "32768"), HasSubstr("m[u] = 32768u;\n"));
+  EXPECT_THAT(stored("i32", "d", "32767"), HasSubstr("m[d] = 32767;\n"));
+  EXPECT_THAT(stored("i32", "d", "65536"), HasSubstr("m[d] = 65536u;\n"));
+}
+
+TEST(PlainText, AComparisonWithTheEndOfAnyTypeIsCalledByName) {
+  const auto compared = [](const std::string& operation, const std::string& place, const std::string& number) {
+    const std::string type = operation.substr(operation.find('.') + 1);
+    return Plain("%0 = load " + place + "\n%1 = const " + type + " " + number + "\n%2 = " + operation +
+                 " %0 %1\nstore a %2\n");
+  };
+  EXPECT_THAT(compared("ugt.i8", "w", "254"), HasSubstr("m[a] = m[w] > 254;\n"));
+  EXPECT_THAT(compared("ugt.i16", "u", "65535"), HasSubstr("m[a] = Greater16(m[u], 65535u);\n"));
+  EXPECT_THAT(compared("ugt.i16", "u", "65534"), HasSubstr("m[a] = m[u] > 65534u;\n"));
+  EXPECT_THAT(compared("ugt.i32", "d", "0xFFFFFFFF"), HasSubstr("m[a] = Greater32(m[d], 0xFFFFFFFF);\n"));
+  EXPECT_THAT(compared("ugt.i32", "d", "0xFFFFFFFE"), HasSubstr("m[a] = m[d] > 0xFFFFFFFE;\n"));
+  EXPECT_THAT(compared("ult.i16", "u", "0"), HasSubstr("m[a] = Less16(m[u], 0);\n"));
+  EXPECT_THAT(compared("ult.i16", "u", "1"), HasSubstr("m[a] = m[u] < 1;\n"));
 }
 
 TEST(PlainText, ANumberInFrontOfAnOperatorNeedsNoBrackets) {

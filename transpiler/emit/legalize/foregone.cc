@@ -3,6 +3,8 @@
 // Spelled by the name of their function, they are as quiet as they are useless; leaving them out is not the emitter's
 // business.
 
+#include <string_view>
+
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
 
@@ -50,32 +52,22 @@ bool IsComparison(const ir::OpInfo& info) {
   return info.precedence == ir::Precedence::kRelational || info.precedence == ir::Precedence::kEquality;
 }
 
+/// By how it is spelled, so that no operation is forgotten; what is compared with its sign is a call in it already.
 bool IsForegone(const ir::Program& program, const ir::Inst& inst) {
-  if (IsComparison(ir::Info(inst.op)) && AreSame(program, ir::ValueId(inst.a), ir::ValueId(inst.b))) return true;
-  const auto a = [&] { return IntervalOf(program, ir::ValueId(inst.a)); };
-  const auto b = [&] { return IntervalOf(program, ir::ValueId(inst.b)); };
-  switch (inst.op) {
-    case ir::OpKind::kEqual8:
-    case ir::OpKind::kNotEqual8:
-    case ir::OpKind::kEqual16:
-    case ir::OpKind::kNotEqual16:
-    case ir::OpKind::kEqual32:
-    case ir::OpKind::kNotEqual32:
-      return Apart(a(), b());
-    case ir::OpKind::kLess8:
-    case ir::OpKind::kLess16:
-    case ir::OpKind::kGreaterEqual16:
-    case ir::OpKind::kLess32:
-    case ir::OpKind::kGreaterEqual32:
-      return OrderIsKnown(a(), b());
-    case ir::OpKind::kGreater8:
-    case ir::OpKind::kLessEqual16:
-    case ir::OpKind::kGreater32:
-    case ir::OpKind::kLessEqual32:
-      return OrderIsKnown(b(), a());
-    default:
-      return false;
-  }
+  const ir::OpInfo& info = ir::Info(inst.op);
+  if (!IsComparison(info)) return false;
+  const ir::ValueId left(inst.a), right(inst.b);
+  if (AreSame(program, left, right)) return true;
+  const ir::Type type = program[left].type;
+  if (type == ir::Type::kBit || type == ir::Type::kF32 || type == ir::Type::kF64) return false;
+  const std::string_view spelling = info.spelling;
+  if (spelling == "{0} == {1}" || spelling == "{0} != {1}")
+    return Apart(IntervalOf(program, left), IntervalOf(program, right));
+  if (spelling == "{0} < {1}" || spelling == "{0} >= {1}")
+    return OrderIsKnown(IntervalOf(program, left), IntervalOf(program, right));
+  if (spelling == "{0} > {1}" || spelling == "{0} <= {1}")
+    return OrderIsKnown(IntervalOf(program, right), IntervalOf(program, left));
+  return false;
 }
 
 }  // namespace

@@ -107,7 +107,6 @@ ValueId Conversions::Narrow8(ValueId value) {
 ValueId Conversions::Narrow16(ValueId value) {
   const ir::Inst inst = program_[value];
   if (inst.op == OpKind::kSignExtend16To32 || inst.op == OpKind::kWiden16To32) return ValueId(inst.a);
-  if (inst.op == OpKind::kConst) return builder_.Constant(ir::Type::kI16, inst.a & 0xFFFF, inst.c);
   return Pure(OpKind::kLowHalf32, {value});
 }
 
