@@ -31,6 +31,7 @@
 (define-derived-mode plcxx-host50-mode plcxx-mode "HOST-50" "Programs of HOST 50.")
 (define-derived-mode plcxx-prostep-mode plcxx-mode "PROSTEP" "Programs of PROSTEP.")
 (define-derived-mode plcxx-technol-mode plcxx-mode "TECHNOL" "Programs of TECHNOL.")
+(define-derived-mode plcxx-classicladder-mode plcxx-mode "CLASSICLADDER" "Projects of ClassicLadder.")
 (define-derived-mode plcxx-hnc-mode c-mode "HNC" "Programs of Huazhong HNC." )
 
 (dolist (row '(("\\.plc\\'" . plcxx-mode)
@@ -38,13 +39,15 @@
                ("\\.il\\'" . plcxx-host50-mode)
                ("\\.pst\\'" . plcxx-prostep-mode)
                ("\\.tch\\'" . plcxx-technol-mode)
+               ("\\.clp\\'" . plcxx-classicladder-mode)
                ("\\.cld\\'" . plcxx-hnc-mode)))
   (add-to-list 'auto-mode-alist row))
 
 (defvar eglot-server-programs)
 (with-eval-after-load 'eglot
   (add-to-list 'eglot-server-programs
-               (cons '(plcxx-mode plcxx-nc110-mode plcxx-host50-mode plcxx-prostep-mode plcxx-technol-mode plcxx-hnc-mode)
+               (cons '(plcxx-mode plcxx-nc110-mode plcxx-host50-mode plcxx-prostep-mode plcxx-technol-mode plcxx-classicladder-mode
+                                plcxx-hnc-mode)
                      (lambda (&rest _) (list plcxx-program "lsp")))))
 
 ;; The folder of plcxx.yaml is the project.

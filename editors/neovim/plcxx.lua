@@ -6,8 +6,8 @@ local M = {}
 
 -- ".plc" belongs to three languages: the server chooses by plcxx.yaml, else by content. A filetype that is the name of a
 -- dialect (:set filetype=technol) chooses it for a file without plcxx.yaml.
-local extensions = { plc = "plc", sym = "nc110", il = "host50", pst = "prostep", tch = "technol", cld = "hnc" }
-local filetypes = { "plc", "nc110", "host50", "prostep", "technol", "hnc" }
+local extensions = { plc = "plc", sym = "nc110", il = "host50", pst = "prostep", tch = "technol", cld = "hnc", clp = "classicladder" }
+local filetypes = { "plc", "nc110", "host50", "prostep", "technol", "hnc", "classicladder" }
 
 local clients = {} -- of Neovim before 0.8, by folder
 

@@ -175,7 +175,7 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
       {"name: ", "3:1: 'name' is missing"},
       {"folder: ''", "2:9: a path of 'folder' is empty"},
       {"dialect: nc11",
-       "2:10: 'nc11' is no dialect; there are: hnc, host50, nc110, prostep, technol\n"
+       "2:10: 'nc11' is no dialect; there are: classicladder, hnc, host50, nc110, prostep, technol\n"
        "  help: did you mean 'nc110'"},
       {"encoding: cp868", "2:11: 'cp868' is no encoding; there are: "},
       {"options: [a]", "2:10: 'options' is a map '{key: value}'"},

@@ -102,7 +102,7 @@ export class Server implements vscode.Disposable {
       outputChannel: this.output,
       synchronize: {
         fileEvents: vscode.workspace.createFileSystemWatcher(
-          "**/{plcxx.yaml,plcxx.baseline,*.plc,*.sym,*.il,*.pst,*.tch,*.cld,*.inc,*.h}"),
+          "**/{plcxx.yaml,plcxx.baseline,*.plc,*.sym,*.il,*.pst,*.tch,*.cld,*.clp,*.inc,*.h}"),
       },
     };
     const client = new LanguageClient("plcxx", "plcxx", server, options);

@@ -1,7 +1,7 @@
 // The languages that this extension colours and that plcxx understands.
 
 /** Names of dialects: language ids of VS Code, and what `plcxx --dialect` takes. */
-export const DIALECTS = ["nc110", "host50", "prostep", "technol", "hnc"] as const;
+export const DIALECTS = ["nc110", "host50", "prostep", "technol", "hnc", "classicladder"] as const;
 
 /** A program whose language is not known yet: three of them share the extension ".plc". */
 export const UNDECIDED = "plc";

@@ -11,7 +11,7 @@ const textmate = require("vscode-textmate");
 const lsp = require("vscode-languageserver-protocol/node");
 
 const EXTENSION = path.join(__dirname, "..");
-const DIALECTS = ["nc110", "host50", "prostep", "technol", "hnc"];
+const DIALECTS = ["nc110", "host50", "prostep", "technol", "hnc", "classicladder"];
 const [plcxx, ...files] = process.argv.slice(2);
 
 async function registryOf() {

@@ -134,7 +134,7 @@ function complete(members) {
 const documents = [];
 function languageOf(uri) {
   const extension = path.extname(uri.path).toLowerCase();
-  return { ".plc": "plc", ".sym": "nc110", ".il": "host50", ".cld": "hnc", ".pst": "prostep", ".tch": "technol", ".cpp": "cpp", ".yaml": "yaml",
+  return { ".plc": "plc", ".sym": "nc110", ".il": "host50", ".cld": "hnc", ".clp": "classicladder", ".pst": "prostep", ".tch": "technol", ".cpp": "cpp", ".yaml": "yaml",
            ".h": "c" }[extension] ?? "plaintext";
 }
 function matches(selector, document) {
