@@ -44,6 +44,9 @@ struct Element {
   bool rooted =
       false;  // its input is all that stands left of it, from the rail on; so is a series that begins with one
   std::vector<Element> parts;  // kSeries, kParallel
+  /// The bit that decides whether a contact or box conducts, as the program computes it; none: the shape alone does.
+  ir::ValueId value;
+  bool inverted = false;  // it conducts where that bit is 0
 };
 
 struct Rung {

@@ -16,6 +16,7 @@ namespace plcxx::report {
 
 struct Line {  // horizontal or vertical
   int x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  uint32_t net = 0;  // of a wire
 };
 struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
@@ -31,6 +32,29 @@ struct DrawnText {
   bool local = false;
 };
 
+/// What is connected by wires, so that one colour tells whether it carries power. Net 0 is the left rail.
+enum class NetKind : uint8_t {
+  kRail,
+  kThrough,   // behind a contact, comparison or box: from `from`, if `value` lets it through
+  kOutput,    // behind a box that has an output of its own: `value`
+  kInverted,  // 1 where `from` is 0
+  kAny,       // 1 where one of `from` is
+  kNever
+};
+struct Net {
+  NetKind kind{};
+  std::vector<uint32_t> from;  // nets, each of a lower number
+  ir::ValueId value;
+  bool inverted = false;
+};
+
+/// One symbol: its share of what the pens draw, and the net behind it.
+struct DrawnSymbol {
+  uint32_t net = 0;
+  size_t symbols_begin = 0, symbols_end = 0, local_begin = 0, local_end = 0;  // of Drawing::symbols, local_symbols
+  size_t boxes_begin = 0, boxes_end = 0, local_boxes_begin = 0, local_boxes_end = 0;
+};
+
 struct Drawing {
   int width = 0, height = 0;
   std::vector<Line> wires;          // between elements, and to the rails
@@ -39,6 +63,8 @@ struct Drawing {
   std::string symbols, local_symbols;  // of contacts and coils, as SVG paths
   std::vector<Line> rails, frames;
   std::vector<DrawnText> texts;
+  std::vector<Net> nets;
+  std::vector<DrawnSymbol> parts;
 };
 
 /// A text above an item of the list, for pictures that stand alone.
@@ -53,6 +79,10 @@ Drawing Draw(std::span<const LadderItem> items, std::span<const Caption> caption
 
 /// Pixels that a text takes in the pictures' font; letters of East Asia take twice as much.
 int TextWidth(std::string_view utf8);
+
+/// The `d` of an SVG path.
+std::string PathOf(std::span<const Line> lines);
+std::string PathOf(std::span<const Rectangle> boxes);
 
 /// An <svg> element as a part of a page, whose style sheet it uses; `label` is what a screen reader says.
 std::string SvgElement(const Drawing& drawing, std::string_view label);

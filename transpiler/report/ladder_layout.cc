@@ -25,6 +25,7 @@ class Layout {
   Layout(std::span<const LadderItem> items, std::span<const Caption> captions) : items_(items), captions_(captions) {}
 
   Drawing Run() {
+    NewNet({.kind = NetKind::kRail, .from = {}, .value = {}});
     for (const LadderItem& item : items_) width_ = std::max(width_, WidthOf(item));
     for (const Caption& caption : captions_) width_ = std::max(width_, TextWidth(caption.text) + 3 * kRail);
     for (size_t i = 0; i < items_.size(); ++i) {
@@ -49,12 +50,23 @@ class Layout {
   void Item(const LadderItem& item);
   void Captions(size_t item);
   void RungLines(const Rung& rung, int left);
-  /// Draws from x to the right at the wire y; gives where it ends.
-  int Place(const Element& element, int x, int y);
-  int PlaceParallel(Parts parts, int x, int y);
-  void PlaceOutputs(const Rung& rung, int x, int y);
-  void Wire(int x1, int y1, int x2, int y2) {
-    if (x1 != x2 || y1 != y2) drawing_.wires.push_back({x1, y1, x2, y2});
+  /// Where a wire ends, and which net it is of.
+  struct End {
+    int x = 0;
+    uint32_t net = 0;
+  };
+  /// Draws from there to the right at the wire y; gives where it ends.
+  End Place(const Element& element, End from, int y);
+  End PlaceParallel(Parts parts, End from, int y);
+  void PlaceOutputs(const Rung& rung, End from, int y);
+  uint32_t NewNet(Net net) {
+    drawing_.nets.push_back(std::move(net));
+    return static_cast<uint32_t>(drawing_.nets.size() - 1);
+  }
+  /// What an element makes of the net in front of it.
+  uint32_t NetBehind(const Element& element, uint32_t from);
+  void Wire(int x1, int y1, int x2, int y2, uint32_t net) {
+    if (x1 != x2 || y1 != y2) drawing_.wires.push_back({x1, y1, x2, y2, net});
   }
   void Mark(int x, int y) {
     drawing_.texts.push_back({x, y + 4, Anchor::kStart, TextKind::kTitle, "▸", kNoSignal, false});
@@ -149,55 +161,101 @@ int Layout::WidthOf(const LadderItem& item) const {
   return rung ? std::max(width, WidthOf(item.rung, left)) : width;
 }
 
-int Layout::PlaceParallel(Parts parts, int x, int y) {
+Layout::End Layout::PlaceParallel(Parts parts, End from, int y) {
   const Extent all = MeasureParallel(parts);
-  const int right = x + all.width;
+  const int x = from.x, right = x + all.width;
   int at = y;
   int below = 0;  // how far the branch before reaches below its wire
+  Net joined{.kind = NetKind::kAny, .from = {}, .value = {}};
+  std::vector<Line> uprights;  // on the right: of a net that is known when all branches are
   for (size_t i = 0; i < parts.size(); ++i) {
     const Extent extent = Measure(parts[i]);
     if (i > 0) {
       const int next = at + below + kGap + extent.up;
-      Wire(x, at, x, next);
-      Wire(right, at, right, next);
+      Wire(x, at, x, next, from.net);
+      uprights.push_back({right, at, right, next});
       at = next;
     }
     below = extent.down;
-    Wire(x, at, x + kJoin, at);
-    const int end = Place(parts[i], x + kJoin, at);
-    Wire(end, at, right, at);
+    Wire(x, at, x + kJoin, at, from.net);
+    const End end = Place(parts[i], {x + kJoin, from.net}, at);
+    Wire(end.x, at, right, at, end.net);
+    joined.from.push_back(end.net);
   }
-  return right;
+  const uint32_t net = NewNet(std::move(joined));
+  for (const Line& line : uprights) Wire(line.x1, line.y1, line.x2, line.y2, net);
+  return {right, net};
 }
 
-int Layout::Place(const Element& element, int x, int y) {
-  if (element.shape == Shape::kParallel) return PlaceParallel(element.parts, x, y);
-  if (element.shape != Shape::kSeries) return PlaceSymbol(element, x, y, drawing_);
-  for (const Element& part : element.parts) x = Place(part, x, y);
-  return x;
+uint32_t Layout::NetBehind(const Element& element, uint32_t from) {
+  switch (element.shape) {
+    case Shape::kNever:
+      return NewNet({.kind = NetKind::kNever, .from = {}, .value = {}});
+    case Shape::kInvert:
+      return NewNet({.kind = NetKind::kInverted, .from = {from}, .value = {}});
+    case Shape::kContact:
+    case Shape::kNotContact:
+    case Shape::kCompare:
+    case Shape::kBox: {
+      if (!element.value.valid()) return from;
+      const NetKind kind = element.rooted ? NetKind::kOutput : NetKind::kThrough;
+      return NewNet({.kind = kind, .from = {from}, .value = element.value, .inverted = element.inverted});
+    }
+    case Shape::kWire:
+    case Shape::kSeries:
+    case Shape::kParallel:
+    case Shape::kCoil:
+    case Shape::kSet:
+    case Shape::kReset:
+    case Shape::kTarget:
+      return from;
+  }
+  return from;
+}
+
+Layout::End Layout::Place(const Element& element, End from, int y) {
+  if (element.shape == Shape::kParallel) return PlaceParallel(element.parts, from, y);
+  if (element.shape == Shape::kSeries) {
+    for (const Element& part : element.parts) from = Place(part, from, y);
+    return from;
+  }
+  DrawnSymbol symbol{.net = NetBehind(element, from.net),
+                     .symbols_begin = drawing_.symbols.size(),
+                     .local_begin = drawing_.local_symbols.size(),
+                     .boxes_begin = drawing_.boxes.size(),
+                     .local_boxes_begin = drawing_.local_boxes.size()};
+  const End end{PlaceSymbol(element, from.x, y, drawing_), symbol.net};
+  symbol.symbols_end = drawing_.symbols.size();
+  symbol.local_end = drawing_.local_symbols.size();
+  symbol.boxes_end = drawing_.boxes.size();
+  symbol.local_boxes_end = drawing_.local_boxes.size();
+  drawing_.parts.push_back(symbol);
+  return end;
 }
 
 /// At the right end, one below the other.
-void Layout::PlaceOutputs(const Rung& rung, int x, int y) {
+void Layout::PlaceOutputs(const Rung& rung, End from, int y) {
   int at = y;
   int below = 0;
   for (size_t i = 0; i < rung.outputs.size(); ++i) {
     const Extent extent = Measure(rung.outputs[i]);
     if (i > 0) {
       const int next = at + below + kGap + extent.up;
-      Wire(x, at, x, next);
+      Wire(from.x, at, from.x, next, from.net);
       at = next;
     }
     below = extent.down;
     const int begin = width_ - kJoin - extent.width;
-    Wire(x, at, begin, at);
-    Wire(Place(rung.outputs[i], begin, at), at, width_, at);
+    Wire(from.x, at, begin, at, from.net);
+    const End end = Place(rung.outputs[i], {begin, from.net}, at);
+    Wire(end.x, at, width_, at, end.net);
   }
 }
 
 void Layout::RungLines(const Rung& rung, int left) {
   const int top = y_;
   const std::vector<Parts> lines = LinesOf(rung, left);
+  uint32_t net = 0;
   for (size_t i = 0; i < lines.size(); ++i) {
     const bool last = i + 1 == lines.size();
     Extent extent = last ? MeasureOutputs(rung) : Extent{};
@@ -212,11 +270,13 @@ void Layout::RungLines(const Rung& rung, int left) {
       Mark(x, y);
       x += kArrow;
     }
-    for (const Element& part : lines[i]) x = Place(part, x, y);
+    End end{x, net};
+    for (const Element& part : lines[i]) end = Place(part, end, y);
+    net = end.net;
     if (last) {
-      PlaceOutputs(rung, x, y);
+      PlaceOutputs(rung, end, y);
     } else {
-      Mark(x + 4, y);
+      Mark(end.x + 4, y);
     }
     y_ = y + std::max(extent.down, 8) + kPadding;
   }

@@ -16,6 +16,13 @@ Element Plain(Shape shape) {
   return element;
 }
 
+/// What conducts where the bit is 1, or with kInverted where it is 0.
+Element WithState(Element element, ir::ValueId value, Sense sense) {
+  element.value = value;
+  element.inverted = sense == Sense::kInverted;
+  return element;
+}
+
 /// `parts` in series or in parallel; what is of the same kind already is joined, one part alone stays itself.
 Element Join(Shape shape, std::vector<Element> parts) {
   Element joined = Plain(shape);
@@ -51,7 +58,7 @@ Element NetworkBuilder::OfLocal(Shape shape, ir::ValueId value) const {
   Element element = Plain(shape);
   element.name = text_.LocalName(value);
   element.local = true;
-  return element;
+  return WithState(std::move(element), value, shape == Shape::kNotContact ? Sense::kInverted : Sense::kPlain);
 }
 
 /// Is the bit a contact of its own, in either sense?
@@ -96,7 +103,7 @@ Element NetworkBuilder::OfDefinition(ir::ValueId value, Sense sense, Position po
       if (inst.op == ir::OpKind::kPoison) return Condition(value, sense, position);
       return Plain((ir::ConstantValue(inst) != 0) == (sense == Sense::kPlain) ? Shape::kWire : Shape::kNever);
     case ir::Shape::kLoad:
-      return OfPlace(ContactOf(sense), ir::PlaceId(inst.payload), ir::ValueId(inst.a));
+      return WithState(OfPlace(ContactOf(sense), ir::PlaceId(inst.payload), ir::ValueId(inst.a)), value, sense);
     case ir::Shape::kPure:
       return OfPure(value, sense, position);
     case ir::Shape::kStep:
@@ -121,8 +128,10 @@ Element NetworkBuilder::OfPure(ir::ValueId value, Sense sense, Position position
     case ir::OpKind::kBitXor:
       if (IsContact(a) && IsContact(b)) return Either(a, b, sense, position);
       return Condition(value, sense, position);
-    case ir::OpKind::kSelect1:
-      return Choice(inst, sense, position);
+    case ir::OpKind::kSelect1: {
+      Element choice = Choice(inst, sense, position);
+      return choice.shape == Shape::kBox ? WithState(std::move(choice), value, sense) : choice;
+    }
     default:
       return Condition(value, sense, position);
   }
@@ -188,13 +197,13 @@ Element NetworkBuilder::Condition(ir::ValueId value, Sense sense, Position posit
     if (left.op == ir::OpKind::kLoad && !text_.IsLocal(ir::ValueId(inst.a))) {
       element.signal = uses_.of_place[left.payload];
     }
-    return element;
+    return WithState(std::move(element), value, sense);
   }
   if (NeedsRail(value) && position == Position::kInside) return Rooted(value, sense, position);
   Element box = Plain(Shape::kBox);
   box.title = sense == Sense::kPlain ? "1 IF" : "0 IF";
   box.lines = {text_.Definition(value)};
-  return box;
+  return WithState(std::move(box), value, sense);
 }
 
 Element NetworkBuilder::Box(ir::InstId id) const {
@@ -257,6 +266,7 @@ Element NetworkBuilder::Rooted(ir::InstId id, Sense sense, Position position) {
     parts.push_back(Box(id));
   }
   parts.back().rooted = true;
+  parts.back().value = id;
   Element chain = Join(Shape::kSeries, std::move(parts));
   chain.rooted = true;
   if (position == Position::kAtRail) {
@@ -281,7 +291,7 @@ Element NetworkBuilder::Rooted(ir::InstId id, Sense sense, Position position) {
   Element bit = Plain(Shape::kCoil);
   bit.name = "#" + std::to_string(next_auxiliary_++);
   bit.local = true;
-  Element contact = bit;
+  Element contact = WithState(bit, id, sense);
   contact.shape = ContactOf(sense);
   before.outputs.push_back(std::move(bit));
   before_(std::move(before));

@@ -16,24 +16,6 @@ void Path(std::string& out, std::string_view pen, const std::string& path) {
   out += "\" d=\"" + path + "\"/>";
 }
 
-std::string PathOf(const std::vector<Line>& lines) {
-  std::string path;
-  for (const Line& line : lines) {
-    path += "M" + Number(line.x1) + " " + Number(line.y1);
-    path += line.y1 == line.y2 ? "H" + Number(line.x2) : "V" + Number(line.y2);
-  }
-  return path;
-}
-
-std::string PathOf(const std::vector<Rectangle>& boxes) {
-  std::string path;
-  for (const Rectangle& box : boxes) {
-    path += "M" + Number(box.x) + " " + Number(box.y) + "h" + Number(box.width) + "v" + Number(box.height) + "h-" +
-            Number(box.width) + "z";
-  }
-  return path;
-}
-
 constexpr const char* ClassOf(TextKind kind) {
   switch (kind) {
     case TextKind::kName:
@@ -79,6 +61,24 @@ std::string Attributes(const Drawing& drawing, std::string_view label) {
 }
 
 }  // namespace
+
+std::string PathOf(std::span<const Line> lines) {
+  std::string path;
+  for (const Line& line : lines) {
+    path += "M" + Number(line.x1) + " " + Number(line.y1);
+    path += line.y1 == line.y2 ? "H" + Number(line.x2) : "V" + Number(line.y2);
+  }
+  return path;
+}
+
+std::string PathOf(std::span<const Rectangle> boxes) {
+  std::string path;
+  for (const Rectangle& box : boxes) {
+    path += "M" + Number(box.x) + " " + Number(box.y) + "h" + Number(box.width) + "v" + Number(box.height) + "h-" +
+            Number(box.width) + "z";
+  }
+  return path;
+}
 
 std::string SvgElement(const Drawing& drawing, std::string_view label) {
   std::string out = "<svg" + Attributes(drawing, label) + ">";
