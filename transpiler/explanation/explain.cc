@@ -246,7 +246,8 @@ class Builder {
         if (exact != nullptr) condition.text = sim::ValueDigits(exact->type, value_of(members.front()));
         if (exact == nullptr && key.kind != VariableKind::kBefore) condition.text = FieldsText(state, members);
         if (key.kind == VariableKind::kBefore) {
-          condition.text += (condition.text.empty() ? "" : "; ") + InstanceText(program_, state, frame_.after);
+          condition.text +=
+              (condition.text.empty() ? "" : "; ") + InstanceText(program_, state, frame_.after.instances);
         }
         return;
       }

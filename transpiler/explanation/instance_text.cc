@@ -70,20 +70,18 @@ std::string FieldsText(ir::StateKind kind, uint32_t instance, const sim::Instanc
 
 }  // namespace
 
-std::string InstanceText(const ir::Program& program, ir::StateId state, const sim::Simulator::Saved& saved) {
+std::string InstanceText(const ir::Program& program, ir::StateId state, const sim::Instances& instances) {
   const ir::StateKind kind = program.states[state].kind;
-  const auto read = [&](std::string_view field) {
-    return saved.instances.Read(state.index, ir::FieldIndex(kind, field));
-  };
+  const auto read = [&](std::string_view field) { return instances.Read(state.index, ir::FieldIndex(kind, field)); };
   if (kind == ir::StateKind::kTimeWordTimer) {
     return read("running") != 0 ? std::to_string(read("left_ms")) + " ms left" : "not running";
   }
   if (kind == ir::StateKind::kOnDelayTimer || kind == ir::StateKind::kUnitTimer) {
     const uint64_t elapsed = read("elapsed_ms");
-    const std::optional<uint64_t> preset = PresetMs(program, state, saved.instances);
+    const std::optional<uint64_t> preset = PresetMs(program, state, instances);
     return preset ? OfTime(elapsed, *preset) : std::to_string(elapsed) + " ms elapsed";
   }
-  return FieldsText(kind, state.index, saved.instances);
+  return FieldsText(kind, state.index, instances);
 }
 
 }  // namespace plcxx::explanation

@@ -59,6 +59,9 @@ class ScenarioControl : private dialects::ImagePort {
   uint64_t ReadCell(uint32_t cell) { return stub_ ? stub_->ReadCell(cell) : 0; }
   /// Memory from the engine, cells from the stub.
   sim::ReadWatched Reader();
+  const std::vector<uint32_t>& active_messages() const { return messages_.active(); }
+  /// With Restore: those that were active at that moment.
+  void RestoreMessages(std::vector<uint32_t> active) { messages_.Become(std::move(active)); }
   /// Those that became active since the last call, in order.
   std::vector<ShownMessage> TakeMessages();
 

@@ -66,6 +66,8 @@ bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) 
 
 void PropertyMonitor::AfterPart(sim::Engine& engine, sim::Clock::Part part) {
   if (properties_.empty() || violation_ || !IsEndOfPeriod(engine, part)) return;
+  constexpr uint32_t kMostTerms = 1 << 16;  // a machine that runs for days has a value for each of them
+  if (terms_.size() > kMostTerms) terms_ = terms::Terms();
   ++period_;
   history_.emplace_front();
   for (const Watched& watched : watched_) history_.front()[watched.cell] = engine.Read(watched.place);

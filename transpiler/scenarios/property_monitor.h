@@ -32,6 +32,8 @@ class PropertyMonitor {
   void AfterPart(sim::Engine& engine, sim::Clock::Part part);
   /// The first violation: "'never U4A8 and U4A9' does not hold"; stays.
   const std::optional<std::string>& violation() const { return violation_; }
+  /// The violation has been dealt with: the next one is looked for.
+  void GoOn() { violation_.reset(); }
 
  private:
   struct Watched {

@@ -89,6 +89,11 @@ ScenarioProperties ParseScenarioProperties(const Scenario& scenario, std::string
 
 }  // namespace
 
+std::string TextOf(const PropertyError& error, std::string_view dialect) {
+  const auto [row, words] = MessageOf(error, "", dialect);
+  return diag::Format(row->text, words) + ": " + diag::Format(row->remedy, words);
+}
+
 std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std::string& text, std::string_view dialect,
                                              const prove::properties::PropertyContext& context,
                                              source::SourceManager& sources, diag::Engine& diagnostics) {
@@ -118,10 +123,7 @@ std::vector<prove::properties::Property> WatchedProperties(const Scenario& scena
                                                            std::vector<ScenarioError>& errors) {
   ScenarioProperties parsed = ParseScenarioProperties(scenario, support::ReadFile(scenario.path).value_or(""), context);
   for (const PropertyError& error : parsed.errors) {
-    const auto [row, words] = MessageOf(error, scenario.path, dialect);
-    errors.push_back({scenario.path,
-                      {error.line, error.column},
-                      diag::Format(row->text, words) + ": " + diag::Format(row->remedy, words)});
+    errors.push_back({scenario.path, {error.line, error.column}, TextOf(error, dialect)});
   }
   return std::move(parsed.properties);
 }

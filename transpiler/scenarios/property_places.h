@@ -17,6 +17,9 @@ struct PlacedProperty {
   prove::properties::Property property;
 };
 
+/// What is wrong with a property, and the remedy, in one line.
+std::string TextOf(const prove::properties::PropertyError& error, std::string_view dialect);
+
 /// The properties of a file's text. Errors are reported at their places in it.
 std::vector<PlacedProperty> PropertiesOfFile(const std::string& path, const std::string& text, std::string_view dialect,
                                              const prove::properties::PropertyContext& context,

@@ -38,15 +38,8 @@ std::vector<execute::CellId> CellsOfLocation(const explanation::Subject& subject
 
 class Investigation {
  public:
-  Investigation(const compilation::Compilation& compilation, const Scenario& scenario, ScenarioPlan plan,
-                const WhyQuestion& question)
-      : compilation_(compilation),
-        program_(compilation.program),
-        scenario_(scenario),
-        plan_(std::move(plan)),
-        question_(question),
-        subject_(compilation.program) {
-    if (question_.steps && *question_.steps < plan_.steps.size()) plan_.steps.resize(*question_.steps);
+  Investigation(const compilation::Compilation& compilation, const WhyQuestion& question, RepeatRun repeat)
+      : program_(compilation.program), question_(question), repeat_(std::move(repeat)), subject_(compilation.program) {
     cells_ = CellsOfLocation(subject_, question_.location);
   }
 
@@ -87,22 +80,12 @@ class Investigation {
     Recorder& recorder = *owned;
     if (last_part) recorder.EndAfterPart(*last_part);
     if (question_.time_ms) recorder.EndAt(*question_.time_ms);
-    std::vector<std::unique_ptr<sim::Engine>> engines;
-    engines.push_back(std::move(owned));
-    engines::Lockstep lockstep(program_, std::move(engines));
-    const std::optional<std::string> failure =
-        RunScenario({.scenario = scenario_,
-                     .plan = plan_,
-                     .dialect = *compilation_.dialect,
-                     .program = program_,
-                     .sources = *compilation_.sources,
-                     .engines = lockstep,
-                     .writes = recorder.last_writes(),
-                     .stub = compilation_.dialect->make_stub == nullptr
-                                 ? nullptr
-                                 : compilation_.dialect->make_stub(compilation_.program, compilation_.options)});
-    if (failure && !recorder.has_ended()) answer_.failure = *failure;
-    look(recorder);
+    bool has_ended = false;
+    const std::optional<std::string> failure = repeat_(std::move(owned), [&] {
+      has_ended = recorder.has_ended();
+      look(recorder);
+    });
+    if (failure && !has_ended) answer_.failure = *failure;
   }
 
   /// What a scan did to some cells.
@@ -197,11 +180,9 @@ class Investigation {
     }
   }
 
-  const compilation::Compilation& compilation_;
   const ir::Program& program_;
-  const Scenario& scenario_;
-  ScenarioPlan plan_;
   const WhyQuestion& question_;
+  RepeatRun repeat_;
   explanation::Subject subject_;
   std::vector<execute::CellId> cells_;
   std::vector<Recorder::Part> parts_;
@@ -221,9 +202,34 @@ std::string CannotBeExplained(const compilation::Compilation& compilation, const
   return {};
 }
 
+WhyAnswer ExplainInRun(const compilation::Compilation& compilation, const WhyQuestion& question, RepeatRun repeat) {
+  return Investigation(compilation, question, std::move(repeat)).Run();
+}
+
 WhyAnswer ExplainInScenario(const compilation::Compilation& compilation, const Scenario& scenario, ScenarioPlan plan,
                             const WhyQuestion& question) {
-  return Investigation(compilation, scenario, std::move(plan), question).Run();
+  if (question.steps && *question.steps < plan.steps.size()) plan.steps.resize(*question.steps);
+  return ExplainInRun(
+      compilation, question,
+      [&](std::unique_ptr<Recorder> recorder, const std::function<void()>& look) -> std::optional<std::string> {
+        const sim::LastWrites* const writes = recorder->last_writes();
+        std::vector<std::unique_ptr<sim::Engine>> engines;
+        engines.push_back(std::move(recorder));
+        engines::Lockstep lockstep(compilation.program, std::move(engines));
+        const dialects::Dialect& dialect = *compilation.dialect;
+        std::optional<std::string> failure = RunScenario(
+            {.scenario = scenario,
+             .plan = plan,
+             .dialect = dialect,
+             .program = compilation.program,
+             .sources = *compilation.sources,
+             .engines = lockstep,
+             .writes = writes,
+             .stub =
+                 dialect.make_stub == nullptr ? nullptr : dialect.make_stub(compilation.program, compilation.options)});
+        look();
+        return failure;
+      });
 }
 
 void ShiftTimes(WhyAnswer& answer, uint64_t origin_ms) {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/explanation/explain.h"
+#include "transpiler/explanation/recorder.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/scenario.h"
 
@@ -38,6 +41,14 @@ struct WhyAnswer {
 
 /// Whether a location can be asked about: why not, or nothing.
 std::string CannotBeExplained(const compilation::Compilation& compilation, const dialects::Location& location);
+
+/// Repeats the run that is asked about on a recorder, and lets it be looked at before it is gone. Gives why the run did
+/// not come to its end, or nothing.
+using RepeatRun = std::function<std::optional<std::string>(std::unique_ptr<explanation::Recorder> recorder,
+                                                           const std::function<void()>& look)>;
+
+/// Of any run that can be repeated; `steps` of the question mean nothing.
+WhyAnswer ExplainInRun(const compilation::Compilation& compilation, const WhyQuestion& question, RepeatRun repeat);
 
 /// The compilation is without errors; it, scenario and plan are of each other.
 WhyAnswer ExplainInScenario(const compilation::Compilation& compilation, const Scenario& scenario, ScenarioPlan plan,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -27,6 +28,8 @@ class MessageTracker {
   void PowerOn() { active_.clear(); }
 
   const std::vector<uint32_t>& active() const { return active_; }
+  /// The set as it was at a moment to which a simulation goes back; what was shown before stays to be taken.
+  void Become(std::vector<uint32_t> active) { active_ = std::move(active); }
   /// The numbers that entered the set since the last call, in order of entry, the lower number first in one period.
   std::vector<uint32_t> TakeEntered();
 

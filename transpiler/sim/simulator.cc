@@ -143,6 +143,17 @@ void Simulator::Restore(const Saved& saved) {
   instances_ = saved.instances;
   stored_ = saved.stored;
   events_.clear();
+  stopped_ = false;
+}
+
+Simulator::Noted Simulator::SaveNoted() const {
+  return {.now_ms = now_ms_, .whole_ms = whole_ms_, .writes = last_writes_ ? *last_writes_ : LastWrites()};
+}
+
+void Simulator::RestoreNoted(const Noted& noted) {
+  now_ms_ = noted.now_ms;
+  whole_ms_ = noted.whole_ms;
+  if (last_writes_) *last_writes_ = noted.writes;
 }
 
 void Simulator::RecordLastWrites() {

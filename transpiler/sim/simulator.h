@@ -53,6 +53,15 @@ class Simulator : public Engine {
   /// Goes back, or to what another simulator of this program has saved; events that nobody took are gone.
   void Restore(const Saved& saved);
 
+  /// What decides nothing, but is told of: who wrote last, and since when the clock runs.
+  struct Noted {
+    uint32_t now_ms = 0;
+    uint64_t whole_ms = 0;
+    LastWrites writes;
+  };
+  Noted SaveNoted() const;
+  void RestoreNoted(const Noted& noted);
+
   /// From now on every write is noted; costs time, so it is off at first.
   void RecordLastWrites();
   /// None unless RecordLastWrites was called.
@@ -61,6 +70,12 @@ class Simulator : public Engine {
   /// period. After that the memory is that of a period half done, and only good for being looked at.
   void StopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
   bool stopped() const { return stopped_; }
+  /// Called before each statement that is executed, also one that is switched off; true ends the run there, as StopWhen
+  /// does.
+  void AtStatements(std::function<bool(ir::StatementId statement)> at) { at_statement_ = std::move(at); }
+  const Instances& instances() const { return instances_; }
+  /// What an instruction gave when it was executed last, as raw bits.
+  uint64_t ValueOf(ir::ValueId id) const { return values_[id.index]; }
   /// Instructions executed so far, those of switched-off statements not counted.
   uint64_t executed() const { return executed_; }
 
@@ -132,6 +147,7 @@ class Simulator : public Engine {
   uint64_t whole_ms_ = 0;  // the same since power-on, without wrapping
   uint64_t executed_ = 0;
   std::function<bool()> stop_;
+  std::function<bool(ir::StatementId)> at_statement_;
   uint32_t regions_ = 0;  // begun since `stop_` was asked
   bool stopped_ = false;
   std::vector<HostEvent> events_;

@@ -134,7 +134,10 @@ Simulator::Flow Simulator::ExecuteStatement(InstId, const Inst& inst) {
   current_ = {.statement = id,
               .skipped = off && !statement.opens_block && !statement.closes_block,
               .head_is_false = off && statement.opens_block};
-  return Flow::kOn;
+  if (!at_statement_ || !at_statement_(id)) return Flow::kOn;
+  stopped_ = true;
+  leaving_ = InstId();
+  return Flow::kLeaving;
 }
 
 Simulator::Flow Simulator::ExecuteIf(InstId, const Inst& inst) {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "transpiler/project/reach.h"
 #include "transpiler/prove/machine/transition.h"
+#include "transpiler/scenarios/heading.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/suite.h"
@@ -19,48 +19,13 @@ using execute::CellId;
 
 std::string Scalar(const std::string& text) { return yaml::YamlWord(text, "_./"); }
 
-/// `path`, which the request names, from `directory`.
-std::string PathFrom(const std::string& directory, const compilation::CompilationRequest& request,
-                     const std::string& path) {
-  const std::filesystem::path full = std::filesystem::absolute(std::filesystem::path(request.base_directory) / path);
-  const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory);
-  const std::filesystem::path relative = full.lexically_normal().lexically_relative((from / "").lexically_normal());
-  return relative.empty() ? full.generic_string() : relative.generic_string();
-}
-
 std::string Heading(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
                     const prove::properties::Property& property, const std::string& directory) {
-  std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
-                         ? "# A run behind which no inputs move the output in time.\n"
-                         : "# A run that violates the property: it passes when the program has been repaired.\n";
-  std::vector<std::string> sources;
-  std::string names, texts, separator;
-  for (const std::string& source : request.sources) {
-    if (const auto written = request.texts.find(source); written != request.texts.end()) {
-      const std::string name = std::filesystem::path(source).filename().string();
-      texts += "\n  " + Scalar(name) + ": " + yaml::YamlText(written->second, 4);
-      continue;
-    }
-    sources.push_back(PathFrom(directory, request, source));
-    names += separator + Scalar(sources.back());
-    separator = ", ";
-  }
-  text += project::ReplayComment(directory, sources) + "dialect: " + std::string(machine.compilation.dialect->name) +
-          "\nsources:" + (texts.empty() ? " [" + names + "]" : texts) + "\n";
-  separator.clear();
-  std::string options;
-  for (const auto& [key, value] : machine.compilation.options) {
-    std::string written = value;
-    // A file that the option names stands where the sources do.
-    const std::filesystem::path file = std::filesystem::path(request.base_directory) / value;
-    std::error_code none;
-    if (!value.empty() && std::filesystem::is_regular_file(file, none)) written = PathFrom(directory, request, value);
-    options += separator + Scalar(key) + ": " + Scalar(written);
-    separator = ", ";
-  }
-  if (request.encoding) options += separator + "encoding: " + std::string(source::Name(*request.encoding));
-  if (!options.empty()) text += "options: {" + options + "}\n";
-  return text + "properties:\n- " + Scalar(property.text) + "\n";
+  const std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
+                               ? "# A run behind which no inputs move the output in time.\n"
+                               : "# A run that violates the property: it passes when the program has been repaired.\n";
+  return text + scenarios::ScenarioHeading(machine.compilation, request, directory) + "properties:\n- " +
+         Scalar(property.text) + "\n";
 }
 
 /// The steps of the run; false: an input has no name.
