@@ -8,7 +8,7 @@ set(PLCXX_GUIDE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.
 
 install(TARGETS plcxx RUNTIME DESTINATION bin)
 # Beside the tool, where it looks for them, whatever the system calls its directory of libraries.
-foreach(MODULE plcxx_hnc_parser plcxx_audit plcxx_z3 plcxx_verify)
+foreach(MODULE plcxx_hnc_parser plcxx_audit plcxx_z3 plcxx_verify plcxx_http)
   if(TARGET ${MODULE})
     install(TARGETS ${MODULE} LIBRARY DESTINATION lib)
   endif()

@@ -12,6 +12,7 @@
 #include "transpiler/driver/command_word.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/live_command.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/test_command.h"
 #include "transpiler/driver/why_command.h"
@@ -61,6 +62,7 @@ int Main(int argc, char** argv) {
   AddPrint(app, run);
   AddTest(app, run);
   AddSim(app, run);
+  AddLive(app, run);
   AddWhy(app, run);
   AddExplain(app, run);
   AddReport(app, run);

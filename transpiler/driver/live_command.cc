@@ -1,0 +1,259 @@
+// plcxx live: the program runs in the simulator, and a browser shows it.
+#include "transpiler/driver/live_command.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <variant>
+
+#include "transpiler/driver/accepted_warnings.h"
+#include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
+#include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/report_page.h"
+#include "transpiler/driver/scenario_source.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/live/http.h"
+#include "transpiler/live/opened.h"
+#include "transpiler/live/service.h"
+#include "transpiler/scenarios/plan.h"
+
+extern char** environ;
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kLiveFooter = R"(Examples:
+  plcxx live                          the program of the plcxx.yaml here
+  plcxx live samples/nc110/lathe      that of another folder
+  plcxx live turret.sym turret.plc    these sources
+  plcxx live found/U4A0.yaml          a scenario, where it fails: the way back shows how it came to that
+
+The page is served to this machine alone. With --listen others can see and operate the simulation: then a token
+is needed, which the printed address has. Scenarios that are recorded are saved in the project's folder, and no
+file is overwritten. The control itself answers as the simulated one does unless --set nc-stub=off.
+docs/live.md tells more. Ctrl+C ends it.
+Exit codes: 0 ended, 1 the program has errors, 2 wrong use.)";
+
+constexpr const char* kLoopback = "127.0.0.1";
+constexpr const char* kStubOption = "nc-stub";
+constexpr int kUsualPort = 8420;
+
+struct LiveSettings {
+  CommonOptions common;
+  std::string listen = kLoopback;
+  int port = 0;
+  bool no_browser = false;
+};
+
+int Wrong(const std::string& text) {
+  PrintUsageError(text);
+  return kWrongUse;
+}
+
+std::string NewToken() {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::random_device device;
+  std::string token;
+  for (int i = 0; i < 32; ++i) token += kDigits[device() % kDigits.size()];
+  return token;
+}
+
+void OpenBrowser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string program = "xdg-open", argument = address;
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
+}
+
+bool HasStub(const dialects::Dialect& dialect) {
+  for (const dialects::OptionInfo& option : dialect.options) {
+    if (option.key == kStubOption) return true;
+  }
+  return false;
+}
+
+/// The simulated control answers unless somebody said that it does not; a recorded scenario says so, too.
+void SwitchStubOn(compilation::CompilationRequest& request) {
+  for (const auto& [key, value] : request.options) {
+    if (key == kStubOption) return;
+  }
+  const compilation::Compilation loaded = compilation::Compile(request, compilation::Stage::kLoaded);
+  if (loaded.ok() && loaded.dialect != nullptr && HasStub(*loaded.dialect)) {
+    request.options.emplace_back(kStubOption, "on");
+  }
+}
+
+/// Where recorded scenarios are saved.
+std::string FolderOf(const CommonOptions& common) {
+  if (common.program) return common.program->folder;
+  if (IsScenario(common)) return std::filesystem::path(common.sources.front()).parent_path().generic_string();
+  return "";
+}
+
+/// The scenario that was named, done in the session; false: reported.
+bool OpenNamedScenario(const CommonOptions& common, const compilation::Compilation& compilation,
+                       live::Session& session) {
+  const std::optional<scenarios::Scenario> scenario = ReadScenario(common.sources.front(), common);
+  if (!scenario) return false;
+  if (!scenario->steps) {
+    PrintUsageError(scenario->path + ": no 'steps': nothing runs that could be opened");
+    return false;
+  }
+  const auto plan = scenarios::PlanScenario(*scenario, *compilation.dialect, compilation.program);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
+    for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
+    return false;
+  }
+  const live::Opened opened = live::OpenScenario(session, *scenario, std::get<scenarios::ScenarioPlan>(plan));
+  if (!opened.refusal.empty()) {
+    PrintUsageError(opened.refusal);
+    return false;
+  }
+  std::cout << opened.text << "\n";
+  return true;
+}
+
+int end_pipe[2] = {-1, -1};
+
+/// Says into the pipe that a signal has come; nothing else may be done there.
+void AskForTheEnd(int /*signal*/) {
+  const char byte = 0;
+  [[maybe_unused]] const ssize_t written = write(end_pipe[1], &byte, 1);
+}
+
+/// From now on Ctrl+C and its like are read from `end_pipe`.
+bool CatchSignals() {
+  if (pipe2(end_pipe, O_CLOEXEC) != 0) return false;
+  struct sigaction action = {};
+  action.sa_handler = AskForTheEnd;
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  return true;
+}
+
+void WaitForTheEnd() {
+  char byte = 0;
+  while (read(end_pipe[0], &byte, 1) < 0 && errno == EINTR) {
+  }
+}
+
+/// Serves until a signal comes.
+int Serve(const LiveSettings& settings, live::Service& service, const std::string& name) {
+  if (!CatchSignals()) return Wrong("there are too many open files");
+  live::LoadedServer loaded = live::LoadHttpServer(service);
+  if (!loaded.server) return Wrong("there is no web server: " + loaded.reason);
+  int port = 0;
+  if (settings.port != 0) {
+    port = loaded.server->Bind(settings.listen, settings.port);
+  } else {
+    port = loaded.server->Bind(settings.listen, kUsualPort);
+    if (port == 0) {
+      loaded = live::LoadHttpServer(service);
+      port = loaded.server->Bind(settings.listen, 0);
+    }
+  }
+  if (port == 0) {
+    return Wrong("cannot listen at " + settings.listen +
+                 (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": is it in use?");
+  }
+  const bool is_local = settings.listen == kLoopback;
+  live::GuardOptions guard{.port = port, .token = is_local ? "" : NewToken()};
+  const std::string address = "http://" + settings.listen + ":" + std::to_string(port) + "/" +
+                              (guard.token.empty() ? "" : "#token=" + guard.token);
+  service.Guard(std::move(guard));
+  if (!is_local) {
+    std::cerr << "plcxx: everybody who knows this address can operate the simulation, and what is sent is not "
+                 "encrypted\n";
+  }
+  std::cout << name << ": " << address << "\nCtrl+C ends it.\n" << std::flush;
+  if (!settings.no_browser) OpenBrowser(address);
+  std::thread waits([&] {
+    WaitForTheEnd();
+    service.End();
+    loaded.server->Stop();
+  });
+  loaded.server->Serve();
+  waits.join();
+  return kDone;
+}
+
+int RunLive(const LiveSettings& settings) {
+  std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
+  if (!request) return kWrongUse;
+  if (!IsScenario(settings.common)) SwitchStubOn(*request);
+  ProgressLine progress;
+  request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
+  if (!compiled) return kWrongUse;
+  progress.Clear();
+  compilation::Compilation& compilation = *compiled;
+  PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
+  if (!compilation.ok()) return ExitCodeOf(compilation);
+  if (!compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
+  request->progress = nullptr;
+
+  const report::ProgramInput input = PageInput(compilation);
+  live::Session session(compilation, input);
+  if (IsScenario(settings.common) && !OpenNamedScenario(settings.common, compilation, session)) return kWrongUse;
+  live::Service service(session, {&compilation, &*request, FolderOf(settings.common)});
+  return Serve(settings, service, compilation.name);
+}
+
+/// A folder, or its plcxx.yaml, named where sources are expected.
+void NameProject(CommonOptions& common) {
+  if (common.sources.size() != 1) return;
+  const std::filesystem::path path = common.sources.front();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    common.project = (path / project::kProjectFile).generic_string();
+  } else if (path.filename() == project::kProjectFile) {
+    common.project = path.generic_string();
+  } else {
+    return;
+  }
+  common.sources.clear();
+}
+
+int RunLiveForOne(LiveSettings settings) {
+  NameProject(settings.common);
+  if (settings.common.all || settings.common.program_names.size() > 1) {
+    return Wrong("live shows one program: name it with --program");
+  }
+  return RunForPrograms(settings, RunLive);
+}
+
+}  // namespace
+
+void AddLive(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("live", "Run the program in the simulator, with a page that shows it");
+  const auto settings = std::make_shared<LiveSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--port", settings->port, "Of the page; 8420, or any that is free")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65535))
+      ->group("Page");
+  command->add_option("--listen", settings->listen, "An address of this machine, for others to reach it")
+      ->type_name("ADDRESS")
+      ->default_str(kLoopback)
+      ->group("Page");
+  command->add_flag("--no-browser", settings->no_browser, "Print the address, and open nothing")->group("Page");
+  command->footer(kLiveFooter);
+  command->callback([settings, &run] { run = [settings] { return RunLiveForOne(*settings); }; });
+}
+
+}  // namespace plcxx::driver

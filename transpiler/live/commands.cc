@@ -1,0 +1,293 @@
+#include "transpiler/live/commands.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "transpiler/live/recording.h"
+#include "transpiler/live/why.h"
+
+namespace plcxx::live {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMostText = 4096;  // bytes of a word of a command
+
+/// The words of a command; the first that is not as it should be is noted.
+class Words {
+ public:
+  explicit Words(const Json& command) : command_(command) {}
+
+  std::string Text(const char* key) {
+    const auto found = command_.find(key);
+    if (found == command_.end() || !found->is_string()) {
+      return Fail<std::string>(key, "a text");
+    }
+    const auto& text = found->get_ref<const std::string&>();
+    if (text.size() > kMostText || text.find('\0') != std::string::npos) return Fail<std::string>(key, "a short text");
+    return text;
+  }
+  uint64_t Number(const char* key, uint64_t most) {
+    const auto found = command_.find(key);
+    if (found == command_.end() || !found->is_number_unsigned() || found->get<uint64_t>() > most) {
+      return Fail<uint64_t>(key, "a number from 0 to " + std::to_string(most));
+    }
+    return found->get<uint64_t>();
+  }
+  double Real(const char* key) {
+    const auto found = command_.find(key);
+    if (found == command_.end() || !found->is_number()) return Fail<double>(key, "a number");
+    return found->get<double>();
+  }
+  bool Truth(const char* key) {
+    const auto found = command_.find(key);
+    if (found == command_.end() || !found->is_boolean()) return Fail<bool>(key, "true or false");
+    return found->get<bool>();
+  }
+  std::vector<std::string> Texts(const char* key, size_t most) {
+    const auto found = command_.find(key);
+    std::vector<std::string> texts;
+    if (found == command_.end() || !found->is_array() || found->size() > most) {
+      return Fail<std::vector<std::string>>(key, "a list of at most " + std::to_string(most) + " texts");
+    }
+    for (const Json& item : *found) {
+      if (!item.is_string() || item.get_ref<const std::string&>().size() > kMostText) {
+        return Fail<std::vector<std::string>>(key, "a list of texts");
+      }
+      texts.push_back(item.get<std::string>());
+    }
+    return texts;
+  }
+  const std::string& wrong() const { return wrong_; }
+
+ private:
+  template <class T>
+  T Fail(const char* key, const std::string& what) {
+    if (wrong_.empty()) wrong_ = "'" + std::string(key) + "' of the command is " + what;
+    return T{};
+  }
+  const Json& command_;
+  std::string wrong_;
+};
+
+struct Context {
+  Session& session;
+  const RecordingPlace& place;
+  Words words;
+  Json answer;
+};
+
+/// Does what the words say; not when one of them is wrong.
+#define PLCXX_WITH_WORDS(...)                                           \
+  do {                                                                  \
+    if (!(context.words.wrong().empty())) return context.words.wrong(); \
+    return __VA_ARGS__;                                                 \
+  } while (false)
+
+ir::StatementId StatementIn(Context& context) {
+  const size_t count = context.session.program().statements.size();
+  return ir::StatementId(static_cast<uint32_t>(context.words.Number("statement", count == 0 ? 0 : count - 1)));
+}
+
+std::optional<StepKind> StepKindOf(const std::string& word) {
+  if (word == "period") return StepKind::kPeriod;
+  if (word == "fast") return StepKind::kFast;
+  if (word == "slow") return StepKind::kSlow;
+  if (word == "slice") return StepKind::kSlice;
+  if (word == "statement") return StepKind::kStatement;
+  return std::nullopt;
+}
+
+Refusal StepCommand(Context& context) {
+  const std::string word = context.words.Text("what");
+  if (!context.words.wrong().empty()) return context.words.wrong();
+  const std::optional<StepKind> kind = StepKindOf(word);
+  if (!kind) return "a step is a 'statement', 'period', 'fast', 'slice' or 'slow'";
+  return context.session.Step(*kind);
+}
+
+Refusal WhyCommand(Context& context) {
+  const std::string name = context.words.Text("name");
+  if (!context.words.wrong().empty()) return context.words.wrong();
+  const Reasons reasons = WhyNow(context.session, name);
+  context.answer["text"] = reasons.text;
+  return reasons.refusal;
+}
+
+Refusal ScenarioCommand(Context& context) {
+  const Recording recording = WriteRecording(*context.place.compilation, *context.place.request,
+                                             context.session.timeline(), context.place.directory);
+  context.answer["yaml"] = recording.yaml;
+  return recording.refusal;
+}
+
+/// A new file: one that is there is somebody's work.
+Refusal SaveCommand(Context& context) {
+  const std::string name = context.words.Text("file");
+  if (!context.words.wrong().empty()) return context.words.wrong();
+  if (!IsScenarioName(name)) return "a scenario's name has letters, digits, '-' and '_', and ends with .yaml";
+  const Recording recording = CheckedRecording(*context.place.compilation, *context.place.request,
+                                               context.session.timeline(), context.place.directory, name);
+  if (!recording.refusal.empty()) return recording.refusal;
+  const std::string path = (std::filesystem::path(context.place.directory) / name).generic_string();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wx"), &std::fclose);
+  if (!file) return "'" + name + "' cannot be written, or is there already";
+  if (std::fwrite(recording.yaml.data(), 1, recording.yaml.size(), file.get()) != recording.yaml.size() ||
+      std::fflush(file.get()) != 0) {
+    return "'" + name + "' cannot be written";
+  }
+  context.answer["file"] = name;
+  return {};
+}
+
+Refusal TriggerCommand(Context& context) {
+  constexpr uint64_t kMost = 3'600'000;
+  Words& words = context.words;
+  const Session::TriggerWish wish{.edge = words.Text("edge"),
+                                  .text = words.Text("text"),
+                                  .base_ms = static_cast<uint32_t>(words.Number("baseMs", kMost)),
+                                  .delay_ms = static_cast<uint32_t>(words.Number("delayMs", kMost)),
+                                  .samples = static_cast<uint32_t>(words.Number("samples", kMost)),
+                                  .before_percent = static_cast<uint32_t>(words.Number("before", 100))};
+  PLCXX_WITH_WORDS(context.session.Arm(wish));
+}
+
+struct CommandRow {
+  const char* name;
+  Refusal (*run)(Context& context);
+};
+
+constexpr uint32_t kMostNumber = 0xFFFFFFFF;
+
+constexpr CommandRow kCommands[] = {
+    {"run", [](Context& context) { return context.session.Run(); }},
+    {"pause",
+     [](Context& context) {
+       context.session.Pause("");
+       return Refusal();
+     }},
+    {"speed",
+     [](Context& context) -> Refusal {
+       const double times = context.words.Real("times");
+       PLCXX_WITH_WORDS(context.session.SetSpeed(times));
+     }},
+    {"step", StepCommand},
+    {"back",
+     [](Context& context) -> Refusal {
+       const uint64_t periods = context.words.Number("periods", kMostBack);
+       PLCXX_WITH_WORDS(context.session.Back(periods));
+     }},
+    {"backStatement", [](Context& context) { return context.session.BackStatement(); }},
+    {"goTo",
+     [](Context& context) -> Refusal {
+       const uint64_t period = context.words.Number("period", uint64_t{1} << 53);
+       PLCXX_WITH_WORDS(context.session.GoTo(period));
+     }},
+    {"restart",
+     [](Context& context) {
+       context.session.Restart();
+       return Refusal();
+     }},
+    {"set",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name"), value = context.words.Text("value");
+       PLCXX_WITH_WORDS(context.session.Set(name, value));
+     }},
+    {"toggle",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name");
+       PLCXX_WITH_WORDS(context.session.Toggle(name));
+     }},
+    {"force",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name"), value = context.words.Text("value");
+       PLCXX_WITH_WORDS(context.session.Force(name, value));
+     }},
+    {"release",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name");
+       PLCXX_WITH_WORDS(context.session.Release(name));
+     }},
+    {"releaseAll", [](Context& context) { return context.session.ReleaseAll(); }},
+    {"switch",
+     [](Context& context) -> Refusal {
+       const ir::StatementId statement = StatementIn(context);
+       const bool on = context.words.Truth("on");
+       PLCXX_WITH_WORDS(context.session.SwitchStatement(statement, on));
+     }},
+    {"switchAllOn", [](Context& context) { return context.session.SwitchAllOn(); }},
+    {"powerOff", [](Context& context) { return context.session.PowerOff(); }},
+    {"powerOn", [](Context& context) { return context.session.PowerOn(); }},
+    {"breakStatement",
+     [](Context& context) -> Refusal {
+       const ir::StatementId statement = StatementIn(context);
+       const bool on = context.words.Truth("on");
+       PLCXX_WITH_WORDS(context.session.BreakAtStatement(statement, on));
+     }},
+    {"breakChange",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name");
+       PLCXX_WITH_WORDS(context.session.BreakAtChange(name));
+     }},
+    {"breakCondition",
+     [](Context& context) -> Refusal {
+       const std::string text = context.words.Text("text");
+       PLCXX_WITH_WORDS(context.session.BreakAtCondition(text));
+     }},
+    {"breakRemove",
+     [](Context& context) -> Refusal {
+       const uint64_t number = context.words.Number("number", kMostNumber);
+       PLCXX_WITH_WORDS(context.session.RemoveBreakpoint(static_cast<uint32_t>(number)));
+     }},
+    {"watch",
+     [](Context& context) -> Refusal {
+       const std::string name = context.words.Text("name");
+       PLCXX_WITH_WORDS(context.session.Watch(name));
+     }},
+    {"unwatch",
+     [](Context& context) -> Refusal {
+       const uint64_t number = context.words.Number("number", kMostWatched);
+       PLCXX_WITH_WORDS(context.session.Unwatch(number));
+     }},
+    {"trigger", TriggerCommand},
+    {"triggerOff",
+     [](Context& context) {
+       context.session.Disarm();
+       return Refusal();
+     }},
+    {"why", WhyCommand},
+    {"expect",
+     [](Context& context) -> Refusal {
+       const std::vector<std::string> names = context.words.Texts("names", kMostNotes);
+       PLCXX_WITH_WORDS(context.session.Expect(names));
+     }},
+    {"expectMessages", [](Context& context) { return context.session.ExpectMessages(); }},
+    {"scenario", ScenarioCommand},
+    {"save", SaveCommand},
+};
+#undef PLCXX_WITH_WORDS
+
+}  // namespace
+
+CommandResult RunCommand(Session& session, const RecordingPlace& place, const Json& command) {
+  if (!command.is_object()) return {"a command is a JSON object", {}};
+  Context context{.session = session, .place = place, .words = Words(command), .answer = Json::object()};
+  const std::string name = context.words.Text("do");
+  if (!context.words.wrong().empty()) return {context.words.wrong(), {}};
+  for (const CommandRow& row : kCommands) {
+    if (name != row.name) continue;
+    Refusal refusal = row.run(context);
+    return {std::move(refusal), std::move(context.answer)};
+  }
+  return {"there is no command '" + name + "'", {}};
+}
+
+std::vector<std::string> CommandNames() {
+  std::vector<std::string> names;
+  for (const CommandRow& row : kCommands) names.emplace_back(row.name);
+  return names;
+}
+
+}  // namespace plcxx::live

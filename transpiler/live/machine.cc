@@ -1,0 +1,124 @@
+#include "transpiler/live/machine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace plcxx::live {
+namespace {
+
+/// Of real time, for a stretch that the program does not end.
+constexpr std::chrono::seconds kLongest{2};
+
+}  // namespace
+
+uint32_t UnitMs(const ir::Program& program) {
+  const ir::Schedule& schedule = program.schedule;
+  return std::max(1U, schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
+}
+
+std::unique_ptr<dialects::ControlStub> StubOf(const compilation::Compilation& compilation) {
+  if (compilation.dialect->make_stub == nullptr) return nullptr;
+  return compilation.dialect->make_stub(compilation.program, compilation.options);
+}
+
+Machine::Machine(const compilation::Compilation& compilation)
+    : compilation_(compilation),
+      simulator_(compilation.program),
+      control_(compilation.program, *compilation.dialect, simulator_, StubOf(compilation)),
+      clock_(compilation.program, {&simulator_}),
+      off_(compilation.program.statements.size()),
+      executed_(compilation.program.statements.size()) {
+  simulator_.RecordLastWrites();
+  clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
+  clock_.after_period = [this](uint32_t now_ms) {
+    if (!simulator_.stopped()) control_.AfterPeriod(now_ms);
+  };
+}
+
+void Machine::PowerOn() {
+  clock_.PowerOn();
+  control_.PowerOn();
+}
+
+void Machine::PowerCycle() {
+  control_.PowerOff();
+  clock_.PowerCycle();
+  control_.PowerOn();
+}
+
+void Machine::RunOn(sim::Clock& clock, const Advance& advance) {
+  constexpr uint32_t kMost = std::numeric_limits<uint32_t>::max();
+  switch (advance.kind) {
+    case AdvanceKind::kMs:
+      clock.RunMs(advance.ms);
+      return;
+    case AdvanceKind::kSlowPeriod:
+    case AdvanceKind::kFastPeriod: {
+      // Interrupted after its first period, so that it can be looked at between any two.
+      auto interrupted = std::exchange(clock.interrupted, [] { return true; });
+      if (advance.kind == AdvanceKind::kSlowPeriod) {
+        clock.RunSlow(kMost);
+      } else {
+        clock.RunFast(kMost);
+      }
+      clock.interrupted = std::move(interrupted);
+      return;
+    }
+  }
+}
+
+bool Machine::Run(const Advance& advance, const StopAt& stop) {
+  ++stretch_;
+  simulator_.AtStatements([&](ir::StatementId statement) {
+    if (stop && stop(statement)) return true;
+    executed_[statement.index] = stretch_;
+    return false;
+  });
+  clock_.interrupted = [this] { return simulator_.stopped(); };
+  const auto end = std::chrono::steady_clock::now() + kLongest;
+  simulator_.StopWhen([end] { return std::chrono::steady_clock::now() > end; });
+  RunOn(clock_, advance);
+  simulator_.AtStatements({});
+  return !simulator_.stopped();
+}
+
+void Machine::Force(const dialects::Location& location, uint64_t value) {
+  for (const auto& [place, part] : scenarios::WritesTo(location, value)) simulator_.Force(place, part);
+}
+
+void Machine::Release(const dialects::Location& location) {
+  for (const auto& [place, part] : scenarios::WritesTo(location, 0)) simulator_.Release(place);
+}
+
+void Machine::EnableStatement(ir::StatementId statement, bool enabled) {
+  simulator_.EnableStatement(statement, enabled);
+  off_[statement.index] = !enabled;
+}
+
+uint64_t Machine::Read(const dialects::Location& location) {
+  if (location.absent) return 0;
+  return location.cell ? control_.ReadCell(*location.cell) : scenarios::ReadLocation(simulator_, location);
+}
+
+Machine::Saved Machine::Save() const {
+  return {.simulator = simulator_.Save(),
+          .noted = simulator_.SaveNoted(),
+          .control = control_.Save(),
+          .messages = control_.active_messages(),
+          .off = off_,
+          .time_ms = clock_.time_ms()};
+}
+
+void Machine::Restore(const Saved& saved) {
+  simulator_.Restore(saved.simulator);
+  simulator_.RestoreNoted(saved.noted);
+  control_.Restore(saved.control);
+  control_.RestoreMessages(saved.messages);
+  for (uint32_t i = 0; i < saved.off.size(); ++i) simulator_.EnableStatement(ir::StatementId(i), !saved.off[i]);
+  off_ = saved.off;
+  clock_.GoTo(saved.time_ms);
+}
+
+}  // namespace plcxx::live
