@@ -161,6 +161,20 @@ def opens_a_scenario(plcxx, folder):
         events.close()
 
 
+def opens_a_trace(plcxx, folder):
+    ran = subprocess.run([plcxx, "sim", "lamp.plc", "--watch", "I0A3,U4A8", "--at", "100ms:I0A3=1", "--for", "300ms", "--vcd",
+                          "trace.vcd"], cwd=folder, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    with Server(plcxx, ["lamp.plc", "--vcd", "trace.vcd"], folder) as server:
+        lamp = [signal["name"] for signal in server.get("/api/program")["signals"]].index("U4A8")
+        events = Events(server)
+        events.next()
+        events.until(lambda state: state["at"]["period"] > 20 and state["values"].get(lamp) == 1)
+        server.act("goTo", period=5)
+        events.until(lambda state: state["values"].get(lamp) == 0)
+        events.close()
+
+
 def needs_a_token(plcxx, folder):
     with Server(plcxx, ["lamp.plc", "--listen", "0.0.0.0"], folder) as server:
         assert len(server.token) == 32, server.url
@@ -203,6 +217,7 @@ def main(plcxx, root):
             survives(server)
             limits_pages(server)
         opens_a_scenario(plcxx, folder)
+        opens_a_trace(plcxx, folder)
         needs_a_token(plcxx, folder)
         wrong_use(plcxx, folder)
     with Server(plcxx, [str(root / "samples/nc110/lathe_16k20")], "/") as server:

@@ -26,6 +26,7 @@
 #include "transpiler/driver/report_page.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/driver/traced_input.h"
 #include "transpiler/live/http.h"
 #include "transpiler/live/opened.h"
 #include "transpiler/live/service.h"
@@ -41,6 +42,7 @@ constexpr const char* kLiveFooter = R"(Examples:
   plcxx live samples/nc110/lathe      that of another folder
   plcxx live turret.sym turret.plc    these sources
   plcxx live found/U4A0.yaml          a scenario, where it fails: the way back shows how it came to that
+  plcxx live --vcd machine.vcd        a recorded trace: the program runs with its inputs, from power-on
 
 The page is served to this machine alone. With --listen others can see and operate the simulation: then a token
 is needed, which the printed address has. Scenarios that are recorded are saved in the project's folder, and no
@@ -54,6 +56,7 @@ constexpr int kUsualPort = 8420;
 
 struct LiveSettings {
   CommonOptions common;
+  std::string waveform;  // --vcd
   std::string listen = kLoopback;
   int port = 0;
   bool no_browser = false;
@@ -105,21 +108,18 @@ std::string FolderOf(const CommonOptions& common) {
   return "";
 }
 
-/// The scenario that was named, done in the session; false: reported.
-bool OpenNamedScenario(const CommonOptions& common, const compilation::Compilation& compilation,
-                       live::Session& session) {
-  const std::optional<scenarios::Scenario> scenario = ReadScenario(common.sources.front(), common);
-  if (!scenario) return false;
-  if (!scenario->steps) {
-    PrintUsageError(scenario->path + ": no 'steps': nothing runs that could be opened");
+/// Done in the session; false: reported.
+bool OpenRun(const scenarios::Scenario& scenario, const compilation::Compilation& compilation, live::Session& session) {
+  if (!scenario.steps) {
+    PrintUsageError(scenario.path + ": no 'steps': nothing runs that could be opened");
     return false;
   }
-  const auto plan = scenarios::PlanScenario(*scenario, *compilation.dialect, compilation.program);
+  const auto plan = scenarios::PlanScenario(scenario, *compilation.dialect, compilation.program);
   if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) {
     for (const scenarios::ScenarioError& error : *errors) std::cerr << ToText(error) << "\n";
     return false;
   }
-  const live::Opened opened = live::OpenScenario(session, *scenario, std::get<scenarios::ScenarioPlan>(plan));
+  const live::Opened opened = live::OpenScenario(session, scenario, std::get<scenarios::ScenarioPlan>(plan));
   if (!opened.refusal.empty()) {
     PrintUsageError(opened.refusal);
     return false;
@@ -150,6 +150,20 @@ void WaitForTheEnd() {
   char byte = 0;
   while (read(end_pipe[0], &byte, 1) < 0 && errno == EINTR) {
   }
+}
+
+/// What the command line names beside the program: a scenario, or a recorded trace.
+bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& compilation, live::Session& session) {
+  if (!settings.waveform.empty()) {
+    const std::optional<sim::Vcd> trace = ReadWaveform(settings.waveform);
+    if (!trace) return false;
+    const scenarios::TracedRun run = scenarios::RunOfTrace(compilation, *trace, settings.waveform);
+    PrintHowFarTraced(run, scenarios::Departures(compilation, *trace, run));
+    return OpenRun(run.scenario, compilation, session);
+  }
+  if (!IsScenario(settings.common)) return true;
+  const std::optional<scenarios::Scenario> scenario = ReadScenario(settings.common.sources.front(), settings.common);
+  return scenario && OpenRun(*scenario, compilation, session);
 }
 
 /// Serves until a signal comes.
@@ -195,7 +209,7 @@ int Serve(const LiveSettings& settings, live::Service& service, const std::strin
 int RunLive(const LiveSettings& settings) {
   std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
-  if (!IsScenario(settings.common)) SwitchStubOn(*request);
+  if (!IsScenario(settings.common) && settings.waveform.empty()) SwitchStubOn(*request);
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
@@ -209,7 +223,7 @@ int RunLive(const LiveSettings& settings) {
 
   const report::ProgramInput input = PageInput(compilation);
   live::Session session(compilation, input);
-  if (IsScenario(settings.common) && !OpenNamedScenario(settings.common, compilation, session)) return kWrongUse;
+  if (!OpenNamed(settings, compilation, session)) return kWrongUse;
   live::Service service(session, {&compilation, &*request, FolderOf(settings.common)});
   return Serve(settings, service, compilation.name);
 }
@@ -231,6 +245,9 @@ void NameProject(CommonOptions& common) {
 
 int RunLiveForOne(LiveSettings settings) {
   NameProject(settings.common);
+  if (!settings.waveform.empty() && IsScenario(settings.common)) {
+    return Wrong("a scenario and a trace are named: leave one of them out");
+  }
   if (settings.common.all || settings.common.program_names.size() > 1) {
     return Wrong("live shows one program: name it with --program");
   }
@@ -243,6 +260,8 @@ void AddLive(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("live", "Run the program in the simulator, with a page that shows it");
   const auto settings = std::make_shared<LiveSettings>();
   AddCommonOptions(*command, settings->common);
+  command->add_option("--vcd", settings->waveform, "A recorded trace: the program runs with its inputs first")
+      ->type_name("FILE");
   command->add_option("--port", settings->port, "Of the page; 8420, or any that is free")
       ->type_name("N")
       ->check(CLI::Range(1, 65535))

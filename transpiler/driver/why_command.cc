@@ -1,7 +1,6 @@
 // plcxx why: which conditions make a signal what it is, and whether it can be on at all.
 #include "transpiler/driver/why_command.h"
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/driver/traced_input.h"
 #include "transpiler/driver/why_output.h"
 #include "transpiler/review/properties/runs.h"
 #include "transpiler/scenarios/known_runs.h"
@@ -28,7 +28,6 @@
 #include "transpiler/scenarios/traced_run.h"
 #include "transpiler/scenarios/why.h"
 #include "transpiler/sim/read_vcd.h"
-#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -163,44 +162,6 @@ int WhyInScenario(const WhySettings& settings) {
     return ExitCodeOf(compilation);
   }
   return Answer(settings, {.compilation = compilation, .scenario = *scenario, .time_ms = time_ms}, progress);
-}
-
-std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
-  const std::optional<std::string> text = support::ReadFile(path);
-  if (!text) {
-    PrintUsageError("cannot read '" + path + "'");
-    return std::nullopt;
-  }
-  std::variant<sim::Vcd, sim::VcdError> read = sim::ReadVcd(*text);
-  if (const auto* error = std::get_if<sim::VcdError>(&read)) {
-    std::cerr << diag::Escaped(path) << ":" << error->line << ": error: " << diag::Escaped(error->message) << "\n";
-    return std::nullopt;
-  }
-  return std::get<sim::Vcd>(std::move(read));
-}
-
-constexpr size_t kMaxNamed = 10;
-
-/// "A, B, C and 4 more"
-std::string Listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kMaxNamed) text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
-  return text;
-}
-
-/// What of the trace was not taken, and where the run is another one: to standard error, for it is about the question.
-void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures) {
-  const auto note = [](const std::string& text) { std::cerr << "note: " << diag::Escaped(text) << "\n"; };
-  if (!run.left_out.empty())
-    note("left out of the trace, for the program has no such location: " + Listed(run.left_out));
-  if (run.inputs.empty()) note("the trace has no input of the program: nothing is set");
-  std::vector<std::string> texts;
-  for (const scenarios::Departure& departure : departures) {
-    texts.push_back(departure.name + " (at " + std::to_string(departure.time_ms) + " ms " + departure.traced +
-                    " in the trace, " + departure.run + " in the run)");
-  }
-  if (!texts.empty()) note("the run is not that of the trace: " + Listed(texts));
 }
 
 int WhyInTrace(const WhySettings& settings) {

@@ -207,6 +207,7 @@ Json ProgramView::Rows(size_t begin, size_t end) const {
     one["row"] = i;
     one["file"] = row.file.valid() ? std::string(report::FileName(sources.Get(row.file).path)) : "";
     one["title"] = row.title;
+    one["heads"] = i == 0 || rows_.rows[i - 1].file != row.file;
     Json statements = Json::array();
     for (const ir::StatementId id : row.statements) statements.push_back(id.index);
     one["statements"] = std::move(statements);

@@ -23,7 +23,7 @@ class Group {
     this.isLoading = true;
     try {
       const rows = await get(`/api/rows?from=${this.begin}&to=${this.end}`);
-      this.rows = rows.map((row, i) => new Row(row, i === 0 || rows[i - 1].file !== row.file));
+      this.rows = rows.map((row) => new Row(row));
       this.element.replaceChildren(...this.rows.map((row) => row.element));
       this.element.style.minHeight = "";
     } catch {
@@ -41,10 +41,10 @@ class Group {
 }
 
 class Row {
-  constructor(row, isFirstOfFile) {
+  constructor(row) {
     this.row = row;
     this.badges = [];
-    const heading = isFirstOfFile ? [element("h3", {}, row.file || "Around the program: what the control does")] : [];
+    const heading = row.heads ? [element("h3", {}, row.file || "Around the program: what the control does")] : [];
     const source = element("div", { class: "src" });
     const ofLine = new Map();
     for (const id of row.statements) ofLine.set(state.outline.statements[id].line, [...(ofLine.get(state.outline.statements[id].line) ?? []), id]);

@@ -1,0 +1,19 @@
+// A recorded trace on the command line: read, and how far a run of the program follows it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/scenarios/traced_run.h"
+#include "transpiler/sim/read_vcd.h"
+
+namespace plcxx::driver {
+
+/// None: it cannot be read, which is reported.
+std::optional<sim::Vcd> ReadWaveform(const std::string& path);
+
+/// What of the trace was not taken, and where the run is another one: to standard error, for it is about the question.
+void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures);
+
+}  // namespace plcxx::driver
