@@ -13,31 +13,33 @@ namespace {
 
 constexpr int kBoundsDepth = 64;  // of an expression whose bounds are looked at
 
-bool IsComparison(const Expr& expr) {
-  return expr.kind == ExprKind::kBinary && expr.binary >= BinaryOp::kLess && expr.binary <= BinaryOp::kNotEqual;
-}
+bool Compares(const Expr& expr) { return expr.kind == ExprKind::kBinary && IsComparison(expr.binary); }
 
-std::string_view SignOf(BinaryOp op) {
+/// Of a comparison: whether it holds for all values within these bounds, or for none.
+std::optional<bool> OutcomeOf(BinaryOp op, const Bounds& a, const Bounds& b) {
+  const auto outcome = [](bool always, bool never) {
+    return always ? std::optional(true) : never ? std::optional(false) : std::nullopt;
+  };
+  const bool apart = a.high < b.low || b.high < a.low, same = a.IsOne() && a == b;
   switch (op) {
-    case BinaryOp::kBitAnd:
-      return "&";
-    case BinaryOp::kBitXor:
-      return "^";
-    case BinaryOp::kBitOr:
-      return "|";
     case BinaryOp::kLess:
-      return "<";
+      return outcome(a.high < b.low, a.low >= b.high);
     case BinaryOp::kGreater:
-      return ">";
+      return outcome(a.low > b.high, a.high <= b.low);
     case BinaryOp::kLessEqual:
-      return "<=";
+      return outcome(a.high <= b.low, a.low > b.high);
     case BinaryOp::kGreaterEqual:
-      return ">=";
+      return outcome(a.low >= b.high, a.high < b.low);
     case BinaryOp::kEqual:
-      return "==";
-    default:
-      return "!=";
+      return outcome(same, apart);
+    case BinaryOp::kNotEqual:
+      return outcome(apart, same);
+#define HNC_COMPARISON(...)
+#define HNC_BINARY(Key, ...) case BinaryOp::k##Key:
+#include "transpiler/dialects/hnc/binary_operators.def"
+      return std::nullopt;
   }
+  return std::nullopt;
 }
 
 class ExpressionChecks {
@@ -101,7 +103,16 @@ class ExpressionChecks {
       case StatementKind::kReturn:
         Order(statement.expression);
         break;
-      default:
+      case StatementKind::kDeclaration:
+      case StatementKind::kEmpty:
+      case StatementKind::kGoto:
+      case StatementKind::kContinue:
+      case StatementKind::kBreak:
+      case StatementKind::kLabel:
+      case StatementKind::kCase:
+      case StatementKind::kDefault:
+      case StatementKind::kCriticalEnter:
+      case StatementKind::kCriticalLeave:
         break;
     }
   }
@@ -203,7 +214,23 @@ class ExpressionChecks {
       case ExprKind::kLoad:
         OutsideTable(expr);
         break;
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kVariable:
+      case ExprKind::kFunction:
+      case ExprKind::kDecay:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kComma:
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
+      case ExprKind::kDereference:
+      case ExprKind::kIndex:
+      case ExprKind::kMember:
         break;
     }
   }
@@ -213,9 +240,9 @@ class ExpressionChecks {
     if (expr.binary != BinaryOp::kBitAnd && expr.binary != BinaryOp::kBitOr && expr.binary != BinaryOp::kBitXor) return;
     for (const ExprId side : {expr.a, expr.b}) {
       const ExprId operand = Unconverted(side);
-      if (!HasType(operand) || !IsComparison(At(operand)) || At(operand).parenthesized) continue;
-      context_.diagnostics.Report(expr.op.begin != 0 ? expr.op : expr.range, diag::HncPrecedence, SignOf(expr.binary),
-                                  SignOf(At(operand).binary));
+      if (!HasType(operand) || !Compares(At(operand)) || At(operand).parenthesized) continue;
+      context_.diagnostics.Report(expr.op.begin != 0 ? expr.op : expr.range, diag::HncPrecedence,
+                                  Info(expr.binary).sign, Info(At(operand).binary).sign);
       return;
     }
   }
@@ -244,30 +271,10 @@ class ExpressionChecks {
 
   /// W16
   void AlwaysTheSame(const Expr& expr) {
-    if (!IsComparison(expr) || expr.constant || !HasType(expr.a) || !HasType(expr.b)) return;
+    if (!Compares(expr) || expr.constant || !HasType(expr.a) || !HasType(expr.b)) return;
     if (!IsInteger(unit_.TypeOf(expr.a)) || !IsInteger(unit_.TypeOf(expr.b))) return;
     const Bounds a = PossibleBounds(expr.a), b = PossibleBounds(expr.b);
-    std::optional<bool> outcome;
-    switch (expr.binary) {
-      case BinaryOp::kLess:
-        outcome = a.high < b.low ? std::optional(true) : a.low >= b.high ? std::optional(false) : std::nullopt;
-        break;
-      case BinaryOp::kGreater:
-        outcome = a.low > b.high ? std::optional(true) : a.high <= b.low ? std::optional(false) : std::nullopt;
-        break;
-      case BinaryOp::kLessEqual:
-        outcome = a.high <= b.low ? std::optional(true) : a.low > b.high ? std::optional(false) : std::nullopt;
-        break;
-      case BinaryOp::kGreaterEqual:
-        outcome = a.low >= b.high ? std::optional(true) : a.high < b.low ? std::optional(false) : std::nullopt;
-        break;
-      default: {
-        const bool apart = a.high < b.low || b.high < a.low, same = a.IsOne() && a == b;
-        if (apart) outcome = expr.binary == BinaryOp::kNotEqual;
-        if (same) outcome = expr.binary == BinaryOp::kEqual;
-        break;
-      }
-    }
+    const std::optional<bool> outcome = OutcomeOf(expr.binary, a, b);
     if (outcome) context_.diagnostics.Report(expr.range, diag::HncConditionConstant, *outcome ? "true" : "false");
   }
 
@@ -423,14 +430,6 @@ class ExpressionChecks {
         if (const std::optional<Cell> cell = CellOf(expr.a)) all.writes.insert(*cell);
         return all;
       }
-      case ExprKind::kAnd:
-      case ExprKind::kOr:
-      case ExprKind::kComma:
-      case ExprKind::kConditional:
-        all.Add(Visit(expr.a));
-        all.Add(Visit(expr.b));
-        all.Add(Visit(expr.c));
-        return all;
       case ExprKind::kBinary:
       case ExprKind::kIndex: {
         const Accesses left = Visit(expr.a), right = Visit(expr.b);
@@ -447,12 +446,29 @@ class ExpressionChecks {
         }
         return all;
       }
-      default:
-        all.Add(Visit(expr.a));
-        all.Add(Visit(expr.b));
-        all.Add(Visit(expr.c));
-        return all;
+      case ExprKind::kAnd:  // its operands are in order, or it has one
+      case ExprKind::kOr:
+      case ExprKind::kComma:
+      case ExprKind::kConditional:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kVariable:
+      case ExprKind::kFunction:
+      case ExprKind::kDecay:
+      case ExprKind::kConvert:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kAddress:
+      case ExprKind::kDereference:
+      case ExprKind::kMember:
+        break;
     }
+    all.Add(Visit(expr.a));
+    all.Add(Visit(expr.b));
+    all.Add(Visit(expr.c));
+    return all;
   }
 
   /// W23, once in a program.

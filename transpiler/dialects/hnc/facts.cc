@@ -162,7 +162,20 @@ ObjectSet Facts::ObjectsOf(ExprId lvalue) const {
       case ExprKind::kComma:
         id = expr.b;
         break;
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kFunction:
+      case ExprKind::kDecay:
+      case ExprKind::kConvert:
+      case ExprKind::kCast:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kBinary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kAddress:
         return set;
     }
   }
@@ -225,7 +238,18 @@ ObjectSet Facts::TargetsOf(ExprId pointer) const {
         id = expr.arguments[0];  // memset and relatives give their first argument
         break;
       }
-      default:
+      case ExprKind::kPoison:
+      case ExprKind::kConstant:
+      case ExprKind::kString:
+      case ExprKind::kVariable:
+      case ExprKind::kFunction:
+      case ExprKind::kNull:
+      case ExprKind::kUnary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kDereference:
+      case ExprKind::kIndex:
+      case ExprKind::kMember:
         return set;
     }
   }
@@ -309,9 +333,29 @@ ObjectSet Facts::WritesOf(const Expr& expr) const {
         return set;
       }
       return writes_[expr.function.index];
-    default:
-      return {};
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kLoad:
+    case ExprKind::kDecay:
+    case ExprKind::kConvert:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kConditional:
+    case ExprKind::kComma:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
+      break;
   }
+  return {};
 }
 
 void Facts::FindWrites() {
@@ -427,9 +471,28 @@ std::optional<StaticAddress> Facts::AddressOf(ExprId lvalue) const {
       if (base) base->offset += unit_.records[unit_.types[record].record].members[expr.member].offset;
       return base;
     }
-    default:
-      return std::nullopt;
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kFunction:
+    case ExprKind::kLoad:
+    case ExprKind::kDecay:
+    case ExprKind::kConvert:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kConditional:
+    case ExprKind::kComma:
+    case ExprKind::kAssign:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kIncrement:
+    case ExprKind::kAddress:
+    case ExprKind::kCall:
+      break;
   }
+  return std::nullopt;
 }
 
 std::optional<StaticAddress> Facts::PointeeOf(ExprId pointer) const {
@@ -456,9 +519,28 @@ std::optional<StaticAddress> Facts::PointeeOf(ExprId pointer) const {
       if (!table.view || !table.view->table || !number) return std::nullopt;
       return StaticAddress{objects_.OfArea(table.view->area), 2 * *number};  // word numbers for every type, 5.3
     }
-    default:
-      return std::nullopt;
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kConvert:
+    case ExprKind::kNull:
+    case ExprKind::kUnary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kConditional:
+    case ExprKind::kComma:
+    case ExprKind::kAssign:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kIncrement:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
+    case ExprKind::kCall:
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace plcxx::hnc

@@ -191,7 +191,7 @@ Bounds Wrapped(const Bounds& one, const Bounds& type) {
 }
 
 std::optional<LoopCount> Count(const CountedLoop& loop) {
-  const bool ordered = loop.op >= BinaryOp::kLess && loop.op <= BinaryOp::kGreaterEqual;
+  const bool ordered = Info(loop.op).family == BinaryFamily::kOrder;
   if (ordered) {
     if (const std::optional<LoopCount> count = CountTowards(loop)) return count;
   }

@@ -188,26 +188,30 @@ enum class ExprKind : uint8_t {
 enum class UnaryOp : uint8_t { kPlus, kMinus, kComplement, kNot };
 
 enum class BinaryOp : uint8_t {
-  kAdd,
-  kSubtract,
-  kMultiply,
-  kDivide,
-  kRemainder,
-  kShiftLeft,   // a promoted, gives the type; b promoted on its own
-  kShiftRight,  //
-  kBitAnd,
-  kBitXor,
-  kBitOr,
-  kLess,  // comparisons give int; a and b have one type, which may be a pointer
-  kGreater,
-  kLessEqual,
-  kGreaterEqual,
-  kEqual,
-  kNotEqual,
-  kPointerAdd,         // a pointer, b integer: elements (`i + p` is turned round)
-  kPointerSubtract,    // a pointer, b integer
-  kPointerDifference,  // both pointers: elements, int
+#define HNC_BINARY(Key, ...) k##Key,
+#include "transpiler/dialects/hnc/binary_operators.def"
 };
+
+/// kOrder: < > <= >=; kEquality: == and !=.
+enum class BinaryFamily : uint8_t { kArithmetic, kShift, kBitwise, kOrder, kEquality, kPointer };
+
+struct BinaryInfo {
+  std::string_view sign;     // in C
+  std::string_view printed;  // by `print syntax`: "p+" adds to a pointer
+  BinaryFamily family = BinaryFamily::kArithmetic;
+};
+
+constexpr BinaryInfo Info(BinaryOp op) {
+  constexpr BinaryInfo kRows[] = {
+#define HNC_BINARY(Key, Sign, Printed, Family) {Sign, Printed, BinaryFamily::k##Family},
+#include "transpiler/dialects/hnc/binary_operators.def"
+  };
+  return kRows[static_cast<size_t>(op)];
+}
+
+constexpr bool IsComparison(BinaryOp op) {
+  return Info(op).family == BinaryFamily::kOrder || Info(op).family == BinaryFamily::kEquality;
+}
 
 enum class IncrementOp : uint8_t { kPreIncrement, kPreDecrement, kPostIncrement, kPostDecrement };
 

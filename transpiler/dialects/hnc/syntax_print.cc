@@ -9,8 +9,6 @@ namespace plcxx::hnc {
 namespace {
 
 constexpr const char* kUnaryNames[] = {"+", "-", "~", "!"};
-constexpr const char* kBinaryNames[] = {"+", "-", "*",  "/",  "%",  "<<", ">>", "&",  "^",  "|",
-                                        "<", ">", "<=", ">=", "==", "!=", "p+", "p-", "p-p"};
 constexpr const char* kIncrementNames[] = {"++x", "--x", "x++", "x--"};
 constexpr const char* kStorageNames[] = {"global", "static local", "automatic", "parameter",
                                          "system", "plc1_time",    "plc2_time", "undefined"};
@@ -127,7 +125,7 @@ std::string Printer::Text(ExprId id, unsigned depth) const {
     case ExprKind::kUnary:
       return "(" + std::string(kUnaryNames[static_cast<size_t>(expr.unary)]) + Operands(expr, depth);
     case ExprKind::kBinary:
-      return "(" + std::string(kBinaryNames[static_cast<size_t>(expr.binary)]) + Operands(expr, depth);
+      return "(" + std::string(Info(expr.binary).printed) + Operands(expr, depth);
     case ExprKind::kAnd:
       return "(&&" + Operands(expr, depth);
     case ExprKind::kOr:
@@ -139,8 +137,8 @@ std::string Printer::Text(ExprId id, unsigned depth) const {
     case ExprKind::kAssign:
       return "(=" + Operands(expr, depth);
     case ExprKind::kCompoundAssign:
-      return "(" + std::string(kBinaryNames[static_cast<size_t>(expr.binary)]) + "=<" + TypeText(expr.computation) +
-             ">" + Operands(expr, depth);
+      return "(" + std::string(Info(expr.binary).printed) + "=<" + TypeText(expr.computation) + ">" +
+             Operands(expr, depth);
     case ExprKind::kIncrement:
       return "(" + std::string(kIncrementNames[static_cast<size_t>(expr.increment)]) + Operands(expr, depth);
     case ExprKind::kAddress:

@@ -154,7 +154,7 @@ void Intervals::Refine(ExprId condition, bool holds) {
         }
         break;
       case ExprKind::kBinary:
-        if (expr.binary >= BinaryOp::kLess && expr.binary <= BinaryOp::kNotEqual && IsSimple(id)) {
+        if (IsComparison(expr.binary) && IsSimple(id)) {
           RefineComparison(expr, holds);
         }
         break;

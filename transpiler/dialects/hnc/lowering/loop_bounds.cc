@@ -222,8 +222,7 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
     root = ExprAt(root).a;
   }
   const Expr& expr = ExprAt(root);
-  const bool compares = expr.kind == ExprKind::kBinary && expr.binary >= BinaryOp::kLess &&
-                        expr.binary <= BinaryOp::kNotEqual && IsInteger(unit_.TypeOf(expr.a));
+  const bool compares = expr.kind == ExprKind::kBinary && IsComparison(expr.binary) && IsInteger(unit_.TypeOf(expr.a));
   std::vector<Relation> candidates;
   const auto add = [&](ExprId side, ExprId limit, BinaryOp op) {
     Relation relation{.counter = {}, .limit = limit, .op = negated ? Negated(op) : op, .change = {}, .conversions = {}};

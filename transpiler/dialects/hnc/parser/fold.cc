@@ -50,9 +50,12 @@ std::optional<bool> Compared(BinaryOp op, Number a, Number b) {
       return a == b;
     case BinaryOp::kNotEqual:
       return a != b;
-    default:
-      return std::nullopt;
+#define HNC_COMPARISON(...)
+#define HNC_BINARY(Key, ...) case BinaryOp::k##Key:
+#include "transpiler/dialects/hnc/binary_operators.def"
+      break;
   }
+  return std::nullopt;
 }
 
 std::optional<double> Real(BinaryOp op, double a, double b) {
@@ -65,9 +68,24 @@ std::optional<double> Real(BinaryOp op, double a, double b) {
       return a * b;
     case BinaryOp::kDivide:
       return a / b;
-    default:
-      return std::nullopt;
+    case BinaryOp::kRemainder:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
+      break;
   }
+  return std::nullopt;
 }
 
 /// Not wrapped; a, b fit into 33 bits, so nothing overflows but products, which wrap in 64 bits to the same low bits.
@@ -89,9 +107,20 @@ std::optional<int64_t> Exact(BinaryOp op, int64_t a, int64_t b) {
       return a ^ b;
     case BinaryOp::kBitOr:
       return a | b;
-    default:
-      return std::nullopt;
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -176,7 +205,24 @@ void Converter::Fold(Expr& expr) {
           expr.constant = constant(IsTrue(*condition, type(expr.a)) ? expr.b : expr.c);
       }
       return;
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kLoad:
+    case ExprKind::kDecay:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kComma:
+    case ExprKind::kAssign:
+    case ExprKind::kCompoundAssign:
+    case ExprKind::kIncrement:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kMember:
+    case ExprKind::kCall:
       return;
   }
 }
