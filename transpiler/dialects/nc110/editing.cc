@@ -16,48 +16,11 @@ using dialects::EditorToken;
 using dialects::TokenRole;
 
 TokenRole EditorRole(TokenKind kind) {
-  switch (kind) {
-    case TokenKind::kOperand:
-      return TokenRole::kAddress;
-    case TokenKind::kRun:
-    case TokenKind::kSymbol:
-      return TokenRole::kName;
-    case TokenKind::kNumber:
-      return TokenRole::kNumber;
-    case TokenKind::kFunction:
-      return TokenRole::kFunction;
-    case TokenKind::kDof:
-    case TokenKind::kDoe:
-    case TokenKind::kDow:
-    case TokenKind::kEndf:
-    case TokenKind::kEnde:
-    case TokenKind::kEndw:
-    case TokenKind::kEnd:
-    case TokenKind::kMsg:
-    case TokenKind::kCycleMark:
-      return TokenRole::kKeyword;
-    case TokenKind::kMsgText:
-    case TokenKind::kAscii:
-      return TokenRole::kText;
-    case TokenKind::kEndOfFile:
-    case TokenKind::kAssign:
-    case TokenKind::kStar:
-    case TokenKind::kPlus:
-    case TokenKind::kAmpersand:
-    case TokenKind::kMinus:
-    case TokenKind::kSlash:
-    case TokenKind::kLess:
-    case TokenKind::kGreater:
-    case TokenKind::kOpenParenthesis:
-    case TokenKind::kCloseParenthesis:
-    case TokenKind::kOpenBracket:
-    case TokenKind::kCloseBracket:
-    case TokenKind::kComma:
-    case TokenKind::kColon:
-    case TokenKind::kBad:
-      return TokenRole::kOperator;
-  }
-  return TokenRole::kOperator;
+  constexpr TokenRole kRoles[] = {
+#define NC110_TOKEN(Key, Printed, Role) TokenRole::k##Role,
+#include "transpiler/dialects/nc110/tokens.def"
+  };
+  return kRoles[static_cast<size_t>(kind)];
 }
 
 std::vector<EditorToken> EditorTokens(dialects::Request& request, source::FileId file) {

@@ -9,34 +9,10 @@ constexpr bool IsRunCharacter(char c) { return IsLetter(c) || IsDigit(c); }
 
 TokenKind Punctuation(char c) {
   switch (c) {
-    case '=':
-      return TokenKind::kAssign;
-    case '*':
-      return TokenKind::kStar;
-    case '+':
-      return TokenKind::kPlus;
-    case '&':
-      return TokenKind::kAmpersand;
-    case '-':
-      return TokenKind::kMinus;
-    case '/':
-      return TokenKind::kSlash;
-    case '<':
-      return TokenKind::kLess;
-    case '>':
-      return TokenKind::kGreater;
-    case '(':
-      return TokenKind::kOpenParenthesis;
-    case ')':
-      return TokenKind::kCloseParenthesis;
-    case '[':
-      return TokenKind::kOpenBracket;
-    case ']':
-      return TokenKind::kCloseBracket;
-    case ',':
-      return TokenKind::kComma;
-    case ':':
-      return TokenKind::kColon;
+#define NC110_SIGN(Key, Character, ...) \
+  case Character:                       \
+    return TokenKind::k##Key;
+#include "transpiler/dialects/nc110/tokens.def"
     default:
       return TokenKind::kBad;
   }

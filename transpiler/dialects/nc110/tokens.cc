@@ -148,54 +148,11 @@ uint32_t DigitValue(char c) { return static_cast<uint32_t>(IsDigit(c) ? c - '0' 
 }  // namespace
 
 std::string_view Name(TokenKind kind) {
-  switch (kind) {
-    case TokenKind::kEndOfFile:
-      return "end";
-    case TokenKind::kOperand:
-      return "operand";
-    case TokenKind::kRun:
-      return "unknown";
-    case TokenKind::kNumber:
-      return "number";
-    case TokenKind::kSymbol:
-      return "symbol";
-    case TokenKind::kFunction:
-      return "function";
-    case TokenKind::kDof:
-    case TokenKind::kDoe:
-    case TokenKind::kDow:
-    case TokenKind::kEndf:
-    case TokenKind::kEnde:
-    case TokenKind::kEndw:
-    case TokenKind::kEnd:
-    case TokenKind::kMsg:
-      return "keyword";
-    case TokenKind::kMsgText:
-      return "text";
-    case TokenKind::kAscii:
-      return "ascii";
-    case TokenKind::kCycleMark:
-      return "cycle-mark";
-    case TokenKind::kAssign:
-    case TokenKind::kStar:
-    case TokenKind::kPlus:
-    case TokenKind::kAmpersand:
-    case TokenKind::kMinus:
-    case TokenKind::kSlash:
-    case TokenKind::kLess:
-    case TokenKind::kGreater:
-      return "operator";
-    case TokenKind::kOpenParenthesis:
-    case TokenKind::kCloseParenthesis:
-    case TokenKind::kOpenBracket:
-    case TokenKind::kCloseBracket:
-    case TokenKind::kComma:
-    case TokenKind::kColon:
-      return "punctuation";
-    case TokenKind::kBad:
-      return "bad";
-  }
-  PLCXX_UNREACHABLE();
+  constexpr std::string_view kNames[] = {
+#define NC110_TOKEN(Key, Printed, ...) Printed,
+#include "transpiler/dialects/nc110/tokens.def"
+  };
+  return kNames[static_cast<size_t>(kind)];
 }
 
 std::string_view Name(Function function) { return kFunctionNames[static_cast<size_t>(function)]; }
@@ -224,27 +181,18 @@ Word Classify(std::string_view run) {
         return {TokenKind::kFunction, static_cast<Function>(i)};
       }
     }
-    struct Keyword {
-      std::string_view name;
-      TokenKind kind;
-    };
-    for (const Keyword& keyword :
-         {Keyword{"DOF", TokenKind::kDof}, Keyword{"DOE", TokenKind::kDoe}, Keyword{"DOW", TokenKind::kDow},
-          Keyword{"END", TokenKind::kEnd}, Keyword{"MSG", TokenKind::kMsg}}) {
-      if (Same(run, keyword.name)) {
-        return {keyword.kind};
-      }
-    }
-  } else if (run.size() == 4 && Same(run.substr(0, 3), "END")) {
-    switch (Upper(run[3])) {
-      case 'F':
-        return {TokenKind::kEndf};
-      case 'E':
-        return {TokenKind::kEnde};
-      case 'W':
-        return {TokenKind::kEndw};
-      default:
-        break;
+  }
+  struct Keyword {
+    std::string_view name;
+    TokenKind kind;
+  };
+  constexpr Keyword kKeywords[] = {
+#define NC110_KEYWORD(Key, Text) {Text, TokenKind::k##Key},
+#include "transpiler/dialects/nc110/tokens.def"
+  };
+  for (const Keyword& keyword : kKeywords) {
+    if (Same(run, keyword.name)) {
+      return {keyword.kind};
     }
   }
   const OperandFault fault = Decode(run).fault;

@@ -13,41 +13,11 @@
 namespace plcxx::nc110 {
 
 enum class TokenKind : uint8_t {
-  kEndOfFile,
-  kOperand,   // a run of the shape of an operand; its numbers may be out of range
-  kRun,       // any other run that starts with a letter
-  kNumber,    // a run that starts with a digit, well formed or not
-  kSymbol,    // '!' and a name
-  kFunction,  // Token::function
-  kDof,
-  kDoe,
-  kDow,
-  kEndf,  // also "END F"
-  kEnde,
-  kEndw,
-  kEnd,  // END alone: a keyword without a use
-  kMsg,
-  kMsgText,  // the rest of a MSG declaration, quoted or raw
-  kAscii,    // with its quotes
-  kCycleMark,
-  kAssign,  // '=', also the comparison
-  kStar,
-  kPlus,
-  kAmpersand,
-  kMinus,
-  kSlash,
-  kLess,
-  kGreater,
-  kOpenParenthesis,
-  kCloseParenthesis,
-  kOpenBracket,
-  kCloseBracket,
-  kComma,
-  kColon,
-  kBad,  // unknown characters, reported
+#define NC110_TOKEN(Key, ...) k##Key,
+#include "transpiler/dialects/nc110/tokens.def"
 };
 
-/// "operand", "'='": for `print tokens`.
+/// "operand", "operator": for `print tokens`.
 std::string_view Name(TokenKind kind);
 
 enum class Function : uint8_t {
