@@ -153,12 +153,12 @@ def main_functions(page, name):
     page.click("#all-on")
     page.wait("document.querySelector('#rows .switch[aria-checked=false]') === null")
     # A trigger.
-    condition = chosen if is_bit else chosen + " != 0"
+    condition = f"'{chosen}'" + ("" if is_bit else " != 0")
     page.evaluate(f"document.querySelector('#trigger-text').value = {json.dumps(condition)}; "
                   "document.querySelector('#trigger-samples').value = 5; "
                   "document.querySelector('#trigger-edge').value = 'condition'; 0")
     page.click("#trigger-form button")
-    page.wait("document.querySelector('#trigger-state').textContent.includes('armed') || !document.querySelector('#toast').hidden")
+    page.wait("document.querySelector('#trigger-state').textContent.includes('armed')")
     page.click("#trigger-off")
     # Power.
     page.click("#power")
