@@ -248,7 +248,7 @@ void Checker::CheckPages() {
   }
   // An array of steps of which most are not there: each writes the variables of number 0 in 2.9.
   for (const auto& [index, step] : program_.steps) {
-    if (program_.sizes.version != LinuxCnc::k2_9 || step.number != 0 || index == kSteps - 1) continue;
+    if (program_.sizes.version != LinuxCnc::kTwoNine || step.number != 0 || index == kSteps - 1) continue;
     diagnostics_.Report(step.range, diag::ClassicladderStepZero);
   }
   for (auto& [index, transition] : program_.transitions) {

@@ -200,7 +200,7 @@ class Reader {
       const uint32_t operand = Term();
       return Add({.kind = ExprKind::kNot, .variable = {}, .operands = {operand}, .range = From(first)});
     }
-    const bool characters = Peek() == '\'' && version_ != LinuxCnc::k2_9;
+    const bool characters = Peek() == '\'' && version_ != LinuxCnc::kTwoNine;
     if (IsDigit(Peek()) || Peek() == '$' || Peek() == '-' || characters) return Constant();
     if (IsCapital(Peek())) return Function();
     if (Peek() == '@') return VariableNode();

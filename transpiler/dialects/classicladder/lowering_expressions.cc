@@ -45,7 +45,7 @@ void Lowering::Operate(uint32_t number) {
 
 /// By 0: 2.9 leaves the left side as it is, and the process of 2.10 ends.
 ValueId Lowering::Divide(OpKind op, ValueId dividend, ValueId divisor) {
-  if (tree_.sizes.version == LinuxCnc::k2_9) {
+  if (tree_.sizes.version == LinuxCnc::kTwoNine) {
     // The rest of a division by 0 is the dividend anyway.
     return builder_.Pure(op == OpKind::kSignedDiv32 ? OpKind::kQuotientOrDividend32 : op, {dividend, divisor});
   }

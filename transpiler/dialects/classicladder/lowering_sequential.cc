@@ -85,7 +85,7 @@ void Lowering::RefreshStep(uint32_t index, const Step& step) {
 void Lowering::RefreshSteps() {
   if (!steps_.valid()) return;
   builder_.SetRegion(program_.routines[steps_].body);
-  const bool all = tree_.sizes.version == LinuxCnc::k2_9;
+  const bool all = tree_.sizes.version == LinuxCnc::kTwoNine;
   for (const auto& [index, step] : tree_.steps) {
     if (step.page >= 0 || all) RefreshStep(index, step);
   }

@@ -34,7 +34,7 @@ constexpr PartRow kParts[] = {
 #include "transpiler/dialects/classicladder/machine.def"
 };
 
-uint32_t SystemVariables(const Sizes& sizes) { return sizes.version == LinuxCnc::k2_9 ? 0 : kSystemVariables; }
+uint32_t SystemVariables(const Sizes& sizes) { return sizes.version == LinuxCnc::kTwoNine ? 0 : kSystemVariables; }
 
 /// Where a kind begins in the flat array of its group; 0 where its group has records.
 uint32_t BaseOf(VariableKind kind, const Sizes& sizes) {
@@ -114,7 +114,7 @@ const VariableInfo& Info(VariableKind kind) { return kVariables[static_cast<size
 std::span<const VariableInfo> Variables() { return kVariables; }
 
 std::optional<VariableKind> VariableByNumber(uint32_t number, LinuxCnc version) {
-  if (version == LinuxCnc::k2_9) {
+  if (version == LinuxCnc::kTwoNine) {
     const uint32_t error_bits = Info(VariableKind::kSystem).number;  // a system bit of 2.10
     if (number == error_bits) return VariableKind::kError;
     if (number == Info(VariableKind::kError).number || number == Info(VariableKind::kWordSystem).number)

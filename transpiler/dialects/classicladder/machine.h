@@ -68,10 +68,10 @@ std::span<const VariableInfo> Variables();
 bool IsBit(VariableKind kind);
 
 /// ClassicLadder 0.7.124 and 0.8.10.
-enum class LinuxCnc : uint8_t { k2_9, k2_10 };
+enum class LinuxCnc : uint8_t { kTwoNine, kTwoTen };
 
 struct Sizes {
-  LinuxCnc version = LinuxCnc::k2_9;
+  LinuxCnc version = LinuxCnc::kTwoNine;
 #define CLASSICLADDER_SIZE(Member, Parameter, Line, Default, Meaning) uint32_t Member = Default;
 #include "transpiler/dialects/classicladder/machine.def"
 };

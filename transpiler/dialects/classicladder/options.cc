@@ -16,7 +16,7 @@ constexpr dialects::OptionRow<Settings> kRows[] = {
      [](std::string_view t, Settings& s) { return dialects::Number(t, 1, 1000, s.period_ms); }},
     {{"linuxcnc", "2.9 or 2.10", "2.9", "version of LinuxCNC whose engine is followed"},
      [](std::string_view t, Settings& s) {
-       return dialects::OneOf(t, "2.9", LinuxCnc::k2_9, "2.10", LinuxCnc::k2_10, s.sizes.version);
+       return dialects::OneOf(t, "2.9", LinuxCnc::kTwoNine, "2.10", LinuxCnc::kTwoTen, s.sizes.version);
      }},
 #define CLASSICLADDER_SIZE(Member, Parameter, Line, Default, Meaning)                   \
   {{Parameter, "1..10000", "of general.txt, else " #Default, "as of loadrt: " Meaning}, \

@@ -68,14 +68,13 @@ void Parser::ParseElement(const Field& field, uint32_t x, uint32_t y, Rung& rung
   element.kind = *kind;
   const ElementInfo& info = Info(*kind);
   if (x < info.left || y + info.below >= kRungHeight) {
-    diagnostics_.Report(field.range, diag::ClassicladderElementOutside, info.drawn, static_cast<int64_t>(x + 1),
-                        static_cast<int64_t>(y + 1));
+    diagnostics_.Report(field.range, diag::ClassicladderElementOutside, info.drawn, int64_t{x} + 1, int64_t{y} + 1);
   }
   if (*kind != ElementKind::kFree && *kind != ElementKind::kPart) ++program_.element_count;
   element.variable.range = field.range;
   if (UsesVariable(*kind)) {
     ReadVariable(split->variable, field.range, element.variable.address);
-    if (!split->index.empty() && program_.sizes.version == LinuxCnc::k2_9) {
+    if (!split->index.empty() && program_.sizes.version == LinuxCnc::kTwoNine) {
       diagnostics_.Report(field.range, diag::ClassicladderIndexIgnored, field.text);
     } else if (!split->index.empty()) {
       Address index;

@@ -131,7 +131,7 @@ Sizes SizesOf(const ir::Program& program) {
   sizes.inputs = zone(Group::kBits, ir::Direction::kInput);
   sizes.outputs = zone(Group::kBits, ir::Direction::kOutput);
   const auto& bits = program.spaces[SpaceOf(Group::kBits)].zones;
-  if (bits.size() > 1 && bits[bits.size() - 2].direction == ir::Direction::kInternal) sizes.version = LinuxCnc::k2_10;
+  if (bits.size() > 1 && bits[bits.size() - 2].direction == ir::Direction::kInternal) sizes.version = LinuxCnc::kTwoTen;
   sizes.bits = count(Group::kBits) - sizes.inputs - sizes.outputs - kSteps - kErrorBits;
   sizes.words = count(Group::kWords) - kSteps;
   sizes.word_inputs = zone(Group::kWords, ir::Direction::kInput);
