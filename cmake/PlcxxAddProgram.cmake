@@ -11,16 +11,21 @@
 #   [FLAGS <flag>...]          further options of the command, for example -Werror --debug
 #   [PARTS <n>]                number of .cpp files, 1 when left out; more let an edit compile less
 #   [OUTPUT_DIRECTORY <dir>]   else <binary directory>/<target>.plcxx
+#   [HOST <host>]              who reaches the terminals: posix, linuxcnc or modbus
 #   [TARGET <target>]          build with `plcxx build --target` instead of the project's own compiler
 #   [LIMITS <limit=value>...]  with TARGET: max-fast-us=500 clock=168MHz max-stack=512 ...: above them the build fails
 #   [COMPILER <command>])      with TARGET: instead of the target's GCC
 #
 # With TARGET, <target>_library builds the library alone: <output directory>/lib<name>.a, beside its report.
 #
+# With HOST linuxcnc, <target>_linuxcnc builds <name>.so, a module for LinuxCNC's loadrt; with posix the library has the
+# main function, and you write io_open, io_read, io_write and io_close (plcxx_host/posix.h); with modbus, <target>_modbus
+# builds <name>_modbus, which needs libmodbus.
+#
 # Makes a library <target>: link with it, and include "<name>.hpp". Its files are written when the sources, or a file that
 # they or the options name, are newer; what comes out the same is not compiled again (Ninja).
 function(plcxx_add_program TARGET_NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "PROJECT;PROGRAM;DIALECT;NAME;PARTS;OUTPUT_DIRECTORY;TARGET;COMPILER"
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "PROJECT;PROGRAM;DIALECT;NAME;PARTS;OUTPUT_DIRECTORY;TARGET;COMPILER;HOST"
                         "SOURCES;OPTIONS;INCLUDES;DEFINES;FLAGS;LIMITS")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): what is '${ARG_UNPARSED_ARGUMENTS}'?")
@@ -41,6 +46,12 @@ function(plcxx_add_program TARGET_NAME)
   endif()
   if(ARG_TARGET AND ARG_PARTS)
     message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): with TARGET the number of files does not matter: leave PARTS out")
+  endif()
+  if(ARG_HOST AND NOT ARG_HOST MATCHES "^(own|posix|linuxcnc|modbus)$")
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): '${ARG_HOST}' is no host; there are: own, posix, linuxcnc, modbus")
+  endif()
+  if(ARG_HOST AND ARG_TARGET)
+    message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): HOST is built by the project's own compiler: leave TARGET out")
   endif()
   set(NAME ${TARGET_NAME})
   if(ARG_NAME)
@@ -108,6 +119,21 @@ function(plcxx_add_program TARGET_NAME)
         list(APPEND UNITS ${DIRECTORY}/${NAME}_${NUMBER}.cpp)
       endforeach()
     endif()
+    # Without HOST the project's file does not choose one: the outputs have to be known here.
+    if(NOT ARG_HOST)
+      set(ARG_HOST own)
+    endif()
+    list(APPEND ARGUMENTS --host ${ARG_HOST})
+    if(NOT ARG_HOST STREQUAL "own")
+      list(APPEND UNITS ${DIRECTORY}/${NAME}_pins.cpp)
+      set(HOST_UNIT ${DIRECTORY}/${NAME}_${ARG_HOST}.cpp)
+      list(APPEND OUTPUTS ${DIRECTORY}/${NAME}_pins.hpp ${HOST_UNIT})
+      if(ARG_HOST STREQUAL "linuxcnc")
+        list(APPEND BYPRODUCTS ${DIRECTORY}/${NAME}.hal ${DIRECTORY}/${NAME}.9)
+      elseif(ARG_HOST STREQUAL "posix")
+        list(APPEND UNITS ${HOST_UNIT})
+      endif()
+    endif()
     list(APPEND OUTPUTS ${UNITS})
   endif()
 
@@ -133,6 +159,7 @@ function(plcxx_add_program TARGET_NAME)
     if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       target_compile_options(${TARGET_NAME} PRIVATE -fno-exceptions -fno-rtti -ffp-contract=off)
     endif()
+    plcxx_add_host(${TARGET_NAME} ${NAME} ${ARG_HOST} "${HOST_UNIT}")
   endif()
   target_include_directories(${TARGET_NAME} INTERFACE ${DIRECTORY})
   get_target_property(RUNTIME plcxx::runtime INTERFACE_INCLUDE_DIRECTORIES)
@@ -140,5 +167,37 @@ function(plcxx_add_program TARGET_NAME)
     target_include_directories(${TARGET_NAME} INTERFACE ${RUNTIME})
   else()
     target_include_directories(${TARGET_NAME} PUBLIC ${RUNTIME})
+  endif()
+endfunction()
+
+# What a host needs beside the library.
+function(plcxx_add_host TARGET_NAME NAME HOST UNIT)
+  if(HOST STREQUAL "linuxcnc")
+    find_path(LINUXCNC_INCLUDE hal.h PATH_SUFFIXES linuxcnc DOC "Where LinuxCNC's hal.h is (linuxcnc-uspace-dev)")
+    if(NOT LINUXCNC_INCLUDE)
+      message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): HOST linuxcnc needs LinuxCNC's headers: install linuxcnc-uspace-dev, or set LINUXCNC_INCLUDE")
+    endif()
+    set_target_properties(${TARGET_NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    add_library(${TARGET_NAME}_linuxcnc MODULE ${UNIT})
+    set_target_properties(${TARGET_NAME}_linuxcnc PROPERTIES PREFIX "" OUTPUT_NAME ${NAME} SUFFIX .so)
+    target_include_directories(${TARGET_NAME}_linuxcnc SYSTEM PRIVATE ${LINUXCNC_INCLUDE})
+    target_compile_definitions(${TARGET_NAME}_linuxcnc PRIVATE RTAPI SIM USPACE __MODULE__)
+    target_compile_options(${TARGET_NAME}_linuxcnc PRIVATE -fno-exceptions -fno-rtti)
+    target_link_libraries(${TARGET_NAME}_linuxcnc PRIVATE ${TARGET_NAME})
+    # Two programs in one process keep their own functions.
+    target_link_options(${TARGET_NAME}_linuxcnc PRIVATE -Wl,-Bsymbolic)
+  elseif(HOST STREQUAL "posix")
+    find_package(Threads REQUIRED)
+    target_link_libraries(${TARGET_NAME} PUBLIC Threads::Threads)
+  elseif(HOST STREQUAL "modbus")
+    find_package(Threads REQUIRED)
+    find_library(MODBUS_LIBRARY modbus)
+    if(NOT MODBUS_LIBRARY)
+      message(FATAL_ERROR "plcxx_add_program(${TARGET_NAME}): HOST modbus needs libmodbus: install libmodbus-dev")
+    endif()
+    add_executable(${TARGET_NAME}_modbus ${UNIT})
+    set_target_properties(${TARGET_NAME}_modbus PROPERTIES OUTPUT_NAME ${NAME}_modbus)
+    target_compile_options(${TARGET_NAME}_modbus PRIVATE -fno-exceptions -fno-rtti)
+    target_link_libraries(${TARGET_NAME}_modbus PRIVATE ${TARGET_NAME} ${MODBUS_LIBRARY} Threads::Threads)
   endif()
 endfunction()

@@ -13,7 +13,7 @@ foreach(MODULE plcxx_hnc_parser plcxx_audit plcxx_z3 plcxx_verify plcxx_http)
     install(TARGETS ${MODULE} LIBRARY DESTINATION lib)
   endif()
 endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime_support/plcxx DESTINATION include FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime_support/plcxx ${PROJECT_SOURCE_DIR}/runtime_support/plcxx_host DESTINATION include FILES_MATCHING PATTERN "*.h")
 install(FILES ${PLCXX_GUIDE} DESTINATION share/doc/plcxx)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples ${PROJECT_SOURCE_DIR}/docs DESTINATION share/doc/plcxx
         PATTERN generated EXCLUDE)

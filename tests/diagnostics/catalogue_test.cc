@@ -10,6 +10,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/explain.h"
+#include "transpiler/diagnostics/host_messages.h"
 
 namespace plcxx::diag {
 namespace {
@@ -28,6 +29,7 @@ const Declared kDeclared[] = {
 #define PLCXX_DIAG(Key, ...) {&Key.row, CountOf(Key)},
 #define PLCXX_DIAG_OFF(Key, ...) {&Key.row, CountOf(Key)},
 #include "transpiler/diagnostics/catalogue.def"
+#include "transpiler/diagnostics/catalogue_host.def"
 #undef PLCXX_DIAG
 #undef PLCXX_DIAG_OFF
 };

@@ -198,7 +198,7 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
       {"targets: {host: {clock: fast}}", "2:25: 'fast' is no frequency\n  help: write 168MHz, 32kHz or 16000000"},
       {"targets: {host: {max-stack: -3}}", "2:29: '-3': 'max-stack' is a whole number"},
       {"targets: {host: {optimize: 4}}", "2:28: '4' is no level of optimization; there are: 0, 1, 2, 3, s, z"},
-      {"host: linux", "2:7: 'linux' is no host; there are: own"},
+      {"host: linux", "2:7: 'linux' is no host; there are: own, posix, linuxcnc, modbus"},
       {"generated: /tmp/x", "2:12: '/tmp/x' is outside of the project DIR"},
       {"programs: 3", "2:11: 'programs' is a list of maps"},
       {"programs: []", "2:11: 'programs' is a list of maps"},

@@ -23,6 +23,7 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/host/host.h"
 
 namespace plcxx::driver {
 namespace {
@@ -50,6 +51,7 @@ struct EmitSettings {
   bool single_file = false;
   bool preemptive = false;
   bool identity = false;
+  std::string host;  // empty: as the project says
   uint32_t parts = 0;
 };
 
@@ -66,7 +68,12 @@ OutputRequest OnlyFile(const EmitSettings& settings, OutputRequest output,
   return output;
 }
 
-OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compilation& compilation,
+host::Kind HostOf(const EmitSettings& settings) {
+  const std::string& of_project = settings.common.program ? settings.common.program->host : settings.host;
+  return host::FindHost(settings.host.empty() ? of_project : settings.host).value_or(host::Kind::kOwn);
+}
+
+OutputRequest MakeOutput(const EmitSettings& settings, compilation::Compilation& compilation,
                          std::vector<bool> shared) {
   OutputRequest output;
   output.directory = settings.output.directory;
@@ -77,8 +84,12 @@ OutputRequest MakeOutput(const EmitSettings& settings, const compilation::Compil
     options.line_directives = settings.line_directives;
     options.parts = settings.single_file ? 1 : settings.parts;
     options.shared = std::move(shared);
+    const host::Kind host = HostOf(settings);
+    options.simulated = host != host::Kind::kOwn;  // a host calls the same routines as the simulation
     const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
     output.files = emit::print::PrintCpp(emittable, *compilation.sources);
+    for (emit::OutputFile& file : host::PrintHost(emittable, host, compilation.diagnostics))
+      output.files.push_back(std::move(file));
     if (settings.identity) AddIdentity(IdentityOf(compilation, output.files), compilation.name, output.files);
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
     if (KindOfOutput(settings.output.directory) != OutputKind::kFolder) return OnlyFile(settings, output, compilation);
@@ -125,7 +136,9 @@ int RunEmit(const EmitSettings& asked) {
       text = std::move(output.files.front().text);
       output.files.erase(output.files.begin());
     }
-    if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
+    if (compilation.ok()) {
+      if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation);
+    }
   }
   progress.Clear();
   if (KindOfOutput(settings.output.directory) == OutputKind::kStandardOutput) {
@@ -158,11 +171,22 @@ void AddEmit(CLI::App& app, Run& run) {
           ->type_name("N")
           ->check(CLI::Range(1u, emit::kMostParts))
           ->group("Output");
+  CLI::Option* single =
+      command
+          ->add_flag("--single-file", settings->single_file,
+                     "One NAME.hpp with runtime, program and, behind a macro that its first lines name, the code")
+          ->excludes(parts)
+          ->excludes(lines)
+          ->group("Output");
+  std::vector<std::string> hosts;
+  for (const host::HostRow& row : host::Hosts()) hosts.emplace_back(row.text);
   command
-      ->add_flag("--single-file", settings->single_file,
-                 "One NAME.hpp with runtime, program and, behind a macro that its first lines name, the code")
-      ->excludes(parts)
-      ->excludes(lines)
+      ->add_option("--host", settings->host,
+                   "Who reaches the terminals: own (functions that you write), or a host whose files are written, too: "
+                   "posix, linuxcnc, modbus")
+      ->type_name("HOST")
+      ->check(CLI::IsMember(hosts))
+      ->excludes(single)
       ->group("Output");
   CLI::Option* debug =
       command->add_flag("--debug", settings->debug, "The flavour with force masks and line enables")->group("Output");

@@ -2,6 +2,7 @@
 
 #include "transpiler/compile/target.h"
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/host/host.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::project {
@@ -47,7 +48,7 @@ std::vector<std::string> WordsOf(Shape shape) {
       words = {"0", "1", "2", "3", "s", "z"};
       break;
     case Shape::kHost:
-      words = {"own"};
+      for (const host::HostRow& row : host::Hosts()) words.emplace_back(row.text);
       break;
     case Shape::kTargets:
       for (const compile::Target& target : compile::Targets()) words.emplace_back(target.name);

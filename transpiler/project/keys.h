@@ -24,7 +24,7 @@ enum class Shape : uint8_t {
   kEncoding,           // its name, or auto
   kLevel,              // of -O
   kFrequency,          // 168MHz
-  kHost,               // own
+  kHost,               // own, or a host that plcxx writes
   kOptions,            // a map from names to words or lists of them
   kMacros,             // a map from names to words or to nothing, or a list of NAME and NAME=VALUE
   kWarningNames,       // codes of warnings, with or without the dialect

@@ -54,11 +54,13 @@ class ProgramMaker {
         program_.name = OnlyWord(value);
         return;
       case Key::kFolder:
-      case Key::kHost:      // one word is all that there is yet
       case Key::kPrograms:  // of the file
         return;
       case Key::kDialect:
         program_.dialect = OnlyWord(value);
+        return;
+      case Key::kHost:
+        program_.host = OnlyWord(value);
         return;
       case Key::kSources:
         program_.sources = Files(value);

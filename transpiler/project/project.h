@@ -46,6 +46,7 @@ struct Program {
   std::vector<std::string> scenarios;  // files and folders
   std::vector<std::string> properties;
   std::string generated;
+  std::string host;  // empty: own
   std::vector<Target> targets;
 };
 

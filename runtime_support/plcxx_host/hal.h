@@ -1,0 +1,91 @@
+// Pins of LinuxCNC's HAL, for the API of 2.9 and for that of 2.10 (HAL_API_VERSION 1).
+//
+// 2.9 gives pointers into shared memory, 2.10 references with functions that read and write; what differs is here.
+#pragma once
+
+#include <stdint.h>
+
+#include <hal.h>
+#include <rtapi.h>
+#include <rtapi_app.h>
+
+#include <plcxx_host/pins.h>
+
+namespace plcxx::host {
+
+#if defined(HAL_API_VERSION) && HAL_API_VERSION >= 1
+
+union HalPin {
+  hal_bool_t bit;
+  hal_sint_t s32;
+  hal_uint_t u32;
+  hal_real_t real;
+};
+
+inline bool GetBit(const HalPin& pin) noexcept { return hal_get_bool(pin.bit) != 0; }
+inline int32_t GetS32(const HalPin& pin) noexcept { return hal_get_si32(pin.s32); }
+inline uint32_t GetU32(const HalPin& pin) noexcept { return hal_get_ui32(pin.u32); }
+inline double GetReal(const HalPin& pin) noexcept { return hal_get_real(pin.real); }
+inline void SetBit(HalPin& pin, bool value) noexcept { hal_set_bool(pin.bit, value); }
+inline void SetS32(HalPin& pin, int32_t value) noexcept { hal_set_si32(pin.s32, value); }
+inline void SetU32(HalPin& pin, uint32_t value) noexcept { hal_set_ui32(pin.u32, value); }
+inline void SetReal(HalPin& pin, double value) noexcept { hal_set_real(pin.real, value); }
+
+inline int NewPin(HalPin& pin, int component, Type type, bool in, const char* name) noexcept {
+  const auto direction = in ? HAL_IN : HAL_OUT;
+  switch (type) {
+    case Type::kBit:
+      return hal_pin_new_bool(component, direction, &pin.bit, 0, "%s", name);
+    case Type::kS32:
+      return hal_pin_new_si32(component, direction, &pin.s32, 0, "%s", name);
+    case Type::kU32:
+      return hal_pin_new_ui32(component, direction, &pin.u32, 0, "%s", name);
+    case Type::kFloat:
+      return hal_pin_new_real(component, direction, &pin.real, 0, "%s", name);
+  }
+  return -1;
+}
+inline int ExportFunction(const char* name, void (*function)(void*, long), void* argument, int component) noexcept {
+  return hal_export_funct(name, function, argument, 0, component);
+}
+
+#else
+
+/// Lies in memory of hal_malloc, as HAL writes the pointer when a pin is linked.
+union HalPin {
+  hal_bit_t* bit;
+  hal_s32_t* s32;
+  hal_u32_t* u32;
+  hal_float_t* real;
+};
+
+inline bool GetBit(const HalPin& pin) noexcept { return *pin.bit; }
+inline int32_t GetS32(const HalPin& pin) noexcept { return *pin.s32; }
+inline uint32_t GetU32(const HalPin& pin) noexcept { return *pin.u32; }
+inline double GetReal(const HalPin& pin) noexcept { return *pin.real; }
+inline void SetBit(HalPin& pin, bool value) noexcept { *pin.bit = value; }
+inline void SetS32(HalPin& pin, int32_t value) noexcept { *pin.s32 = value; }
+inline void SetU32(HalPin& pin, uint32_t value) noexcept { *pin.u32 = value; }
+inline void SetReal(HalPin& pin, double value) noexcept { *pin.real = value; }
+
+inline int NewPin(HalPin& pin, int component, Type type, bool in, const char* name) noexcept {
+  const hal_pin_dir_t direction = in ? HAL_IN : HAL_OUT;
+  switch (type) {
+    case Type::kBit:
+      return hal_pin_bit_newf(direction, &pin.bit, component, "%s", name);
+    case Type::kS32:
+      return hal_pin_s32_newf(direction, &pin.s32, component, "%s", name);
+    case Type::kU32:
+      return hal_pin_u32_newf(direction, &pin.u32, component, "%s", name);
+    case Type::kFloat:
+      return hal_pin_float_newf(direction, &pin.real, component, "%s", name);
+  }
+  return -1;
+}
+inline int ExportFunction(const char* name, void (*function)(void*, long), void* argument, int component) noexcept {
+  return hal_export_funct(name, function, argument, 1, 0, component);
+}
+
+#endif
+
+}  // namespace plcxx::host

@@ -1,0 +1,152 @@
+// The main program of a host of its own on Linux: `plcxx emit --host posix`.
+//
+// You write the four functions of namespace plcxx::host below; pins have their numbers in NAME_pins.hpp.
+#pragma once
+
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <plcxx_host/keeper.h>
+#include <plcxx_host/pins.h>
+#include <plcxx_host/real_time.h>
+
+namespace plcxx::host {
+
+/// Before the first period, outside of real time, with what the command line has after the loop's own options. False:
+/// the program ends; say why yourself.
+bool io_open(int argc, char** argv) noexcept;
+/// At the start of each period: all inputs, at one moment. What you leave alone keeps its value.
+void io_read(Value* pins) noexcept;
+/// At the end of each period.
+void io_write(const Value* pins) noexcept;
+/// When the loop has ended: leave the machine with its outputs off.
+void io_close() noexcept;
+
+struct LoopOptions {
+  const char* folder = nullptr;  // of the retentive memory
+  int priority = 80;
+  uint64_t periods = 0;  // 0: until a signal ends it
+  bool needs_real_time = false;
+  int first_argument = 1;
+};
+
+inline volatile sig_atomic_t end_is_asked = 0;
+extern "C" inline void PlcxxAskForEnd(int) { end_is_asked = 1; }
+
+inline void PrintToStandardError(Severity, const char* machine, const char* text) {
+  fprintf(stderr, "%s: %s\n", machine, text);
+}
+
+inline int Usage(const char* name) {
+  fprintf(stderr,
+          "usage: %s [--retentive FOLDER] [--priority 1..99] [--periods N] [--real-time] [-- ARGUMENT...]\n"
+          "  --retentive FOLDER  keeps the retentive memory there, in two files\n"
+          "  --priority N        of the loop's thread, SCHED_FIFO (80)\n"
+          "  --periods N         ends after so many periods; else at SIGINT or SIGTERM\n"
+          "  --real-time         ends at once where the priority or locked memory is not granted\n",
+          name);
+  return 2;
+}
+
+/// Whether all of it could be read.
+inline bool ReadLoopOptions(int argc, char** argv, LoopOptions& options) {
+  int i = 1;
+  for (; i < argc; ++i) {
+    const char* const word = argv[i];
+    if (strcmp(word, "--") == 0) {
+      ++i;
+      break;
+    }
+    if (strcmp(word, "--real-time") == 0) {
+      options.needs_real_time = true;
+      continue;
+    }
+    if (i + 1 == argc) return false;
+    const char* const value = argv[++i];
+    char* end = nullptr;
+    if (strcmp(word, "--retentive") == 0) {
+      options.folder = value;
+    } else if (strcmp(word, "--priority") == 0) {
+      options.priority = static_cast<int>(strtol(value, &end, 10));
+      if (*end != '\0' || options.priority < 1 || options.priority > 99) return false;
+    } else if (strcmp(word, "--periods") == 0) {
+      options.periods = strtoull(value, &end, 10);
+      if (*end != '\0' || options.periods == 0) return false;
+    } else {
+      return false;
+    }
+  }
+  options.first_argument = i;
+  return true;
+}
+
+/// "1000 periods of 10 ms: late by 12 us on average, 85 us at most; ..."
+inline void PrintPunctuality(const char* name, uint32_t period_ms, const Punctuality& seen) {
+  const auto us = [](int64_t ns) { return static_cast<long>((ns + 500) / 1000); };
+  const int64_t mean = seen.periods > 0 ? seen.late_sum_ns / static_cast<int64_t>(seen.periods) : 0;
+  fprintf(stderr,
+          "%s: %llu periods of %u ms: late by %ld us on average, %ld us at most; longest period %ld us; %llu overruns, "
+          "%llu periods missed\n",
+          name, static_cast<unsigned long long>(seen.periods), static_cast<unsigned>(period_ms), us(mean),
+          us(seen.latest_ns), us(seen.longest_ns), static_cast<unsigned long long>(seen.overruns),
+          static_cast<unsigned long long>(seen.missed));
+}
+
+/// The main function of a host; `io` has Open, Read, Write and Close as the functions above.
+template <class Machine, class Io>
+int RunLoop(int argc, char** argv, Io& io) {
+  static typename Machine::State state;
+  static typename Machine::Host host;
+  static Keeper<Machine> keeper;
+  LoopOptions options;
+  if (!ReadLoopOptions(argc, argv, options)) return Usage(Machine::kName);
+  struct sigaction action{};
+  action.sa_handler = PlcxxAskForEnd;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  keeper.Load(host, options.folder, Machine::kName, PrintToStandardError);
+  if (!io.Open(argc - options.first_argument, argv + options.first_argument)) return 1;
+  const RealTime granted = BecomeRealTime(options.priority);
+  if (granted != RealTime::kYes) {
+    fprintf(stderr, "%s: not real-time: %s is not granted to this user (limits rtprio and memlock)\n", Machine::kName,
+            granted == RealTime::kNoPriority ? "a real-time priority" : "locked memory");
+    if (options.needs_real_time) {
+      io.Close();
+      return 1;
+    }
+  }
+  if (!keeper.Start()) fprintf(stderr, "%s: no thread for files and messages: both wait for the end\n", Machine::kName);
+
+  Punctuality seen;
+  uint64_t left = options.periods;
+  RunPeriods(int64_t{Machine::kBaseMs} * kNsPerMs, seen, [&](uint64_t missed) {
+    host.skipped_ms += missed * Machine::kBaseMs;
+    io.Read(host.pins);
+    Machine::Step(state, host);
+    io.Write(host.pins);
+    return end_is_asked == 0 && (left == 0 || --left > 0);
+  });
+  io.Close();
+  keeper.Stop();
+  PrintPunctuality(Machine::kName, Machine::kBaseMs, seen);
+  return 0;
+}
+
+/// The four functions as an Io.
+struct OwnIo {
+  bool Open(int argc, char** argv) noexcept { return io_open(argc, argv); }
+  void Read(Value* pins) noexcept { io_read(pins); }
+  void Write(const Value* pins) noexcept { io_write(pins); }
+  void Close() noexcept { io_close(); }
+};
+
+template <class Machine>
+int RunMain(int argc, char** argv) {
+  OwnIo io;
+  return RunLoop<Machine>(argc, argv, io);
+}
+
+}  // namespace plcxx::host

@@ -1,0 +1,159 @@
+// The module of LinuxCNC's HAL, for both of its APIs, on a HAL of our own in one process.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/host/host_program.h"
+
+namespace plcxx::host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// One program for each API, compiled once.
+const HostProgram& Module(HalApi api) {
+  static const HostProgram programs[] = {HostProgram("linuxcnc"), HostProgram("linuxcnc")};
+  static const std::string compiled[] = {programs[0].CompileModule(HalApi::k29),
+                                         programs[1].CompileModule(HalApi::k210)};
+  EXPECT_EQ(compiled[static_cast<size_t>(api)], "");
+  return programs[static_cast<size_t>(api)];
+}
+
+class HalModule : public ::testing::TestWithParam<HalApi> {
+ protected:
+  std::string Talk(const std::string& lines) const { return Module(GetParam()).Talk("", lines).out; }
+};
+INSTANTIATE_TEST_SUITE_P(Apis, HalModule, ::testing::Values(HalApi::k29, HalApi::k210));
+
+TEST_P(HalModule, HasAPinForEachTerminalAndEachNamedSignal) {
+  const std::string pins = Talk("load\npins\n");
+  EXPECT_THAT(pins, HasSubstr("loaded 0\n"));
+  for (const char* pin : {"fan.i0a0 b in", "fan.i0a1 b in", "fan.w1a0 u in", "fan.pump b out", "fan.lamp b out",
+                          "fan.kept u out", "fan.u4a2 b out", "fan.u10n4 b out", "fan.host.running b out",
+                          "fan.host.period-fault b out", "fan.host.retentive-fault b out"})
+    EXPECT_THAT(pins, HasSubstr(std::string(pin) + "\n"));
+  // The counts of the control are nobody's pins.
+  EXPECT_THAT(pins, Not(HasSubstr("slow")));
+}
+
+TEST_P(HalModule, RunsThePeriodsOfTheProgram) {
+  EXPECT_THAT(
+      Talk("load\nset fan.i0a0 1\nget fan.pump\ncall fan.period 10000000 1\nget fan.pump\nget fan.host.running\n"
+           "set fan.i0a0 0\ncall fan.period 10000000 19\nget fan.lamp\ncall fan.period 10000000 3\nget fan.lamp\n"
+           "set fan.i0a1 1\ncall fan.period 10000000 1\nget fan.pump\n"),
+      HasSubstr("loaded 0\nfan.pump 0\nfan.pump 1\nfan.host.running 1\nfan.lamp 0\nfan.lamp 1\nfan.pump 0\n"));
+}
+
+TEST_P(HalModule, AThreadThatGoesIntoThePeriodCallsItOftenEnough) {
+  // The first call is a period; then every tenth.
+  EXPECT_THAT(Talk("load\nset fan.i0a0 1\ncall fan.period 1000000 1\nget fan.pump\nset fan.i0a1 1\nset fan.i0a0 0\n"
+                   "call fan.period 1000000 9\nget fan.pump\ncall fan.period 1000000 1\nget fan.pump\n"),
+              HasSubstr("loaded 0\nfan.pump 1\nfan.pump 1\nfan.pump 0\n"));
+}
+
+TEST_P(HalModule, AThreadOfAnotherPeriodIsRefused) {
+  const std::string said = Talk(
+      "load\nset fan.i0a0 1\ncall fan.period 10000000 1\nget fan.pump\ncall fan.period 7000000 1\nget fan.pump\n"
+      "get fan.host.running\nget fan.host.period-fault\nwait 100\ncall fan.period 20000000 1\nget "
+      "fan.host.period-fault\n"
+      "call fan.period 10000000 1\nget fan.host.period-fault\nget fan.pump\n");
+  EXPECT_THAT(said, HasSubstr("fan.pump 1\nfan.pump 0\nfan.host.running 0\nfan.host.period-fault 1\n"));
+  EXPECT_THAT(said, HasSubstr("message 1: fan: the period of the thread does not fit, outputs stay 0: thread us 7000, "
+                              "program us 10000\n"));
+  EXPECT_THAT(said, HasSubstr("fan.host.period-fault 1\nfan.host.period-fault 0\nfan.pump 1\n"));
+}
+
+TEST_P(HalModule, InstancesAreMachinesOfTheirOwn) {
+  EXPECT_THAT(
+      Talk("load names=north,south\nset north.i0a0 1\ncall north.period 10000000 1\ncall south.period 10000000 1\n"
+           "get north.pump\nget south.pump\nget fan.pump\n"),
+      HasSubstr("loaded 0\nnorth.pump 1\nsouth.pump 0\nfan.pump is no pin\n"));
+  EXPECT_THAT(Talk("load names=north,north\n"), HasSubstr("message 1: fan: 'north': an instance twice\nloaded -22\n"));
+  EXPECT_THAT(Talk("load names=a,,b\n"), HasSubstr("no name of an instance"));
+  EXPECT_THAT(Talk("load names=a,b,c,d,e,f,g,h,i\n"), HasSubstr("more than 8 instances"));
+  const std::string tall(40, 'x');
+  EXPECT_THAT(Talk("load names=" + tall + "\n"), HasSubstr("characters, and HAL takes 47: name the instance shorter"));
+}
+
+TEST_P(HalModule, KeepsItsRetentiveMemoryInFiles) {
+  const HostProgram& program = Module(GetParam());
+  const std::string folder = program.work.Path("kept");
+  std::filesystem::create_directories(folder);
+  const std::string load = "load retentive=" + folder + "\n";
+  EXPECT_THAT(program.Talk("", load + "set fan.w1a0 66\nset fan.i0a2 1\ncall fan.period 10000000 2\nunload\n").out,
+              HasSubstr("no retentive memory is stored yet"));
+  ASSERT_TRUE(std::filesystem::exists(folder + "/fan.a"));
+  // What was stored is there in the first period, before the program overwrites it in the second.
+  const std::string again =
+      program
+          .Talk("", load + "set fan.w1a0 67\nset fan.i0a2 1\ncall fan.period 10000000 2\nunload\n" + load +
+                        "get fan.host.retentive-fault\n")
+          .out;
+  EXPECT_THAT(again, HasSubstr("fan.host.retentive-fault 0\n"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/fan.b"));
+
+  program.work.Write("kept/fan.a", "nonsense");
+  program.work.Write("kept/fan.b", "");
+  const std::string damaged =
+      program.Talk("", load + "get fan.host.retentive-fault\ncall fan.period 10000000 1\nget fan.host.running\n").out;
+  EXPECT_THAT(damaged, HasSubstr("both files of the retentive memory are damaged: the program's own values count"));
+  EXPECT_THAT(damaged, HasSubstr("fan.host.retentive-fault 1\nfan.host.running 1\n"));
+  EXPECT_THAT(program.Talk("", "load retentive=/nowhere\nget fan.host.retentive-fault\n").out,
+              HasSubstr("retentive memory is not kept: /nowhere: No such file or directory"));
+}
+
+TEST(HalModuleNames, ALongOneIsReplacedByTheAddress) {
+  const HostProgram program("linuxcnc", "*\nTHE_PUMP_OF_THE_COOLANT_BEHIND_THE_DOOR_ON_THE_LEFT=U4A0\n",
+                            "$\n!THE_PUMP_OF_THE_COOLANT_BEHIND_THE_DOOR_ON_THE_LEFT=I0A0\n");
+  EXPECT_EQ(program.emitted.code, 0) << program.emitted;
+  EXPECT_THAT(program.emitted.errors, HasSubstr("plcxx-35"));
+  EXPECT_THAT(program.emitted.errors,
+              HasSubstr("fan.plc:2:1: warning: the pin 'the-pump-of-the-coolant-behind-the-door-on-the-left' would "
+                        "have a name of 55 characters"));
+  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net u4a0 <= fan.u4a0\n"));
+}
+
+TEST(HalModuleNames, OfTwoThatAreAlikeTheSecondIsCalledByItsAddress) {
+  const HostProgram program("linuxcnc", "*\nPump_on=U4A0\nPUMP_ON=U4A1\n", "$\n!Pump_on=I0A0\n!PUMP_ON=I0A1\n");
+  EXPECT_EQ(program.emitted.code, 0) << program.emitted;
+  EXPECT_THAT(program.emitted.errors, HasSubstr("'U4A0' has the pin 'pump-on' already: this one is called 'u4a1'"));
+  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net pump-on <= fan.pump-on\n"));
+  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net u4a1 <= fan.u4a1\n"));
+}
+
+TEST(HalModuleNames, AProgramWhoseNameLeavesNoRoomIsRefused) {
+  const driver::Workplace work;
+  work.Write("fan.plc", "$\nU4A0=I0A0\n");
+  const std::string name(47, 'n');
+  const driver::Ran ran = work.Run("emit fan.plc -o out --host linuxcnc --name " + name);
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("plcxx-36"));
+  EXPECT_THAT(ran.errors, HasSubstr("would have a name of 52 characters, and LinuxCNC's HAL takes 47"));
+  EXPECT_FALSE(work.Has("out"));
+}
+
+TEST(HostOption, IsOneOfTheTable) {
+  const driver::Workplace work;
+  work.Write("fan.plc", "$\nU4A0=I0A0\n");
+  const driver::Ran ran = work.Run("emit fan.plc -o out --host windows");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_THAT(ran.errors, HasSubstr("windows"));
+  EXPECT_EQ(work.Run("emit fan.plc -o own --host own -q").code, 0);
+  EXPECT_FALSE(work.Has("own/fan_pins.hpp"));
+}
+
+TEST(HostOption, TheProjectSaysIt) {
+  const driver::Workplace work;
+  work.Write("fan.plc", "$\nU4A0=I0A0\n");
+  work.Write("plcxx.yaml", "sources: fan.plc\nhost: posix\n");
+  EXPECT_EQ(work.Run("emit -q").code, 0);
+  EXPECT_TRUE(work.Has("generated/fan_posix.cpp"));
+  EXPECT_EQ(work.Run("emit -q --host modbus -o other").code, 0);
+  EXPECT_TRUE(work.Has("other/fan_modbus.cpp"));
+}
+
+}  // namespace
+}  // namespace plcxx::host
