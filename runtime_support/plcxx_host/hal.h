@@ -13,6 +13,10 @@
 
 namespace plcxx::host {
 
+inline auto ToHal(Direction direction) noexcept {
+  return direction == Direction::kIn ? HAL_IN : direction == Direction::kOut ? HAL_OUT : HAL_IO;
+}
+
 #if defined(HAL_API_VERSION) && HAL_API_VERSION >= 1
 
 union HalPin {
@@ -31,8 +35,8 @@ inline void SetS32(HalPin& pin, int32_t value) noexcept { hal_set_si32(pin.s32, 
 inline void SetU32(HalPin& pin, uint32_t value) noexcept { hal_set_ui32(pin.u32, value); }
 inline void SetReal(HalPin& pin, double value) noexcept { hal_set_real(pin.real, value); }
 
-inline int NewPin(HalPin& pin, int component, Type type, bool in, const char* name) noexcept {
-  const auto direction = in ? HAL_IN : HAL_OUT;
+inline int NewPin(HalPin& pin, int component, Type type, Direction to, const char* name) noexcept {
+  const auto direction = ToHal(to);
   switch (type) {
     case Type::kBit:
       return hal_pin_new_bool(component, direction, &pin.bit, 0, "%s", name);
@@ -68,8 +72,8 @@ inline void SetS32(HalPin& pin, int32_t value) noexcept { *pin.s32 = value; }
 inline void SetU32(HalPin& pin, uint32_t value) noexcept { *pin.u32 = value; }
 inline void SetReal(HalPin& pin, double value) noexcept { *pin.real = value; }
 
-inline int NewPin(HalPin& pin, int component, Type type, bool in, const char* name) noexcept {
-  const hal_pin_dir_t direction = in ? HAL_IN : HAL_OUT;
+inline int NewPin(HalPin& pin, int component, Type type, Direction to, const char* name) noexcept {
+  const auto direction = ToHal(to);
   switch (type) {
     case Type::kBit:
       return hal_pin_bit_newf(direction, &pin.bit, component, "%s", name);

@@ -88,14 +88,13 @@ class HalModule {
     if (instance.pins == nullptr || instance.own == nullptr) return Refuse(instance.name, "HAL has no memory left");
     for (uint32_t i = 0; i < Machine::kPins; ++i) {
       const Pin& pin = Machine::pins[i];
-      if (const int result = AddPin(instance, instance.pins[i], pin.type, pin.direction == Direction::kIn, pin.name);
-          result != 0)
+      if (const int result = AddPin(instance, instance.pins[i], pin.type, pin.direction, pin.name); result != 0)
         return result;
     }
     OwnPins& own = *instance.own;
-    if (AddPin(instance, own.running, Type::kBit, false, "host.running") != 0 ||
-        AddPin(instance, own.period_fault, Type::kBit, false, "host.period-fault") != 0 ||
-        AddPin(instance, own.retentive_fault, Type::kBit, false, "host.retentive-fault") != 0)
+    if (AddPin(instance, own.running, Type::kBit, Direction::kOut, "host.running") != 0 ||
+        AddPin(instance, own.period_fault, Type::kBit, Direction::kOut, "host.period-fault") != 0 ||
+        AddPin(instance, own.retentive_fault, Type::kBit, Direction::kOut, "host.retentive-fault") != 0)
       return -EINVAL;
     char name[2 * kNameBytes];
     snprintf(name, sizeof name, "%s.period", instance.name);
@@ -107,7 +106,7 @@ class HalModule {
     return 0;
   }
 
-  static int AddPin(Instance& instance, HalPin& pin, Type type, bool in, const char* name) noexcept {
+  static int AddPin(Instance& instance, HalPin& pin, Type type, Direction direction, const char* name) noexcept {
     char full[kNameBytes + 64];
     const int length = snprintf(full, sizeof full, "%s.%s", instance.name, name);
     if (length < 0 || static_cast<size_t>(length) >= kNameBytes) {
@@ -116,7 +115,7 @@ class HalModule {
                       Machine::kName, instance.name, name, length, HAL_NAME_LEN);
       return -EINVAL;
     }
-    const int result = NewPin(pin, component_, type, in, full);
+    const int result = NewPin(pin, component_, type, direction, full);
     if (result != 0) rtapi_print_msg(RTAPI_MSG_ERR, "%s: HAL refuses the pin %s (%d)\n", Machine::kName, full, result);
     return result;
   }
@@ -140,12 +139,12 @@ class HalModule {
     if (++instance.calls < instance.every) return;
     instance.calls = 0;
     for (uint32_t i = 0; i < Machine::kPins; ++i) {
-      if (Machine::pins[i].direction == Direction::kIn)
+      if (Machine::pins[i].direction != Direction::kOut)
         Take(instance.host.pins[i], instance.pins[i], Machine::pins[i].type);
     }
     Machine::Step(instance.state, instance.host);
     for (uint32_t i = 0; i < Machine::kPins; ++i) {
-      if (Machine::pins[i].direction == Direction::kOut)
+      if (Machine::pins[i].direction != Direction::kIn)
         Give(instance.host.pins[i], instance.pins[i], Machine::pins[i].type);
     }
     SetBit(instance.own->retentive_fault, instance.retentive_fault || instance.keeper.failed());

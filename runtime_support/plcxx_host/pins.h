@@ -13,9 +13,10 @@
 namespace plcxx::host {
 
 enum class Type : uint8_t { kBit, kS32, kU32, kFloat };
-enum class Direction : uint8_t { kIn, kOut };
-/// A terminal is exchanged with the machine or its control; the others are to be looked at.
-enum class Role : uint8_t { kTerminal, kSignal, kEvent };
+enum class Direction : uint8_t { kIn, kOut, kBoth };
+/// A terminal is exchanged with the machine or its control; a parameter is kept at power-off and never stored by the
+/// program: what is written to it counts. The others are to be looked at.
+enum class Role : uint8_t { kTerminal, kSignal, kEvent, kParameter };
 
 struct Pin {
   const char* name;  // "pump-on", at most 47 characters with the program's name before it
@@ -52,8 +53,9 @@ inline void PutBits(uint32_t byte, Value* bits) noexcept {
 template <uint32_t pin_count, uint32_t retentive_bytes, uint32_t message_count>
 struct Exchange {
   Value pins[pin_count > 0 ? pin_count : 1];
-  uint64_t time_ms;     // since power-on, of the period that runs
-  uint64_t skipped_ms;  // that passed without periods: overruns
+  Value shown[pin_count > 0 ? pin_count : 1];  // of parameters: as they were given
+  uint64_t time_ms;                            // since power-on, of the period that runs
+  uint64_t skipped_ms;                         // that passed without periods: overruns
   bool started;
   bool stored_is_there;  // `stored` was loaded
   alignas(8) uint8_t stored[retentive_bytes > 0 ? retentive_bytes : 1];

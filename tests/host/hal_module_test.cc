@@ -47,6 +47,15 @@ TEST_P(HalModule, RunsThePeriodsOfTheProgram) {
       HasSubstr("loaded 0\nfan.pump 0\nfan.pump 1\nfan.host.running 1\nfan.lamp 0\nfan.lamp 1\nfan.pump 0\n"));
 }
 
+TEST_P(HalModule, WhatIsKeptAndNeverStoredIsAParameter) {
+  EXPECT_THAT(Talk("load\npins\n"), HasSubstr("fan.limit u io\n"));
+  // Written before the first period, between two, and with more than the place holds.
+  EXPECT_THAT(Talk("load\nset fan.limit 9\ncall fan.period 10000000 1\nget fan.u4a3\nset fan.limit 5\n"
+                   "call fan.period 10000000 1\nget fan.u4a3\nget fan.limit\nset fan.limit 300\n"
+                   "call fan.period 10000000 1\nget fan.limit\ncall fan.period 10000000 1\nget fan.limit\n"),
+              HasSubstr("fan.u4a3 1\nfan.u4a3 0\nfan.limit 5\nfan.limit 255\nfan.limit 255\n"));
+}
+
 TEST_P(HalModule, AThreadThatGoesIntoThePeriodCallsItOftenEnough) {
   // The first call is a period; then every tenth.
   EXPECT_THAT(Talk("load\nset fan.i0a0 1\ncall fan.period 1000000 1\nget fan.pump\nset fan.i0a1 1\nset fan.i0a0 0\n"

@@ -69,7 +69,9 @@ class Replay:
         for location, value in what.items():
             found = self.pins.find(location)
             unknown = not found and not re.fullmatch(r"W\d+[AKN]\d+", str(location))
-            if unknown or any(self.pins.rows[pin][1] != "In" for pin, _ in found):
+            directions = {self.pins.rows[pin][1] for pin, _ in found}
+            # A parameter that is played has to be played from the beginning: before, its value is the program's.
+            if unknown or "Out" in directions or ("Both" in directions and self.frames):
                 raise NotReplayed("sets %s" % location)
             for pin, bit in found:
                 self.state[pin] = number(value) if bit is None else number(value) >> bit & 1

@@ -90,7 +90,7 @@ std::string IncludeOf(const std::string& line) {
 
 std::optional<std::string> CheckInclude(const LayerTable& table, const std::string& file, const std::string& include) {
   std::string header = include.substr(1, include.size() - 2);
-  const bool runtime = header.starts_with("plcxx/");
+  const bool runtime = header.starts_with("plcxx/") || header.starts_with("plcxx_host/");
   if (include.front() == '<' && !runtime) return CheckLibrary(table, file, header);
   if (runtime) header = "runtime_support/" + header;
   if (IsAllowed(table, file, header)) return std::nullopt;

@@ -35,6 +35,11 @@ class PinsPrinter {
   void EventTable(std::string& out) const;
   void Inputs(std::string& out) const;
   void Outputs(std::string& out) const;
+  void TakeParameters(std::string& out) const;
+  void GiveParameters(std::string& out) const;
+  /// The value of a pin as its place takes it, and the other way.
+  std::string FromPin(ir::PlaceId place, uint32_t pin) const;
+  std::string ToPin(const WiredOutput& output) const;
   void Functions(std::string& out) const;
   std::string Head(const ir::HostFunction& function) const;
   void Event(const WiredCall& call, uint64_t index, std::string& out) const;

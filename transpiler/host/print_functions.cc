@@ -21,7 +21,6 @@ void PinsPrinter::Inputs(std::string& out) const {
   for (const WiredInput& input : wiring_.inputs) {
     const ir::Type type = program_.places[input.place].type;
     out += "  " + Place(input.place) + " = ";
-    const WiredPin& first = wiring_.pins[input.parts.front().pin];
     if (input.parts.size() > 1) {
       std::string sum;
       for (const InputPart& part : input.parts) {
@@ -33,46 +32,60 @@ void PinsPrinter::Inputs(std::string& out) const {
       out += "static_cast<" + std::string(ir::CppName(type)) + ">(" + sum + ");\n";
       continue;
     }
-    const std::string value = Of(input.parts.front().pin);
-    const std::string whole = first.type == PinType::kS32 ? "static_cast<uint32_t>(" + value + ")" : value;
-    switch (type) {
-      case ir::Type::kI8:
-        out += first.type == PinType::kS32 ? "static_cast<uint8_t>(" + whole + ")" : "plcxx::host::Fit8(" + whole + ")";
-        break;
-      case ir::Type::kI16:
-        out +=
-            first.type == PinType::kS32 ? "static_cast<uint16_t>(" + whole + ")" : "plcxx::host::Fit16(" + whole + ")";
-        break;
-      case ir::Type::kF32:
-        out += "static_cast<float>(" + value + ")";
-        break;
-      case ir::Type::kBit:
-      case ir::Type::kF64:
-        out += value;
-        break;
-      case ir::Type::kI32:
-      case ir::Type::kI64:
-      case ir::Type::kNone:
-        out += whole;
-        break;
-    }
-    out += ";\n";
+    out += FromPin(input.place, input.parts.front().pin) + ";\n";
   }
 }
 
-void PinsPrinter::Outputs(std::string& out) const {
-  for (const WiredOutput& output : wiring_.outputs) {
-    const ir::Type type = program_.places[output.place].type;
-    std::string value = Place(output.place);
-    if (wiring_.pins[output.pin].type == PinType::kS32) {
-      // A narrow value's sign first.
-      if (type == ir::Type::kI8) value = "static_cast<int8_t>(" + value + ")";
-      if (type == ir::Type::kI16) value = "static_cast<int16_t>(" + value + ")";
-      if (type == ir::Type::kI32) value = "static_cast<int32_t>(" + value + ")";
-    }
-    if (type == ir::Type::kF32) value = "static_cast<double>(" + value + ")";
-    out += "  " + Of(output.pin) + " = " + value + ";\n";
+std::string PinsPrinter::FromPin(ir::PlaceId place, uint32_t pin) const {
+  const bool has_sign = wiring_.pins[pin].type == PinType::kS32;
+  const std::string value = Of(pin), whole = has_sign ? "static_cast<uint32_t>(" + value + ")" : value;
+  switch (program_.places[place].type) {
+    case ir::Type::kI8:
+      return has_sign ? "static_cast<uint8_t>(" + whole + ")" : "plcxx::host::Fit8(" + whole + ")";
+    case ir::Type::kI16:
+      return has_sign ? "static_cast<uint16_t>(" + whole + ")" : "plcxx::host::Fit16(" + whole + ")";
+    case ir::Type::kF32:
+      return "static_cast<float>(" + value + ")";
+    case ir::Type::kBit:
+    case ir::Type::kF64:
+      return value;
+    case ir::Type::kI32:
+    case ir::Type::kI64:
+    case ir::Type::kNone:
+      return whole;
   }
+  return whole;
+}
+
+/// A parameter goes both ways: what somebody wrote since the last period counts once.
+void PinsPrinter::TakeParameters(std::string& out) const {
+  for (const WiredOutput& parameter : wiring_.parameters) {
+    const std::string pin = Of(parameter.pin), shown = "host.shown" + pin.substr(std::string("host.pins").size());
+    const bool is_float = wiring_.pins[parameter.pin].type == PinType::kFloat;
+    const std::string differs = is_float ? pin + " < " + shown + " || " + pin + " > " + shown : pin + " != " + shown;
+    out += "  if (" + differs + ") " + Place(parameter.place) + " = " + FromPin(parameter.place, parameter.pin) + ";\n";
+  }
+}
+void PinsPrinter::GiveParameters(std::string& out) const {
+  for (const WiredOutput& parameter : wiring_.parameters) {
+    const std::string pin = Of(parameter.pin), shown = "host.shown" + pin.substr(std::string("host.pins").size());
+    out += "  " + pin + " = " + ToPin(parameter) + ";\n  " + shown + " = " + pin + ";\n";
+  }
+}
+
+std::string PinsPrinter::ToPin(const WiredOutput& output) const {
+  const ir::Type type = program_.places[output.place].type;
+  const std::string value = Place(output.place);
+  if (type == ir::Type::kF32) return "static_cast<double>(" + value + ")";
+  if (wiring_.pins[output.pin].type != PinType::kS32) return value;
+  // A narrow value's sign first.
+  if (type == ir::Type::kI8) return "static_cast<int8_t>(" + value + ")";
+  if (type == ir::Type::kI16) return "static_cast<int16_t>(" + value + ")";
+  return "static_cast<int32_t>(" + value + ")";
+}
+
+void PinsPrinter::Outputs(std::string& out) const {
+  for (const WiredOutput& output : wiring_.outputs) out += "  " + Of(output.pin) + " = " + ToPin(output) + ";\n";
 }
 
 std::string PinsPrinter::Head(const ir::HostFunction& function) const {
@@ -106,7 +119,7 @@ std::string PinsPrinter::Head(const ir::HostFunction& function) const {
 
 namespace {
 
-std::string FromPin(ir::Type type, const std::string& value) {
+std::string Fitting(ir::Type type, const std::string& value) {
   if (type == ir::Type::kI8) return "plcxx::host::Fit8(" + value + ")";
   if (type == ir::Type::kI16) return "plcxx::host::Fit16(" + value + ")";
   if (type == ir::Type::kF32) return "static_cast<float>(" + value + ")";
@@ -135,8 +148,8 @@ void PinsPrinter::Event(const WiredCall& call, uint64_t index, std::string& out)
   if (!function.polled && !function.routine_exchange)
     out += "  host.events.Push({" + Number(index) + ", {" + arguments + "}});\n";
   const std::string result = function.result != ir::Type::kNone ? Of(pin++) : "";
-  if (!function.out.name.empty()) out += "  " + function.out.name + " = " + FromPin(function.out.type, Of(pin)) + ";\n";
-  if (!result.empty()) out += "  return " + FromPin(function.result, result) + ";\n";
+  if (!function.out.name.empty()) out += "  " + function.out.name + " = " + Fitting(function.out.type, Of(pin)) + ";\n";
+  if (!result.empty()) out += "  return " + Fitting(function.result, result) + ";\n";
   const bool uses_parameter = function.access != ir::HostAccess::kNone;
   if (uses_parameter)
     out = out + "  static_cast<void>(" +
@@ -221,6 +234,7 @@ void PinsPrinter::Step(std::string& out) const {
   const std::string base = Number(wiring_.base_ms), period = Number(std::max(1U, schedule.period_ms));
   out += "void Machine::Step(State& m, Host& host) noexcept {\n  if (!host.started) {\n    host.started = true;\n    " +
          std::string(schedule.init.valid() ? routine(schedule.init) : "") + "  }\n";
+  TakeParameters(out);
   const bool parts = schedule.fast_ms != 0 || schedule.elapses_every_ms;
   if (parts) {
     out += "  const uint64_t before = host.time_ms;\n  host.time_ms += " + base +
@@ -243,6 +257,7 @@ void PinsPrinter::Step(std::string& out) const {
              "  host.time_ms += " + base + ";\n";
     }
   }
+  GiveParameters(out);
   if (wiring_.stores_by_itself) {
     const ir::PlaceId asked = schedule.retain_at_power_off;
     const bool conditional = asked.valid() && !emittable_.place_names[asked.index].empty();

@@ -36,6 +36,18 @@ std::string OneLine(std::string_view text) {
   return out;
 }
 
+std::string_view HalDirection(PinDirection direction) {
+  switch (direction) {
+    case PinDirection::kIn:
+      return " in";
+    case PinDirection::kOut:
+      return " out";
+    case PinDirection::kBoth:
+      return " io";
+  }
+  return "";
+}
+
 std::string_view HalType(PinType type) {
   switch (type) {
     case PinType::kBit:
@@ -105,7 +117,7 @@ std::string PrintHalManual(const emit::Emittable& emittable, const Wiring& wirin
   out += ".SH PINS\n";
   for (const WiredPin& pin : wiring.pins) {
     out += ".TP\n.B " + Roff(name + "." + pin.name) + "\\fR " + std::string(HalType(pin.type)) +
-           (pin.direction == PinDirection::kIn ? " in" : " out") + "\n" +
+           std::string(HalDirection(pin.direction)) + "\n" +
            Roff(pin.address + (pin.comment.empty() ? "" : ": " + OneLine(pin.comment))) + "\n";
   }
   for (const auto& [own, what] :

@@ -19,6 +19,17 @@ std::string_view Spell(PinType type) {
   }
   return "";
 }
+std::string_view Spell(PinDirection direction) {
+  switch (direction) {
+    case PinDirection::kIn:
+      return "kIn";
+    case PinDirection::kOut:
+      return "kOut";
+    case PinDirection::kBoth:
+      return "kBoth";
+  }
+  return "";
+}
 std::string_view Spell(PinRole role) {
   switch (role) {
     case PinRole::kTerminal:
@@ -27,6 +38,8 @@ std::string_view Spell(PinRole role) {
       return "kSignal";
     case PinRole::kEvent:
       return "kEvent";
+    case PinRole::kParameter:
+      return "kParameter";
   }
   return "";
 }
@@ -50,9 +63,8 @@ std::string PinsPrinter::Header() {
   out += "inline constexpr plcxx::host::Pin pins[] = {\n";
   for (const WiredPin& pin : wiring_.pins) {
     out += "    {" + CppString(pin.name) + ", Type::" + std::string(Spell(pin.type)) +
-           ", Direction::" + (pin.direction == PinDirection::kIn ? "kIn" : "kOut") +
-           ", Role::" + std::string(Spell(pin.role)) + ", " + CppString(pin.address) + ", " + CppString(pin.comment) +
-           "},\n";
+           ", Direction::" + std::string(Spell(pin.direction)) + ", Role::" + std::string(Spell(pin.role)) + ", " +
+           CppString(pin.address) + ", " + CppString(pin.comment) + "},\n";
   }
   if (wiring_.pins.empty()) out += "    {\"\", Type::kBit, Direction::kOut, Role::kEvent, \"\", \"\"},\n";
   out += "};\n\n/// For the hosts of plcxx_host.\nstruct Machine {\n  using State = " + space_ +

@@ -214,7 +214,10 @@ class Wirer {
       }
       if (!IsOutside(place)) continue;
       const ir::Direction direction = DirectionOf(place);
-      if (direction == ir::Direction::kOutput) {
+      const bool kept = program_.spaces[place.space].lifetime == ir::Lifetime::kRetentive;
+      if (kept && !IsStored(place)) {
+        wiring_.parameters.push_back({id, AddPin(PinOf(id, PinDirection::kBoth, PinRole::kParameter))});
+      } else if (direction == ir::Direction::kOutput) {
         AddOutput(id, PinRole::kTerminal);
       } else if (named && (direction == ir::Direction::kInternal || IsStored(place))) {
         AddOutput(id, PinRole::kSignal);

@@ -1,8 +1,10 @@
 // Which pins a program has: the decisions of a host's files, before anything is spelled.
 //
 // A terminal is a place in a zone of inputs or outputs, or a byte of a port that the program reads or writes by a host
-// function. Signals that have a name of their own, and events with their parameters, are pins to look at. Every name
-// is made from the generated code's by one rule: small letters, '-' for '_'.
+// function. What is kept at power-off and never stored by the program (times, numbers of tools) is a parameter: a pin
+// that shows it, and that changes it when somebody writes another value. Signals that have a name of their own, and
+// events with their parameters, are pins to look at. Every name is made from the generated code's by one rule: small
+// letters, '-' for '_'.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +17,8 @@
 namespace plcxx::host {
 
 enum class PinType : uint8_t { kBit, kS32, kU32, kFloat };
-enum class PinDirection : uint8_t { kIn, kOut };
-enum class PinRole : uint8_t { kTerminal, kSignal, kEvent };
+enum class PinDirection : uint8_t { kIn, kOut, kBoth };
+enum class PinRole : uint8_t { kTerminal, kSignal, kEvent, kParameter };
 
 struct WiredPin {
   std::string name;    // "pump-on"
@@ -74,6 +76,7 @@ struct Wiring {
   std::vector<WiredPin> pins;
   std::vector<WiredInput> inputs;
   std::vector<WiredOutput> outputs;
+  std::vector<WiredOutput> parameters;
   std::vector<WiredCall> calls;
   std::vector<WiredMessage> messages;
   std::vector<ir::PlaceId> message_words;  // their value is the number of a message that is shown

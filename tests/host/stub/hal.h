@@ -6,7 +6,7 @@
 
 #define HAL_NAME_LEN 47
 
-typedef enum { HAL_IN = 16, HAL_OUT = 32 } hal_pin_dir_t;
+typedef enum { HAL_IN = 16, HAL_OUT = 32, HAL_IO = 48 } hal_pin_dir_t;
 
 extern "C" {
 int hal_init(const char* name);

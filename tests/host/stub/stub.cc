@@ -27,7 +27,7 @@ namespace {
 
 struct StubPin {
   char type = 'b';
-  bool in = false;
+  hal_pin_dir_t direction = HAL_IN;
   union {
     bool bit;
     int32_t s32;
@@ -42,13 +42,13 @@ struct StubFunction {
 std::map<std::string, StubPin> pins;
 std::map<std::string, StubFunction> functions;
 
-StubPin* Add(char type, bool in, const char* format, va_list arguments) {
+StubPin* Add(char type, hal_pin_dir_t direction, const char* format, va_list arguments) {
   char name[256];
   vsnprintf(name, sizeof name, format, arguments);
   if (strlen(name) > HAL_NAME_LEN || pins.count(name) != 0) return nullptr;
   StubPin& pin = pins[name];
   pin.type = type;
-  pin.in = in;
+  pin.direction = direction;
   return &pin;
 }
 
@@ -66,7 +66,7 @@ std::string Value(const StubPin& pin) {
 #define STUB_NEW(Type, member)                                                           \
   va_list arguments;                                                                     \
   va_start(arguments, format);                                                           \
-  StubPin* const made = Add(Type, direction == HAL_IN, format, arguments);               \
+  StubPin* const made = Add(Type, direction, format, arguments);                         \
   va_end(arguments);                                                                     \
   if (made == nullptr) return -22;                                                       \
   *pin = reinterpret_cast<std::remove_reference_t<decltype(*pin)>>(&made->value.member); \
@@ -151,7 +151,7 @@ int main() {
       double value = 0;
       words >> name >> value;
       const auto pin = pins.find(name);
-      if (pin == pins.end() || !pin->second.in) {
+      if (pin == pins.end() || pin->second.direction == HAL_OUT) {
         std::cout << "no input " << name << std::endl;
         continue;
       }
@@ -164,7 +164,11 @@ int main() {
       std::cout << name << ' ' << (pins.count(name) != 0 ? Value(pins[name]) : "is no pin") << std::endl;
     } else if (word == "pins") {
       for (const auto& [pin, data] : pins)
-        std::cout << pin << ' ' << data.type << (data.in ? " in" : " out") << std::endl;
+        std::cout << pin << ' ' << data.type
+                  << (data.direction == HAL_IN    ? " in"
+                      : data.direction == HAL_OUT ? " out"
+                                                  : " io")
+                  << std::endl;
     } else if (word == "call") {
       long period = 0;
       int times = 1;
