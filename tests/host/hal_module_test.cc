@@ -114,23 +114,23 @@ TEST_P(HalModule, KeepsItsRetentiveMemoryInFiles) {
               HasSubstr("retentive memory is not kept: /nowhere: No such file or directory"));
 }
 
-TEST(HalModuleNames, ALongOneIsReplacedByTheAddress) {
-  const HostProgram program("linuxcnc", "*\nTHE_PUMP_OF_THE_COOLANT_BEHIND_THE_DOOR_ON_THE_LEFT=U4A0\n",
-                            "$\n!THE_PUMP_OF_THE_COOLANT_BEHIND_THE_DOOR_ON_THE_LEFT=I0A0\n");
-  EXPECT_EQ(program.emitted.code, 0) << program.emitted;
-  EXPECT_THAT(program.emitted.errors, HasSubstr("plcxx-35"));
-  EXPECT_THAT(program.emitted.errors,
-              HasSubstr("fan.plc:2:1: warning: the pin 'the-pump-of-the-coolant-behind-the-door-on-the-left' would "
-                        "have a name of 55 characters"));
-  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net u4a0 <= fan.u4a0\n"));
-}
-
-TEST(HalModuleNames, OfTwoThatAreAlikeTheSecondIsCalledByItsAddress) {
-  const HostProgram program("linuxcnc", "*\nPump_on=U4A0\nPUMP_ON=U4A1\n", "$\n!Pump_on=I0A0\n!PUMP_ON=I0A1\n");
-  EXPECT_EQ(program.emitted.code, 0) << program.emitted;
-  EXPECT_THAT(program.emitted.errors, HasSubstr("'U4A0' has the pin 'pump-on' already: this one is called 'u4a1'"));
-  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net pump-on <= fan.pump-on\n"));
-  EXPECT_THAT(program.work.Read("out/fan.hal"), HasSubstr("net u4a1 <= fan.u4a1\n"));
+TEST(HalModuleNames, ALongOneAndTheSecondOfTwoThatAreAlikeGiveWayToTheAddress) {
+  const driver::Workplace work;
+  work.Write(
+      "fan.il",
+      "SYMBOLS\n%Q0 THE_PUMP_OF_THE_COOLANT_BEHIND_THE_DOOR_ON_THE_LEFT \"a\"\n%Q1 Pump_on \"b\"\n%Q2 PUMP_ON \"c\"\n"
+      "END_SYMBOLS\nSLOW\nNETWORK\nLD %I0\nOUT %Q0\nOUT %Q1\nLD %I1\nOUT %Q2\nEND_SLOW\n");
+  const driver::Ran ran = work.Run("emit fan.il -o out --host linuxcnc");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors,
+              HasSubstr("fan.il:9:1: warning: the pin 'the-pump-of-the-coolant-behind-the-door-on-the-left' would have "
+                        "a name of 55 characters with the program's, and LinuxCNC's HAL takes 47: it is called 'q0'"));
+  EXPECT_THAT(ran.errors,
+              HasSubstr("fan.il:12:1: warning: 'Q1' has the pin 'pump-on' already: this one is called 'q2'"));
+  EXPECT_THAT(ran.errors, HasSubstr("plcxx-35"));
+  const std::string hal = work.Read("out/fan.hal");
+  for (const char* line : {"net q0 <= fan.q0\n", "net pump-on <= fan.pump-on\n", "net q2 <= fan.q2\n"})
+    EXPECT_THAT(hal, HasSubstr(line));
 }
 
 TEST(HalModuleNames, AProgramWhoseNameLeavesNoRoomIsRefused) {

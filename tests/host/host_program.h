@@ -10,7 +10,8 @@ namespace plcxx::host {
 
 inline constexpr std::string_view kSymbols = "*\nPUMP=U4A0\nLAMP=U4A1\nKEPT=W0T0\nLIMIT=W0T2\n";
 inline constexpr std::string_view kProgram =
-    "$\n!PUMP=I0A0+!PUMP*/I0A1\nT5I(2)=!PUMP\n!LAMP=T5U\n!KEPT=W1A0\nU10N4=I0A2\nU4A2=[W5A1=3]*I20A5\nU4A3=[!LIMIT>5]\n";
+    "$\n!PUMP=I0A0+!PUMP*/"
+    "I0A1\nT5I(2)=!PUMP\n!LAMP=T5U\n!KEPT=W1A0\nU10N4=I0A2\nU4A2=[W5A1=3]*I20A5\nU4A3=[!LIMIT>5]\n";
 
 /// The API that the module is compiled for.
 enum class HalApi : uint8_t { k29, k210 };
