@@ -12,6 +12,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
+#include "transpiler/symbolic/execute/execute.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -43,6 +44,10 @@ class Machine {
                      ? side.compilation.dialect->make_stub(program_, side.compilation.options)
                      : std::unique_ptr<dialects::ControlStub>()),
         clock_(program_, {&simulator_}) {
+    for (const ir::HostFunction& function : program_.host_functions) {
+      Asked& asked = functions_.emplace_back();
+      for (const char c : function.name) asked.name = Mixed(asked.name, static_cast<unsigned char>(c));
+    }
     if (answers == Answers::kOfCalls) {
       simulator_.AnswerHostCalls([this, seed](ir::HostFunctionId id, std::span<const uint64_t> arguments) {
         return Answer(id, arguments, seed);
@@ -54,12 +59,34 @@ class Machine {
     control_.PowerOn();
   }
 
+  /// From now on it is kept what functions that are no exchange find at these places when they are called.
+  void Watch(std::vector<ir::Place> places) {
+    watched_ = std::move(places);
+    for (uint32_t f = 0; f < functions_.size(); ++f) {
+      Asked& asked = functions_[f];
+      const ir::HostAccess access = program_.host_functions[ir::HostFunctionId(f)].access;
+      for (uint32_t i = 0; is_ordered_[f] && i < watched_.size(); ++i) {
+        const ir::Place& place = watched_[i];
+        if (!place.is_field() && execute::HostSees(access, program_.spaces[place.space])) asked.sees.push_back(i);
+      }
+      if (!asked.sees.empty()) asked.seen.resize(watched_.size());
+    }
+  }
+  /// By watched place: all that a function has found there, as one number; nothing of a function that sees nothing.
+  std::vector<uint64_t> SeenBy(const std::string& name) const {
+    for (uint32_t f = 0; f < functions_.size(); ++f) {
+      if (program_.host_functions[ir::HostFunctionId(f)].name == name) return functions_[f].seen;
+    }
+    return {};
+  }
+
   void PowerCycle() {
     control_.PowerOff();
     clock_.PowerCycle();
     control_.PowerOn();
   }
   void Set(const ir::Place& place, uint64_t value) {
+    if (simulator_.Read(place) == value) return;
     dialects::Location location;
     location.place = place;
     control_.Set(location, value);
@@ -85,10 +112,12 @@ class Machine {
  private:
   sim::HostAnswer Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments, uint64_t seed) {
     const ir::HostFunction& function = program_.host_functions[id];
-    uint64_t& asked = asked_[is_ordered_[id.index] ? std::string() : function.name];
+    Asked& own = functions_[id.index];
+    for (const uint32_t i : own.sees) own.seen[i] = Mixed(own.seen[i], simulator_.Read(watched_[i]) + 1);
+    uint64_t& asked = is_ordered_[id.index] ? asked_in_order_ : own.asked;
     asked = Mixed(asked, seed);
     for (const uint64_t argument : arguments) asked = Mixed(asked, argument);
-    for (const char c : function.name) asked = Mixed(asked, static_cast<unsigned char>(c));
+    asked = Mixed(asked, own.name);
     const auto fitting = [](ir::Type type, uint64_t value) {
       if (type == ir::Type::kNone) return uint64_t{0};
       const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
@@ -106,7 +135,16 @@ class Machine {
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;
-  std::map<std::string, uint64_t> calls_, asked_;
+  /// A function of the host.
+  struct Asked {
+    uint64_t name = 0, asked = 0;
+    std::vector<uint32_t> sees;  // indices of watched_
+    std::vector<uint64_t> seen;  // see SeenBy
+  };
+  std::vector<Asked> functions_;  // by HostFunctionId
+  uint64_t asked_in_order_ = 0;
+  std::map<std::string, uint64_t> calls_;
+  std::vector<ir::Place> watched_;
 };
 
 /// A cell as a place that an engine reads.
@@ -217,7 +255,17 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
     const Answers answers = diff.items.empty() && run % 2 == 0 ? Answers::kOfControl : Answers::kOfCalls;
     const uint64_t seed = random.Next();
     Machine old_machine(old_side, answers, seed), new_machine(new_side, answers, seed);
+    std::vector<ir::Place> old_places, new_places;
+    for (const Compared& equal : locations.equal) {
+      old_places.push_back(equal.old_place);
+      new_places.push_back(equal.new_place);
+    }
+    old_machine.Watch(std::move(old_places));
+    new_machine.Watch(std::move(new_places));
     const uint64_t one_in = uint64_t{1} << (random.Next() % 6), ones = 1 + random.Next() % 3;
+    // Of a short period that is many.
+    const uint64_t most_waited_ms = std::max<uint64_t>(8'000, uint64_t{1'000} * schedule.period_ms);
+    uint64_t waited_ms = 0;
     for (int step = 1; step <= runs.steps; ++step) {
       // Bits at random; now and then whole bytes are what people write: small numbers, limits of a type.
       constexpr std::array<uint8_t, 12> kUsual = {0, 1, 2, 3, 5, 9, 0x10, 0x64, 0x7F, 0x80, 0x99, 0xFF};
@@ -242,7 +290,7 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
           machine->PowerCycle();
         } else if (what < 8) {
           clock.RunMs(schedule.period_ms * length);
-        } else if (what < 11) {
+        } else if (what < 11 && waited_ms < most_waited_ms) {
           clock.RunMs(137 * length);
         } else if (what < 14 && has_fast) {
           clock.RunFast(1);
@@ -250,6 +298,7 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
           clock.RunSlow(1);
         }
       }
+      if (8 <= what && what < 11) waited_ms += 137 * length;
       const std::string when = " after step " + std::to_string(step) + " of run " + std::to_string(run + 1);
       for (const Compared& equal : locations.equal) {
         const uint64_t one = old_machine.Read(equal.old_place), other = new_machine.Read(equal.new_place);
@@ -264,6 +313,11 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
           return at == calls.end() ? 0 : at->second;
         };
         if (calls_of(old_calls) != calls_of(new_calls)) return "other calls of " + name + when;
+        const std::vector<uint64_t> old_seen = old_machine.SeenBy(name), new_seen = new_machine.SeenBy(name);
+        if (old_seen.size() != new_seen.size() || old_seen.empty()) continue;
+        for (size_t i = 0; i < locations.equal.size(); ++i) {
+          if (old_seen[i] != new_seen[i]) return name + " sees another value of " + locations.equal[i].name + when;
+        }
       }
     }
   }

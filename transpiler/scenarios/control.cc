@@ -79,6 +79,11 @@ void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
     if (stub_) stub_->WriteCell(*location.cell, value);
     return;
   }
+  // Most are one place: a search sets millions of them.
+  if (location.bits.empty()) {
+    SetPlace(location.place, value);
+    return;
+  }
   for (const auto& [place, part] : WritesTo(location, value)) SetPlace(place, part);
 }
 

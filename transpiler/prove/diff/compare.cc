@@ -12,6 +12,14 @@ constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr size_t kMostReached = 2000;                                  // pairs
 constexpr uint64_t kRoundOfManyShare = 20, kInductionOfManyShare = 4;  // of the time
 
+/// By some host function.
+bool MayBeSeen(const machine::Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit &&
+         (execute::HostSees(ir::HostAccess::kReadsState, version.program->spaces[cell.space]) ||
+          execute::HostSees(ir::HostAccess::kReadsRetentive, version.program->spaces[cell.space]));
+}
+
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
   const OneSidedMemory one_sided(comparison.old_version, comparison.new_version, comparison.old_uses,
@@ -32,11 +40,9 @@ void AddMatched(Comparison& comparison) {
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
-    if (written && machine::DirectionOf(comparison.old_version, old_cell) == ir::Direction::kOutput &&
-        execute::CellAt(*comparison.old_version.program, comparison.old_version.cells, old_cell).kind ==
-            execute::CellKind::kBit) {
-      comparison.old_outputs.push_back(old_cell);
-      comparison.new_outputs.push_back(new_cell);
+    if (written && MayBeSeen(comparison.old_version, old_cell) && MayBeSeen(comparison.new_version, new_cell)) {
+      comparison.old_observed.push_back(old_cell);
+      comparison.new_observed.push_back(new_cell);
     }
   }
 }

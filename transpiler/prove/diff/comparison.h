@@ -33,8 +33,9 @@ struct Comparison {
   bool is_inductive = false;       // see FindInductiveSet
   Pairing pairing;
   machine::Uses old_uses, new_uses;
-  std::vector<execute::CellId> requests;                  // old cells that the control clears when it likes
-  std::vector<execute::CellId> old_outputs, new_outputs;  // matched cells that either version writes, in the same order
+  std::vector<execute::CellId> requests;  // old cells that the control clears when it likes
+  /// What a host function may see in the middle of a part: matched bits that either version writes, in the same order.
+  std::vector<execute::CellId> old_observed, new_observed;
   /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
   uint64_t round_ms;
   terms::TermId now;
@@ -76,9 +77,10 @@ struct Question {
 };
 /// Under the invariants.
 std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
-/// What the host sees in the middle of a period, of old_next and new_next: the same functions in the same order, at the
-/// same time, with the same outputs. A call that only one of them makes counts as a difference of the calls.
-void AddObservations(Comparison& comparison, std::vector<Question>& questions);
+/// What host functions see in the middle of a part, of old_next and new_next. A function that is called otherwise is a
+/// difference of its calls, and nothing else is said of what it sees: `calls_are_equal` is asked about its old cell.
+void AddObservations(Comparison& comparison, const std::function<bool(execute::CellId calls)>& calls_are_equal,
+                     std::vector<Question>& questions);
 
 /// What a version gets instead of a value that it writes, and to which cells that happens; see Environment::cut.
 struct Cut {

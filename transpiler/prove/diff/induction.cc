@@ -33,7 +33,7 @@ uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& qu
 machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
   return {.initial = [&comparison, which](execute::CellId cell) { return comparison.pairing.Initial(which, cell); },
           .now = comparison.now,
-          .outputs = which == Which::kOld ? comparison.old_outputs : comparison.new_outputs,
+          .observed = which == Which::kOld ? comparison.old_observed : comparison.new_observed,
           .host_bit =
               [&comparison, which](execute::CellId cell) {
                 // An input that the new version has at another place is the old one's.
@@ -125,18 +125,22 @@ std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Que
   return verdicts;
 }
 
-void AddObservations(Comparison& comparison, std::vector<Question>& questions) {
-  terms::Terms& terms = comparison.terms;
-  const machine::Transition &old_next = comparison.old_next, &new_next = comparison.new_next;
-  for (size_t i = 0; i < std::min(old_next.observations.size(), new_next.observations.size()); ++i) {
-    const machine::Observation& one = old_next.observations[i];
-    const machine::Observation& other = new_next.observations[i];
-    for (size_t output = 0; output < one.outputs.size(); ++output) {
-      const uint32_t result = comparison.result_of_old[comparison.old_outputs[output].index];
+void AddObservations(Comparison& comparison, const std::function<bool(execute::CellId calls)>& calls_are_equal,
+                     std::vector<Question>& questions) {
+  for (const machine::Seen& one : comparison.old_next.seen) {
+    const execute::CellId calls = comparison.old_version.cells.OfCalls(one.function);
+    const execute::CellId new_calls = comparison.match.new_of_old[calls.index];
+    if (!new_calls.valid() || !calls_are_equal(calls)) continue;
+    const auto other = std::ranges::find(comparison.new_next.seen, new_calls, [&comparison](const machine::Seen& seen) {
+      return comparison.new_version.cells.OfCalls(seen.function);
+    });
+    // A function that is given more in one version.
+    const bool is_given = other != comparison.new_next.seen.end();
+    for (uint32_t i = 0; i < one.cells.size(); ++i) {
+      const uint32_t result = comparison.result_of_old[comparison.old_observed[i].index];
       if (!comparison.pairing.IsEqual(comparison.results[result].old_cell)) continue;
-      const terms::TermId a = terms.And(one.when, one.outputs[output]),
-                          b = terms.And(other.when, other.outputs[output]);
-      if (a != b) questions.push_back({{a, b}, result});
+      const terms::TermId a = one.cells[i], b = is_given ? other->cells[i] : terms::TermId();
+      if (a.valid() && b.valid() && a != b) questions.push_back({{a, b}, result});
     }
   }
 }
@@ -273,7 +277,9 @@ bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_l
         const solver::TermPair pair{comparison.NextOld(result.old_cell), comparison.NextNew(result.new_cell)};
         if (pair.a != pair.b) questions.push_back({pair, i});
       }
-      AddObservations(comparison, questions);
+      separated += SeparateFailing(comparison, questions);
+      questions.clear();
+      AddObservations(comparison, [&](execute::CellId calls) { return comparison.pairing.IsEqual(calls); }, questions);
       separated += SeparateFailing(comparison, questions);
     }
     comparison.is_inductive = separated == 0;

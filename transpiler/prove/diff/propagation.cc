@@ -63,7 +63,7 @@ bool SeparatePropagated(Comparison& comparison) {
         if (one[k] != other[k]) questions.push_back({{one[k], other[k]}, comparison.result_of_old[cell.index]});
       }
     }
-    AddObservations(comparison, questions);
+    AddObservations(comparison, [&is_cut](execute::CellId calls) { return !is_cut[calls.index]; }, questions);
     const std::vector<solver::Verdict> verdicts = Answers(comparison, questions);
     for (size_t i = 0; i < questions.size(); ++i) {
       const PairResult& result = comparison.results[questions[i].result];

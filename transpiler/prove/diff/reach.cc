@@ -34,10 +34,17 @@ class Reach {
       }
     }
     for (const machine::Transition* transition : {&comparison.old_next, &comparison.new_next}) {
-      for (const machine::Observation& observation : transition->observations) {
-        roots_.push_back(observation.when);
-        roots_.insert(roots_.end(), observation.outputs.begin(), observation.outputs.end());
-        observations_.push_back(observation);
+      for (const machine::Seen& seen : transition->seen) {
+        const bool is_old = transition == &comparison.old_next;
+        const machine::Version& version = is_old ? comparison.old_version : comparison.new_version;
+        const execute::CellId calls = version.cells.OfCalls(seen.function);
+        const execute::CellId old_calls = is_old ? calls : comparison.match.old_of_new[calls.index];
+        // Of what neither calls there is no result.
+        if (!old_calls.valid() || comparison.result_of_old[old_calls.index] >= initial_.size()) continue;
+        for (const terms::TermId id : seen.cells) {
+          if (id.valid()) roots_.push_back(id);
+        }
+        seen_.push_back({comparison.result_of_old[old_calls.index], seen.cells});
       }
     }
   }
@@ -73,16 +80,18 @@ class Reach {
     return std::ranges::any_of(next_[result], [this](terms::TermId next) { return depends_[next.index]; });
   }
 
-  /// Outputs that a host function sees in the middle of a period.
-  std::vector<uint32_t> ReachedByObservation() const {
-    std::vector<uint32_t> reached;
-    for (const machine::Observation& observation : observations_) {
-      for (size_t i = 0; i < observation.outputs.size(); ++i) {
-        if (!depends_[observation.when.index] && !depends_[observation.outputs[i].index]) continue;
-        reached.push_back(comparison_.result_of_old[comparison_.old_outputs[i].index]);
+  /// What a host function sees in the middle of a part; nothing of one that is called otherwise, for that is what
+  /// differs then.
+  std::vector<uint32_t> ReachedByObservation(const std::vector<bool>& reached) const {
+    std::vector<uint32_t> found;
+    for (const auto& [calls, cells] : seen_) {
+      if (reached[calls] || IsReached(calls)) continue;
+      for (size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i].valid() && depends_[cells[i].index])
+          found.push_back(comparison_.result_of_old[comparison_.old_observed[i].index]);
       }
     }
-    return reached;
+    return found;
   }
 
  private:
@@ -90,7 +99,11 @@ class Reach {
   terms::Terms& terms_;
   std::vector<terms::TermId> initial_;            // by result
   std::vector<std::vector<terms::TermId>> next_;  // by result: of each part, of both versions
-  std::vector<machine::Observation> observations_;
+  struct SeenCells {
+    uint32_t calls;                    // result
+    std::vector<terms::TermId> cells;  // as machine::Seen
+  };
+  std::vector<SeenCells> seen_;
   std::vector<terms::TermId> roots_, cone_;
   std::vector<bool> depends_, seeds_, is_cell_;  // by term
 };
@@ -122,7 +135,7 @@ std::optional<std::vector<execute::CellId>> ReachOfDifferences(Comparison& compa
       reached[result] = true;
     }
     reach.Spread();
-    added = reach.ReachedByObservation();
+    added = reach.ReachedByObservation(reached);
     std::erase_if(added, [&](uint32_t result) { return reached[result]; });
     for (uint32_t i = 0; i < reached.size(); ++i) {
       if (reached[i] || comparison.pairing.IsConstantPair(comparison.results[i].old_cell)) continue;

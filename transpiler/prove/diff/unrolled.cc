@@ -16,7 +16,7 @@ void Unrolled::PowerOn() {
   const machine::PartEnvironment environment{.initial = [this](execute::CellId) { return terms_.Const(0, 64); },
                                              .now = terms_.Const(0, 32),
                                              .answers = machine::HostAnswers::kNothing,
-                                             .outputs = {}};
+                                             .observed = {}};
   old_state_ = machine::RunInit(terms_, versions_.old_version, environment).next;
   new_state_ = machine::RunInit(terms_, versions_.new_version, environment).next;
   level_at_begin_ = [this](uint32_t old_cell) {
@@ -81,7 +81,7 @@ std::optional<bool> Unrolled::AdvancePart(Which which, machine::Part part, uint6
   const terms::TermId now = terms_.Const(now_ms & 0xFFFFFFFF, 32);
   const machine::Transition next = machine::RunPart(
       terms_, is_old ? versions_.old_version : versions_.new_version, part,
-      {.initial = initial, .now = now, .answers = machine::HostAnswers::kNothing, .outputs = {}, .is_late = is_late});
+      {.initial = initial, .now = now, .answers = machine::HostAnswers::kNothing, .observed = {}, .is_late = is_late});
   if (!next.refusal.empty()) return std::nullopt;
   bool changed = false;
   for (uint32_t i = 0; i < values.size(); ++i) {

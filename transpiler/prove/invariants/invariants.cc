@@ -106,7 +106,7 @@ bool InvariantFinder::Finder::ExecuteParts() {
   if (!now_.valid()) now_ = terms_.Variable("alone now", 32);
   const machine::PartEnvironment environment{.initial = [this](execute::CellId cell) { return Current(cell); },
                                              .now = now_,
-                                             .outputs = {},
+                                             .observed = {},
                                              .is_late = [this] { return Late(); }};
   const auto is_executed = [this](const machine::Transition& transition) {
     is_done_ = is_done_ || (!transition.refusal.empty() && !Late());

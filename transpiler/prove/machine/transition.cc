@@ -1,14 +1,76 @@
 #include "transpiler/prove/machine/transition.h"
 
 #include <algorithm>
+#include <array>
 
 namespace plcxx::prove::machine {
 namespace {
+
+/// Notes of an execution: for each function that sees something, one for each observed cell.
+class SeenByHost {
+ public:
+  SeenByHost(terms::Terms& terms, const Version& version, const std::vector<execute::CellId>& observed)
+      : terms_(terms), version_(version), observed_(observed), begins_(version.program->host_functions.size()) {
+    for (const execute::CellId cell : observed)
+      spaces_.push_back(execute::CellAt(*version.program, version.cells, cell).space);
+    for (uint32_t& begin : begins_) {
+      const ir::HostFunctionId function(static_cast<uint32_t>(&begin - begins_.data()));
+      const bool sees_any = std::ranges::any_of(spaces_, [&](ir::SpaceId space) { return Sees(function, space); });
+      begin = sees_any ? notes_ : kNothing;
+      notes_ += sees_any ? static_cast<uint32_t>(observed.size()) : 0;
+    }
+  }
+  uint32_t notes() const { return notes_; }
+
+  void Note(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
+    if (begins_[function.index] == kNothing) return;
+    const terms::FunctionId seen = terms_.Function("seen by " + version_.program->host_functions[function].name, 64);
+    for (uint32_t i = 0; i < observed_.size(); ++i) {
+      if (!Sees(function, spaces_[i])) continue;
+      const execute::CellId note = NoteOf(function, i);
+      const terms::TermId before = memory.Read(note);
+      const std::array arguments{before, memory.Read(observed_[i])};
+      memory.Write(note, terms_.Ite(when, terms_.Apply(seen, arguments), before));
+    }
+  }
+
+  std::vector<Seen> After(execute::Memory& memory) const {
+    std::vector<Seen> all;
+    for (uint32_t f = 0; f < begins_.size(); ++f) {
+      const ir::HostFunctionId function(f);
+      if (begins_[f] == kNothing) continue;
+      Seen seen{.function = function, .cells = std::vector<terms::TermId>(observed_.size())};
+      for (uint32_t i = 0; i < observed_.size(); ++i) {
+        if (Sees(function, spaces_[i])) seen.cells[i] = memory.Read(NoteOf(function, i));
+      }
+      all.push_back(std::move(seen));
+    }
+    return all;
+  }
+
+ private:
+  static constexpr uint32_t kNothing = 0xFFFFFFFF;
+
+  bool Sees(ir::HostFunctionId function, ir::SpaceId space) const {
+    return execute::HostSees(version_.program->host_functions[function].access, version_.program->spaces[space]);
+  }
+  execute::CellId NoteOf(ir::HostFunctionId function, uint32_t observed) const {
+    return execute::CellId(version_.cells.count + begins_[function.index] + observed);
+  }
+
+  terms::Terms& terms_;
+  const Version& version_;
+  const std::vector<execute::CellId>& observed_;
+  std::vector<ir::SpaceId> spaces_;  // by index of observed
+  std::vector<uint32_t> begins_;     // by function: its first note
+  uint32_t notes_ = 0;
+};
 
 Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId routine,
                       const PartEnvironment& environment,
                       const std::function<terms::TermId(execute::CellId)>& stored = {}) {
   Transition transition;
+  SeenByHost seen(terms, version, environment.observed);
   execute::Environment execution{.initial = environment.initial,
                                  .observe = {},
                                  .host_bit = environment.host_bit,
@@ -17,17 +79,16 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .is_cut = environment.is_cut,
                                  .now = environment.now,
                                  .stored = stored,
+                                 .notes = seen.notes(),
                                  .host_answers = environment.answers == HostAnswers::kAny,
                                  .summarize_after = 16,
                                  .is_late = environment.is_late};
   execution.observe = [&](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
-    if (version.program->host_functions[function].access == ir::HostAccess::kWritesState) return;
-    Observation observation{.function = function, .when = when, .outputs = {}};
-    for (const execute::CellId cell : environment.outputs) observation.outputs.push_back(memory.Read(cell));
-    transition.observations.push_back(std::move(observation));
+    seen.Note(memory, function, when);
   };
   execute::Memory memory(terms, *version.program, version.cells, std::move(execution));
   transition.refusal = execute::Execute(memory, routine);
+  transition.seen = seen.After(memory);
   transition.next.resize(version.cells.count);
   for (uint32_t i = 0; i < version.cells.count; ++i) {
     if (memory.IsWritten(execute::CellId(i))) transition.next[i] = memory.Read(execute::CellId(i));

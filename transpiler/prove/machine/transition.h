@@ -9,16 +9,16 @@
 
 namespace plcxx::prove::machine {
 
-/// What the host sees at a call that reads the state.
-struct Observation {
+/// What a host function has seen of each cell that is observed, call by call: two terms are one where all its calls,
+/// in whichever branches they stand, have found the same values there, in the same order.
+struct Seen {
   ir::HostFunctionId function;
-  terms::TermId when;
-  std::vector<terms::TermId> outputs;  // by index of PartEnvironment::outputs
+  std::vector<terms::TermId> cells;  // by index of PartEnvironment::observed; none: not seen by the function
 };
 
 struct Transition {
   std::vector<terms::TermId> next;  // by cell; none: the cell keeps its value
-  std::vector<Observation> observations;
+  std::vector<Seen> seen;           // by function, of those that see some of what is observed (execute::HostSees)
   execute::Refusal refusal;
 };
 
@@ -31,7 +31,7 @@ struct PartEnvironment {
   std::function<terms::TermId(execute::CellId)> initial;
   terms::TermId now;
   HostAnswers answers = HostAnswers::kAny;
-  std::vector<execute::CellId> outputs;                                    // what observations look at
+  std::vector<execute::CellId> observed;                                   // bits of Transition::seen
   std::function<execute::Environment::HostBit(execute::CellId)> host_bit;  // see Environment; may be empty
   std::function<bool(execute::CellId)> may_be_left;                        // see Environment; may be empty
   std::function<terms::TermId(execute::CellId, terms::TermId)> cut;        // see Environment; may be empty

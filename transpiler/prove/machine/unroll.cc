@@ -61,7 +61,7 @@ Unrolled::Unrolled(terms::Terms& terms, const Relation& relation, const std::vec
                             {.initial = [&](execute::CellId cell) { return StoredBefore(terms, version_, cell); },
                              .now = terms.Const(0, 32),
                              .answers = start == Start::kAnyRetentive ? HostAnswers::kAny : HostAnswers::kNothing,
-                             .outputs = {},
+                             .observed = {},
                              .host_bit = {}});
   if (refusal_.empty()) refusal_ = std::move(init.refusal);
   initial_ = std::move(init.next);

@@ -86,6 +86,9 @@ struct Environment {
   ReplacedParts* replaced = nullptr;
   /// What the host has of a retentive cell, if it has a copy at all; empty: a copy of which nothing is known.
   std::function<terms::TermId(CellId cell)> stored;
+  /// Cells that follow the program's own, 64 bits each and 0 at first: what `observe` keeps from call to call. Where
+  /// branches meet they are joined as memory is.
+  uint32_t notes = 0;
   /// false: the host answers 0, gives no second result, and writes nothing.
   bool host_answers = true;
   /// The place whose initial value a call of the host gives, whatever host_answers says; none: another call.
@@ -192,8 +195,18 @@ terms::TermId BitsWrittenByHost(terms::Terms& terms, std::string_view function, 
                                 std::string_view space, uint32_t offset);
 /// Whether it has a copy of the retentive memory; without one it leaves the memory alone.
 terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::TermId calls);
-/// Whether a host function of this access writes a byte of a space: inputs of host-visible spaces by kWritesState, all
-/// of a retentive space by kWritesRetentive.
+/// What a host function of an access looks at and writes at each call: the one table of that. Memory that the host
+/// cannot reach (automatic variables, registers, what the runtime keeps) it neither sees nor writes, although State has
+/// it: where that lies changes with each translation.
+///
+/// | access          | sees                            | writes                          |
+/// |---|---|---|
+/// | kNone           |                                 |                                 |
+/// | kReadsState     | host-visible spaces             |                                 |
+/// | kWritesState    | host-visible spaces, as before  | inputs of host-visible spaces   |
+/// | kReadsRetentive | retentive spaces                |                                 |
+/// | kWritesRetentive|                                 | retentive spaces                |
+bool HostSees(ir::HostAccess access, const ir::Space& space);
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 
 }  // namespace plcxx::execute

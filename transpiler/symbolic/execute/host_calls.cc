@@ -47,6 +47,20 @@ terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::Ter
   return Named(terms, "copy of", function, 1, {&calls, 1});
 }
 
+bool HostSees(ir::HostAccess access, const ir::Space& space) {
+  switch (access) {
+    case ir::HostAccess::kNone:
+    case ir::HostAccess::kWritesRetentive:
+      return false;
+    case ir::HostAccess::kReadsState:
+    case ir::HostAccess::kWritesState:
+      return space.host_visible;
+    case ir::HostAccess::kReadsRetentive:
+      return space.lifetime == ir::Lifetime::kRetentive;
+  }
+  PLCXX_UNREACHABLE();
+}
+
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId id, uint32_t offset) {
   const ir::Space& space = program.spaces[id];
   switch (access) {

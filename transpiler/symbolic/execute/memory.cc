@@ -12,16 +12,18 @@ Memory::Memory(terms::Terms& terms, const ir::Program& program, const Cells& cel
       program_(&program),
       cells_(&cells),
       environment_(std::move(environment)),
-      values_(cells.count),
-      words_(cells.count),
-      written_(cells.count),
-      stamps_(cells.count) {}
+      values_(cells.count + environment_.notes),
+      words_(values_.size()),
+      written_(values_.size()),
+      stamps_(values_.size()) {}
 
 terms::TermId Memory::Read(CellId cell) {
   terms::TermId& value = values_[cell.index];
   if (value.valid()) return value;
   const WordBit& word = words_[cell.index];
-  value = word.word.valid() ? terms_->Extract(word.word, word.bit, 1) : environment_.initial(cell);
+  value = word.word.valid()            ? terms_->Extract(word.word, word.bit, 1)
+          : cell.index < cells_->count ? environment_.initial(cell)
+                                       : terms_->Const(0, 64);
   return value;
 }
 
@@ -42,7 +44,7 @@ void Memory::NoteBefore(CellId cell) {
 }
 
 void Memory::Write(CellId cell, terms::TermId value) {
-  if (environment_.cut) value = environment_.cut(cell, value);
+  if (environment_.cut && cell.index < cells_->count) value = environment_.cut(cell, value);
   NoteBefore(cell);
   values_[cell.index] = value;
   words_[cell.index] = {};

@@ -108,9 +108,8 @@ class Summarizer {
   void Host(ir::CallId id) {
     const ir::Call& call = program_.calls[id];
     const ir::HostFunction& host = program_.host_functions[call.host];
-    if (host.access == ir::HostAccess::kWritesState || host.access == ir::HostAccess::kWritesRetentive) {
-      summary_.opaque = true;
-    }
+    // What it sees or writes is no cell of the summary.
+    if (host.access != ir::HostAccess::kNone) summary_.opaque = true;
     Word(host.name);
     // What answers looks at the calls before; who is only told something does not.
     const bool answers = host.result != ir::Type::kNone || call.out.valid();

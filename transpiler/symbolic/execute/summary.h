@@ -23,7 +23,7 @@ struct LoopSummary {
   std::vector<uint32_t> written;     // indices of `cells`, ascending
   std::vector<bool> reads;           // by index of `cells`: the loop looks at what is there
   std::vector<ir::InstId> targets;   // blocks and loops around it for which it leaves, in the order of their first use
-  /// It calls a function that writes the state, or goes on with a loop around it: there is no summary.
+  /// It calls a function that sees or writes the state, or goes on with a loop around it: there is no summary.
   bool opaque = false;
 };
 
