@@ -26,6 +26,7 @@ using Lines = std::vector<std::string>;
 
 struct HandPair {
   std::string dialect, name;
+  bool is_whole = false;                                      // as it is written: not inside of what all have
   std::vector<std::pair<std::string, std::string>> expected;  // the word, and of what
   std::vector<std::pair<std::string, std::string>> old_options, new_options;
   std::map<std::string, std::string> old_files, new_files;  // by name
@@ -70,6 +71,8 @@ std::vector<HandPair> ReadPairs(const std::string& dialect, const std::string& e
       text = nullptr;
     } else if (word == "equal" || word == "differs" || word == "open" || word == "spares" || word == "names") {
       pairs.back().expected.emplace_back(word, rest);
+    } else if (word == "whole") {
+      pairs.back().is_whole = true;
     } else if (word == "set" || word == "set-new") {
       if (word == "set") pairs.back().old_options.push_back(option_of(rest));
       pairs.back().new_options.push_back(option_of(rest));
@@ -85,6 +88,7 @@ std::vector<HandPair> ReadPairs(const std::string& dialect, const std::string& e
     for (auto& [file, content] : pair.new_files) {
       if (content == "=") content = pair.old_files[file];
     }
+    if (pair.is_whole) continue;
     for (auto* const files : {&pair.old_files, &pair.new_files}) {
       const auto at = files->find(program);
       if (at != files->end()) at->second = Wrapped(wrap, at->second);
@@ -135,7 +139,10 @@ void Judge(const HandPair& pair, SimulatedRuns attack) {
   ASSERT_TRUE(new_side.side->compilation.ok() && new_side.side->compilation.has_program) << "new does not compile";
   // All of the time is used where something stays open.
   const auto stays_open = [](const auto& expected) { return expected.first == "open" || expected.first == "spares"; };
-  const uint64_t time_ms = std::ranges::any_of(pair.expected, stays_open) ? 2'000 : 60'000;
+  const auto differs_somewhere = [](const auto& expected) { return expected.first == "differs"; };
+  const bool is_short =
+      std::ranges::any_of(pair.expected, stays_open) && std::ranges::none_of(pair.expected, differs_somewhere);
+  const uint64_t time_ms = is_short ? 2'000 : 60'000;
   const DiffOptions options{.same = {}, .time_ms = time_ms, .scenario_directory = {}, .compiler = {}, .progress = {}};
   const Diff diff = CompareSides(*old_side.side, *new_side.side, options);
   ASSERT_EQ(diff.refusal, "");

@@ -58,6 +58,22 @@ class Stores {
   std::vector<bool> seen_, stored_;
 };
 
+/// What the program's own parts store, and what other routines that the host may call do.
+struct StoresOfBoth {
+  explicit StoresOfBoth(const Version& version) : own(version), of_host(version) {
+    const ir::Program& program = *version.program;
+    const ir::Schedule& schedule = program.schedule;
+    for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse})
+      own.Routine(id);
+    of_host.LeaveOut(own);
+    for (uint32_t i = 0; i < program.routines.size(); ++i) {
+      const ir::RoutineId id(i);
+      if (program.routines[id].kind == ir::RoutineKind::kSchedule) of_host.Routine(id);
+    }
+  }
+  Stores own, of_host;
+};
+
 }  // namespace
 
 bool IsInbox(const Version& version, execute::CellId id) {
@@ -67,16 +83,19 @@ bool IsInbox(const Version& version, execute::CellId id) {
   return cell.kind == execute::CellKind::kField && cell.state == inbox;
 }
 
+std::vector<bool> SetByHost(const Version& version) {
+  const StoresOfBoth stores(version);
+  std::vector<bool> set = stores.of_host.stored();
+  for (uint32_t i = 0; i < set.size(); ++i)
+    set[i] = set[i] && DirectionOf(version, execute::CellId(i)) != ir::Direction::kOutput;
+  return set;
+}
+
 std::vector<bool> InputsOf(const Version& version) {
   const ir::Program& program = *version.program;
-  const ir::Schedule& schedule = program.schedule;
-  Stores own(version), of_host(version);
-  for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse}) own.Routine(id);
-  of_host.LeaveOut(own);
-  for (uint32_t i = 0; i < program.routines.size(); ++i) {
-    const ir::RoutineId id(i);
-    if (program.routines[id].kind == ir::RoutineKind::kSchedule) of_host.Routine(id);
-  }
+  const StoresOfBoth stores(version);
+  const std::vector<bool>& own = stores.own.stored();
+  const std::vector<bool>& of_host = stores.of_host.stored();
   std::vector<bool> inputs(version.cells.count);
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
     const execute::CellId id(i);
@@ -84,7 +103,7 @@ std::vector<bool> InputsOf(const Version& version) {
     if (cell.kind != execute::CellKind::kBit || !IsState(version, id)) continue;
     const ir::Direction direction = DirectionOf(version, id);
     // What the program's side never writes anybody may set, an output, too.
-    const bool is_free = !own.stored()[i] || (direction != ir::Direction::kOutput && of_host.stored()[i]);
+    const bool is_free = !own[i] || (direction != ir::Direction::kOutput && of_host[i]);
     inputs[i] = direction == ir::Direction::kInput || (program.spaces[cell.space].host_visible && is_free);
   }
   return inputs;
