@@ -91,7 +91,9 @@ TEST(HncReference, WhatHasAnotherFormIsComparedInItsCallers) {
                                                      {"plc2", ""}}));
   for (const ir::ReferenceFunction& function : described.reference.functions) {
     EXPECT_EQ(function.result.has_value(), function.name == "make") << function.name;
-    if (function.result) EXPECT_EQ(function.result->bytes, 3U);
+    if (function.result) {
+      EXPECT_EQ(function.result->bytes, 3U);
+    }
   }
 }
 

@@ -140,8 +140,7 @@ void StateView::AddChart(Json& state) {
   const auto begin = std::ranges::lower_bound(chart.samples(), next_sample_, {}, &ChartSample::period);
   for (auto sample = begin; sample != chart.samples().end(); ++sample) samples.push_back(SampleJson(*sample));
   if (!chart.samples().empty()) next_sample_ = chart.samples().back().period + 1;
-  if (is_new) state["chart"] = std::move(samples);
-  if (!is_new && !samples.empty()) state["more"] = std::move(samples);
+  if (is_new || !samples.empty()) state[is_new ? "chart" : "more"] = std::move(samples);
   Json trigger;
   if (chart.trigger()) {
     const Chart::Trigger& armed = *chart.trigger();

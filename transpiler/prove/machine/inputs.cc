@@ -84,10 +84,15 @@ bool IsInbox(const Version& version, execute::CellId id) {
 }
 
 std::vector<bool> SetByHost(const Version& version) {
+  const ir::Program& program = *version.program;
   const StoresOfBoth stores(version);
   std::vector<bool> set = stores.of_host.stored();
-  for (uint32_t i = 0; i < set.size(); ++i)
-    set[i] = set[i] && DirectionOf(version, execute::CellId(i)) != ir::Direction::kOutput;
+  for (uint32_t i = 0; i < set.size(); ++i) {
+    const execute::Cell cell = execute::CellAt(program, version.cells, execute::CellId(i));
+    // Another way to call the program's parts keeps its place in memory that nobody else knows.
+    set[i] = set[i] && cell.kind == execute::CellKind::kBit && program.spaces[cell.space].host_visible &&
+             DirectionOf(version, execute::CellId(i)) != ir::Direction::kOutput;
+  }
   return set;
 }
 
