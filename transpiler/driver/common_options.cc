@@ -146,7 +146,7 @@ const dialects::Dialect* DialectHere(const CommonOptions& options) {
 
 std::string DialectKeysText() {
   constexpr size_t kMostColumns = 110;
-  constexpr size_t kNameWidth = 11;
+  constexpr size_t kNameWidth = 16;  // the longest name between its blanks
   std::string text = "Options of the dialects (--set KEY=VALUE); plcxx emit --dialect NAME --help says what they do:\n";
   for (const dialects::Dialect* dialect : dialects::AllDialects()) {
     std::string line = support::LeftAligned("  " + std::string(dialect->name), kNameWidth);
