@@ -23,6 +23,36 @@ PROGRAMS = {
     ("nc110", "stop-on-error"): ("on", "a.plc", "$\nU4A0=\nU4A1=\n"),
     ("prostep", "text-encoding"): ("mazovia", "a.plc", "DM 1 .ŻÓŁW\n:MOD PM 0\n:END PM 0\n"),
 }
+
+
+def project_of_classicladder(rung="1-0-50/0 , 50-0-60/0", expression="0000,@200/0@=1", name="rung_0.csv", sections=1):
+    parts = {"sections.csv": "".join(f"00{number},0,-1,0,0,0\n" for number in range(sections)),
+             "arithmetic_expressions.csv": f"#VER=2.0\n{expression}\n", name: f"{rung}\n"}
+    text = "".join(f"_FILE-{part}\n{lines}_/FILE-{part}\n" for part, lines in parts.items())
+    return f"_FILES_CLASSICLADDER\n{text}_/FILES_CLASSICLADDER\n"
+
+
+def operate(expression):
+    return project_of_classicladder(rung="1-0-50/0 , 99-0-0/0 , 99-0-0/0 , 60-0-0/0", expression=f"0000,{expression}")
+
+
+# Number 5 of each kind: a size of 3 has none.
+PROGRAMS.update({("classicladder", key): ("3", "a.clp", text) for key, text in {
+    "numRungs": project_of_classicladder(name="rung_5.csv"),
+    "numWords": operate("@200/5@:=7"),
+    "numTimers": project_of_classicladder(rung="1-0-10/5 , 50-0-60/0"),
+    "numMonostables": project_of_classicladder(rung="1-0-20/5 , 50-0-60/0"),
+    "numCounters": project_of_classicladder(rung="1-0-25/5 , 50-0-60/0"),
+    "numTimersIec": project_of_classicladder(rung="1-0-15/5 , 50-0-60/0"),
+    "numPhysInputs": project_of_classicladder(rung="1-0-50/5 , 50-0-60/0"),
+    "numPhysOutputs": project_of_classicladder(rung="1-0-50/0 , 50-0-60/5"),
+    "numArithmExpr": project_of_classicladder(expression="0005,@200/0@:=1"),
+    "numSections": project_of_classicladder(sections=5),
+    "numS32in": operate("@200/0@:=@270/5@"),
+    "numS32out": operate("@280/5@:=7"),
+    "numFloatIn": operate("@200/0@:=@300/5@"),
+    "numFloatOut": operate("@310/5@:=7"),
+}.items()})
 MOST_TRIES = 12
 
 
