@@ -26,6 +26,8 @@ PROMISES = [
      "soak"),
     ("hnc computes what C with a 16-bit int says", "avr-gcc and libsimavr judge random programs and the whole matrix of "
      "loops", "tests/judges/avr", "avr"),
+    ("classicladder computes what LinuxCNC's own engine computes", "the engine of LinuxCNC 2.9 runs random projects beside "
+     "the simulator, scan by scan", "tests/judges/classicladder", "classicladder"),
     ("every loop of hnc that is accepted ends, with the right value of its counter", "the matrix of types, relations, "
      "steps and limits against exact arithmetic", "tests/differential/loops", None),
     ("what is decided from ranges and bounds is so, in every language", "each decision states its fact; all scenarios "
@@ -90,7 +92,7 @@ def count(pattern, *folders):
 def counted():
     """For each language its scenarios, and the rules of its checklist."""
     rows = []
-    for dialect in ("nc110", "technol", "host50", "prostep", "hnc"):
+    for dialect in ("nc110", "technol", "host50", "prostep", "hnc", "classicladder"):
         ids = [line for line in (ROOT / f"tests/policy/checklist_{dialect}.txt").read_text().splitlines()
                if re.match(r"[A-Z0-9]+-\w+", line)]
         rows.append([dialect, count("*.yaml", f"tests/golden/{dialect}", f"samples/{dialect}"), len(ids)])
