@@ -10,8 +10,17 @@ export async function get(path) {
   return given;
 }
 
-/** Gives what the command answers; an Error has the server's reason. */
-export async function send(command) {
+let before = Promise.resolve();
+
+/** Gives what the command answers; an Error has the server's reason. Commands arrive in the order in which they were given: two
+    requests at a time may overtake each other. */
+export function send(command) {
+  const answer = before.then(() => post(command));
+  before = answer.catch(() => {});
+  return answer;
+}
+
+async function post(command) {
   const answer = await fetch("/api/command", {
     method: "POST",
     headers: { "Content-Type": "application/json", ...(token ? { "X-Plcxx-Token": token } : {}) },
