@@ -146,10 +146,11 @@ const dialects::Dialect* DialectHere(const CommonOptions& options) {
 
 std::string DialectKeysText() {
   constexpr size_t kMostColumns = 110;
-  constexpr size_t kNameWidth = 16;  // the longest name between its blanks
+  constexpr size_t kNameWidth = 11;
   std::string text = "Options of the dialects (--set KEY=VALUE); plcxx emit --dialect NAME --help says what they do:\n";
   for (const dialects::Dialect* dialect : dialects::AllDialects()) {
-    std::string line = support::LeftAligned("  " + std::string(dialect->name), kNameWidth);
+    // A name that is longer than the column has a blank after it, too.
+    std::string line = support::LeftAligned("  " + std::string(dialect->name) + " ", kNameWidth);
     for (const dialects::OptionInfo& option : dialect->options) {
       const bool last = &option == &dialect->options.back();
       if (line.size() + 1 + option.key.size() >= kMostColumns) {
