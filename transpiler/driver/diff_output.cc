@@ -11,6 +11,7 @@
 #include "transpiler/diagnostics/uri.h"
 #include "transpiler/driver/diff_told_runs.h"
 #include "transpiler/review/diff/groups.h"
+#include "transpiler/support/listed.h"
 
 namespace plcxx::driver {
 namespace {
@@ -57,13 +58,6 @@ std::string Count(size_t count, const KindWords& words) {
   return std::to_string(count) + " " + std::string(count == 1 ? words.one : words.many);
 }
 
-std::string Joined(const std::vector<std::string>& names, size_t most) {
-  std::string text;
-  for (size_t i = 0; i < names.size() && i < most; ++i) text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
-}
-
 std::string Paint(std::string text, const char* code, diag::Colour colour) {
   return colour == diag::Colour::kOn ? "\x1B[" + std::string(code) + "m" + text + "\x1B[0m" : text;
 }
@@ -76,7 +70,7 @@ std::string Cause(const review::diff::DiffGroup& group) {
     return item.declared->old_text + " in the old version, " + item.declared->new_text + " in the new one";
   std::string text;
   const bool undecided = item.verdict == review::diff::ItemVerdict::kUndecided;
-  if (!group.causes.empty()) text = (undecided ? "at most through " : "through ") + Joined(group.causes, 4);
+  if (!group.causes.empty()) text = (undecided ? "at most through " : "through ") + support::Listed(group.causes, 4);
   if (!undecided) return text;
   std::string reason = item.reason;
   for (const review::diff::DiffItem* const other : group.items) {

@@ -18,6 +18,7 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/legalize/names.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/symbol_names.h"
 #include "transpiler/report/ladder_lines.h"
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
@@ -130,11 +131,7 @@ void PrintSymbols(const compilation::Compilation& compilation) {
   std::map<std::string, Row> rows;  // sorted by name, as the control itself keeps its table
   for (const ir::Documentation& known : compilation.program.documentation) {
     const Uses* used = UsesOf(compilation, uses, known.address);
-    for (size_t at = 0; at < known.symbols.size();) {
-      const size_t end = std::min(known.symbols.find(", ", at), known.symbols.size());
-      rows[known.symbols.substr(at, end - at)] = {known.address, used};
-      at = end + 2;
-    }
+    ir::ForEachSymbolName(known, [&](std::string_view name) { rows[std::string(name)] = {known.address, used}; });
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {

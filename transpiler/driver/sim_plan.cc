@@ -72,9 +72,7 @@ bool Planner::TakeDuration(std::string_view option, std::string_view text, uint6
 
 bool Planner::TakeLocation(std::string_view text, dialects::Location& location) {
   const std::optional<dialects::Location> found = compilation_.dialect->locate(compilation_.program, text);
-  if (!found)
-    return Fail(Quoted(text) + " is no location of " + std::string(compilation_.dialect->name) +
-                scenarios::DidYouMeanLocation(*compilation_.dialect, compilation_.program, text));
+  if (!found) return Fail(scenarios::NoSuchLocation(*compilation_.dialect, compilation_.program, text));
   location = *found;
   return true;
 }

@@ -1,26 +1,18 @@
 #include "transpiler/driver/traced_input.h"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 #include <variant>
 
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
 
 constexpr size_t kMaxNamed = 10;
-
-/// "A, B, C and 4 more"
-std::string Listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kMaxNamed) text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
-  return text;
-}
 
 }  // namespace
 
@@ -41,14 +33,14 @@ std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
 void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures) {
   const auto note = [](const std::string& text) { std::cerr << "note: " << diag::Escaped(text) << "\n"; };
   if (!run.left_out.empty())
-    note("left out of the trace, for the program has no such location: " + Listed(run.left_out));
+    note("left out of the trace, for the program has no such location: " + support::Listed(run.left_out, kMaxNamed));
   if (run.inputs.empty()) note("the trace has no input of the program: nothing is set");
   std::vector<std::string> texts;
   for (const scenarios::Departure& departure : departures) {
     texts.push_back(departure.name + " (at " + std::to_string(departure.time_ms) + " ms " + departure.traced +
                     " in the trace, " + departure.run + " in the run)");
   }
-  if (!texts.empty()) note("the run is not that of the trace: " + Listed(texts));
+  if (!texts.empty()) note("the run is not that of the trace: " + support::Listed(texts, kMaxNamed));
 }
 
 }  // namespace plcxx::driver

@@ -68,8 +68,7 @@ int Wrong(const std::string& text) {
 std::optional<dialects::Location> Locate(const WhySettings& settings, const compilation::Compilation& compilation) {
   const std::optional<dialects::Location> location = compilation.dialect->locate(compilation.program, settings.signal);
   if (!location) {
-    PrintUsageError("'" + settings.signal + "' is no location of " + std::string(compilation.dialect->name) +
-                    scenarios::DidYouMeanLocation(*compilation.dialect, compilation.program, settings.signal));
+    PrintUsageError(scenarios::NoSuchLocation(*compilation.dialect, compilation.program, settings.signal));
     return std::nullopt;
   }
   if (const std::string why = scenarios::CannotBeExplained(compilation, *location); !why.empty()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/emit/print/host_function_head.h"
+
 namespace plcxx::engines {
 namespace {
 
@@ -162,32 +164,8 @@ constexpr std::string_view kServeOn = R"(      case 'T': {
 }
 )";
 
-std::string Parameters(const ir::HostFunction& function) {
-  std::string out = "(Host& host";
-  switch (function.access) {
-    case ir::HostAccess::kNone:
-      break;
-    case ir::HostAccess::kReadsState:
-      out += ", const State&";
-      break;
-    case ir::HostAccess::kWritesState:
-      out += ", State&";
-      break;
-    case ir::HostAccess::kReadsRetentive:
-      out += ", const Retentive& retentive";
-      break;
-    case ir::HostAccess::kWritesRetentive:
-      out += ", Retentive& retentive";
-      break;
-  }
-  for (const ir::Parameter& parameter : function.parameters) {
-    out += ", " +
-           (parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
-                                          : function.name + "_" + parameter.name) +
-           " " + parameter.name;
-  }
-  if (!function.out.name.empty()) out += ", " + std::string(ir::CppName(function.out.type)) + "& " + function.out.name;
-  return out + ") noexcept";
+bool TakesState(const ir::HostFunction& function) {
+  return function.access == ir::HostAccess::kReadsState || function.access == ir::HostAccess::kWritesState;
 }
 
 /// The body of a function whose calls are events, and are answered by who drives the engine.
@@ -225,9 +203,8 @@ std::string HostFunctions(const emit::Emittable& emittable) {
     if (!emittable.host_used[i]) continue;
     const ir::HostFunctionId id(i);
     const ir::HostFunction& function = program.host_functions[id];
-    const bool loads = function.access == ir::HostAccess::kWritesRetentive;  // into a copy; its result is not used
-    out += (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + Parameters(function) +
-           " {\n";
+    out += emit::print::HostFunctionHead(function) + " {\n";
+    if (TakesState(function)) out += "  static_cast<void>(m);\n";
     if (id == program.schedule.now) {
       out += "  return host.now;\n";
     } else if (id == program.schedule.retentive_load || id == program.schedule.retentive_store) {

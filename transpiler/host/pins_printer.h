@@ -41,7 +41,6 @@ class PinsPrinter {
   std::string FromPin(ir::PlaceId place, uint32_t pin) const;
   std::string ToPin(const WiredOutput& output) const;
   void Functions(std::string& out) const;
-  std::string Head(const ir::HostFunction& function) const;
   void Event(const WiredCall& call, uint64_t index, std::string& out) const;
   void Port(const WiredCall& call, std::string& out) const;
   void Messages(std::string& out) const;

@@ -1,5 +1,6 @@
 // The program's host functions on its pins, and what one period is.
 
+#include "transpiler/emit/print/host_function_head.h"
 #include "transpiler/host/pins_printer.h"
 
 namespace plcxx::host {
@@ -88,35 +89,6 @@ void PinsPrinter::Outputs(std::string& out) const {
   for (const WiredOutput& output : wiring_.outputs) out += "  " + Of(output.pin) + " = " + ToPin(output) + ";\n";
 }
 
-std::string PinsPrinter::Head(const ir::HostFunction& function) const {
-  const bool loads = function.access == ir::HostAccess::kWritesRetentive;
-  std::string out = (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + "(Host& host";
-  switch (function.access) {
-    case ir::HostAccess::kNone:
-      break;
-    case ir::HostAccess::kReadsState:
-      out += ", const State& m";
-      break;
-    case ir::HostAccess::kWritesState:
-      out += ", State& m";
-      break;
-    case ir::HostAccess::kReadsRetentive:
-      out += ", const Retentive& retentive";
-      break;
-    case ir::HostAccess::kWritesRetentive:
-      out += ", Retentive& retentive";
-      break;
-  }
-  for (const ir::Parameter& parameter : function.parameters) {
-    out += ", " +
-           (parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
-                                          : function.name + "_" + parameter.name) +
-           " " + parameter.name;
-  }
-  if (!function.out.name.empty()) out += ", " + std::string(ir::CppName(function.out.type)) + "& " + function.out.name;
-  return out + ") noexcept {\n";
-}
-
 namespace {
 
 std::string Fitting(ir::Type type, const std::string& value) {
@@ -179,7 +151,7 @@ void PinsPrinter::Functions(std::string& out) const {
   uint64_t event = 0;
   for (const WiredCall& call : wiring_.calls) {
     const ir::HostFunction& function = program_.host_functions[call.function];
-    out += Head(function);
+    out += emit::print::HostFunctionHead(function) + " {\n";
     switch (call.role) {
       case CallRole::kClock:
         out += "  return static_cast<uint32_t>(host.time_ms);\n";

@@ -12,10 +12,7 @@ std::variant<dialects::Location, std::string> FindLocation(const compilation::Co
                                                            std::string_view name) {
   const dialects::Dialect& dialect = *compilation.dialect;
   const std::optional<dialects::Location> found = dialect.locate(compilation.program, name);
-  if (!found) {
-    return "'" + std::string(name) + "' is no location of " + std::string(dialect.name) +
-           scenarios::DidYouMeanLocation(dialect, compilation.program, name);
-  }
+  if (!found) return scenarios::NoSuchLocation(dialect, compilation.program, name);
   if (found->absent) return "the program does not use '" + std::string(name) + "'";
   return *found;
 }

@@ -13,27 +13,20 @@ constexpr std::chrono::seconds kLongest{2};
 
 }  // namespace
 
-uint32_t UnitMs(const ir::Program& program) {
-  const ir::Schedule& schedule = program.schedule;
-  return std::max(1U, schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
-}
-
-std::unique_ptr<dialects::ControlStub> StubOf(const compilation::Compilation& compilation) {
-  if (compilation.dialect->make_stub == nullptr) return nullptr;
-  return compilation.dialect->make_stub(compilation.program, compilation.options);
-}
-
 Machine::Machine(const compilation::Compilation& compilation)
+    : Machine(compilation, std::make_unique<sim::Simulator>(compilation.program)) {}
+
+Machine::Machine(const compilation::Compilation& compilation, std::unique_ptr<sim::Simulator> simulator)
     : compilation_(compilation),
-      simulator_(compilation.program),
-      control_(compilation.program, *compilation.dialect, simulator_, StubOf(compilation)),
-      clock_(compilation.program, {&simulator_}),
+      simulator_(std::move(simulator)),
+      control_(compilation.program, *compilation.dialect, *simulator_, scenarios::StubOf(compilation)),
+      clock_(compilation.program, {simulator_.get()}),
       off_(compilation.program.statements.size()),
       executed_(compilation.program.statements.size()) {
-  simulator_.RecordLastWrites();
+  simulator_->RecordLastWrites();
   clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
   clock_.after_period = [this](uint32_t now_ms) {
-    if (!simulator_.stopped()) control_.AfterPeriod(now_ms);
+    if (!simulator_->stopped()) control_.AfterPeriod(now_ms);
   };
 }
 
@@ -48,22 +41,22 @@ void Machine::PowerCycle() {
   control_.PowerOn();
 }
 
-void Machine::RunOn(sim::Clock& clock, const Advance& advance) {
+void Machine::RunAgain(const Advance& advance) {
   constexpr uint32_t kMost = std::numeric_limits<uint32_t>::max();
   switch (advance.kind) {
     case AdvanceKind::kMs:
-      clock.RunMs(advance.ms);
+      clock_.RunMs(advance.ms);
       return;
     case AdvanceKind::kSlowPeriod:
     case AdvanceKind::kFastPeriod: {
       // Interrupted after its first period, so that it can be looked at between any two.
-      auto interrupted = std::exchange(clock.interrupted, [] { return true; });
+      auto interrupted = std::exchange(clock_.interrupted, [] { return true; });
       if (advance.kind == AdvanceKind::kSlowPeriod) {
-        clock.RunSlow(kMost);
+        clock_.RunSlow(kMost);
       } else {
-        clock.RunFast(kMost);
+        clock_.RunFast(kMost);
       }
-      clock.interrupted = std::move(interrupted);
+      clock_.interrupted = std::move(interrupted);
       return;
     }
   }
@@ -71,40 +64,40 @@ void Machine::RunOn(sim::Clock& clock, const Advance& advance) {
 
 bool Machine::Run(const Advance& advance, const StopAt& stop) {
   ++stretch_;
-  simulator_.AtStatements([&](ir::StatementId statement) {
+  simulator_->AtStatements([&](ir::StatementId statement) {
     if (stop && stop(statement)) return true;
     executed_[statement.index] = stretch_;
     return false;
   });
-  clock_.interrupted = [this] { return simulator_.stopped(); };
+  clock_.interrupted = [this] { return simulator_->stopped(); };
   const auto end = std::chrono::steady_clock::now() + kLongest;
-  simulator_.StopWhen([end] { return std::chrono::steady_clock::now() > end; });
-  RunOn(clock_, advance);
-  simulator_.AtStatements({});
-  return !simulator_.stopped();
+  simulator_->StopWhen([end] { return std::chrono::steady_clock::now() > end; });
+  RunAgain(advance);
+  simulator_->AtStatements({});
+  return !simulator_->stopped();
 }
 
 void Machine::Force(const dialects::Location& location, uint64_t value) {
-  for (const auto& [place, part] : scenarios::WritesTo(location, value)) simulator_.Force(place, part);
+  for (const auto& [place, part] : scenarios::WritesTo(location, value)) simulator_->Force(place, part);
 }
 
 void Machine::Release(const dialects::Location& location) {
-  for (const auto& [place, part] : scenarios::WritesTo(location, 0)) simulator_.Release(place);
+  for (const auto& [place, part] : scenarios::WritesTo(location, 0)) simulator_->Release(place);
 }
 
 void Machine::EnableStatement(ir::StatementId statement, bool enabled) {
-  simulator_.EnableStatement(statement, enabled);
+  simulator_->EnableStatement(statement, enabled);
   off_[statement.index] = !enabled;
 }
 
 uint64_t Machine::Read(const dialects::Location& location) {
   if (location.absent) return 0;
-  return location.cell ? control_.ReadCell(*location.cell) : scenarios::ReadLocation(simulator_, location);
+  return location.cell ? control_.ReadCell(*location.cell) : scenarios::ReadLocation(*simulator_, location);
 }
 
 Machine::Saved Machine::Save() const {
-  return {.simulator = simulator_.Save(),
-          .noted = simulator_.SaveNoted(),
+  return {.simulator = simulator_->Save(),
+          .noted = simulator_->SaveNoted(),
           .control = control_.Save(),
           .messages = control_.active_messages(),
           .off = off_,
@@ -112,11 +105,11 @@ Machine::Saved Machine::Save() const {
 }
 
 void Machine::Restore(const Saved& saved) {
-  simulator_.Restore(saved.simulator);
-  simulator_.RestoreNoted(saved.noted);
+  simulator_->Restore(saved.simulator);
+  simulator_->RestoreNoted(saved.noted);
   control_.Restore(saved.control);
   control_.RestoreMessages(saved.messages);
-  for (uint32_t i = 0; i < saved.off.size(); ++i) simulator_.EnableStatement(ir::StatementId(i), !saved.off[i]);
+  for (uint32_t i = 0; i < saved.off.size(); ++i) simulator_->EnableStatement(ir::StatementId(i), !saved.off[i]);
   off_ = saved.off;
   clock_.GoTo(saved.time_ms);
 }

@@ -31,13 +31,12 @@ struct Advance {
   bool operator==(const Advance&) const = default;
 };
 
-/// The shortest stretch that runs a part of the program: a period, or the fast part where that has a time of its own.
-uint32_t UnitMs(const ir::Program& program);
-
 class Machine {
  public:
   /// `compilation` is without errors, optimized, and outlives the machine.
   explicit Machine(const compilation::Compilation& compilation);
+  /// With a simulator of this program that looks at what happens.
+  Machine(const compilation::Compilation& compilation, std::unique_ptr<sim::Simulator> simulator);
 
   /// Asked before each statement of a stretch: true stops it there.
   using StopAt = std::function<bool(ir::StatementId statement)>;
@@ -46,25 +45,25 @@ class Machine {
   void PowerCycle();
   /// False: `stop` ended it, or it took too long. Most periods have no `stop`.
   bool Run(const Advance& advance, const StopAt& stop);
+  /// What has run to its end before, once more.
+  void RunAgain(const Advance& advance);
 
   void Set(const dialects::Location& location, uint64_t value) { control_.Set(location, value); }
   void Force(const dialects::Location& location, uint64_t value);
   void Release(const dialects::Location& location);
-  void SendText(const std::string& text) { simulator_.SendText(text); }
+  void SendText(const std::string& text) { simulator_->SendText(text); }
   void EnableStatement(ir::StatementId statement, bool enabled);
   bool IsOff(ir::StatementId statement) const { return off_[statement.index]; }
 
   uint64_t Read(const dialects::Location& location);
   uint64_t time_ms() const { return clock_.time_ms(); }
   sim::Clock::Part last_part() const { return clock_.last_part(); }
-  sim::Simulator& simulator() { return simulator_; }
+  sim::Simulator& simulator() { return *simulator_; }
   scenarios::ScenarioControl& control() { return control_; }
   const std::vector<bool>& off() const { return off_; }
   /// By StatementId: the number of the stretch in which it began last, from 1; 0: never.
   const std::vector<uint32_t>& executed() const { return executed_; }
   uint32_t stretch() const { return stretch_; }
-  /// Everything that is asked of time, so that a clock on a copy of the machine runs as this one does.
-  static void RunOn(sim::Clock& clock, const Advance& advance);
 
   struct Saved {
     sim::Simulator::Saved simulator;
@@ -79,15 +78,12 @@ class Machine {
 
  private:
   const compilation::Compilation& compilation_;
-  sim::Simulator simulator_;
+  std::unique_ptr<sim::Simulator> simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;
   std::vector<bool> off_;
   std::vector<uint32_t> executed_;
   uint32_t stretch_ = 0;
 };
-
-/// The simulated control of the program; none: its dialect has none.
-std::unique_ptr<dialects::ControlStub> StubOf(const compilation::Compilation& compilation);
 
 }  // namespace plcxx::live

@@ -123,7 +123,7 @@ class Session {
   const std::deque<Note>& notes() const { return notes_; }
   uint32_t notes_version() const { return notes_version_; }
   std::vector<std::string> ActiveMessages();
-  uint32_t unit_ms() const { return UnitMs(program()); }
+  uint32_t unit_ms() const { return sim::UnitMs(program().schedule); }
 
  private:
   std::variant<dialects::Location, std::string> Find(const std::string& name) const;

@@ -11,6 +11,33 @@ namespace {
 /// Going back costs at most so many periods of simulation, and each checkpoint memory.
 constexpr uint64_t kBetweenCheckpoints = 250;
 
+void Apply(const Action& action, Machine& machine) {
+  switch (action.kind) {
+    case ActionKind::kSet:
+      machine.Set(action.location, action.value);
+      return;
+    case ActionKind::kForce:
+      machine.Force(action.location, action.value);
+      return;
+    case ActionKind::kRelease:
+      machine.Release(action.location);
+      return;
+    case ActionKind::kText:
+      machine.SendText(action.text);
+      return;
+    case ActionKind::kSwitchOff:
+    case ActionKind::kSwitchOn:
+      machine.EnableStatement(action.statement, action.kind == ActionKind::kSwitchOn);
+      return;
+    case ActionKind::kPowerCycle:
+      machine.PowerCycle();
+      return;
+    case ActionKind::kExpect:
+    case ActionKind::kExpectMessages:
+      return;
+  }
+}
+
 }  // namespace
 
 Timeline::Timeline(const compilation::Compilation& compilation) : compilation_(compilation) { Restart(); }
@@ -26,42 +53,17 @@ void Timeline::Restart() {
   checkpoints_.push_back({.period = 0, .saved = machine_->Save()});
 }
 
-void Timeline::Apply(const Action& action) {
-  switch (action.kind) {
-    case ActionKind::kSet:
-      machine_->Set(action.location, action.value);
-      return;
-    case ActionKind::kForce:
-      machine_->Force(action.location, action.value);
-      return;
-    case ActionKind::kRelease:
-      machine_->Release(action.location);
-      return;
-    case ActionKind::kText:
-      machine_->SendText(action.text);
-      return;
-    case ActionKind::kSwitchOff:
-    case ActionKind::kSwitchOn:
-      machine_->EnableStatement(action.statement, action.kind == ActionKind::kSwitchOn);
-      return;
-    case ActionKind::kPowerCycle:
-      machine_->PowerCycle();
-      return;
-    case ActionKind::kExpect:
-    case ActionKind::kExpectMessages:
-      return;
-  }
-}
-
-void Timeline::ApplyEntriesOf(uint64_t period) {
+void Timeline::ApplyEntriesOf(uint64_t period, Machine& machine) const {
   const auto first = std::ranges::lower_bound(entries_, period, {}, &Entry::period);
-  for (auto entry = first; entry != entries_.end() && entry->period == period; ++entry) Apply(entry->action);
+  for (auto entry = first; entry != entries_.end() && entry->period == period; ++entry) {
+    Apply(entry->action, machine);
+  }
 }
 
 void Timeline::Do(Action action) {
   if (!is_between()) Forward({}, nullptr);
   ForgetAhead();
-  Apply(action);
+  Apply(action, *machine_);
   entries_.push_back({.period = period_, .action = std::move(action)});
 }
 
@@ -118,7 +120,7 @@ void Timeline::Arrive(uint64_t period) {
     checkpoints_.push_back({.period = period_, .saved = machine_->Save()});
     while (checkpoints_[1].period + kMostBack <= period_) checkpoints_.pop_front();
   }
-  ApplyEntriesOf(period_);
+  ApplyEntriesOf(period_, *machine_);
 }
 
 void Timeline::BackStatement() {
@@ -150,21 +152,26 @@ void Timeline::GoTo(uint64_t period) {
   const Checkpoint& from = *std::prev(behind);
   machine_->Restore(from.saved);
   period_ = from.period;
-  ApplyEntriesOf(period_);
+  ApplyEntriesOf(period_, *machine_);
   while (period_ < period) {
     RunPeriod(AdvanceOf(period_), 0, nullptr);
     ++period_;
-    ApplyEntriesOf(period_);
+    ApplyEntriesOf(period_, *machine_);
   }
   machine_->simulator().TakeEvents();
   machine_->control().TakeMessages();
 }
 
-Timeline::Replay Timeline::ReplayFrom(uint64_t periods_ago) const {
-  const uint64_t wanted = period_ - std::min(period_, periods_ago);
+void Timeline::RepeatOn(Machine& machine, uint64_t periods) const {
+  const uint64_t wanted = period_ - std::min(period_, periods);
   const auto behind = std::ranges::upper_bound(checkpoints_, wanted, {}, &Checkpoint::period);
   const Checkpoint& from = behind == checkpoints_.begin() ? checkpoints_.front() : *std::prev(behind);
-  return {.saved = &from.saved, .first = from.period};
+  machine.Restore(from.saved);
+  for (uint64_t period = from.period; period < period_; ++period) {
+    ApplyEntriesOf(period, machine);
+    machine.RunAgain(AdvanceOf(period));
+  }
+  ApplyEntriesOf(period_, machine);
 }
 
 }  // namespace plcxx::live

@@ -83,12 +83,9 @@ class Timeline {
   const std::vector<Stretch>& stretches() const { return stretches_; }
   Advance AdvanceOf(uint64_t period) const;
 
-  /// The machine some periods ago, and what has been done since then: for who repeats it on a copy.
-  struct Replay {
-    const Machine::Saved* saved = nullptr;
-    uint64_t first = 0;
-  };
-  Replay ReplayFrom(uint64_t periods_ago) const;
+  /// Does to another machine of the program what was done to this one in so many periods at least, where there are so
+  /// many.
+  void RepeatOn(Machine& machine, uint64_t periods) const;
 
  private:
   struct Checkpoint {
@@ -101,8 +98,7 @@ class Timeline {
     ir::StatementId statement;
   };
 
-  void Apply(const Action& action);
-  void ApplyEntriesOf(uint64_t period);
+  void ApplyEntriesOf(uint64_t period, Machine& machine) const;
   void Arrive(uint64_t period);
   void ForgetAhead();
   bool RunPeriod(const Advance& how, uint32_t skip, const Machine::StopAt& stop);

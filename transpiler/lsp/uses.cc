@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/ir/accesses.h"
+#include "transpiler/ir/symbol_names.h"
 
 namespace plcxx::lsp {
 namespace {
@@ -27,13 +28,8 @@ Bits Touched(const ir::Place& place) {
   return bits;
 }
 
-bool HasWord(std::string_view list, std::string_view word) {
-  while (!list.empty()) {
-    const size_t end = std::min(list.find(", "), list.size());
-    if (list.substr(0, end) == word) return true;
-    list.remove_prefix(std::min(end + 2, list.size()));
-  }
-  return false;
+bool HasSymbol(const ir::Documentation& known, std::string_view name) {
+  return ir::AnySymbolName(known, [name](std::string_view one) { return one == name; });
 }
 
 }  // namespace
@@ -66,7 +62,7 @@ const ir::Documentation* DocumentationOf(const Names& names, const Target& targe
   for (const ir::Documentation& known : names.program().documentation) {
     if (!address.empty() && known.address == address) return &known;
     if (names.editing().key(known.address) == key) return &known;
-    if (by_name == nullptr && HasWord(known.symbols, key)) by_name = &known;
+    if (by_name == nullptr && HasSymbol(known, key)) by_name = &known;
   }
   if (by_name != nullptr || !target.bits) return by_name;
   const auto location = names.Locate(spelling);

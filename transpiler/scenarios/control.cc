@@ -35,6 +35,11 @@ std::string TextOf(const ShownMessage& message) {
   return message.text.empty() ? "message " + std::to_string(message.number) : message.text;
 }
 
+std::unique_ptr<dialects::ControlStub> StubOf(const compilation::Compilation& compilation) {
+  if (compilation.dialect->make_stub == nullptr) return nullptr;
+  return compilation.dialect->make_stub(compilation.program, compilation.options);
+}
+
 ScenarioControl::ScenarioControl(const ir::Program& program, const dialects::Dialect& dialect, sim::Engine& engine,
                                  std::unique_ptr<dialects::ControlStub> stub)
     : program_(program), dialect_(dialect), engine_(engine), stub_(std::move(stub)), messages_(program) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/sim/active_messages.h"
@@ -28,6 +29,10 @@ struct ShownMessage {
 };
 /// "message 9" when it has no text.
 std::string TextOf(const ShownMessage& message);
+
+/// The simulated control of a program that compiled, as its options want it; none: its dialect has none, or they want
+/// none.
+std::unique_ptr<dialects::ControlStub> StubOf(const compilation::Compilation& compilation);
 
 class ScenarioControl : private dialects::ImagePort {
  public:

@@ -3,21 +3,10 @@
 #include <set>
 #include <vector>
 
+#include "transpiler/ir/symbol_names.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::scenarios {
-namespace {
-
-/// "LAMP, LIGHT": each.
-void AddNames(std::string_view list, std::set<std::string, std::less<>>& names) {
-  while (!list.empty()) {
-    const size_t end = list.find(", ");
-    names.emplace(list.substr(0, end));
-    list = end == std::string_view::npos ? std::string_view() : list.substr(end + 2);
-  }
-}
-
-}  // namespace
 
 std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
   std::set<std::string, std::less<>> names;
@@ -25,7 +14,7 @@ std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Progr
   for (const ir::Symbol& symbol : program.symbols) names.insert(symbol.name);
   for (const ir::Documentation& documented : program.documentation) {
     names.insert(documented.address);
-    AddNames(documented.symbols, names);
+    ir::ForEachSymbolName(documented, [&names](std::string_view symbol) { names.emplace(symbol); });
   }
   // '!LAMP' and 'LAMP' are one name where the language marks names so.
   const bool marked = text.starts_with('!');
@@ -34,6 +23,11 @@ std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Progr
   if (near.empty()) return {};
   const std::string as_written = marked && dialect.locate(program, "!" + near) ? "!" + near : near;
   return dialect.locate(program, as_written) ? ", did you mean '" + as_written + "'" : std::string();
+}
+
+std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
+  return "'" + std::string(text) + "' is no location of " + std::string(dialect.name) +
+         DidYouMeanLocation(dialect, program, text);
 }
 
 }  // namespace plcxx::scenarios

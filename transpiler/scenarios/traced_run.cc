@@ -10,11 +10,13 @@
 #include <variant>
 
 #include "transpiler/engines/lockstep.h"
+#include "transpiler/ir/symbol_names.h"
 #include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/version.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/run.h"
+#include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/trace.h"
 #include "transpiler/sim/value_text.h"
@@ -47,11 +49,8 @@ class Names {
   explicit Names(const compilation::Compilation& compilation) : compilation_(compilation) {
     for (const ir::Documentation& known : compilation.program.documentation) {
       by_vcd_name_.emplace(sim::VcdName(known.address), known.address);
-      for (std::string_view rest = known.symbols; !rest.empty();) {
-        const size_t comma = std::min(rest.find(", "), rest.size());
-        by_vcd_name_.emplace(sim::VcdName(rest.substr(0, comma)), rest.substr(0, comma));
-        rest.remove_prefix(std::min(comma + 2, rest.size()));
-      }
+      ir::ForEachSymbolName(known,
+                            [this](std::string_view symbol) { by_vcd_name_.emplace(sim::VcdName(symbol), symbol); });
     }
   }
 
@@ -125,23 +124,19 @@ std::string ScenarioValue(const sim::VcdSignal& signal, uint64_t value, const Lo
   return sim::ValueDigits(type, BitsOf(signal, value, type), SignOf(location));
 }
 
-/// The distance of the moments at which a scenario can set something without a part more or less.
-uint64_t GridOf(const ir::Schedule& schedule) {
-  return std::max(1u, schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
-}
 bool PartsEndTheirTime(const ir::Schedule& schedule) { return schedule.period_ends_its_time || schedule.fast_ms != 0; }
 
 /// The scenario's time at which what is so at `time_ms` has to be set: before the part of that time, after the one
 /// before it.
 uint64_t SetTime(const ir::Schedule& schedule, uint64_t time_ms) {
-  const uint64_t grid = GridOf(schedule);
+  const uint64_t grid = sim::UnitMs(schedule);
   if (PartsEndTheirTime(schedule)) return time_ms == 0 ? 0 : (time_ms - 1) / grid * grid;
   return (time_ms + grid - 1) / grid * grid;
 }
 
 /// The first time on the grid when every part up to `time_ms` is over.
 uint64_t EndTime(const ir::Schedule& schedule, uint64_t time_ms) {
-  const uint64_t grid = GridOf(schedule);
+  const uint64_t grid = sim::UnitMs(schedule);
   if (PartsEndTheirTime(schedule)) return std::max(grid, (time_ms + grid - 1) / grid * grid);
   return time_ms / grid * grid + grid;
 }
@@ -235,7 +230,7 @@ TracedRun RunOfTrace(const compilation::Compilation& compilation, const sim::Vcd
   TracedRun run;
   run.scenario.path = path;
   // A trace that this tool has written begins with the first part, which is not at 0 where parts end their time.
-  const uint64_t grid = GridOf(schedule);
+  const uint64_t grid = sim::UnitMs(schedule);
   run.begins_ms = PartsEndTheirTime(schedule) ? (trace.first_ms == 0 ? 0 : (trace.first_ms - 1) / grid * grid)
                                               : trace.first_ms / grid * grid;
   const Names names(compilation);
@@ -272,9 +267,7 @@ std::vector<Departure> Departures(const compilation::Compilation& compilation, c
                .program = program,
                .sources = *compilation.sources,
                .engines = lockstep,
-               .stub = compilation.dialect->make_stub == nullptr
-                           ? nullptr
-                           : compilation.dialect->make_stub(program, compilation.options),
+               .stub = StubOf(compilation),
                .trace = &samples});
   const uint64_t period = std::max(1u, program.schedule.period_ms);
   std::vector<Departure> departures;

@@ -170,7 +170,7 @@ class Test {
                                    .sources = *compilation.sources,
                                    .engines = *engines.lockstep,
                                    .writes = engines.writes,
-                                   .stub = MakeStub(compilation),
+                                   .stub = StubOf(compilation),
                                    .trace = options_.waveform ? &trace : nullptr,
                                    .monitor = monitor_.get(),
                                    .unmet = &unmet});
@@ -201,11 +201,6 @@ class Test {
       return text;
     }
     return {};
-  }
-
-  static std::unique_ptr<dialects::ControlStub> MakeStub(const compilation::Compilation& compilation) {
-    if (compilation.dialect->make_stub == nullptr) return nullptr;
-    return compilation.dialect->make_stub(compilation.program, compilation.options);
   }
 
   const Scenario& scenario_;

@@ -216,17 +216,14 @@ WhyAnswer ExplainInScenario(const compilation::Compilation& compilation, const S
         std::vector<std::unique_ptr<sim::Engine>> engines;
         engines.push_back(std::move(recorder));
         engines::Lockstep lockstep(compilation.program, std::move(engines));
-        const dialects::Dialect& dialect = *compilation.dialect;
-        std::optional<std::string> failure = RunScenario(
-            {.scenario = scenario,
-             .plan = plan,
-             .dialect = dialect,
-             .program = compilation.program,
-             .sources = *compilation.sources,
-             .engines = lockstep,
-             .writes = writes,
-             .stub =
-                 dialect.make_stub == nullptr ? nullptr : dialect.make_stub(compilation.program, compilation.options)});
+        std::optional<std::string> failure = RunScenario({.scenario = scenario,
+                                                          .plan = plan,
+                                                          .dialect = *compilation.dialect,
+                                                          .program = compilation.program,
+                                                          .sources = *compilation.sources,
+                                                          .engines = lockstep,
+                                                          .writes = writes,
+                                                          .stub = StubOf(compilation)});
         look();
         return failure;
       });

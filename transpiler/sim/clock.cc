@@ -7,6 +7,10 @@
 
 namespace plcxx::sim {
 
+uint32_t UnitMs(const ir::Schedule& schedule) {
+  return std::max(1u, schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
+}
+
 Clock::Clock(const ir::Program& program, std::vector<Engine*> engines)
     : program_(program), engines_(std::move(engines)), period_ms_(std::max(1u, program.schedule.period_ms)) {
   PLCXX_CHECK(!engines_.empty());

@@ -20,6 +20,9 @@ namespace plcxx::sim {
 /// Schedule::most_periods periods.
 enum class Step : uint8_t { kDone, kInterrupted, kStuck };
 
+/// The shortest time that runs a part of the program: a period, or the fast part where that has a time of its own.
+uint32_t UnitMs(const ir::Schedule& schedule);
+
 class Clock {
  public:
   /// `engines`: at least one, all of `program`, which must outlive the clock as they must.

@@ -34,7 +34,6 @@ class Words {
     rest_.remove_prefix(end);
     return word;
   }
-  uint32_t line() const { return line_; }
 
  private:
   static bool IsSpace(char c) { return static_cast<unsigned char>(c) <= ' '; }
@@ -81,21 +80,10 @@ std::optional<Value> VectorValue(std::string_view digits) {
   Value value;
   if (digits.empty()) return std::nullopt;
   for (const char c : digits) {
-    switch (c) {
-      case '0':
-      case '1':
-        value.bits = value.bits << 1 | static_cast<uint64_t>(c - '0');
-        break;
-      case 'x':
-      case 'X':
-      case 'z':
-      case 'Z':
-        value.bits <<= 1;
-        value.is_known = false;
-        break;
-      default:
-        return std::nullopt;
-    }
+    const bool is_known = c == '0' || c == '1';
+    if (!is_known && std::string_view("xXzZ").find(c) == std::string_view::npos) return std::nullopt;
+    value.bits = value.bits << 1 | static_cast<uint64_t>(c == '1');
+    value.is_known = value.is_known && is_known;
   }
   return value;
 }
@@ -198,23 +186,18 @@ class Reader {
   /// "1!", "b0101 !", "r1.5 !"
   bool Change(const Word& word) {
     const char kind = word.text.front();
-    std::string_view digits = word.text.substr(1), code;
+    const std::string_view digits = word.text.substr(1);
+    std::string_view code;
     std::optional<Value> value;
-    switch (kind) {
-      case 'b':
-      case 'B':
-        code = words_.Next().text;
-        value = VectorValue(digits);
-        break;
-      case 'r':
-      case 'R':
-        code = words_.Next().text;
-        if (const std::optional<double> real = NumberOf<double>(digits)) value = Value{std::bit_cast<uint64_t>(*real)};
-        break;
-      default:
-        code = digits;
-        value = VectorValue(word.text.substr(0, 1));
-        break;
+    if (kind == 'b' || kind == 'B') {
+      code = words_.Next().text;
+      value = VectorValue(digits);
+    } else if (kind == 'r' || kind == 'R') {
+      code = words_.Next().text;
+      if (const std::optional<double> real = NumberOf<double>(digits)) value = Value{std::bit_cast<uint64_t>(*real)};
+    } else {
+      code = digits;
+      value = VectorValue(word.text.substr(0, 1));
     }
     if (!value) return Fail(word.line, "'" + std::string(word.text.substr(0, 40)) + "' is no change of a value");
     const auto signals = signals_of_.find(code);

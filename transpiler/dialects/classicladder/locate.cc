@@ -1,8 +1,7 @@
 #include "transpiler/dialects/classicladder/locate.h"
 
-#include <charconv>
-
 #include "transpiler/dialects/classicladder/places.h"
+#include "transpiler/dialects/common/dollar_hex.h"
 
 namespace plcxx::classicladder {
 namespace {
@@ -31,15 +30,6 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   return location;
 }
 
-std::optional<uint64_t> ParseValue(std::string_view text) {
-  constexpr size_t kMostHexDigits = 8;
-  if (!text.starts_with('$')) return std::nullopt;
-  text.remove_prefix(1);
-  uint64_t value = 0;
-  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  const bool whole = last == text.data() + text.size();
-  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || !whole) return std::nullopt;
-  return value;
-}
+std::optional<uint64_t> ParseValue(std::string_view text) { return dialects::DollarHex(text); }
 
 }  // namespace plcxx::classicladder

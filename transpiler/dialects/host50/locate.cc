@@ -1,7 +1,6 @@
 #include "transpiler/dialects/host50/locate.h"
 
-#include <charconv>
-
+#include "transpiler/dialects/common/dollar_hex.h"
 #include "transpiler/dialects/host50/addresses.h"
 #include "transpiler/dialects/host50/places.h"
 
@@ -82,16 +81,7 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   return location;
 }
 
-std::optional<uint64_t> ParseValue(std::string_view text) {
-  constexpr size_t kMostHexDigits = 8;
-  if (!text.starts_with('$')) return std::nullopt;
-  text.remove_prefix(1);
-  uint64_t value = 0;
-  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  const bool whole = last == text.data() + text.size();
-  if (text.empty() || text.size() > kMostHexDigits || error != std::errc() || !whole) return std::nullopt;
-  return value;
-}
+std::optional<uint64_t> ParseValue(std::string_view text) { return dialects::DollarHex(text); }
 
 std::string MessageText(const ir::Program& program, uint32_t number, const dialects::ImagePort& /*image*/) {
   for (const ir::MessageText& message : program.messages) {

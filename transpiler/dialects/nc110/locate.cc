@@ -6,6 +6,7 @@
 #include "transpiler/dialects/nc110/parser.h"
 #include "transpiler/dialects/nc110/places.h"
 #include "transpiler/dialects/nc110/tokens.h"
+#include "transpiler/ir/symbol_names.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -15,14 +16,10 @@ constexpr size_t kSample = 64 * 1024;
 /// The operand that a symbol stands for, by the documentation that lowering wrote.
 Operand OperandOfSymbol(const ir::Program& program, std::string_view symbol) {
   for (const ir::Documentation& entry : program.documentation) {
-    std::string_view rest = entry.symbols;
-    while (!rest.empty()) {
-      const size_t comma = std::min(rest.find(", "), rest.size());
-      if (rest.substr(0, comma).substr(0, kSignificant) == symbol.substr(0, kSignificant)) {
-        return OperandFromText(entry.address);
-      }
-      rest.remove_prefix(std::min(comma + 2, rest.size()));
-    }
+    const bool is_it = ir::AnySymbolName(entry, [symbol](std::string_view name) {
+      return name.substr(0, kSignificant) == symbol.substr(0, kSignificant);
+    });
+    if (is_it) return OperandFromText(entry.address);
   }
   return {};
 }

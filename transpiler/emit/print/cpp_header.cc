@@ -1,6 +1,7 @@
 // The generated header: host functions, tags, State, entry points, texts.
 
 #include "transpiler/emit/print/cpp_printer.h"
+#include "transpiler/emit/print/host_function_head.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/source/decode.h"
 
@@ -19,10 +20,6 @@ class HeaderPrinter {
   void Entries();
   void Texts(std::string_view name, std::string_view comment, const std::vector<ir::MessageText>& texts);
   void Tables();
-  std::string CppType(const ir::HostFunction& function, const ir::Parameter& parameter) const {
-    return parameter.enumerators.empty() ? std::string(ir::CppName(parameter.type))
-                                         : function.name + "_" + parameter.name;
-  }
 
   const Emittable& emittable_;
   const ir::Program& program_;
@@ -60,29 +57,7 @@ void HeaderPrinter::HostFunctions() {
       out_ += " };\n";
     }
     if (!function.comment.empty()) out_ += "/// " + CommentText(function.comment) + "\n";
-    const bool loads = function.access == ir::HostAccess::kWritesRetentive;
-    out_ += (loads ? "void" : std::string(ir::CppName(function.result))) + " " + function.name + "(Host& host";
-    switch (function.access) {
-      case ir::HostAccess::kNone:
-        break;
-      case ir::HostAccess::kReadsState:
-        out_ += ", const State& m";
-        break;
-      case ir::HostAccess::kWritesState:
-        out_ += ", State& m";
-        break;
-      case ir::HostAccess::kReadsRetentive:
-        out_ += ", const Retentive& retentive";
-        break;
-      case ir::HostAccess::kWritesRetentive:
-        out_ += ", Retentive& retentive";
-        break;
-    }
-    for (const ir::Parameter& parameter : function.parameters)
-      out_ += ", " + CppType(function, parameter) + " " + parameter.name;
-    if (!function.out.name.empty())
-      out_ += ", " + std::string(ir::CppName(function.out.type)) + "& " + function.out.name;
-    out_ += ") noexcept;\n";
+    out_ += HostFunctionHead(function) + ";\n";
   }
   out_ += '\n';
 }

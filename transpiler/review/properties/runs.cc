@@ -39,8 +39,7 @@ class Watched {
       : machine_(machine),
         program_(machine.compilation.program),
         simulator_(program_),
-        control_(program_, *machine.compilation.dialect, simulator_,
-                 machine.compilation.dialect->make_stub(program_, machine.compilation.options)),
+        control_(program_, *machine.compilation.dialect, simulator_, scenarios::StubOf(machine.compilation)),
         clock_(program_, {&simulator_}),
         monitor_(program_, machine.version.cells, {property}) {
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
