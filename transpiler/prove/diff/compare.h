@@ -3,8 +3,18 @@
 // A set of matched cells is equal in every scan when it is equal after power-on and when, from any state in which the
 // set is equal, one more period leaves it equal; the rest of the state may be anything, but for invariants that are
 // proved the same way. The greatest such set is found by taking out what fails until nothing does. For what is left,
-// runs from power-on are searched for a difference. The slow part is one piece here, however it is sliced. In: two
-// structured programs, what matches. Out: a verdict for each pair. Not its job: words about it, replaying runs.
+// runs from power-on are searched for a difference. The slow part is one piece here, however it is sliced.
+//
+//   old  RUN = START;  LAMP = RUN;             after power-on all are 0: the set is {RUN, LAMP, BELL}
+//        BELL = LAMP                           one period from a state in which these are equal, same inputs:
+//   new  RUN = START;  LAMP = RUN & !DOOR;       RUN   START          START                  equal
+//        BELL = LAMP                             LAMP  START          START & !DOOR          not equal: taken out
+//                                                BELL  START          START & !DOOR          not equal: taken out
+//                                              again, with LAMP and BELL any values on each side: RUN is still equal,
+//                                              so {RUN} is inductive and RUN is proved; a run with START = DOOR = 1
+//                                              shows LAMP; propagation.cc says that BELL follows from LAMP alone
+//
+// In: two structured programs, what matches. Out: a verdict for each pair. Not its job: words about it, replaying runs.
 #pragma once
 
 #include <cstdint>

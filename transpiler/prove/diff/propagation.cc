@@ -4,6 +4,11 @@
 // an unknown that is the same for both: the k-th value of a cell. A pair whose k-th values are equal for all k,
 // whatever the unknowns are, has no change of its own: a value of it differs only when one that it is computed from
 // does. A host function sees outputs in the middle of a period; when it sees others, the change is that of the output.
+//
+//   old  LAMP = RUN;          BELL = LAMP & TEST
+//   new  LAMP = RUN & !DOOR;  BELL = LAMP & TEST
+//   1st value of LAMP   RUN         RUN & !DOOR    not equal: LAMP has a change of its own
+//   1st value of BELL   u & TEST    u & TEST       equal: BELL has none (u replaces the 1st value of LAMP in both)
 #include <map>
 
 #include "transpiler/prove/diff/comparison.h"

@@ -4,9 +4,15 @@
 // In: a version and the cells of interest. Out: clauses over its cells, each proved for every run from power-on, with
 // any inputs and answers of the host; the host writes inputs only. Candidates: a bit that never changes, two bits that
 // never have certain values together, a byte or field that takes few values, or fewer while a bit is set or not (the
-// output of a step, and the step counter), or none above a constant of the program. What one guess needs another one
-// may give: they are proved together, and what fails is dropped until nothing does. Pairs of bits are many, and come
-// last.
+// output of a step, and the step counter), or none above a constant of the program. What one candidate needs another
+// one may give: they are proved together, and what fails is dropped until nothing does. Pairs of bits are many, and
+// come last.
+//
+//   STEP goes 0, 1, 2, 0 on inputs; STAR = STEP == 1; DELTA = STEP == 2
+//   seen in random runs   STEP 0 1 2; STAR and DELTA never both; DELTA 0, for its input is rare
+//   candidates            STEP one of {0, 1, 2};  !(STAR & DELTA);  !DELTA
+//   together, one period  from any state where all hold: STEP stays one of them, STAR and DELTA are set from one STEP;
+//                         !DELTA fails (STEP = 1 goes to 2) and is dropped; the other two are proved without it
 #pragma once
 
 #include <cstdint>

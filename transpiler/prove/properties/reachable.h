@@ -3,8 +3,15 @@
 // Property directed reachability (IC3): a bad state is made impossible by facts about the state before it, and so on
 // back to power-on; the facts are clauses over single bits, in layers for states that so many parts of periods reach.
 // When two layers are equal, their facts hold in every reachable state. State counts when it is needed: the rest has
-// any value at first. In: the state as far as it is asked for, what is bad. Out: the clauses, proved once more by
-// a solver that knows nothing of the search, or nothing. Not its job: runs that show that a bad state is reached.
+// any value at first.
+//
+//   a ring of steps: A = 1, B = C = 0 after power-on; each period moves the 1: A' = C, B' = A, C' = B. Bad: A & B.
+//     A & B is not itself excluded by induction: its predecessor C & A is a state without A & B
+//     C & A has the predecessor B & C, and that one A & B; power-on is none of them, so each is blocked by a clause
+//     !(A & B), !(C & A), !(B & C): power-on satisfies all three, and a period keeps the three together: proved
+//
+// In: the state as far as it is asked for, what is bad. Out: the clauses, proved once more by a solver that knows
+// nothing of the search, or nothing. Not its job: runs that show that a bad state is reached.
 #pragma once
 
 #include <cstdint>

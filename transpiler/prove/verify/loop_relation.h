@@ -7,8 +7,25 @@
 // the same conditions to related heads. Then they are related at the last head, too, which is where execution goes on:
 // that it is the last one is given for all that follows, and for nothing that is claimed of the loop itself. So are
 // facts that are no equalities (loop_facts.h): each is claimed at the entry and, from a head where all of them hold, at
-// the next. A guess that is not so is dropped, and everything done again with the next one.
-// In: both executions, the program's first. Out: terms for heads, claims, and what is given. Not its job: proving.
+// the next. A candidate that does not hold is dropped, and everything is done again with the next one. (The literature:
+// a coupling invariant, its candidates dropped as Houdini does.)
+//
+//   the program                             what the compiler made of it
+//     i = 0; sum = 0;                         p = &table[0]; s = 0; left = 8;
+//     while (i < 8) {                         do {
+//       sum = sum + table[i];                   s += *p++;
+//       i = i + 1;                            } while (--left != 0);
+//     }                                       sum = s;
+//
+//   at the headers, after 0, 1, 2 iterations    i = 0, 1, 2     p = table, table + 1, table + 2     left = 8, 7, 6
+//   candidates over the program's words         p = table + i,  s = sum,  left = 8 - i
+//   claims   entry       table + 0 = table, 0 = 0, 8 - 0 = 8
+//            iteration   from p = table + i, s = sum, left = 8 - i: the next p is table + (i + 1), s + *p is
+//                        sum + table[i], left - 1 is 8 - (i + 1); i + 1 < 8 exactly where --left != 0
+//   fact     i <= 8      no equality of words, but needed: without it 8 - i could wrap
+//   given    at the last header s = sum, so the store `sum = s` is the program's
+//
+// In: both executions, the program's first. Out: terms for headers, claims, and what is given. Not its job: proving.
 #pragma once
 
 #include <cstdint>
