@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/dialects/host50/lowering.h"
+#include "transpiler/dialects/host50/lowering/lowering.h"
 #include "transpiler/dialects/host50/parser.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/verifier.h"

@@ -18,8 +18,8 @@ JUDGED_PROGRAMS = 200       # as tests/judges/avr runs them
 
 # What is mutated: a folder's name here, patterns of its files.
 FOLDERS = {
-    "nc110": ["transpiler/dialects/nc110/lowering*.cc"],
-    "host50": ["transpiler/dialects/host50/lowering*.cc"],
+    "nc110": ["transpiler/dialects/nc110/lowering/*.cc"],
+    "host50": ["transpiler/dialects/host50/lowering/*.cc"],
     "prostep": ["transpiler/dialects/prostep/lowering/*.cc"],
     "technol": ["transpiler/dialects/technol/lowering/*.cc", "transpiler/dialects/technol/effects.cc",
                 "transpiler/dialects/technol/register_file.cc", "transpiler/dialects/technol/value_builder.cc"],

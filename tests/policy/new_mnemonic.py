@@ -27,9 +27,9 @@ MNEMONICS = {
         [("transpiler/dialects/host50/machine.def", "HOST50_INSTRUCTION(Wxor, ",
           ['HOST50_INSTRUCTION(Xorw, "XORW", kBlock, kOutput, kNone, kStateless, kFunctionBlocks, "", kIntSource, '
            'kIntSource, kIntResult)']),
-         ("transpiler/dialects/host50/lowering_blocks.cc", "    {Op::kWxor, ",
+         ("transpiler/dialects/host50/lowering/blocks.cc", "    {Op::kWxor, ",
           ["    {Op::kXorw, Type::kInteger, OpKind::kXor32},"]),
-         ("transpiler/dialects/host50/lowering_blocks.cc", "    case Op::kWxor:", ["    case Op::kXorw:"])],
+         ("transpiler/dialects/host50/lowering/blocks.cc", "    case Op::kWxor:", ["    case Op::kXorw:"])],
         "tests/golden/host50/blocks/wxor", r"\bWXOR\b", "XORW"),
     "prostep": (
         [("transpiler/dialects/prostep/machine.def", "PROSTEP_FUNCTION(XorLong, ",

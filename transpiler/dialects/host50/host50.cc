@@ -2,7 +2,7 @@
 
 #include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/host50/locate.h"
-#include "transpiler/dialects/host50/lowering.h"
+#include "transpiler/dialects/host50/lowering/lowering.h"
 #include "transpiler/dialects/host50/options.h"
 #include "transpiler/dialects/host50/parser.h"
 #include "transpiler/dialects/host50/recognize.h"

@@ -110,6 +110,7 @@ enum class RungEffect : uint8_t {
 
 /// How a contact looks at its operand.
 enum class Contact : uint8_t { kNone, kPlain, kInverted, kRising, kFalling };
+constexpr bool IsEdge(Contact contact) { return contact == Contact::kRising || contact == Contact::kFalling; }
 
 enum class State : uint8_t { kStateless, kEdge, kTimer, kCounter, kAxis };
 

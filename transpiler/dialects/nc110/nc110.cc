@@ -3,7 +3,7 @@
 #include "transpiler/dialects/nc110/documentation.h"
 #include "transpiler/dialects/nc110/ladder_lint.h"
 #include "transpiler/dialects/nc110/locate.h"
-#include "transpiler/dialects/nc110/lowering.h"
+#include "transpiler/dialects/nc110/lowering/lowering.h"
 #include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/parser.h"
 #include "transpiler/dialects/nc110/stub.h"
