@@ -94,7 +94,8 @@ TEST_P(Justification, TheLeavesForceTheSignal) {
   EXPECT_GE(count.moved * 3, count.leaves);
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, Justification, ::testing::Values("nc110", "technol", "host50", "prostep", "hnc"),
+INSTANTIATE_TEST_SUITE_P(Languages, Justification,
+                         ::testing::Values("nc110", "technol", "host50", "prostep", "hnc", "classicladder"),
                          [](const auto& named) { return std::string(named.param); });
 
 }  // namespace

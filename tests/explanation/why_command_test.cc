@@ -124,6 +124,10 @@ TEST_F(Why, AFailedExpectationSaysWhy) {
                         "      U3A1 is 0: lamp.plc:3:1"));
 }
 
+constexpr const char* kContacts =
+    "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,0,-1,0,0,0\n_/FILE-sections.csv\n_FILE-rung_0.csv\n"
+    "1-0-50/0 , 1-0-50/1 , 9-0-0/0 , 50-0-60/0\n_/FILE-rung_0.csv\n_/FILES_CLASSICLADDER\n";
+
 struct Language {
   const char *dialect, *file, *text, *set, *signal, *because;
 };
@@ -142,20 +146,30 @@ TEST_P(WhyLanguage, SaysWhatKeepsACoilOff) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, WhyLanguage,
-    ::testing::Values(Language{"nc110", "a.plc", "$\nU4A8=I0A3*I0A4\n", "I0A3: 1", "U4A8", "I0A4 is 0"},
-                      Language{"technol", "a.plc",
-                               "        DATA\nBITY: DFM A,B,Q\n        DATA_END\n        MODULE_MAIN\n        LDR A\n"
-                               "        LA B\n        WR Q\n        MODULE_MAIN_END\n        STOP\n",
-                               "A: 1", "Q", "(B) is 0"},
-                      Language{"prostep", "a.plc", ":MOD PM 9\n:A F 1.0\n:A F 1.1\n:= F 1.2\n:END PM 9\n",
-                               "F1.0: 1, F251.0: 1", "F1.2", "F 1.1 is 0"},
-                      Language{"host50", "a.il", "SLOW\nNETWORK\nLD %I0\nAND %I1\nOUT %Q0\nEND_SLOW\n", "I0: 1", "Q0",
-                               "I1 is 0"},
-                      Language{"hnc", "a.cld",
-                               "#include \"plc.h\"\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
-                               "void plc1() { Y[0] = X[0] & X[1]; }\nvoid plc2() { }\n",
-                               "\"X[0]\": 255", "Y[0]", "is 0: as at power-on"}),
+    ::testing::Values(
+        Language{"nc110", "a.plc", "$\nU4A8=I0A3*I0A4\n", "I0A3: 1", "U4A8", "I0A4 is 0"},
+        Language{"technol", "a.plc",
+                 "        DATA\nBITY: DFM A,B,Q\n        DATA_END\n        MODULE_MAIN\n        LDR A\n"
+                 "        LA B\n        WR Q\n        MODULE_MAIN_END\n        STOP\n",
+                 "A: 1", "Q", "(B) is 0"},
+        Language{"prostep", "a.plc", ":MOD PM 9\n:A F 1.0\n:A F 1.1\n:= F 1.2\n:END PM 9\n", "F1.0: 1, F251.0: 1",
+                 "F1.2", "F 1.1 is 0"},
+        Language{"host50", "a.il", "SLOW\nNETWORK\nLD %I0\nAND %I1\nOUT %Q0\nEND_SLOW\n", "I0: 1", "Q0", "I1 is 0"},
+        Language{"classicladder", "a.clp", kContacts, "I0: 1", "Q0", ": %I0 %I1 (%Q0)\n  I1 is 0: as at power-on"},
+        Language{"hnc", "a.cld",
+                 "#include \"plc.h\"\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+                 "void plc1() { Y[0] = X[0] & X[1]; }\nvoid plc2() { }\n",
+                 "\"X[0]\": 255", "Y[0]", "is 0: as at power-on"}),
     [](const auto& named) { return std::string(named.param.dialect); });
+
+// Of a sequential page it is not known how often it is gone through; the recorded scan is.
+TEST(WhyOfLoops, TheRoundsOfTheScanAreFollowed) {
+  const Workplace work;
+  const Ran ran = work.Run("why UNCLAMP --step 6 --scenario " PLCXX_ROOT "/samples/classicladder/turret/change.yaml");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.out, AllOf(HasSubstr("UNCLAMP is 1 at 10 ms: "), HasSubstr(": %X2.A (%Q1); %X3.A +; "),
+                             HasSubstr("X2.A is 1"), HasSubstr("I2 (CHANGE: of iocontrol: tool-change) is 1")));
+}
 
 // One document of all programs: what reads JSON or SARIF reads one value.
 TEST(DiagnosticsOfAllPrograms, AreOneDocument) {

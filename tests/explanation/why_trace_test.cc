@@ -109,6 +109,10 @@ INSTANTIATE_TEST_SUITE_P(
                                "        DATA\nBITY: DFM A,Q\n        DATA_END\n        MODULE_MAIN\n        LDR A\n"
                                "        WR Q\n        MODULE_MAIN_END\n        STOP\n",
                                "A", "Q", ""},
+                      Recorded{"classicladder", "a.clp",
+                               "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,0,-1,0,0,0\n_/FILE-sections.csv\n"
+                               "_FILE-rung_0.csv\n1-0-50/0 , 50-0-60/0\n_/FILE-rung_0.csv\n_/FILES_CLASSICLADDER\n",
+                               "I0", "Q0", ""},
                       Recorded{"hnc", "a.cld",
                                "#include \"plc.h\"\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
                                "void plc1() { Y[0] = X[3]; }\nvoid plc2() { }\n",

@@ -19,7 +19,7 @@ namespace {
 /// A part that takes more than this is not explained; a machine of ten thousand statements is far below.
 constexpr uint32_t kMaxTerms = 3'000'000;
 constexpr uint32_t kMaxRounds = 1024;
-/// Rounds of a loop of which it is not known whether it goes on; then it is an unknown function of what it reads.
+/// Rounds of a loop of which it is not known whether it goes on; then those of the recorded part are followed.
 constexpr uint32_t kMaxUnknownRounds = 8;
 constexpr std::clock_t kMaxTime = 10 * CLOCKS_PER_SEC;  // of the processor: a loaded machine gives the same answers
 
@@ -79,8 +79,8 @@ class PartTerms::Watch : public execute::ReplacedParts {
     statement_ = statement;
     // What comes now until the next instruction is its own, once a cell; after that arms are joined.
     own_.clear();
-    is_host_call_ = inst.op == ir::OpKind::kHostCall;
-    host_call_ = is_host_call_ ? inst.payload : 0;
+    host_own_.clear();
+    if (inst.op == ir::OpKind::kHostCall) NoteCall(ir::CallId(inst.payload));
     const auto add = [&](execute::CellId cell) { own_.insert(cell.index); };
     ir::ForEachAccess(
         program_, inst,
@@ -101,8 +101,8 @@ class PartTerms::Watch : public execute::ReplacedParts {
     const execute::Cell cell = execute::CellAt(program_, part_.cells_, id);
     if (cell.kind == execute::CellKind::kCalls || IsLocal(program_, cell)) return value;
     if (part_.IsForced(cell)) return part_.Initial(id);
+    if (host_own_.erase(id.index) != 0) return WrittenByHost(id, cell);
     const bool is_own = own_.erase(id.index) != 0;
-    if (is_host_call_ && !is_own) return WrittenByHost(id, cell);
     if (!is_own || (part_.terms_.IsConst(value) && !is_coil_[id.index])) return value;
     const terms::Term& term = part_.terms_[value];
     if (term.kind == terms::TermKind::kVariable && part_.variables_[term.a].cell == id) return value;
@@ -111,12 +111,24 @@ class PartTerms::Watch : public execute::ReplacedParts {
   }
 
  private:
+  /// What the call writes while it is executed; what is written after that is where arms are joined.
+  void NoteCall(ir::CallId call) {
+    host_function_ = program_.calls[call].host;
+    const ir::HostAccess access = program_.host_functions[host_function_].access;
+    for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
+      const ir::SpaceId space(i);
+      for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
+        if (!execute::HostWrites(program_, access, space, offset)) continue;
+        for (uint8_t bit = 0; bit < 8; ++bit) host_own_.insert(part_.cells_.OfBit(space, offset, bit).index);
+      }
+    }
+  }
+
   /// What a call that writes the state has left in a cell: nothing new, as a rule.
   terms::TermId WrittenByHost(execute::CellId id, const execute::Cell& cell) {
-    const ir::HostFunctionId function = program_.calls[ir::CallId(host_call_)].host;
     const RecordedCall* writer = nullptr;
     for (const RecordedCall& call : part_.frame_.calls) {
-      if (call.function != function || call.memory.empty()) continue;
+      if (call.function != host_function_ || call.memory.empty()) continue;
       if (writer != nullptr) part_.refusal_ = "the control writes the memory several times in one scan";
       writer = &call;
     }
@@ -134,8 +146,8 @@ class PartTerms::Watch : public execute::ReplacedParts {
   std::vector<ir::RegionId> owners_;         // by region: the one around it; none: a routine's
   std::unordered_set<uint32_t> own_;         // looked up only
   std::vector<bool> is_coil_;                // by cell
-  bool is_host_call_ = false;
-  uint32_t host_call_ = 0;
+  std::unordered_set<uint32_t> host_own_;    // the same of a call of the host
+  ir::HostFunctionId host_function_;
 };
 
 PartTerms::PartTerms(const ir::Program& program, const execute::Cells& cells, const Frame& frame,
@@ -154,9 +166,9 @@ PartTerms::PartTerms(const ir::Program& program, const execute::Cells& cells, co
       }
     }
   }
+  ReplayCalls();
   Execute(wanted);
   if (!refusal_.empty()) return;
-  ReplayCalls();
   Evaluate();
   for (uint32_t i = 0; i < terms_.size(); ++i) cone_.emplace_back(i);
   justification_.emplace(terms_, cone_, values_, definitions_, [this](const terms::TermFunction& function) {
@@ -235,6 +247,7 @@ void PartTerms::Execute(std::span<const execute::CellId> wanted) {
       .now = terms_.Const(frame_.now_ms, now_width),
       .replaced = &watch,
       .summarize_after = kMaxUnknownRounds,
+      .holds = [this](terms::TermId condition) { return Holds(condition); },
       .most_rounds = kMaxRounds,
       .most_terms = kMaxTerms,
       .is_late = [begin] { return std::clock() - begin > kMaxTime; }};
@@ -264,14 +277,21 @@ void PartTerms::ReplayCalls() {
   }
 }
 
+bool PartTerms::Holds(terms::TermId condition) {
+  Evaluate();
+  return Value(condition) != 0;
+}
+
+/// Of the terms that are new since the last time.
 void PartTerms::Evaluate() {
+  const auto first = static_cast<uint32_t>(values_.size());
   values_.resize(terms_.size());
   const auto value = [this](terms::TermId id) { return values_[id.index]; };
   const auto variable = [this](uint32_t number) {
     const PartVariable& known = variables_[number];
     return known.definition.valid() ? values_[known.definition.index] : known.value;
   };
-  for (uint32_t i = 0; i < terms_.size(); ++i) {
+  for (uint32_t i = first; i < terms_.size(); ++i) {
     const terms::Term& term = terms_[terms::TermId(i)];
     values_[i] = terms::EvaluateTerm(terms_, term, value, variable);
     if (term.kind != terms::TermKind::kApply) continue;

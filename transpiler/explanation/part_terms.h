@@ -74,6 +74,8 @@ class PartTerms {
   void Execute(std::span<const execute::CellId> wanted);
   void ReplayCalls();
   void Evaluate();
+  /// Whether a condition was 1 in the executed part.
+  bool Holds(terms::TermId condition);
 
   const ir::Program& program_;
   const execute::Cells& cells_;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "transpiler/dialects/statement_text.h"
 #include "transpiler/ir/facts.h"
 #include "transpiler/scenarios/control.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 constexpr size_t kLongestStatement = 120;
 
-/// A statement in one line, as the source spells it.
-std::string StatementText(std::string_view text) {
+/// In one line.
+std::string InOneLine(std::string_view text) {
   std::string line;
   for (const char c : text) {
     const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
@@ -53,7 +54,7 @@ std::string StatementPlace(ir::StatementId statement, const ir::Program& program
   if (range == source::Range{} || sources.size() == 0) return "the program";
   const source::Position position = sources.Locate(range.begin);
   return sources.Get(position.file).path + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) +
-         ": " + StatementText(sources.Text(range));
+         ": " + InOneLine(dialects::StatementText(program.dialect, sources.Text(range)));
 }
 
 std::string StepFailure(const Scenario& scenario, const ScenarioStep& step, ScenarioMark mark, uint64_t time_ms,

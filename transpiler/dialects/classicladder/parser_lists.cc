@@ -22,6 +22,8 @@ void Parser::ParsePresets(const FilePart& part, std::map<uint32_t, Preset>& into
   uint32_t number = 0;
   for (const Line& line : part.lines) {
     if (line.kind == LineKind::kComment) continue;
+    // The author's ClassicLadder 0.9 (.clprj) has a version here, and numbers in front: "T0,1,5".
+    if (line.kind == LineKind::kDirective && !CheckVersion(part, line, 0)) return;
     if (number == count) {
       diagnostics_.Report(line.range, diag::ClassicladderTooMany, static_cast<int64_t>(count), what);
       return;

@@ -1,5 +1,6 @@
 // Parts rung_N.csv: directives, then a line for each row with its elements from left to right.
 
+#include "transpiler/dialects/classicladder/elements.h"
 #include "transpiler/dialects/classicladder/parser_internal.h"
 
 namespace plcxx::classicladder {
@@ -10,25 +11,6 @@ std::optional<Field> ValueOf(const Line& line, std::string_view name) {
   if (!line.text.starts_with(name)) return std::nullopt;
   return Field{line.text.substr(name.size()),
                {line.range.begin + static_cast<source::Offset>(name.size()), line.range.end}};
-}
-
-struct ElementText {
-  std::string_view type, joined, variable, index;  // "1", "0", "50/3", "200/9" or nothing
-};
-
-/// "1-0-50/3" or "1-0-50/3[200/9]".
-std::optional<ElementText> SplitElement(std::string_view text) {
-  const size_t first = text.find('-');
-  if (first == std::string_view::npos) return std::nullopt;
-  const size_t second = text.find('-', first + 1);
-  if (second == std::string_view::npos) return std::nullopt;
-  ElementText split{text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1), {}};
-  const size_t bracket = split.variable.find('[');
-  if (bracket == std::string_view::npos) return split;
-  if (split.variable.back() != ']') return std::nullopt;
-  split.index = split.variable.substr(bracket + 1, split.variable.size() - bracket - 2);
-  split.variable = split.variable.substr(0, bracket);
-  return split;
 }
 
 }  // namespace

@@ -40,7 +40,37 @@ void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
     return;
   }
   flow_ = before;
-  ExecuteSummary(id);
+  if (memory_.environment().holds) {
+    FollowLoop(id, loop);
+  } else {
+    ExecuteSummary(id);
+  }
+}
+
+void Executor::FollowLoop(ir::InstId id, const ir::Loop& loop) {
+  const terms::TermId before = flow_.active;
+  std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
+  terms::TermId done = terms_.Bit(false);
+  for (uint64_t round = 0; memory_.environment().holds(Absolute()) && refusal_.empty(); ++round) {
+    if (round > memory_.environment().most_rounds) {
+      Refuse("a loop goes round more than " + std::to_string(memory_.environment().most_rounds) + " times");
+      return;
+    }
+    flow_.active = ExecuteRound(id, loop, terms_.Const(round, kRoundWidth), done);
+  }
+  if (!terms_.IsFalse(flow_.active) && refusal_.empty()) {
+    // Where there were further rounds, all that the loop writes would be another: what is, is so for there are none.
+    const terms::TermId further = std::exchange(flow_.active, terms_.Bit(true));
+    const std::vector<Leaving> left = std::exchange(flow_.leaving, {});
+    std::vector<Arm> arms;
+    arms.push_back(RunArm(further, [&] { ExecuteSummary(id); }));
+    const terms::TermId through = std::exchange(arms.back().flow.active, terms_.Bit(true));
+    Join(std::move(arms));
+    for (const Leaving& leaving : left) Leave(leaving.target, leaving.repeats, leaving.when);
+    done = terms_.Or(done, terms_.And(further, through));
+  }
+  if (refusal_.empty()) flow_.active = flow_.leaving.empty() ? before : done;
+  for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
 }
 
 Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples) {

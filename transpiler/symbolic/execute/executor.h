@@ -70,6 +70,9 @@ class Executor {
     terms::TermId when;
     std::vector<terms::TermId> cells;
   };
+  /// The rounds of the run that is followed, then the unknown function of a loop, under the condition of a further
+  /// round.
+  void FollowLoop(ir::InstId id, const ir::Loop& loop);
   /// `samples`: to be filled; may be none.
   Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples);
   void ExecuteSummary(ir::InstId id);
