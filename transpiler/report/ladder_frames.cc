@@ -30,7 +30,17 @@ bool LadderBuilder::IsConditional(const ir::Inst& inst) const {
         any = true;
         if (text_.IsUsed(id)) return false;
         break;
-      default:
+      case ir::Shape::kStep:
+      case ir::Shape::kText:
+      case ir::Shape::kStatement:
+      case ir::Shape::kIf:
+      case ir::Shape::kSwitch:
+      case ir::Shape::kLoop:
+      case ir::Shape::kBlock:
+      case ir::Shape::kExit:
+      case ir::Shape::kRepeat:
+      case ir::Shape::kJump:
+      case ir::Shape::kLabel:
         return false;
     }
   }

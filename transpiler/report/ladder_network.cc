@@ -7,6 +7,11 @@
 namespace plcxx::report {
 namespace {
 
+/// Does something beside giving a value, so that it is in the picture once, at the rail.
+bool IsBlock(ir::Shape shape) {
+  return shape == ir::Shape::kStep || shape == ir::Shape::kCall || shape == ir::Shape::kHostCall;
+}
+
 Sense Opposite(Sense sense) { return sense == Sense::kPlain ? Sense::kInverted : Sense::kPlain; }
 Shape ContactOf(Sense sense) { return sense == Sense::kPlain ? Shape::kContact : Shape::kNotContact; }
 
@@ -72,16 +77,9 @@ bool NetworkBuilder::IsContact(ir::ValueId value) const {
 bool NetworkBuilder::NeedsRail(ir::ValueId value) const {
   const ir::Inst& inst = program_[value];
   if (text_.IsLocal(value)) return false;
-  switch (ir::Info(inst.op).shape) {
-    case ir::Shape::kStep:
-    case ir::Shape::kCall:
-    case ir::Shape::kHostCall:
-      return true;
-    case ir::Shape::kPure:
-      break;
-    default:
-      return false;
-  }
+  const ir::Shape shape = ir::Info(inst.op).shape;
+  if (IsBlock(shape)) return true;
+  if (shape != ir::Shape::kPure) return false;
   for (const ir::ValueId operand : ir::UsedValues(program_, inst)) {
     if (program_[operand].type == ir::Type::kBit && NeedsRail(operand)) return true;
   }
@@ -98,43 +96,30 @@ Element NetworkBuilder::Of(ir::ValueId value, Sense sense, Position position) {
 
 Element NetworkBuilder::OfDefinition(ir::ValueId value, Sense sense, Position position) {
   const ir::Inst& inst = program_[value];
-  switch (ir::Info(inst.op).shape) {
-    case ir::Shape::kConst:
-      if (inst.op == ir::OpKind::kPoison) return Condition(value, sense, position);
-      return Plain((ir::ConstantValue(inst) != 0) == (sense == Sense::kPlain) ? Shape::kWire : Shape::kNever);
-    case ir::Shape::kLoad:
-      return WithState(OfPlace(ContactOf(sense), ir::PlaceId(inst.payload), ir::ValueId(inst.a)), value, sense);
-    case ir::Shape::kPure:
-      return OfPure(value, sense, position);
-    case ir::Shape::kStep:
-    case ir::Shape::kCall:
-    case ir::Shape::kHostCall:
-      return Rooted(value, sense, position);
-    default:
-      return Condition(value, sense, position);
+  const ir::Shape shape = ir::Info(inst.op).shape;
+  if (shape == ir::Shape::kConst && inst.op != ir::OpKind::kPoison) {
+    return Plain((ir::ConstantValue(inst) != 0) == (sense == Sense::kPlain) ? Shape::kWire : Shape::kNever);
   }
+  if (shape == ir::Shape::kLoad) {
+    return WithState(OfPlace(ContactOf(sense), ir::PlaceId(inst.payload), ir::ValueId(inst.a)), value, sense);
+  }
+  if (shape == ir::Shape::kPure) return OfPure(value, sense, position);
+  return IsBlock(shape) ? Rooted(value, sense, position) : Condition(value, sense, position);
 }
 
 Element NetworkBuilder::OfPure(ir::ValueId value, Sense sense, Position position) {
   const ir::Inst& inst = program_[value];
   const ir::ValueId a(inst.a), b(inst.b);
-  switch (inst.op) {
-    case ir::OpKind::kBitNot:
-      return Of(a, Opposite(sense), position);
-    case ir::OpKind::kBitAnd:
-      return Chain(sense == Sense::kPlain ? Shape::kSeries : Shape::kParallel, a, b, sense, position);
-    case ir::OpKind::kBitOr:
-      return Chain(sense == Sense::kPlain ? Shape::kParallel : Shape::kSeries, a, b, sense, position);
-    case ir::OpKind::kBitXor:
-      if (IsContact(a) && IsContact(b)) return Either(a, b, sense, position);
-      return Condition(value, sense, position);
-    case ir::OpKind::kSelect1: {
-      Element choice = Choice(inst, sense, position);
-      return choice.shape == Shape::kBox ? WithState(std::move(choice), value, sense) : choice;
-    }
-    default:
-      return Condition(value, sense, position);
+  const bool plain = sense == Sense::kPlain;
+  if (inst.op == ir::OpKind::kBitNot) return Of(a, Opposite(sense), position);
+  if (inst.op == ir::OpKind::kBitAnd) return Chain(plain ? Shape::kSeries : Shape::kParallel, a, b, sense, position);
+  if (inst.op == ir::OpKind::kBitOr) return Chain(plain ? Shape::kParallel : Shape::kSeries, a, b, sense, position);
+  if (inst.op == ir::OpKind::kBitXor && IsContact(a) && IsContact(b)) return Either(a, b, sense, position);
+  if (inst.op == ir::OpKind::kSelect1) {
+    Element choice = Choice(inst, sense, position);
+    return choice.shape == Shape::kBox ? WithState(std::move(choice), value, sense) : choice;
   }
+  return Condition(value, sense, position);
 }
 
 /// Two in series or in parallel. In series only the first one can begin at the rail: of two that have to, the second
@@ -237,7 +222,19 @@ Element NetworkBuilder::Box(ir::InstId id) const {
       if (call.out.valid()) box.lines.push_back("→ " + program_.places[call.out].name);
       break;
     }
-    default:
+    case ir::Shape::kPure:
+    case ir::Shape::kConst:
+    case ir::Shape::kLoad:
+    case ir::Shape::kStore:
+    case ir::Shape::kStatement:
+    case ir::Shape::kIf:
+    case ir::Shape::kSwitch:
+    case ir::Shape::kLoop:
+    case ir::Shape::kBlock:
+    case ir::Shape::kExit:
+    case ir::Shape::kRepeat:
+    case ir::Shape::kJump:
+    case ir::Shape::kLabel:
       box.title = "?";
       box.lines = {text_.Definition(id)};
       break;

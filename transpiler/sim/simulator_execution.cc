@@ -147,25 +147,21 @@ Simulator::Flow Simulator::ExecuteIf(InstId, const Inst& inst) {
 
 /// Of a statement that is switched off: regions that jumps made, with the other statements in them.
 Simulator::Flow Simulator::ExecuteOthers(InstId id, const Inst& inst) {
-  switch (inst.op) {
-    case ir::OpKind::kBlock:
-      return ExecuteBlock(id, inst);
-    case ir::OpKind::kLoop:
-      return program_.loops[ir::LoopId(inst.payload)].kind == ir::LoopBound::kBudget ? ExecuteLoop(id, inst)
-                                                                                     : Flow::kOn;
-    case ir::OpKind::kIf:
-      switch (static_cast<ir::IfOrigin>(inst.payload)) {
-        case ir::IfOrigin::kSource:
-          return Flow::kOn;
-        case ir::IfOrigin::kJumps:
-          return Execute(RegionId(inst.c));
-        case ir::IfOrigin::kStays:
-          return Execute(RegionId(inst.b));
-      }
-      return Flow::kOn;
-    default:
-      return Flow::kOn;
+  if (inst.op == ir::OpKind::kBlock) return ExecuteBlock(id, inst);
+  if (inst.op == ir::OpKind::kLoop) {
+    const bool of_jumps = program_.loops[ir::LoopId(inst.payload)].kind == ir::LoopBound::kBudget;
+    return of_jumps ? ExecuteLoop(id, inst) : Flow::kOn;
   }
+  if (inst.op != ir::OpKind::kIf) return Flow::kOn;
+  switch (static_cast<ir::IfOrigin>(inst.payload)) {
+    case ir::IfOrigin::kSource:
+      return Flow::kOn;
+    case ir::IfOrigin::kJumps:
+      return Execute(RegionId(inst.c));
+    case ir::IfOrigin::kStays:
+      return Execute(RegionId(inst.b));
+  }
+  PLCXX_UNREACHABLE();
 }
 
 Simulator::Flow Simulator::ExecuteSwitch(InstId, const Inst& inst) {

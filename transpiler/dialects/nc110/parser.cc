@@ -139,28 +139,26 @@ void Parser::SkipToNextItem(size_t item_begin) {
 void Parser::ReportNoStatement() {
   const Token& token = Peek();
   panic_ = true;
-  switch (token.kind) {
-    case TokenKind::kBad:
-      failed_ = true;
-      return;
-    case TokenKind::kMinus:
-      Fault(token.range, diag::Nc110MinusOutside);
-      return;
-    case TokenKind::kFunction:
-      ParseFunction(token.function == Function::kSgn ? Type::kWord : Type::kSignal);
-      panic_ = true;
-      return;
-    case TokenKind::kEnd:
-      FaultOfUnknown(TextOf(token), token.range);
-      return;
-    case TokenKind::kNumber:
-      if (!Evaluate(TextOf(token)).well_formed) {
-        ReportMalformedNumber(token);
-        return;
-      }
-      break;
-    default:
-      break;
+  if (token.kind == TokenKind::kBad) {
+    failed_ = true;
+    return;
+  }
+  if (token.kind == TokenKind::kMinus) {
+    Fault(token.range, diag::Nc110MinusOutside);
+    return;
+  }
+  if (token.kind == TokenKind::kFunction) {
+    ParseFunction(token.function == Function::kSgn ? Type::kWord : Type::kSignal);
+    panic_ = true;
+    return;
+  }
+  if (token.kind == TokenKind::kEnd) {
+    FaultOfUnknown(TextOf(token), token.range);
+    return;
+  }
+  if (token.kind == TokenKind::kNumber && !Evaluate(TextOf(token)).well_formed) {
+    ReportMalformedNumber(token);
+    return;
   }
   const TokenKind next = Peek(1).kind;
   const bool second_slash = position_ > 0 && lexed_.tokens[position_ - 1].kind == TokenKind::kSlash;

@@ -88,27 +88,20 @@ void Parser::ParseParameter(Assignment& assignment, std::string_view target_text
     ReportParameterMissing(target, target_text);
     return;
   }
-  switch (Peek().kind) {
-    case TokenKind::kNumber:
-      assignment.parameter = ParseParameterConstant(target);
-      break;
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-    case TokenKind::kRun:
-      assignment.parameter = ParseParameterWord();
-      break;
-    case TokenKind::kCloseParenthesis:
-      ReportParameterMissing(target, target_text);
-      break;
-    case TokenKind::kFunction:
-    case TokenKind::kAscii:
-      HardFault(Peek().range, diag::Nc110ParameterKind, Found());
-      return;
-    default:
-      failed_ = failed_ || At(TokenKind::kBad);
-      ReportParameterMissing(target, target_text);
+  if (At(TokenKind::kNumber)) {
+    assignment.parameter = ParseParameterConstant(target);
+  } else if (AtOperand()) {
+    assignment.parameter = ParseParameterWord();
+  } else if (At(TokenKind::kFunction) || At(TokenKind::kAscii)) {
+    HardFault(Peek().range, diag::Nc110ParameterKind, Found());
+    return;
+  } else {
+    failed_ = failed_ || At(TokenKind::kBad);
+    ReportParameterMissing(target, target_text);
+    if (!At(TokenKind::kCloseParenthesis)) {
       panic_ = true;
       return;
+    }
   }
   Require(TokenKind::kCloseParenthesis, "')'");
 }

@@ -96,26 +96,14 @@ ExprId Parser::ParseNot(Type type) {
 }
 
 ExprId Parser::ParsePrimary(Type type) {
-  switch (Peek().kind) {
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-    case TokenKind::kRun:
-      return ParseOperand(type);
-    case TokenKind::kNumber:
-      return ParseConstant(type);
-    case TokenKind::kOpenParenthesis:
-      return ParseGroup(type);
-    case TokenKind::kOpenBracket:
-      return type == Type::kSignal ? ParseComparator() : ParseBracket();
-    case TokenKind::kAscii:
-      return ParseAscii(type);
-    case TokenKind::kFunction:
-      return ParseFunction(type);
-    case TokenKind::kMinus:
-      return HardFault(Peek().range, diag::Nc110MinusOutside);
-    default:
-      return Expected(primary_name_);
-  }
+  if (AtOperand()) return ParseOperand(type);
+  if (At(TokenKind::kNumber)) return ParseConstant(type);
+  if (At(TokenKind::kOpenParenthesis)) return ParseGroup(type);
+  if (At(TokenKind::kOpenBracket)) return type == Type::kSignal ? ParseComparator() : ParseBracket();
+  if (At(TokenKind::kAscii)) return ParseAscii(type);
+  if (At(TokenKind::kFunction)) return ParseFunction(type);
+  if (At(TokenKind::kMinus)) return HardFault(Peek().range, diag::Nc110MinusOutside);
+  return Expected(primary_name_);
 }
 
 bool Parser::EnterParenthesis(source::Range range) {

@@ -151,35 +151,24 @@ ExprId Parser::ParseSum() {
 }
 
 ExprId Parser::ParseTerm() {
-  switch (Peek().kind) {
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-    case TokenKind::kRun:
-      return ParseOperand(Type::kWord);
-    case TokenKind::kNumber:
-      return ParseConstant(Type::kWord);
-    case TokenKind::kAscii:
-      return ParseAscii(Type::kWord);
-    case TokenKind::kFunction:
-      return ParseFunction(Type::kWord);
-    case TokenKind::kOpenParenthesis: {
-      const source::Range open = Take().range;
-      if (!EnterParenthesis(open)) {
-        return ErrorExpr(open);
-      }
-      const ExprId sum = ParseSum();
-      if (!panic_ && !At(TokenKind::kCloseParenthesis)) {
-        Expected("')'");
-      }
-      if (!panic_) {
-        --parentheses_;
-        program_.exprs[sum].range = {open.begin, Take().range.end};
-      }
-      return sum;
-    }
-    default:
-      return Expected("word, constant or function");
+  if (AtOperand()) return ParseOperand(Type::kWord);
+  if (At(TokenKind::kNumber)) return ParseConstant(Type::kWord);
+  if (At(TokenKind::kAscii)) return ParseAscii(Type::kWord);
+  if (At(TokenKind::kFunction)) return ParseFunction(Type::kWord);
+  if (!At(TokenKind::kOpenParenthesis)) return Expected("word, constant or function");
+  const source::Range open = Take().range;
+  if (!EnterParenthesis(open)) {
+    return ErrorExpr(open);
   }
+  const ExprId sum = ParseSum();
+  if (!panic_ && !At(TokenKind::kCloseParenthesis)) {
+    Expected("')'");
+  }
+  if (!panic_) {
+    --parentheses_;
+    program_.exprs[sum].range = {open.begin, Take().range.end};
+  }
+  return sum;
 }
 
 /// '[' in a signal position.
@@ -253,40 +242,32 @@ ExprId Parser::DoubledSign(ExprId left, TokenKind first) {
 
 ExprId Parser::ParseComparatorArgument() {
   const Token& token = Peek();
-  switch (token.kind) {
-    case TokenKind::kOperand:
-    case TokenKind::kSymbol:
-    case TokenKind::kRun: {
-      CountOperand();
-      if (panic_) {
-        return ErrorExpr(token.range);
-      }
-      const OperandUse use = TakeOperand();
-      if (TypeOf(use.operand.kind) == Type::kSignal) {
-        Fault(use.range, diag::Nc110WordExpected, Quoted(TextOf(token)));
-        return ErrorExpr(use.range);
-      }
-      panic_ = panic_ || At(TokenKind::kOpenParenthesis);  // a misspelled function, reported
-      if (panic_ && !failed_) {
-        return HardFault(MissingAt(), diag::Nc110ComparisonSign, Found());
-      }
-      return OperandExpr(use);
+  if (AtOperand()) {
+    CountOperand();
+    if (panic_) {
+      return ErrorExpr(token.range);
     }
-    case TokenKind::kNumber:
-      return ParseConstant(Type::kWord);
-    case TokenKind::kFunction:
-      if (token.function != Function::kMux && token.function != Function::kSgn) {
-        Warn(token.range, diag::Nc110Extension, "a function in a comparator");
-      }
-      return ParseFunction(Type::kWord);
-    case TokenKind::kBad:
-      return Expected("word");
-    default:
-      if (IsComparisonSign(token.kind)) {
-        return HardFault(token.range, diag::Nc110ComparisonSign, Found());
-      }
-      return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());
+    const OperandUse use = TakeOperand();
+    if (TypeOf(use.operand.kind) == Type::kSignal) {
+      Fault(use.range, diag::Nc110WordExpected, Quoted(TextOf(token)));
+      return ErrorExpr(use.range);
+    }
+    panic_ = panic_ || At(TokenKind::kOpenParenthesis);  // a misspelled function, reported
+    if (panic_ && !failed_) {
+      return HardFault(MissingAt(), diag::Nc110ComparisonSign, Found());
+    }
+    return OperandExpr(use);
   }
+  if (token.kind == TokenKind::kNumber) return ParseConstant(Type::kWord);
+  if (token.kind == TokenKind::kFunction) {
+    if (token.function != Function::kMux && token.function != Function::kSgn) {
+      Warn(token.range, diag::Nc110Extension, "a function in a comparator");
+    }
+    return ParseFunction(Type::kWord);
+  }
+  if (token.kind == TokenKind::kBad) return Expected("word");
+  if (IsComparisonSign(token.kind)) return HardFault(token.range, diag::Nc110ComparisonSign, Found());
+  return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());
 }
 
 void Parser::CheckComparison(ExprId comparison) {

@@ -119,25 +119,17 @@ void Flow::ForEachSuccessor(InstructionId id, Visit&& visit) const {
     }
     return std::nullopt;
   };
-  switch (instruction.op) {
-    case Op::kMechanismBegin: {
-      const InstructionId end = program_.units[instruction.mechanism].end;
-      if (end.valid()) visit(InstructionId(end.index + 1), Edge::kPast);
-      return;
-    }
-    case Op::kMechanismEnd:
-    case Op::kModuleEnd:
-    case Op::kAreaEnd:
-    case Op::kRet:
-      return;
-    case Op::kMechInit: {
-      if (instruction.faulty) break;
-      const Operand& operand = program_.OperandOf(instruction, 0);
-      if (operand.mechanism.valid() && operand.mechanism == instruction.unit) return;  // leaves it
-      break;
-    }
-    default:
-      break;
+  if (instruction.op == Op::kMechanismBegin) {
+    const InstructionId end = program_.units[instruction.mechanism].end;
+    if (end.valid()) visit(InstructionId(end.index + 1), Edge::kPast);
+    return;
+  }
+  for (const Op ends : {Op::kMechanismEnd, Op::kModuleEnd, Op::kAreaEnd, Op::kRet}) {
+    if (instruction.op == ends) return;
+  }
+  if (instruction.op == Op::kMechInit && !instruction.faulty) {
+    const Operand& operand = program_.OperandOf(instruction, 0);
+    if (operand.mechanism.valid() && operand.mechanism == instruction.unit) return;  // leaves it
   }
   if (!instruction.faulty && (IsJump(instruction.op) || IsWait(instruction.op))) {
     if (const auto to = target()) visit(*to, Edge::kJump);

@@ -187,37 +187,27 @@ void Chooser::Switch(InstId id, const End& next) {
 
 void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
   const ir::Inst& inst = program[id];
-  switch (inst.op) {
-    case ir::OpKind::kBlock:
-    case ir::OpKind::kLoop: {
-      around.push_back(place);
-      behind.push_back(next);
-      if (inst.op == ir::OpKind::kLoop) {
-        Loop(id, next);
-      } else {
-        Region(RegionId(inst.a), next);
-      }
-      behind.pop_back();
-      around.pop_back();
-      return;
+  if (inst.op == ir::OpKind::kBlock || inst.op == ir::OpKind::kLoop) {
+    around.push_back(place);
+    behind.push_back(next);
+    if (inst.op == ir::OpKind::kLoop) {
+      Loop(id, next);
+    } else {
+      Region(RegionId(inst.a), next);
     }
-    case ir::OpKind::kSwitch:
-      Switch(id, next);
-      return;
-    case ir::OpKind::kExit:
-      Exit(id, next, last);
-      return;
-    case ir::OpKind::kRepeat:
-      Repeat(id, next);
-      return;
-    case ir::OpKind::kIf:
-      LeaveEarly(id, next);
-      for (const RegionId arm : {RegionId(inst.b), RegionId(inst.c)}) {
-        if (arm.valid()) Region(arm, next);
-      }
-      return;
-    default:
-      return;  // owns nothing
+    behind.pop_back();
+    around.pop_back();
+  } else if (inst.op == ir::OpKind::kSwitch) {
+    Switch(id, next);
+  } else if (inst.op == ir::OpKind::kExit) {
+    Exit(id, next, last);
+  } else if (inst.op == ir::OpKind::kRepeat) {
+    Repeat(id, next);
+  } else if (inst.op == ir::OpKind::kIf) {
+    LeaveEarly(id, next);
+    for (const RegionId arm : {RegionId(inst.b), RegionId(inst.c)}) {
+      if (arm.valid()) Region(arm, next);
+    }
   }
 }
 

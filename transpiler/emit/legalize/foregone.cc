@@ -3,6 +3,8 @@
 // Spelled by the name of their function, they are as quiet as they are useless; leaving them out is not the emitter's
 // business.
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "transpiler/emit/legalize/steps.h"
@@ -18,19 +20,11 @@ struct Interval {
 /// What a value can be by its type and, where the spelling shows a narrower word, by that word's type.
 Interval IntervalOf(const ir::Program& program, ir::ValueId value) {
   const ir::Inst& inst = program[value];
-  switch (inst.op) {
-    case ir::OpKind::kConst:
-      return {ir::ConstantValue(inst), ir::ConstantValue(inst)};
-    case ir::OpKind::kWiden1To16:
-    case ir::OpKind::kWiden1To32:
-    case ir::OpKind::kWiden8To16:
-    case ir::OpKind::kWiden8To32:
-    case ir::OpKind::kWiden16To32:
-    case ir::OpKind::kWiden32To64:
-      return IntervalOf(program, ir::ValueId(inst.a));
-    default:
-      break;
-  }
+  constexpr ir::OpKind kWidenings[] = {ir::OpKind::kWiden1To16, ir::OpKind::kWiden1To32,  ir::OpKind::kWiden8To16,
+                                       ir::OpKind::kWiden8To32, ir::OpKind::kWiden16To32, ir::OpKind::kWiden32To64};
+  if (inst.op == ir::OpKind::kConst) return {ir::ConstantValue(inst), ir::ConstantValue(inst)};
+  if (std::ranges::find(kWidenings, inst.op) != std::ranges::end(kWidenings))
+    return IntervalOf(program, ir::ValueId(inst.a));
   if (inst.type == ir::Type::kBit) return {0, 1};
   const uint32_t bits = 8 * ir::Bytes(inst.type);
   return {0, bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1};
