@@ -22,7 +22,8 @@ sys.path.insert(0, os.path.join(HERE, "..", "report"))
 from browser import Browser  # noqa: E402
 from server import Server  # noqa: E402
 
-SAMPLES = ("nc110/lathe_16k20", "prostep/mill_fnd32", "host50/ck6150", "technol/mcv_750", "hnc/mill_xk7132")
+SAMPLES = ("nc110/lathe_16k20", "prostep/mill_fnd32", "host50/ck6150", "technol/mcv_750", "hnc/mill_xk7132",
+           "classicladder/turret")
 failures = []
 
 

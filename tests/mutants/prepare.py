@@ -27,6 +27,7 @@ FOLDERS = {
     "passes": ["transpiler/passes/**/*.cc"],
     "emit": ["transpiler/emit/**/*.cc"],
     "runtime": ["runtime_support/plcxx/*.h"],
+    "classicladder": ["transpiler/dialects/classicladder/lowering*.cc"],
 }
 # The folders of tests that may see them.
 TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "reference")

@@ -19,7 +19,7 @@ LIMIT = 10  # seconds: a longer test is left out
 REACHED = re.compile(b"\x01")
 
 
-DIALECTS = ("nc110", "host50", "prostep", "technol", "hnc")
+DIALECTS = ("nc110", "host50", "prostep", "technol", "hnc", "classicladder")
 
 
 class Scenario:

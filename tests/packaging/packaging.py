@@ -117,6 +117,55 @@ def installed(build, work):
         expect("ccache finds unchanged output again", hits == 1)
 
 
+HOSTS = """cmake_minimum_required(VERSION 3.25)
+project(hosts LANGUAGES CXX)
+find_package(plcxx REQUIRED)
+set(CMAKE_CXX_FLAGS "-Wall -Wextra -Werror")
+plcxx_add_program(lathe PROJECT lathe_16k20/plcxx.yaml HOST linuxcnc)
+plcxx_add_program(station SOURCES coolant.sym coolant.plc HOST posix)
+add_executable(station_loop io.cpp)
+target_link_libraries(station_loop PRIVATE station)
+"""
+TERMINALS = """#include "plcxx_host/posix.h"
+
+namespace plcxx::host {
+bool io_open(int, char**) noexcept { return true; }
+void io_read(Value*) noexcept {}
+void io_write(const Value*) noexcept {}
+void io_close() noexcept {}
+}
+"""
+
+
+def hosts(build, work):
+    """A module for LinuxCNC, against headers of ours where its own are not there, and a loop of POSIX."""
+    need("nm")
+    prefix = install(build, work)
+    project = work / "hosts"
+    shutil.copytree(ROOT / "samples/nc110/lathe_16k20", project / "lathe_16k20")
+    for name in ("coolant.sym", "coolant.plc", "MESSAGES"):
+        shutil.copy(EXAMPLE / name, project)
+    (project / "CMakeLists.txt").write_text(HOSTS)
+    (project / "io.cpp").write_text(TERMINALS)
+    binary = work / "binary"
+    configure(project, binary, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DLINUXCNC_INCLUDE={ROOT}/tests/host/stub")
+    run("cmake", "--build", binary)
+    symbols = run("nm", "-DC", binary / "lathe.so")
+    for name in ("rtapi_app_main", "rtapi_app_exit"):
+        expect(f"the module exports {name}", re.search(rf" [TW] {name}$", symbols, re.MULTILINE))
+    expect("it takes HAL from who loads it", re.search(r" U hal_init\b", symbols))
+    expect("no run time of C++ is loaded with it", not re.search(r"std::|operator new|__cxa_(?!finalize|atexit)", symbols))
+    for name in ("lathe.hal", "lathe.9"):
+        expect(f"{name} is beside it", (binary / "lathe.plcxx" / name).is_file())
+    expect("the loop has its main function", " T main" in run("nm", binary / "station_loop"))
+    expect("nothing to do", "no work to do" in run("cmake", "--build", binary))
+    refused = subprocess.run(["cmake", "-S", project, "-B", work / "without", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+                              "-DCMAKE_IGNORE_PATH=/usr/include/linuxcnc;/usr/local/include/linuxcnc"],
+                             capture_output=True, text=True)
+    expect("without LinuxCNC's headers it says what to install",
+           refused.returncode != 0 and "linuxcnc-uspace-dev" in refused.stderr)
+
+
 def cross_compiled(build, work):
     need("arm-none-eabi-g++", "arm-none-eabi-nm")
     prefix = install(build, work)
@@ -276,7 +325,7 @@ def farm(build, work):
 
 def main():
     build, step = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    steps = {f.__name__: f for f in (installed, cross_compiled, debian_package, rpm_package, archive, farm, single_file)}
+    steps = {f.__name__: f for f in (installed, hosts, cross_compiled, debian_package, rpm_package, archive, farm, single_file)}
     with tempfile.TemporaryDirectory(prefix="plcxx-packaging-") as work:
         pathlib.Path(work).chmod(0o755)
         steps[step](build, pathlib.Path(work))

@@ -7,7 +7,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent))
 from inline_sources import sources_of  # noqa: E402
 
-DIALECTS = ("hnc", "host50", "nc110", "prostep", "technol")
+DIALECTS = ("classicladder", "hnc", "host50", "nc110", "prostep", "technol")
 
 
 @dataclasses.dataclass
@@ -54,7 +54,7 @@ def read(dialect, path):
         files[project.name] = project.read_bytes()
     for name in set(re.findall(r"[^\s\[\]{},:'\"]+", text)):
         beside = path.parent / name
-        if ".." not in name and not name.startswith("/") and beside.is_file():
+        if len(name) < 256 and ".." not in name and not name.startswith("/") and beside.is_file():
             files[name] = beside.read_bytes()
     return Case(path, dialect, list(inline) or words_of(text, "sources"), options_of(text), files)
 

@@ -41,7 +41,30 @@ def technol(text):
                       " MODULE_MAIN_END\n STOP\n")
 
 
+def classicladder(row, expression=""):
+    """Rungs with this row, n lines in all, each with an expression where there is one."""
+    def program(n):
+        rungs = range(max(1, n // 5))
+        parts = {"general.txt": "".join(f"SIZE_NBR_{what}=10000\n" for what in ("RUNGS", "BITS", "ARITHM_EXPR")),
+                 "sections.csv": f"000,0,-1,0,{rungs[-1]},0\n"}
+        if expression:
+            parts["arithmetic_expressions.csv"] = "".join(f"{i:04d},{expression.format(w=i % 20)}\n" for i in rungs)
+        for i in rungs:
+            after = i + 1 if i < rungs[-1] else -1
+            parts[f"rung_{i}.csv"] = f"#LABEL=L{i}\n#NEXTRUNG={after}\n{row.format(i=i, b=i % 10000)}\n"
+        return ("_FILES_CLASSICLADDER\n" +
+                "".join(f"_FILE-{name}\n{text}_/FILE-{name}\n" for name, text in parts.items()) + "_/FILES_CLASSICLADDER\n")
+    return program
+
+
 KINDS = {
+    "classicladder": (".clp", {
+        "rung": classicladder("1-0-50/1 , 2-0-0/{b} , 9-0-0/0 , 50-0-0/{b}"),
+        "edge": classicladder("3-0-50/1 , 52-0-0/{b}"),
+        "jump": classicladder("1-0-50/1 , 54-0-0/0"),
+        "expression": classicladder("99-0-0/0 , 99-0-0/0 , 20-0-0/{i} , 50-0-0/{b}", "@200/{w}@+1>@200/3@*2"),
+        "wrong-element": classicladder("1-0-50/1 , 77-0-0/0 , 50-0-0/{b}"),
+    }),
     "nc110": (".plc", {
         "assignment": nc110("U{a}A{b}=I{a}A{b}*I1A1"),
         "word": nc110("W{a}A{c}=[W{a}A{c}+1]"),

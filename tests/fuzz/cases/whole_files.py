@@ -4,6 +4,8 @@ import re
 DEEP = 100_000
 # What opens and closes in each language, and what a line of it must begin with.
 BRACKETS = {
+    "classicladder": (("_FILE-rung_0.csv\n", "_/FILE-rung_0.csv\n"), ("_FILE-sections.csv\n", "_/FILE-sections.csv\n"), ("(", ")"),
+                      ("!", ""), ("-", ""), ("@200/1[200/", "]@"), ("1-0-50/0 , ", ""), ("ABS(", ")"), ("#COMMENT=", "")),
     "nc110": (("(", ")"), ("[", "]"), ("/", ""), ("DOF:I0A0\n", "ENDF\n"), ("SGN(", ")"), ("DEC(", ")")),
     "host50": (("(", ")"), ("MPS\n", "MPP\n"), ("LD %I1\n", "ANB\n"), ("SLOW\n", "END_SLOW\n"), ("SUB 1\n", "END_SUB\n"),
                ("LADDER\n", "END_LADDER\n"), ("|--[ %I0 ]", ""), ("(* ", " *)")),
