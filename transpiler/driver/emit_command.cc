@@ -51,6 +51,7 @@ struct EmitSettings {
   bool single_file = false;
   bool preemptive = false;
   bool identity = false;
+  bool link = false;
   std::string host;  // empty: as the project says
   uint32_t parts = 0;
 };
@@ -90,7 +91,14 @@ OutputRequest MakeOutput(const EmitSettings& settings, compilation::Compilation&
     output.files = emit::print::PrintCpp(emittable, *compilation.sources);
     for (emit::OutputFile& file : host::PrintHost(emittable, host, compilation.diagnostics))
       output.files.push_back(std::move(file));
-    if (settings.identity) AddIdentity(IdentityOf(compilation, output.files), compilation.name, output.files);
+    if (settings.identity || settings.link) {
+      const identity::Identity identity = IdentityOf(compilation, output.files);
+      if (settings.identity) AddIdentity(identity, compilation.name, output.files);
+      if (settings.link) {
+        const std::string name = compilation.name + "_link.hpp";
+        output.files.push_back({name, identity::LinkHeaderText(identity, name, emittable.namespace_name)});
+      }
+    }
     if (settings.single_file) output.files = {compile::Amalgamate(output.files, compilation.name)};
     if (KindOfOutput(settings.output.directory) != OutputKind::kFolder) return OnlyFile(settings, output, compilation);
     output.files.push_back({compilation.name + ".map.json", emit::print::PrintMap(emittable, *compilation.sources)});
@@ -198,6 +206,11 @@ void AddEmit(CLI::App& app, Run& run) {
   command
       ->add_flag("--identity", settings->identity,
                  "A constant of 64 bytes at the end of NAME.cpp, by which plcxx identify finds out what is in an image")
+      ->group("Output");
+  command
+      ->add_flag("--link", settings->link,
+                 "Also NAME_link.hpp, by which plcxx live --link knows the program of a machine (plcxx/debug_link.h)")
+      ->excludes(single)
       ->group("Output");
   command->add_flag("-q,--quiet", settings->quiet, "No compile report on the terminal")->group("Output");
   command->footer("");  // not the one of the program

@@ -93,18 +93,12 @@ Relation RelationOf(const identity::Identity& found, const std::vector<identity:
   return relation;
 }
 
-std::string VersionText(const identity::Identity& identity) {
-  std::string text;
-  for (const uint8_t number : identity.version) text += (text.empty() ? "" : ".") + std::to_string(number);
-  return text;
-}
-
 std::string Text(const identity::Identity& found, const std::optional<Relation>& relation) {
   const auto remark = [&relation](bool same, const char* otherwise) {
     return std::string(!relation ? "" : same ? "  as here" : otherwise);
   };
   std::string text = found.program + "\n";
-  text += "  made by    plcxx " + VersionText(found) + "\n";
+  text += "  made by    plcxx " + identity::VersionText(found) + "\n";
   text += "  sources    " + found.sources + remark(relation && relation->sources, "  other sources than here") + "\n";
   text += "  options    " + found.options + remark(relation && relation->options, "  other options than here") + "\n";
   text += "  C++        " + found.generated +
@@ -133,7 +127,7 @@ int RunIdentify(const IdentifySettings& settings) {
     is_here = is_here || (relation && relation->all());
     text += Text(identity, relation);
     json.push_back({{"program", identity.program},
-                    {"plcxx", VersionText(identity)},
+                    {"plcxx", identity::VersionText(identity)},
                     {"sources", identity.sources},
                     {"options", identity.options},
                     {"generated", identity.generated}});

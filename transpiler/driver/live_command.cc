@@ -21,6 +21,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/live_link.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/report_page.h"
@@ -43,11 +44,13 @@ constexpr const char* kLiveFooter = R"(Examples:
   plcxx live turret.sym turret.plc    these sources
   plcxx live found/U4A0.yaml          a scenario, where it fails: the way back shows how it came to that
   plcxx live --vcd machine.vcd        a recorded trace: the program runs with its inputs, from power-on
+  plcxx live --link tcp:10.0.0.7:5020 --watch U4A8,W3K0 --for 10s
+                                      the machine itself, built with plcxx/debug_link.h
 
 The page is served to this machine alone. With --listen others can see and operate the simulation: then a token
 is needed, which the printed address has. Scenarios that are recorded are saved in the project's folder, and no
 file is overwritten. The control itself answers as the simulated one does unless --set nc-stub=off.
-docs/live.md tells more. Ctrl+C ends it.
+docs/live.md and docs/debug_link.md tell more. Ctrl+C ends it.
 Exit codes: 0 ended, 1 the program has errors, 2 wrong use.)";
 
 constexpr const char* kLoopback = "127.0.0.1";
@@ -57,6 +60,7 @@ constexpr int kUsualPort = 8420;
 struct LiveSettings {
   CommonOptions common;
   std::string waveform;  // --vcd
+  LinkWords link;
   std::string listen = kLoopback;
   int port = 0;
   bool no_browser = false;
@@ -209,7 +213,8 @@ int Serve(const LiveSettings& settings, live::Service& service, const std::strin
 int RunLive(const LiveSettings& settings) {
   std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
-  if (!IsScenario(settings.common) && settings.waveform.empty()) SwitchStubOn(*request);
+  const bool is_simulated = settings.link.address.empty();
+  if (is_simulated && !IsScenario(settings.common) && settings.waveform.empty()) SwitchStubOn(*request);
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
@@ -220,6 +225,7 @@ int RunLive(const LiveSettings& settings) {
   if (!compilation.ok()) return ExitCodeOf(compilation);
   if (!compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
   request->progress = nullptr;
+  if (!is_simulated) return RunLink(settings.link, compilation);
 
   const report::ProgramInput input = PageInput(compilation);
   live::Session session(compilation, input);
@@ -248,6 +254,10 @@ int RunLiveForOne(LiveSettings settings) {
   if (!settings.waveform.empty() && IsScenario(settings.common)) {
     return Wrong("a scenario and a trace are named: leave one of them out");
   }
+  if (const std::string wrong = WrongAbout(settings.link); !wrong.empty()) return Wrong(wrong);
+  if (!settings.link.address.empty() && (!settings.waveform.empty() || IsScenario(settings.common))) {
+    return Wrong("a machine runs what it runs: leave the scenario or the trace out, or --link");
+  }
   if (settings.common.all || settings.common.program_names.size() > 1) {
     return Wrong("live shows one program: name it with --program");
   }
@@ -271,6 +281,30 @@ void AddLive(CLI::App& app, Run& run) {
       ->default_str(kLoopback)
       ->group("Page");
   command->add_flag("--no-browser", settings->no_browser, "Print the address, and open nothing")->group("Page");
+  const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* placeholder,
+                            const char* meaning) {
+    command->add_option(name, values, meaning)
+        ->type_name(placeholder)
+        ->allow_extra_args(false)
+        ->delimiter(',')
+        ->group("Machine");
+  };
+  command
+      ->add_option("--link", settings->link.address,
+                   "A running machine: tcp:HOST:PORT, serial:DEVICE:BAUD, socket:PATH; its program must be this one")
+      ->type_name("ADDRESS")
+      ->group("Machine");
+  repeated("--read", settings->link.read, "LOC,...", "What to read once");
+  repeated("--watch", settings->link.watch, "LOC,...",
+           "What to show after each scan that changes it, up to 16 locations");
+  repeated("--write", settings->link.write, "LOC=VALUE,...", "What to write once");
+  repeated("--force", settings->link.force, "LOC=VALUE,...", "What to hold until the command ends");
+  command->add_option("--for", settings->link.duration, "So long; else until Ctrl+C")
+      ->type_name("TIME")
+      ->group("Machine");
+  command->add_option("--save", settings->link.waveform, "Write what was watched as a waveform (VCD)")
+      ->type_name("FILE")
+      ->group("Machine");
   command->footer(kLiveFooter);
   command->callback([settings, &run] { run = [settings] { return RunLiveForOne(*settings); }; });
 }

@@ -36,10 +36,17 @@ struct Identity {
 /// `digest`: 64 hexadecimal digits, or none where nothing computes them: then the field is zeros.
 std::string FirstDigits(std::string_view digest, size_t digits);
 
+/// Of plcxx: "0.9.1".
+std::string VersionText(const Identity& identity);
+
 std::array<uint8_t, kBytes> BytesOf(const Identity& identity);
 
 /// Lines of C++17 that define the constant, kept by compiler and linker though nothing refers to it.
 std::string ConstantText(const Identity& identity);
+
+/// NAME_link.hpp: the same bytes where the machine's side of a link (plcxx/debug_link.h) can name them, in the
+/// namespace NAME_link.
+std::string LinkHeaderText(const Identity& identity, std::string_view file, std::string_view program_namespace);
 
 /// All constants in `bytes`, each identity once, in their order. An Intel HEX file (lines that begin with ':') is
 /// decoded before; of one that is damaged, the lines that are right.

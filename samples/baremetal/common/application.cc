@@ -7,12 +7,19 @@
 
 #include "board.h"
 #include "lathe.hpp"
+#include "link.h"
 
 namespace {
 
 constexpr uint32_t kPeriodMs = 10;  // the cycle of the program
 #ifndef EXAMPLE_PROVOKES            // a fault (1) or an endless loop (2) in the scan: how the tests reach the hooks
 #define EXAMPLE_PROVOKES 0
+#endif
+#ifndef EXAMPLE_PERIODS  // until it ends
+#define EXAMPLE_PERIODS 200
+#endif
+#ifndef EXAMPLE_DIGEST  // 1: its last word is a checksum of State after each period
+#define EXAMPLE_DIGEST 0
 #endif
 
 }  // namespace
@@ -39,6 +46,10 @@ namespace {
 constexpr uint32_t kSlotBytes = plcxx::RetentiveSlotBytes(sizeof(lathe::Retentive));
 
 }  // namespace
+
+namespace {
+lathe::State machine;
+}
 
 // ---- how the scan reaches the control
 // --------------------------------------------------------------------------------
@@ -70,10 +81,12 @@ void read_inputs(Host& host, State& m) noexcept {
   m[PRESS] = host.pump;
   m[I0K2] = host.machine_on;
   m[W0K1] = host.axes_wanted;
+  machine_link::AfterInputs(m);
 }
 
 // Your machine: write the output modules here. `m` does not change meanwhile.
 void write_outputs(Host& host, const State& m) noexcept {
+  machine_link::BeforeOutputs(machine);
   host.pump = m[HYDPMP];
   host.axes_wanted = m[W10K1];
   host.machine_on = !m[U10K0];
@@ -96,8 +109,8 @@ void fault(Host& host, fault_kind, uint32_t) noexcept { ++host.faults; }
 
 namespace {
 
-lathe::State machine;
 lathe::Host host;
+uint32_t digest = 0;
 volatile uint32_t periods = 0;  // written by the interrupt only
 
 /// Of one that runs through: the first mistake, or none.
@@ -123,6 +136,9 @@ void TimerTick() {
   host.now = periods * kPeriodMs;
   lathe::period(machine, host);
   CheckTheLathe(host.now);
+  if (EXAMPLE_DIGEST == 1) {
+    digest = plcxx::Crc32(digest, reinterpret_cast<const uint8_t*>(&machine), sizeof machine);
+  }
   periods = periods + 1;
 }
 
@@ -131,17 +147,36 @@ void FaultHook(FaultKind kind) {
   board::End(kind == FaultKind::kWatchdog ? "watchdog" : "fault", kind == FaultKind::kWatchdog ? 4 : 3);
 }
 
+/// Until the next scan, or for a moment.
+void Rest() {
+#if EXAMPLE_LINK == 0
+  board::WaitForInterrupt();
+#else
+  machine_link::MoveBytes();
+#endif
+}
+
+[[noreturn]] void EndWithDigest() {
+  char word[] = "digest 00000000";
+  for (int i = 14; i > 6; --i, digest >>= 4) word[i] = "0123456789abcdef"[digest & 15];
+  board::End(word, 0);
+}
+
 int main() {
   lathe::init(machine, host);
+#if EXAMPLE_LINK != 0
+  board::StartLink();
+#endif
   board::StartWatchdog();
   board::StartTimer(1000 * kPeriodMs);
   // The background. It feeds the watchdog only after a scan, so that a scan that hangs and an interrupt that does not
   // come are both found.
-  for (uint32_t seen = 0; seen < 200;) {
-    board::WaitForInterrupt();
+  for (uint32_t seen = 0; seen < EXAMPLE_PERIODS;) {
+    Rest();
     if (seen != periods) board::FeedWatchdog();
     seen = periods;
   }
+  if (EXAMPLE_DIGEST == 1) EndWithDigest();
   if (mistake != nullptr) board::End(mistake, 1);
   // Power off, power on: what the program stored when it was switched off is there again.
   static lathe::State after;

@@ -15,6 +15,12 @@ void FeedWatchdog();
 /// Sleeps until the next interrupt is over.
 void WaitForInterrupt();
 
+/// The serial port of a link (link.h); none of these waits.
+void StartLink();
+bool LinkReceive(uint8_t& byte);
+bool LinkCanSend();
+void LinkSend(uint8_t byte);
+
 /// Ends the run in the emulator with a word and an exit code. On a machine: a loop that waits for the watchdog.
 [[noreturn]] void End(const char* word, int code);
 

@@ -21,6 +21,9 @@ constexpr uintptr_t kSysTickControl = 0xE000E010, kSysTickReload = 0xE000E014, k
 // CMSDK watchdog: the first time out is an NMI, the second one resets.
 constexpr uintptr_t kWatchdogLoad = 0x40008000, kWatchdogControl = 0x40008008, kWatchdogClear = 0x4000800C,
                     kWatchdogLock = 0x40008C00;
+// CMSDK serial port: data, state (1 full to send, 2 received), control (1 sends, 2 receives), clocks of a bit.
+constexpr uintptr_t kSerialData = 0x40004000, kSerialState = 0x40004004, kSerialControl = 0x40004008,
+                    kSerialDivider = 0x40004010;
 
 int Semihosting(int operation, const void* block) {
   register int r0 asm("r0") = operation;
@@ -76,6 +79,20 @@ void StartWatchdog() {
 void FeedWatchdog() { Register(kWatchdogClear) = 1; }
 
 void WaitForInterrupt() { asm volatile("wfi" ::: "memory"); }
+
+void StartLink() {
+  Register(kSerialDivider) = kClockHz / 115200;
+  Register(kSerialControl) = 3;
+}
+
+bool LinkReceive(uint8_t& byte) {
+  if ((Register(kSerialState) & 2) == 0) return false;
+  byte = static_cast<uint8_t>(Register(kSerialData));
+  return true;
+}
+
+bool LinkCanSend() { return (Register(kSerialState) & 1) == 0; }
+void LinkSend(uint8_t byte) { Register(kSerialData) = byte; }
 
 void End(const char* word, int code) {
   constexpr int kWriteText = 0x04, kExitExtended = 0x20, kApplicationExit = 0x20026;

@@ -18,6 +18,10 @@ constexpr uint32_t kTimerHz = 10'000'000;
 constexpr uintptr_t kCompareLow = 0x02004000, kCompareHigh = 0x02004004;
 constexpr uintptr_t kTimeLow = 0x0200BFF8, kTimeHigh = 0x0200BFFC;
 
+// The serial port, a 16550: data, and state (1 received, 32 room to send).
+constexpr uintptr_t kSerialData = 0x10000000, kSerialState = 0x10000005;
+
+volatile uint8_t& ByteRegister(uintptr_t address) { return *reinterpret_cast<volatile uint8_t*>(address); }
 volatile uint32_t& Register(uintptr_t address) { return *reinterpret_cast<volatile uint32_t*>(address); }
 
 uint32_t ticks_of_period = 0;
@@ -106,6 +110,17 @@ void StartWatchdog() {}
 void FeedWatchdog() {}
 
 void WaitForInterrupt() { asm volatile("wfi" ::: "memory"); }
+
+void StartLink() {}  // QEMU's needs no rate
+
+bool LinkReceive(uint8_t& byte) {
+  if ((ByteRegister(kSerialState) & 1) == 0) return false;
+  byte = ByteRegister(kSerialData);
+  return true;
+}
+
+bool LinkCanSend() { return (ByteRegister(kSerialState) & 32) != 0; }
+void LinkSend(uint8_t byte) { ByteRegister(kSerialData) = byte; }
 
 void End(const char* word, int code) {
   constexpr intptr_t kWriteText = 0x04, kExitExtended = 0x20, kApplicationExit = 0x20026;
