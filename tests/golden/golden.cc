@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "transpiler/compile/child_process.h"
+#include "transpiler/project/project.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::golden {
@@ -188,7 +189,7 @@ std::optional<std::string> CheckPhase(const PhaseGolden& golden, Mode mode) {
 
 std::vector<std::string> CheckSample(const fs::path& machine, Mode mode) {
   std::vector<fs::path> scenarios = FilesBelow(machine, ".yaml");
-  std::erase_if(scenarios, [](const fs::path& file) { return file.filename() == "plcxx.yaml"; });
+  std::erase_if(scenarios, [](const fs::path& file) { return project::IsNoScenario(file.string()); });
   if (scenarios.empty()) return {machine.string() + ": a sample has scenarios"};
   if (!fs::exists(machine / "plcxx.yaml")) return {machine.string() + ": a sample has a plcxx.yaml"};
   const compile::TemporaryDirectory temporary;

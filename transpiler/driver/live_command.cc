@@ -23,6 +23,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/live_link.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/driver/scenario_source.h"
@@ -59,7 +60,8 @@ constexpr int kUsualPort = 8420;
 
 struct LiveSettings {
   CommonOptions common;
-  std::string waveform;  // --vcd
+  std::string waveform;      // --vcd
+  std::string plant, panel;  // files; kNone; empty: those of plcxx.yaml
   LinkWords link;
   std::string listen = kLoopback;
   int port = 0;
@@ -165,7 +167,10 @@ bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& com
     PrintHowFarTraced(run, scenarios::Departures(compilation, *trace, run));
     return OpenRun(run.scenario, compilation, session);
   }
-  if (!IsScenario(settings.common)) return true;
+  if (!IsScenario(settings.common)) {
+    session.BeginAnew();
+    return true;
+  }
   const std::optional<scenarios::Scenario> scenario = ReadScenario(settings.common.sources.front(), settings.common);
   return scenario && OpenRun(*scenario, compilation, session);
 }
@@ -229,6 +234,13 @@ int RunLive(const LiveSettings& settings) {
 
   const report::ProgramInput input = PageInput(compilation);
   live::Session session(compilation, input);
+  // A trace has the machine's inputs as they were.
+  const std::string& named = settings.plant.empty() && !settings.waveform.empty() ? kNone : settings.plant;
+  const auto plant = ChoosePlant(named, settings.common, compilation);
+  if (!plant) return kWrongUse;
+  const auto panel = ChoosePanel(settings.panel, settings.common, compilation, plant->get());
+  if (!panel) return kWrongUse;
+  session.Equip(*plant, *panel);
   if (!OpenNamed(settings, compilation, session)) return kWrongUse;
   live::Service service(session, {&compilation, &*request, FolderOf(settings.common)});
   return Serve(settings, service, compilation.name);
@@ -271,6 +283,12 @@ void AddLive(CLI::App& app, Run& run) {
   const auto settings = std::make_shared<LiveSettings>();
   AddCommonOptions(*command, settings->common);
   command->add_option("--vcd", settings->waveform, "A recorded trace: the program runs with its inputs first")
+      ->type_name("FILE");
+  command
+      ->add_option("--plant", settings->plant,
+                   "What the machine does around the program; else that of plcxx.yaml or the scenario, 'none': nothing")
+      ->type_name("FILE");
+  command->add_option("--panel", settings->panel, "The operator's panel; else that of plcxx.yaml, 'none': no panel")
       ->type_name("FILE");
   command->add_option("--port", settings->port, "Of the page; 8420, or any that is free")
       ->type_name("N")

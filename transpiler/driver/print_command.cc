@@ -17,6 +17,7 @@
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/ir/printer.h"
+#include "transpiler/plant/schema.h"
 #include "transpiler/project/schema.h"
 #include "transpiler/source/decode.h"
 
@@ -28,7 +29,7 @@ constexpr const char* kPrintFooter = R"(Phases:
   tokens         what the lexer sees       ir-structured  nested regions            cpp           the generated files
   syntax         the syntax tree           ir-optimized   sliced and optimized
 
-  schema         the JSON schema of plcxx.yaml, for editors
+  schema         the JSON schema of plcxx.yaml, for editors; plant-schema, panel-schema: of plant.yaml and panel.yaml
   vocabulary     the words of all dialects as JSON, for the colours of editors
 
 Examples:
@@ -85,8 +86,15 @@ std::string PrintFiles(compilation::Compilation& compilation) {
   return text;
 }
 
-/// No phases: what an editor has to know of plcxx.yaml, and of the languages.
-constexpr std::string_view kSchema = "schema", kVocabulary = "vocabulary";
+/// No phases: what an editor has to know of plcxx.yaml and its like, and of the languages.
+struct TextRow {
+  std::string_view name;
+  std::string (*print)();
+};
+constexpr std::array<TextRow, 4> kTexts = {{{"schema", project::Schema},
+                                            {"plant-schema", plant::PlantSchema},
+                                            {"panel-schema", plant::PanelSchema},
+                                            {"vocabulary", VocabularyText}}};
 
 struct PhaseRow {
   std::string_view name;
@@ -114,7 +122,8 @@ const PhaseRow* PhaseByName(std::string_view name) {
 std::string PhaseNames() {
   std::string names;
   for (const PhaseRow& row : kPhases) names += std::string(row.name) + ", ";
-  return names + std::string(kSchema) + ", " + std::string(kVocabulary);
+  for (const TextRow& row : kTexts) names += std::string(row.name) + (row.name == kTexts.back().name ? "" : ", ");
+  return names;
 }
 
 int RunPrint(const PrintSettings& settings) {
@@ -137,12 +146,9 @@ int RunPrint(const PrintSettings& settings) {
 
 /// What needs no program comes first.
 int RunPrintOf(const PrintSettings& settings) {
-  if (settings.phase == kSchema) {
-    std::cout << project::Schema();
-    return kDone;
-  }
-  if (settings.phase == kVocabulary) {
-    std::cout << VocabularyText();
+  for (const TextRow& row : kTexts) {
+    if (settings.phase != row.name) continue;
+    std::cout << row.print();
     return kDone;
   }
   if (PhaseByName(settings.phase) == nullptr) {

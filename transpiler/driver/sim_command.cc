@@ -8,6 +8,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/sim_run.h"
@@ -36,7 +37,7 @@ struct SimSettings {
   CommonOptions common;
   SimWords words;
   bool changes = false;
-  std::string waveform;
+  std::string waveform, plant;
   uint32_t time_limit = 60;
 };
 
@@ -45,6 +46,20 @@ bool HasOption(const dialects::Dialect& dialect, std::string_view key) {
     if (option.key == key) return true;
   }
   return false;
+}
+
+/// What is wrong where --at sets what the plant would write again; empty: nothing.
+std::string SetOfDriven(const SimPlan& plan, const scenarios::BoundPlant* plant) {
+  if (plant == nullptr) return {};
+  for (const SimValue& value : plan.at) {
+    if (value.location.text_input) continue;
+    if (const plant::Driven* const driver = plant->DriverOf(value.location)) {
+      return "--at " + value.written + ": the plant drives it, " +
+             scenarios::DriverText(*driver, plant->model().path()) +
+             "; hold it with --force, or leave the plant out with --plant none";
+    }
+  }
+  return {};
 }
 
 void PrintOutcome(const SimSettings& settings, const SimPlan& plan, const SimOutcome& outcome) {
@@ -82,6 +97,12 @@ int RunSim(const SimSettings& settings) {
     return kWrongUse;
   }
   const SimPlan& plan = std::get<SimPlan>(planned);
+  const auto plant = ChoosePlant(settings.plant, settings.common, compilation);
+  if (!plant) return kWrongUse;
+  if (const std::string driven = SetOfDriven(plan, plant->get()); !driven.empty()) {
+    PrintUsageError(driven);
+    return kWrongUse;
+  }
 
   std::map<std::string, std::string> options = compilation.options;
   if (HasOption(*compilation.dialect, kStubOption)) options.emplace(kStubOption, "on");  // off only on request
@@ -89,6 +110,7 @@ int RunSim(const SimSettings& settings) {
   run_options.rows = settings.changes ? Rows::kChangesOnly : Rows::kEveryScan;
   run_options.with_trace = !settings.waveform.empty();
   run_options.seconds = settings.time_limit;
+  run_options.plant = *plant;
   const SimOutcome outcome = RunSimulation(compilation, plan, run_options,
                                            compilation.dialect->make_stub(compilation.program, options), std::cout);
   std::cout.flush();
@@ -135,6 +157,8 @@ void AddSim(CLI::App& app, Run& run) {
   AddRepeated(*command, "--force", words.force, "LOC=VALUE", "Hold a location against every writer");
   AddRepeated(*command, "--disconnect-lines", words.disconnect, "LINES",
               "Switch statements off: 12, or 12,20, or FILE:12,20, or '*'");
+  add("--plant", settings->plant, "FILE",
+      "What the machine does around the program; else that of plcxx.yaml or the scenario, 'none': nothing");
   add("--trigger", words.trigger, "EDGE:LOC", "Graph instead of table, begun by rising:LOC or falling:LOC");
   add("--delay", words.delay, "TIME", "Of the graph's first sample behind the edge");
   add("--sampling", words.sampling, "TIME", "Between two samples of the graph; else every period");

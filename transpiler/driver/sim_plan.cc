@@ -130,6 +130,7 @@ bool Planner::At() {
     SimValue value;
     if (!TakeDuration("--at", std::string_view(text).substr(0, colon), value.time_ms)) return false;
     if (!TakeAssignment(std::string_view(text).substr(colon + 1), value)) return false;
+    value.written = text;
     plan_.at.push_back(std::move(value));
   }
   std::ranges::stable_sort(plan_.at, {}, &SimValue::time_ms);

@@ -32,7 +32,8 @@ struct SimValue {
   uint64_t time_ms = 0;         // of --at
   dialects::Location location;  // not absent
   uint64_t value = 0;
-  std::string text;  // for a text input
+  std::string text;     // for a text input
+  std::string written;  // of --at, the whole
 };
 
 struct SimPlan {

@@ -103,6 +103,7 @@ SimOutcome RunSimulation(const compilation::Compilation& compilation, const SimP
   const ir::Program& program = compilation.program;
   sim::Simulator simulator(program);
   scenarios::ScenarioControl control(program, *compilation.dialect, simulator, std::move(stub));
+  if (options.plant) control.Attach(options.plant);
   const sim::ReadWatched read = control.Reader();
   TimedValues timed(plan.at, simulator, control);
   sim::Clock clock(program, {&simulator});

@@ -8,6 +8,7 @@
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/driver/sim_plan.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/sim/trace.h"
 
 namespace plcxx::driver {
@@ -26,7 +27,8 @@ struct SimOutcome {
 struct SimRunOptions {
   Rows rows = Rows::kEveryScan;
   bool with_trace = false;
-  uint32_t seconds = 60;  // of real time, at most
+  uint32_t seconds = 60;                               // of real time, at most
+  std::shared_ptr<const scenarios::BoundPlant> plant;  // may be none
 };
 
 /// `stub` may be none.

@@ -187,7 +187,7 @@ constexpr CommandRow kCommands[] = {
      }},
     {"restart",
      [](Context& context) {
-       context.session.Restart();
+       context.session.BeginAnew();
        return Refusal();
      }},
     {"set",
@@ -199,6 +199,22 @@ constexpr CommandRow kCommands[] = {
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
        PLCXX_WITH_WORDS(context.session.Toggle(name));
+     }},
+    {"panelPress",
+     [](Context& context) -> Refusal {
+       const uint64_t control = context.words.Number("control", kMostNumber);
+       PLCXX_WITH_WORDS(context.session.PressPanel(control));
+     }},
+    {"panelRelease",
+     [](Context& context) -> Refusal {
+       const uint64_t control = context.words.Number("control", kMostNumber);
+       PLCXX_WITH_WORDS(context.session.ReleasePanel(control));
+     }},
+    {"panelTurn",
+     [](Context& context) -> Refusal {
+       const uint64_t control = context.words.Number("control", kMostNumber);
+       const uint64_t position = context.words.Number("position", kMostNumber);
+       PLCXX_WITH_WORDS(context.session.TurnPanel(control, position));
      }},
     {"force",
      [](Context& context) -> Refusal {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
@@ -37,6 +38,8 @@ class Machine {
   explicit Machine(const compilation::Compilation& compilation);
   /// With a simulator of this program that looks at what happens.
   Machine(const compilation::Compilation& compilation, std::unique_ptr<sim::Simulator> simulator);
+  /// Before power-on, or Restore: what moves around the program.
+  void Attach(std::shared_ptr<const scenarios::BoundPlant> plant) { control_.Attach(std::move(plant)); }
 
   /// Asked before each statement of a stretch: true stops it there.
   using StopAt = std::function<bool(ir::StatementId statement)>;

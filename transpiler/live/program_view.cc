@@ -89,9 +89,40 @@ Json SignalsJson(const Session& session) {
                     {"type", signal.type},
                     {"group", NameOf(signal.group)},
                     {"signed", is_signed},
-                    {"named", signal.can_be_named}});
+                    {"named", signal.can_be_named},
+                    {"driven", signal.location ? session.DriverOf(*signal.location) : ""}});
   }
   return list;
+}
+
+/// "dec" where the file does not say how a number is shown.
+std::string BaseOf(const BoundPanel& panel, const plant::PanelControl& control) {
+  if (!control.base.empty()) return control.base;
+  return control.shows && panel.reads[*control.shows].has_sign ? "signed" : "dec";
+}
+
+Json PanelJson(const BoundPanel& panel) {
+  Json groups = Json::array();
+  size_t number = 0;
+  for (const plant::PanelGroup& group : panel.panel.groups) {
+    Json controls = Json::array();
+    for (const plant::PanelControl& control : group.controls) {
+      Json one = {{"number", number++},     {"kind", std::string(plant::NameOf(control.kind))},
+                  {"text", control.text},   {"color", control.color},
+                  {"width", control.width}, {"column", control.column},
+                  {"row", control.row}};
+      if (!control.labels.empty()) one["labels"] = control.labels;
+      if (control.kind == plant::ControlKind::kButton) one["lamp"] = control.lamp.has_value();
+      if (control.shows) {
+        one["base"] = BaseOf(panel, control);
+        one["unit"] = control.unit;
+        one["type"] = std::string(ir::Name(panel.reads[*control.shows].place.type));
+      }
+      controls.push_back(std::move(one));
+    }
+    groups.push_back({{"title", group.title}, {"columns", group.columns}, {"controls", std::move(controls)}});
+  }
+  return {{"title", panel.panel.title}, {"groups", std::move(groups)}};
 }
 
 /// Pixels that the page gives a row before it has been drawn.
@@ -148,6 +179,7 @@ Json ProgramView::Outline() const {
   Json heights = Json::array();
   for (const report::Row& row : rows_.rows) heights.push_back(HeightOf(row));
   outline["rows"] = heights;
+  if (session_.panel() != nullptr) outline["panel"] = PanelJson(*session_.panel());
   return outline;
 }
 

@@ -53,6 +53,7 @@ void Session::WentElsewhere() {
   timeline_.machine().simulator().TakeEvents();
   timeline_.machine().control().TakeMessages();
   const uint64_t period = timeline_.period();
+  std::ranges::fill(held_, Held());
   while (!notes_.empty() && notes_.back().period >= period) notes_.pop_back();
   ++notes_version_;
   chart_.GoBack(period);
@@ -115,6 +116,7 @@ bool Session::Period(const Advance& advance) {
     return false;
   }
   Observe(period);
+  LetButtonsGo();
   std::string why = BreaksAfterPeriod();
   if (why.empty()) return true;
   Pause(std::move(why));

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,6 +15,7 @@
 
 #include "transpiler/live/chart.h"
 #include "transpiler/live/condition.h"
+#include "transpiler/live/panel.h"
 #include "transpiler/live/signals.h"
 #include "transpiler/live/timeline.h"
 #include "transpiler/report/program_input.h"
@@ -58,7 +60,11 @@ class Session {
   /// Both outlive it; `input` is of `compilation`.
   Session(const compilation::Compilation& compilation, const report::ProgramInput& input);
 
+  /// The machine around the program and the panel; each may be none. At delivery.
+  void Equip(std::shared_ptr<const scenarios::BoundPlant> plant, std::shared_ptr<const BoundPanel> panel);
   void Restart();
+  /// The same, and the panel is put as it is at delivery.
+  void BeginAnew();
   Refusal Run();
   void Pause(std::string why);
   Refusal SetSpeed(double times);
@@ -82,6 +88,11 @@ class Session {
   Refusal PowerOn();
   Refusal Expect(const std::vector<std::string>& names);
   Refusal ExpectMessages();
+
+  /// Of controls of the panel, by number.
+  Refusal PressPanel(size_t control);
+  Refusal ReleasePanel(size_t control);
+  Refusal TurnPanel(size_t control, size_t position);
 
   Refusal BreakAtStatement(ir::StatementId statement, bool on);
   Refusal BreakAtChange(const std::string& name);
@@ -118,6 +129,10 @@ class Session {
   double speed() const { return speed_; }  // of real time; 0: as fast as possible
   const std::string& why_stopped() const { return why_stopped_; }
   const std::string& opened() const { return opened_; }
+  const BoundPanel* panel() const { return panel_.get(); }
+  std::vector<ControlState> PanelStates();
+  /// "turret 'tools' (plant.yaml:7)"; empty: the plant does not drive it.
+  std::string DriverOf(const dialects::Location& location) const;
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   const std::vector<Forced>& forced() const { return forced_; }
   const std::deque<Note>& notes() const { return notes_; }
@@ -134,6 +149,11 @@ class Session {
   /// Why it stops after the period; empty: it does not.
   std::string BreaksAfterPeriod();
   void WentElsewhere();
+  enum class Zeros : uint8_t { kWritten, kLeftOut };
+  void Write(const plant::PanelControl& control, size_t position, Zeros zeros);
+  void PutPanelBack(const std::vector<ControlState>& before);
+  /// Buttons that were released before they had been pressed long enough.
+  void LetButtonsGo();
   void FindForced();
   Machine::StopAt StatementStops();
   uint64_t Count(ir::PlaceId counter);
@@ -150,6 +170,15 @@ class Session {
   uint32_t next_breakpoint_ = 1;
   std::vector<bool> stops_at_;  // by StatementId
   std::vector<Forced> forced_;
+  struct Held {
+    bool is_pressed = false, is_let_go = false;  // of a button
+    uint64_t since_ms = 0;
+    std::optional<int64_t> position;  // of what stays where it is put, before the period
+    uint64_t period = 0;
+  };
+  std::shared_ptr<const scenarios::BoundPlant> plant_;
+  std::shared_ptr<const BoundPanel> panel_;
+  std::vector<Held> held_;  // by control of the panel
   std::deque<Note> notes_;
   uint32_t notes_version_ = 0;
   bool is_running_ = false, is_on_ = true;

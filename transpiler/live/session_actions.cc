@@ -29,10 +29,18 @@ Refusal Session::Do(Action action) {
   return {};
 }
 
+std::string Session::DriverOf(const dialects::Location& location) const {
+  const plant::Driven* const driver = plant_ ? plant_->DriverOf(location) : nullptr;
+  return driver == nullptr ? std::string() : scenarios::DriverText(*driver, plant_->model().path());
+}
+
 Refusal Session::Set(const std::string& name, const std::string& value) {
   const auto found = Find(name);
   if (const auto* refusal = std::get_if<std::string>(&found)) return *refusal;
   const auto& location = std::get<dialects::Location>(found);
+  if (const std::string driver = DriverOf(location); !driver.empty()) {
+    return "'" + name + "' is driven by the plant, " + driver + ": force it to hold it";
+  }
   if (location.text_input) {
     if (value.size() > kMostTyped) return "the text is too long";
     return Do({.kind = ActionKind::kText, .name = name, .location = location, .text = value, .statement = {}});
@@ -109,7 +117,11 @@ Refusal Session::PowerOn() {
   if (is_on_) return "the machine is on already";
   is_on_ = true;
   why_stopped_.clear();
-  return Do({.kind = ActionKind::kPowerCycle, .name = {}, .location = {}, .text = {}, .statement = {}});
+  const std::vector<ControlState> panel = PanelStates();
+  std::ranges::fill(held_, Held());
+  Do({.kind = ActionKind::kPowerCycle, .name = {}, .location = {}, .text = {}, .statement = {}});
+  PutPanelBack(panel);
+  return {};
 }
 
 Refusal Session::Expect(const std::vector<std::string>& names) {

@@ -209,6 +209,13 @@ Json StateView::Changes() {
                            {"statement", one.statement.valid() ? int64_t{one.statement.index} : -1}});
   }
   AddPart(state, "breakpoints", std::move(breakpoints));
+  if (session_.panel() != nullptr) {
+    Json panel = Json::array();
+    for (const ControlState& control : session_.PanelStates()) {
+      panel.push_back({control.position, control.is_lit, Exact(control.value)});
+    }
+    AddPart(state, "panel", std::move(panel));
+  }
   AddPart(state, "messages", session_.ActiveMessages());
   AddNotes(state);
   AddChart(state);

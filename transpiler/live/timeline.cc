@@ -44,6 +44,7 @@ Timeline::Timeline(const compilation::Compilation& compilation) : compilation_(c
 
 void Timeline::Restart() {
   machine_ = std::make_unique<Machine>(compilation_);
+  if (plant_) machine_->Attach(plant_);
   entries_.clear();
   stretches_.clear();
   checkpoints_.clear();
@@ -166,6 +167,7 @@ void Timeline::RepeatOn(Machine& machine, uint64_t periods) const {
   const uint64_t wanted = period_ - std::min(period_, periods);
   const auto behind = std::ranges::upper_bound(checkpoints_, wanted, {}, &Checkpoint::period);
   const Checkpoint& from = behind == checkpoints_.begin() ? checkpoints_.front() : *std::prev(behind);
+  if (plant_) machine.Attach(plant_);
   machine.Restore(from.saved);
   for (uint64_t period = from.period; period < period_; ++period) {
     ApplyEntriesOf(period, machine);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/live/machine.h"
@@ -59,6 +60,8 @@ class Timeline {
   /// `compilation` outlives it. The machine is on.
   explicit Timeline(const compilation::Compilation& compilation);
 
+  /// What moves around the program from the next Restart on; may be none.
+  void Attach(std::shared_ptr<const scenarios::BoundPlant> plant) { plant_ = std::move(plant); }
   /// The machine as it is delivered, switched on: nothing is known of before.
   void Restart();
   void Do(Action action);
@@ -73,6 +76,7 @@ class Timeline {
   void GoTo(uint64_t period);
 
   Machine& machine() { return *machine_; }
+  const std::shared_ptr<const scenarios::BoundPlant>& plant() const { return plant_; }
   uint64_t period() const { return period_; }  // that is next, or is half done
   uint64_t first() const { return checkpoints_.front().period; }
   uint64_t end() const { return end_; }
@@ -104,6 +108,7 @@ class Timeline {
   bool RunPeriod(const Advance& how, uint32_t skip, const Machine::StopAt& stop);
 
   const compilation::Compilation& compilation_;
+  std::shared_ptr<const scenarios::BoundPlant> plant_;
   std::unique_ptr<Machine> machine_;
   std::deque<Entry> entries_;       // ascending
   std::vector<Stretch> stretches_;  // ascending, each one different from the one before

@@ -75,7 +75,7 @@ Json RunProject(const Workplace& workplace, const Json& arguments) {
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (fs::path(name).filename() == "plcxx.yaml") {
       projects.push_back(ProjectOf(workplace, name));
-    } else if (extension == ".yaml") {
+    } else if (extension == ".yaml" && !project::IsNoScenario(name)) {
       scenarios.push_back(name);
     } else if (IsSource(extension)) {
       sources.push_back(name);

@@ -97,6 +97,12 @@ class ProgramMaker {
       case Key::kProperties:
         program_.properties = Paths(value);
         return;
+      case Key::kPlant:
+        program_.plant = OnlyFile(value);
+        return;
+      case Key::kPanel:
+        program_.panel = OnlyFile(value);
+        return;
       case Key::kGenerated:
         program_.generated = Paths(value).empty() ? program_.generated : Paths(value).front();
         return;
@@ -171,6 +177,12 @@ class ProgramMaker {
     if (!CheckReach(value.words)) return paths;
     for (const yaml::MarkedText& path : value.words) paths.push_back(Below(program_.folder, path.text));
     return paths;
+  }
+
+  /// A file that is there, as it is opened; empty: reported.
+  std::string OnlyFile(const Value& value) {
+    if (value.words.empty() || !CheckReach(value.words) || !CheckIsThere(value.words.front())) return {};
+    return Below(program_.folder, value.words.front().text);
   }
 
   /// The files that a pattern stands for, relative to the program's folder; what is wrong with it is reported.

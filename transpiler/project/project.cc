@@ -35,6 +35,15 @@ void CheckNames(const Project& project, const std::vector<yaml::Place>& marks, y
 
 }  // namespace
 
+bool IsNoScenario(const std::string& path) {
+  const std::string name = fs::path(path).filename().string();
+  if (name == kProjectFile) return true;
+  for (const std::string_view own : {"plant.yaml", "panel.yaml"}) {
+    if (name == own || name.ends_with("." + std::string(own))) return true;
+  }
+  return false;
+}
+
 std::optional<std::string> FindProject(const std::string& path) {
   std::error_code error;
   fs::path folder = fs::is_directory(path, error) ? fs::path(path) : fs::path(path).parent_path();

@@ -45,6 +45,7 @@ struct Program {
   std::string baseline;
   std::vector<std::string> scenarios;  // files and folders
   std::vector<std::string> properties;
+  std::string plant, panel;  // files; empty: none
   std::string generated;
   std::string host;  // empty: own
   std::vector<Target> targets;
@@ -57,6 +58,10 @@ struct Project {
 };
 
 using ProjectOrErrors = std::variant<Project, std::vector<yaml::Error>>;
+
+/// Whether a YAML file is no scenario by its name: plcxx.yaml, plant.yaml, panel.yaml, NAME.plant.yaml,
+/// NAME.panel.yaml.
+bool IsNoScenario(const std::string& path);
 
 /// The plcxx.yaml of a folder or of the folder of a file: there, or in the nearest folder above it, up to the folder
 /// that is under version control. Relative where `path` is: "../plcxx.yaml".

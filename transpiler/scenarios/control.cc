@@ -60,14 +60,39 @@ sim::HostAnswer ScenarioControl::Answer(ir::HostFunctionId id, std::span<const u
 void ScenarioControl::PowerOff() {
   for (std::vector<uint8_t>& bits : set_bits_) std::fill(bits.begin(), bits.end(), uint8_t{0});
   if (stub_) stub_->PowerOff();
+  plant_ms_ = 0;  // time begins anew; the machine stays where it is
 }
 
 void ScenarioControl::PowerOn() {
   messages_.PowerOn();
+  MovePlant(0);
   if (stub_) stub_->PowerOn(*this);
 }
 
+void ScenarioControl::Attach(std::shared_ptr<const BoundPlant> plant) {
+  bound_ = std::move(plant);
+  plant_.emplace(bound_->shared_model());
+  plant_ms_ = 0;
+}
+
+void ScenarioControl::MovePlant(uint32_t now_ms) {
+  if (!plant_) return;
+  plant_reads_.clear();
+  for (const dialects::Location& location : bound_->reads()) {
+    plant_reads_.push_back(
+        PlantNumber(location, location.cell ? ReadCell(*location.cell) : ReadLocation(engine_, location)));
+  }
+  const std::span<const int64_t> drives = plant_->Advance(now_ms - plant_ms_, plant_reads_);
+  plant_ms_ = now_ms;
+  for (size_t i = 0; i < drives.size(); ++i) {
+    const dialects::Location& location = bound_->drives()[i];
+    const uint64_t value = PlantBits(location, drives[i]);
+    if (ReadLocation(engine_, location) != value) Set(location, value);
+  }
+}
+
 void ScenarioControl::BeforePeriod(uint32_t now_ms) {
+  MovePlant(now_ms);
   if (stub_) stub_->BeforePeriod(now_ms, *this);
 }
 

@@ -1,12 +1,14 @@
 // The control that a scenario or a simulation has around the program: the dialect's simulated one if it has one, and
 // the operator's eyes on the messages.
 //
-// In: a dialect's ControlStub and the engine. What a scenario sets wins over the stub, unless the stub takes it over as
-// the new level of an input. Not its job: when a period runs (sim/clock.h).
+// In: a dialect's ControlStub and the engine; what the machine does where there is a plant. What a scenario sets wins
+// over the stub, unless the stub takes it over as the new level of an input. Not its job: when a period runs
+// (sim/clock.h).
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +17,8 @@
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/ir/program.h"
+#include "transpiler/plant/plant.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/sim/active_messages.h"
 #include "transpiler/sim/engine.h"
 #include "transpiler/sim/trace.h"
@@ -40,6 +44,9 @@ class ScenarioControl : private dialects::ImagePort {
   ScenarioControl(const ir::Program& program, const dialects::Dialect& dialect, sim::Engine& engine,
                   std::unique_ptr<dialects::ControlStub> stub);
 
+  /// From the next power-on, which delivers the machine, a plant moves around the program.
+  void Attach(std::shared_ptr<const BoundPlant> plant);
+
   /// Before the init of a power cycle: forgets what the scenario has set.
   void PowerOff();
   /// After init.
@@ -51,12 +58,18 @@ class ScenarioControl : private dialects::ImagePort {
   struct Saved {
     std::unique_ptr<dialects::ControlStub> stub;
     std::vector<std::vector<uint8_t>> set_bits;
+    std::optional<plant::Plant> plant = {};
+    uint32_t plant_ms = 0;
   };
-  Saved Save() const { return {.stub = stub_ ? stub_->Clone() : nullptr, .set_bits = set_bits_}; }
+  Saved Save() const {
+    return {.stub = stub_ ? stub_->Clone() : nullptr, .set_bits = set_bits_, .plant = plant_, .plant_ms = plant_ms_};
+  }
   /// Goes back to what this one has saved.
   void Restore(const Saved& saved) {
     stub_ = saved.stub ? saved.stub->Clone() : nullptr;
     set_bits_ = saved.set_bits;
+    plant_ = saved.plant;
+    plant_ms_ = saved.plant_ms;
   }
 
   /// The scenario writes `value` into a location that is neither a text input nor absent.
@@ -77,6 +90,8 @@ class ScenarioControl : private dialects::ImagePort {
   void LookAtMessages() override;
 
   void SetPlace(const ir::Place& place, uint64_t value);
+  /// Lets the plant move up to now, and writes what it drives.
+  void MovePlant(uint32_t now_ms);
   sim::HostAnswer Answer(ir::HostFunctionId function, std::span<const uint64_t> arguments);
   /// From now on the stub leaves this place alone.
   void NoteSet(const ir::Place& place);
@@ -88,6 +103,10 @@ class ScenarioControl : private dialects::ImagePort {
   std::vector<std::vector<uint8_t>> set_bits_;  // by SpaceId and byte: bits that the scenario has set
   sim::MessageTracker messages_;
   std::vector<ShownMessage> shown_;
+  std::shared_ptr<const BoundPlant> bound_;  // none: there is no plant
+  std::optional<plant::Plant> plant_;
+  uint32_t plant_ms_ = 0;  // up to then it has moved
+  std::vector<int64_t> plant_reads_;
 };
 
 constexpr sim::Sign SignOf(const dialects::Location& location) {

@@ -95,6 +95,15 @@ class ScenarioPlanner {
 
   ScenarioPlan Plan() {
     ScenarioPlan plan;
+    if (scenario_.plant) {
+      BoundOrErrors bound = BindPlant(scenario_.plant, dialect_, program_);
+      if (auto* errors = std::get_if<std::vector<ScenarioError>>(&bound)) {
+        errors_ = std::move(*errors);
+        return plan;
+      }
+      plan.plant = std::move(std::get<std::shared_ptr<const BoundPlant>>(bound));
+      plant_ = plan.plant.get();
+    }
     for (const ScenarioStep& step : *scenario_.steps) {
       PlannedStep planned{&step, {}, {}};
       std::visit(
@@ -139,6 +148,7 @@ class ScenarioPlanner {
     for (const Assignment& assignment : assignments) {
       const std::optional<dialects::Location> location = Locate(assignment.location, use);
       if (!location) continue;
+      if (use == Use::kSet) CheckIsFree(assignment.location, *location);
       PlannedValue planned{assignment.location, *location, 0, {}};
       if (location->text_input) {
         planned.text = assignment.value.text;
@@ -149,6 +159,16 @@ class ScenarioPlanner {
       values.push_back(std::move(planned));
     }
     return values;
+  }
+
+  /// What the plant drives would be overwritten in the next period.
+  void CheckIsFree(const MarkedText& written, const dialects::Location& location) {
+    if (plant_ == nullptr) return;
+    const plant::Driven* const driver = plant_->DriverOf(location);
+    if (driver == nullptr) return;
+    errors_.push_back({scenario_.path, written.mark,
+                       "'" + written.text + "' is driven by the plant: " + DriverText(*driver, plant_->model().path()),
+                       "let the plant do it, or hold it with 'force'"});
   }
 
   std::vector<PlannedValue> Released(const ReleaseStep& release) {
@@ -228,6 +248,7 @@ class ScenarioPlanner {
   const Scenario& scenario_;
   const dialects::Dialect& dialect_;
   const ir::Program& program_;
+  const BoundPlant* plant_ = nullptr;
   std::vector<ScenarioError> errors_;
 };
 

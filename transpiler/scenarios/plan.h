@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/ir/program.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::scenarios {
@@ -45,6 +47,7 @@ struct PlannedStep {
 
 struct ScenarioPlan {
   std::vector<PlannedStep> steps;
+  std::shared_ptr<const BoundPlant> plant;  // may be none
 };
 
 /// The plan refers to `scenario`, which must have steps and outlive it.

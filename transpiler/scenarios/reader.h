@@ -23,6 +23,8 @@ class ScenarioReader : public yaml::Reader {
   Scenario Read(const YAML::Node& root);
   /// The word of `program:`, which is not the scenario's but its project's; empty when there is none.
   const MarkedText& program() const { return program_; }
+  /// The word of `plant:`, a file or `project`; empty when there is none.
+  const MarkedText& plant() const { return plant_; }
 
  private:
   /// Names of files, or a map of names and texts.
@@ -44,7 +46,7 @@ class ScenarioReader : public yaml::Reader {
   void CheckReach(ScenarioMark mark, const std::vector<std::string>& paths);
 
   Reach reach_;
-  MarkedText program_;
+  MarkedText program_, plant_;
 };
 
 }  // namespace plcxx::scenarios

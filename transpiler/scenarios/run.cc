@@ -42,6 +42,7 @@ class Runner {
   }
 
   Verdict Run() {
+    if (run_.plan.plant) control_.Attach(run_.plan.plant);
     clock_.PowerOn();
     control_.PowerOn();
     if (run_.monitor != nullptr) run_.monitor->PowerOn();

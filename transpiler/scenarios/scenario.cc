@@ -15,9 +15,34 @@ namespace plcxx::scenarios {
 namespace {
 
 constexpr size_t kMaxBytes = 16u << 20;
+constexpr std::string_view kOfProject = "project";  // as the word of `plant:`
 
 std::vector<ScenarioError> Refuse(const std::string& path, ScenarioMark mark, std::string message) {
   return {ScenarioError{path, mark, std::move(message)}};
+}
+
+/// What the word of `plant:` names.
+std::vector<ScenarioError> TakePlant(const MarkedText& word, Scenario& scenario) {
+  std::string path = (std::filesystem::path(scenario.directory) / word.text).lexically_normal().generic_string();
+  if (word.text == kOfProject) {
+    path = scenario.program ? scenario.program->plant : "";
+    if (path.empty()) {
+      return {{scenario.path, word.mark,
+               "'plant: project' is the plant of plcxx.yaml, and this scenario has none of it",
+               scenario.program ? "write 'plant: FILE' into plcxx.yaml, or name the file here"
+                                : "name the file, or leave 'sources' out: then the program is that of plcxx.yaml"}};
+    }
+  }
+  plant::ModelOrErrors read = plant::ReadPlant(path);
+  if (auto* errors = std::get_if<std::vector<ScenarioError>>(&read)) {
+    // The file itself cannot be read: the scenario's line says more than the path.
+    if (errors->size() == 1 && errors->front().mark.line == 0) {
+      return {{scenario.path, word.mark, "plant '" + path + "': " + errors->front().message, errors->front().remedy}};
+    }
+    return std::move(*errors);
+  }
+  scenario.plant = std::move(std::get<std::shared_ptr<const plant::Model>>(read));
+  return {};
 }
 
 }  // namespace
@@ -37,6 +62,10 @@ ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text,
   if (!reader.errors().empty()) return std::move(reader.errors());
   if (scenario.sources.empty()) {
     std::vector<ScenarioError> errors = TakeProgram(scenario, reader.program(), reach);
+    if (!errors.empty()) return errors;
+  }
+  if (!reader.plant().text.empty()) {
+    std::vector<ScenarioError> errors = TakePlant(reader.plant(), scenario);
     if (!errors.empty()) return errors;
   }
   return scenario;
@@ -134,6 +163,11 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
       if (word && key == "name") scenario.name = word->text;
     } else if (key == "program") {
       if (std::optional<MarkedText> word = Word(entry.value, "'program'")) program_ = std::move(*word);
+    } else if (key == "plant") {
+      if (std::optional<MarkedText> word = Word(entry.value, "'plant'")) {
+        plant_ = std::move(*word);
+        if (plant_.text != kOfProject) CheckReach(plant_.mark, {plant_.text});
+      }
     } else if (key == "sources") {
       ReadSources(entry.value, scenario);
     } else if (key == "options") {
@@ -150,8 +184,8 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
       scenario.steps = ReadSteps(entry.value);
     } else {
       RefuseKey(entry.key, "a scenario",
-                {"dialect", "program", "sources", "options", "steps", "properties", "expect_error", "warnings", "name",
-                 "description"});
+                {"dialect", "program", "sources", "options", "plant", "steps", "properties", "expect_error", "warnings",
+                 "name", "description"});
     }
   }
   if (!root.IsMap()) return scenario;

@@ -6,12 +6,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "transpiler/plant/plant.h"
 #include "transpiler/project/project.h"
 #include "transpiler/yaml/place.h"
 
@@ -102,6 +104,8 @@ struct Scenario {
   std::optional<std::vector<ScenarioStep>> steps;
   /// What `plcxx prove` proves of the program, and what is watched while the steps run.
   std::vector<MarkedText> properties;
+  /// What the machine does around the program while the steps run; may be none.
+  std::shared_ptr<const plant::Model> plant;
   /// Of the project, where the scenario names no sources: `sources` are then those of this program, and what it says is
   /// meant where the scenario says nothing.
   std::optional<project::Program> program;

@@ -197,8 +197,8 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
       // What belongs to other tools (.git, .github) is in hidden folders.
       if (entry->path().filename().string().starts_with('.') && entry->is_directory(error))
         entry.disable_recursion_pending();
-      const bool is_project = entry->path().filename() == project::kProjectFile;
-      if (entry->path().extension() == ".yaml" && !is_project && entry->is_regular_file(error))
+      const bool is_other = project::IsNoScenario(entry->path().string());
+      if (entry->path().extension() == ".yaml" && !is_other && entry->is_regular_file(error))
         found.push_back(path == "." ? entry->path().lexically_normal().generic_string()
                                     : entry->path().generic_string());
     }

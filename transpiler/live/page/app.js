@@ -3,6 +3,7 @@
 import { get, listen } from "./api.js";
 import * as chart from "./chart.js";
 import { byId, isTyping } from "./dom.js";
+import * as panel from "./panel.js";
 import * as program from "./program.js";
 import * as signals from "./signals.js";
 import { act, apply, forgetAll, say, state } from "./store.js";
@@ -42,7 +43,7 @@ async function start() {
   document.title = state.outline.name + " - plcxx live";
   byId("name").textContent = state.outline.name;
   byId("control").textContent = state.outline.control;
-  for (const part of [transport, signals, program, watches, chart]) part.begin();
+  for (const part of [transport, signals, program, panel, watches, chart]) part.begin();
   listenToKeys();
   listen(apply, begun, (isGone) => (byId("gone").hidden = !isGone));
 }

@@ -18,6 +18,8 @@ export function toggleSignal(number) {
   if (signal && signal.type === "bit" && signal.named) act({ do: "toggle", name: signal.name });
 }
 
+const drivenText = (signal) => (signal.driven ? "The plant drives it: " + signal.driven : "");
+
 /** The comment without the name that it begins with. */
 const wordsOf = (signal) => (signal.words.startsWith(signal.name + "; ") ? signal.words.slice(signal.name.length + 2) : signal.words);
 
@@ -35,12 +37,12 @@ function showRow(number) {
 function makeRow(signal, number) {
   const isBit = signal.type === "bit" && signal.named;
   const value = element(isBit ? "button" : "span", isBit
-    ? { type: "button", class: "value bit", role: "switch", "aria-label": "Toggle " + signal.name, onclick: () => {
+    ? { type: "button", class: "value bit", role: "switch", "aria-label": "Toggle " + signal.name, title: drivenText(signal), onclick: () => {
         select(number);
         toggleSignal(number);
       } }
     : { class: "value" });
-  const item = element("li", {},
+  const item = element("li", signal.driven ? { class: "driven" } : {},
     element("button", { type: "button", class: "name", onclick: () => select(number) },
       element("b", { dir: "auto" }, signal.name),
       element("small", { dir: "auto" }, wordsOf(signal) || signal.address)),
@@ -95,7 +97,8 @@ function showCard() {
     element("p", { class: "chosen" }, element("b", { dir: "auto" }, signal.name),
       element("span", { class: "forced-mark" }, "forced"), element("small", { dir: "auto" },
         [signal.address, signal.type, signal.group].filter(Boolean).join(" · "))),
-    element("p", { class: "soft", dir: "auto" }, wordsOf(signal)), values,
+    element("p", { class: "soft", dir: "auto" }, wordsOf(signal)),
+    signal.driven ? element("p", { class: "soft", dir: "auto" }, drivenText(signal)) : "", values,
     signal.named ? element("div", { class: "entry" }, entry) : "", bits, actions, why);
   cardParts = { number, values, bits, why };
   showCardValues();

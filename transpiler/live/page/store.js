@@ -13,6 +13,7 @@ export const state = {
   off: new Set(),
   breakpoints: [],
   messages: [],
+  panel: [],
   notes: [],
   watched: [],
   samples: [],
@@ -36,7 +37,7 @@ export function forgetAll() {
 export function apply(change) {
   const keys = new Set(Object.keys(change));
   const signals = new Set();
-  for (const key of ["at", "mode", "breakpoints", "messages", "notes", "trigger", "watched"]) {
+  for (const key of ["at", "mode", "breakpoints", "messages", "notes", "panel", "trigger", "watched"]) {
     if (key in change) state[key] = change[key];
   }
   for (const [number, value] of change.values ?? []) {
