@@ -85,7 +85,7 @@ def layout(page, name):
 
 def named(page):
     """What has no name for a screen reader."""
-    return page.evaluate("""Array.from(document.querySelectorAll('button, input, select, canvas, svg')).filter(one => {
+    return page.evaluate("""Array.from(document.querySelectorAll('button, input, select, canvas, svg:not([aria-hidden=true])')).filter(one => {
         const name = one.getAttribute('aria-label') || one.textContent.trim() || one.closest('label')?.textContent.trim() || one.title;
         return !name && one.offsetParent !== null; }).map(one => one.outerHTML.slice(0, 100))""")
 
@@ -113,10 +113,11 @@ def main_functions(page, name):
     page.click("[data-step=period]")
     page.wait("document.querySelector('.row.at') === null")
     # An input is toggled by a click: itself, or a bit of a word where the language has words.
-    is_bit = page.evaluate("document.querySelector('.list button.bit') !== null")
+    # What the plant drives is not the operator's.
+    is_bit = page.evaluate("document.querySelector('.list li:not(.driven) button.bit') !== null")
     if not is_bit:
-        page.click(".list .name")
-    bit = ".list button.bit" if is_bit else ".bits button:last-child"
+        page.click(".list li:not(.driven) .name")
+    bit = ".list li:not(.driven) button.bit" if is_bit else ".bits button:last-child"
     was = page.evaluate(f"document.querySelector({json.dumps(bit)}).className.includes('on')")
     is_toggled = f"document.querySelector({json.dumps(bit)}).className.includes('on') === "
     page.click(bit)
@@ -200,6 +201,94 @@ def sides(browser, plcxx, root, pictures):
                 page.picture(pictures, dialect + "-tablet")
 
 
+# What an operator does at each panel: ("press", text), ("turn", text, position), ("flip", text), ("see", text, what it shows).
+PANELS = {
+    "classicladder/turret": [("press", "RESET"), ("turn", "Station wanted", 2), ("key", "CHANGE"), ("see", "Station", "2"),
+                             ("lit", "Clamped"), ("flip", "Emergency stop"), ("dark", "RESET")],
+    "nc110/lathe_16k20": [("press", "Machine on"), ("lit", "Feed permitted"), ("press", "Next tool"), ("see", "Tool", "2"), ("lit", "Locked"),
+                          ("turn", "Mode", 0), ("flip", "Part program"), ("turn", "T", 4), ("press", "T strobe"), ("lit", "Next tool"),
+                          ("flip", "Door"), ("lit", "Feed hold"), ("see", "Tool", "5"), ("dark", "Feed permitted"), ("flip", "Door"),
+                          ("lit", "Feed permitted")],
+    "host50/ck6150": [("lit", "黄 Yellow"), ("press", "Chuck pedal"), ("lit", "Chuck pedal"), ("press", "Next tool"), ("see", "Tool", "2"),
+                      ("turn", "Mode", 0), ("flip", "Part program"), ("turn", "T", 5), ("press", "T strobe"), ("lit", "Next tool"),
+                      ("flip", "门 Door"), ("lit", "Feed hold"), ("see", "Tool", "6"), ("flip", "门 Door"), ("dark", "Feed hold")],
+    "prostep/mill_fnd32": [("press", "Hydraulika"), ("lit", "Next block"), ("turn", "T", 4), ("press", "T strobe"), ("lit", "T strobe"),
+                           ("press", "M06"), ("lit", "M06"), ("flip", "Osłona / guard"), ("see", "In the spindle", "5"), ("dark", "M06"),
+                           ("dark", "Feed permitted"), ("flip", "Osłona / guard"), ("lit", "Feed permitted")],
+    "technol/mcv_750": [("press", "Zapnutí"), ("lit", "Připraven"), ("turn", "Pocket", 2), ("turn", "Tool", 5), ("press", "Zápis"),
+                        ("turn", "T", 4), ("press", "T"), ("see", "Pocket", "3"), ("press", "M06"), ("lit", "M06"), ("flip", "Dveře / door"),
+                        ("dark", "Připraven"), ("see", "In the spindle", "0005"), ("flip", "Dveře / door"), ("lit", "Připraven")],
+    "hnc/mill_xk7132": [("press", "Reset"), ("turn", "T", 4), ("flip", "T asks"), ("lit", "Done"), ("flip", "T asks"), ("flip", "M06 asks"),
+                        ("lit", "Unclamp"), ("flip", "Door"), ("see", "In the spindle", "5"), ("lit", "Done"), ("flip", "M06 asks"),
+                        ("flip", "Door")],
+}
+CONTROL = ("Array.from(document.querySelectorAll('#panel .control%s')).find(one => "
+           "(one.querySelector('.legend') ?? one).textContent === %s)")
+
+
+def operate(page, name, action, text, *more):
+    """One thing that is done, or seen, at the panel."""
+    kinds = {"press": ".button", "key": ".button", "turn": ".knob", "flip": "", "see": ".display", "lit": "", "dark": ""}
+    one = CONTROL % (kinds[action], json.dumps(text))
+    if not page.evaluate(one + " !== undefined"):
+        check(False, f"{name}: the panel has no {text}")
+        return
+    if action == "press":
+        page.evaluate(one + ".querySelector('button').click(); 0")
+    elif action == "key":
+        page.evaluate(one + ".querySelector('button').focus(); 0")
+        page.browser.key("Enter", "\r")
+    elif action == "flip":
+        before = page.evaluate(one + ".querySelector('[role=switch]').ariaChecked")
+        page.evaluate(one + ".querySelector('[role=switch]').click(); 0")
+        page.wait(one + f".querySelector('[role=switch]').ariaChecked !== '{before}'")
+    elif action == "turn":
+        page.evaluate("{ const range = %s.querySelector('input'); range.value = %d; "
+                      "range.dispatchEvent(new Event('input', { bubbles: true })); } 0" % (one, more[0]))
+        page.wait(one + f".querySelector('input').value === '{more[0]}' && {one}.querySelector('.position').textContent.length > 0")
+        time.sleep(0.1)
+    elif action == "see":
+        page.wait(one + ".querySelector('.digits').textContent === " + json.dumps(more[0]), 30)
+    else:
+        page.wait(one + ".querySelector('.lit') " + ("!==" if action == "lit" else "===") + " null", 30)
+
+
+def panels(browser, plcxx, root, pictures):
+    for sample, script in PANELS.items():
+        name = "panel of " + sample.split("/")[0]
+        with Server(plcxx, [os.path.join(root, "samples", sample)], root) as server:
+            page = Page(browser, server)
+            page.click("#tab-panel")
+            page.wait("!document.querySelector('#panel').hidden && document.querySelector('#program').hidden")
+            page.wait("document.querySelector('#panel [aria-checked], #panel [aria-pressed]') !== null")
+            check(not named(page), f"{name}: without a name: {named(page)[:3]}")
+            server.act("speed", times=10)
+            page.click("#run")
+            for number, step in enumerate(script):
+                try:
+                    operate(page, name, *step)
+                except Exception as error:  # the rest of it cannot come about
+                    check(False, f"{name}: step {number + 1} {step}: {str(error)[:200]}")
+                    break
+                if number == 6:
+                    page.picture(pictures, "panel-" + sample.split("/")[0])
+            page.click("#run")
+            check(page.evaluate("document.querySelector('#panel').scrollWidth <= document.querySelector('#panel').clientWidth + 1"),
+                  name + ": wider than its place")
+            page.picture(pictures, "panel-end-" + sample.split("/")[0])
+            answer = json.loads(server.request("POST", "/api/command", json.dumps({"do": "scenario"}))[2])
+            check("plant: " in answer.get("yaml", ""), f"{name}: what was done is no scenario: {answer}")
+            check(not page.errors(), f"{name}: errors in the page: {page.errors()[:1]}")
+            if sample.startswith("nc110"):
+                page = Page(browser, server, dark=True)
+                page.click("#tab-panel")
+                page.picture(pictures, "panel-nc110-dark")
+                page = Page(browser, server, width=820, height=1180)
+                page.click("#tab-panel")
+                check(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), name + ": a tablet scrolls sideways")
+                page.picture(pictures, "panel-nc110-tablet")
+
+
 HOSTILE = ("W3K0=[W3K0+1]\n$\n;<img src=x onerror=window.bad=1><script>window.bad=1</script> лампа 灯 مصباح\n"
            "U4A8=I0A3*/I0A4+U4A8*/I0A4\n")
 
@@ -213,6 +302,16 @@ def what_authors_write_is_text(browser, plcxx, folder):
         check("<img src=x onerror" in text and "灯" in text and "مصباح" in text, "a comment is not shown as it is")
         check(page.evaluate("window.bad === undefined && document.querySelectorAll('#rows img').length === 0"),
               "a comment became markup")
+    with open(os.path.join(folder, "hostile.panel.yaml"), "w", encoding="utf-8") as file:
+        file.write('title: "<img src=x onerror=window.bad=1>"\ngroups:\n- title: "<script>window.bad=1</script>"\n  controls:\n'
+                   '  - button: {text: "<img src=x onerror=window.bad=1>", input: I0A3}\n'
+                   '  - knob: {text: K, location: W1K0, positions: ["<b>", "</span><img src=x onerror=window.bad=1>"]}\n')
+    with Server(plcxx, ["lamp.plc", "--panel", "hostile.panel.yaml"], folder) as server:
+        page = Page(browser, server)
+        page.click("#tab-panel")
+        check("<img src=x onerror" in page.evaluate("document.querySelector('#panel').textContent"), "a panel does not show its texts")
+        check(page.evaluate("window.bad === undefined && document.querySelectorAll('#panel img, #panel script').length === 0"),
+              "a text of the panel became markup")
 
 
 def latency(browser, plcxx, folder):
@@ -312,6 +411,7 @@ def main(plcxx, root, *more):
         comes_back(browser, plcxx, folder)
         shows_a_trace(browser, plcxx, folder)
         sides(browser, plcxx, root, pictures)
+        panels(browser, plcxx, root, pictures)
         if "--large" in more:
             large(browser, plcxx, folder)
     print("failures:", len(failures))

@@ -3,7 +3,7 @@
 
 import { byId, element, svg } from "./dom.js";
 import { format } from "./format.js";
-import { act, onChange, state } from "./store.js";
+import { act, notify, onChange, state } from "./store.js";
 
 const colors = ["white", "green", "yellow", "red", "blue"];
 const colorOf = (control) => (colors.includes(control.color) ? control.color : "white");
@@ -107,7 +107,7 @@ function makeKnob(control) {
 }
 
 function makeLamp(control) {
-  const lamp = element("span", { class: "lamp lens-" + colorOf(control), role: "img" });
+  const lamp = element("span", { class: "bulb lens-" + colorOf(control), role: "img" });
   controls.set(control.number, ([, isLit]) => {
     lamp.classList.toggle("lit", isLit);
     lamp.setAttribute("aria-label", control.text + (isLit ? ": on" : ": off"));
@@ -154,6 +154,8 @@ function showTab(name) {
   }
   byId("program").hidden = name !== "program";
   byId("panel").hidden = name !== "panel";
+  document.body.classList.toggle("panel-view", name === "panel");
+  notify(new Set(["chart"]));  // it is there again
 }
 
 export function begin() {
