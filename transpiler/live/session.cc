@@ -215,6 +215,7 @@ Refusal Session::Step(StepKind kind) {
         const uint64_t period = timeline_.period();
         if (!timeline_.Forward(unit, always)) return {};
         Observe(period);
+        LetButtonsGo();
       }
       return "no statement was executed in " + std::to_string(schedule.most_periods) + " periods";
     }
