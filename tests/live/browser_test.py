@@ -169,8 +169,9 @@ def main_functions(page, name):
     # A scenario.
     page.click("#restart")
     page.wait(f"{period} === 0")
+    was = page.evaluate(f"document.querySelector({json.dumps(bit)}).className.includes('on')")  # a panel may have switched it on
     page.click(bit)
-    page.step_until(is_toggled + "true")
+    page.step_until(is_toggled + ("false" if was else "true"))
     page.click("[data-step=period]")
     page.click("#expect")
     page.click("#show-scenario")
