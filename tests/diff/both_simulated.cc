@@ -232,7 +232,7 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
                                    new_place = PlaceOf(new_version, new_cell);
     if (!old_place || !new_place) continue;
-    if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::diff::IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
       // A flag that one version alone has is not compared, and the verdict names it.

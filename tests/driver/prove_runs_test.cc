@@ -105,6 +105,33 @@ TEST(ProveRuns, WhatTheHostSetsByARoutineIsAnInput) {
   EXPECT_EQ(properties.back()["verdict"], "violated");
 }
 
+// The program takes the counts and clears the signal: in no state that it reaches by itself is there any.
+TEST(ProveRuns, WhatTheControlWritesBesideTheProgramIsAnInput) {
+  constexpr std::string_view kHandwheel =
+      "#include \"plc.h\"\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+      "void plc1() { if (get_handwheel(0) > 5) Y[0] = 1; Y[1] = get_axis_pos(1) == 70000; }\nvoid plc2() { }\n";
+  const Workplace work;
+  const Ran counts = Prove(work, "m.cld", kHandwheel, "never 'Y[0]' > 0\nnever 'Y[1]' > 0\n");
+  EXPECT_EQ(counts.code, 1) << counts;
+  EXPECT_THAT(work.Read("found/property-1.yaml"), HasSubstr("HW[0]"));
+  ExpectShown(work);
+  // What the program reaches by an index alone has a name, too.
+  EXPECT_THAT(work.Read("found/property-2.yaml"), HasSubstr("F[")) << counts;
+}
+
+// It clears a command, and never gives one.
+TEST(ProveRuns, WhatTheControlTakesBackIsCleared) {
+  constexpr std::string_view kAxis =
+      ":MOD PM 0\n:A I 20.1\n:S F 251.0\n:S F 251.1\n:S F 250.0\n:END PM 0\n:MOD PM 9\n:A I 20.1\n:AN F 0.0\n:S O "
+      "106.3\n"
+      ":S F 0.0\n:A I 0.0\n:S O 106.1\n:R O 106.2\n:A F 0.0\n:AN O 106.3\n:S O 0.0\n:END PM 9\n";
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc", kAxis, "never 'O 0.0'\nnever 'O 106.2'\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never 'O 0.0'"));
+  EXPECT_THAT(ran.out, HasSubstr("proved       never 'O 106.2'"));
+}
+
 TEST(ProveRuns, RetentiveMemoryThatIsAnything) {
   // W4T0 is retentive: the program itself never makes it more than 5.
   constexpr std::string_view kUnguarded = "$\nDOF: I0A0\n  W4T0 = 5\nENDF\nU4A8=[W4T0>5]\n";

@@ -143,9 +143,11 @@ uint32_t Collector::SignalOf(const ir::Place& place) {
     const ir::Space& space = program_.spaces[place.space];
     signal.space = place.space;
     signal.lifetime = space.lifetime;
-    for (const ir::Zone& zone : space.zones) {
-      if (zone.begin * 8ull <= signal.first && signal.first < zone.end * 8ull) signal.direction = zone.direction;
-    }
+    // Of several zones the first one says whose it is.
+    const auto zone = std::ranges::find_if(space.zones, [&signal](const ir::Zone& one) {
+      return one.begin * 8ull <= signal.first && signal.first < one.end * 8ull;
+    });
+    if (zone != space.zones.end()) signal.direction = zone->direction;
   }
   owner_.push_back(OwnerOf(place));
   result_.signals.push_back(std::move(signal));

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/support/check.h"
+#include "transpiler/symbolic/execute/execute.h"
+
 namespace plcxx::scenarios {
 namespace {
 
@@ -20,6 +23,21 @@ uint64_t Fitting(ir::Type type, uint64_t value) {
   if (type == ir::Type::kBit) return value != 0 ? 1 : 0;
   const uint32_t bits = 8 * ir::Bytes(type);
   return bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1);
+}
+
+/// Proofs take it that the control writes nothing but what the zones of memory say.
+void CheckWrite(const ir::Space& space, uint32_t offset, uint8_t before, uint8_t value) {
+  switch (execute::WhatControlWrites(space, offset)) {
+    case execute::ControlWrite::kNothing:
+      PLCXX_CHECK(value == before);
+      return;
+    case execute::ControlWrite::kClears:
+      PLCXX_CHECK((value & ~before) == 0);
+      return;
+    case execute::ControlWrite::kValues:
+      return;
+  }
+  PLCXX_UNREACHABLE();
 }
 
 std::string DeclaredText(const ir::Program& program, uint32_t number) {
@@ -106,7 +124,9 @@ void ScenarioControl::AfterPeriod(uint32_t now_ms) {
 
 void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
   if (location.cell) {
+    is_setting_ = true;
     if (stub_) stub_->WriteCell(*location.cell, value);
+    is_setting_ = false;
     return;
   }
   // Most are one place: a search sets millions of them.
@@ -163,6 +183,7 @@ uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
 
 void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
   const uint8_t before = Get(space, offset);
+  if (!is_setting_) CheckWrite(program_.spaces[space], offset, before, value);
   const uint8_t kept = set_bits_[space.index][offset];
   const auto after = static_cast<uint8_t>((before & kept) | (value & ~kept));
   if (after != before) engine_.Write(ByteOf(space, offset), after);

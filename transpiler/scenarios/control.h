@@ -101,6 +101,7 @@ class ScenarioControl : private dialects::ImagePort {
   sim::Engine& engine_;
   std::unique_ptr<dialects::ControlStub> stub_;
   std::vector<std::vector<uint8_t>> set_bits_;  // by SpaceId and byte: bits that the scenario has set
+  bool is_setting_ = false;                     // what the scenario wants, by the stub
   sim::MessageTracker messages_;
   std::vector<ShownMessage> shown_;
   std::shared_ptr<const BoundPlant> bound_;  // none: there is no plant

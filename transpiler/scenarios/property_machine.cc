@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/passes/pipeline.h"
+#include "transpiler/scenarios/element_names.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
@@ -153,6 +154,16 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
   }
   for (const InputWord& named : machine.named) {
     for (const CellId cell : named.cells) word_of.try_emplace(cell, named);
+  }
+  // Only after all others: what the program reaches by an index alone.
+  for (const CellId id : cells) {
+    if (word_of.contains(id)) continue;
+    const execute::Cell cell = execute::CellAt(program, machine.version.cells, id);
+    if (cell.kind != execute::CellKind::kBit) continue;
+    const std::optional<ir::Place> place = NamedElement(program, dialect, cell);
+    if (!place || !IsInside(program, *place) || NameOf(dialect, program, *place).empty()) continue;
+    const std::vector<CellId> own = execute::CellsOf(program, machine.version.cells, *place);
+    for (const CellId one : own) word_of.try_emplace(one, InputWord{.name = place->name, .cells = own});
   }
   std::vector<InputWord> words;
   std::set<std::string> taken;

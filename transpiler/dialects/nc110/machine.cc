@@ -74,6 +74,8 @@ std::optional<uint32_t> InProcess1(Package package, uint32_t connector, uint32_t
   return connector % kProcessConnectors;
 }
 
+constexpr uint32_t kTakenBackConnector = 10;  // of N
+
 void AddZone(ir::Space& space, const ZoneRow& zone, uint32_t shift) {
   space.zones.push_back({.begin = (zone.first + shift) * kBytesPerConnector,
                          .end = (zone.last + shift + 1) * kBytesPerConnector,
@@ -151,6 +153,11 @@ void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uin
     }
     for (const ZoneRow& zone : kZones) {
       if (zone.package == row.package) AddZone(space, zone, 0);
+    }
+    for (uint32_t process = 0; row.package == Package::kN && process < processes; ++process) {
+      // The control takes the request U10N5 back (5.3): a second zone, see execute::ControlWrite.
+      const uint32_t begin = (kTakenBackConnector + process * kProcessConnectors) * kBytesPerConnector;
+      space.zones.push_back({.begin = begin, .end = begin + 1, .direction = ir::Direction::kInternal});
     }
     if (row.lifetime == ir::Lifetime::kRetentive) {
       for (uint32_t i = 0; i < kRetainedBytes; ++i) {

@@ -1,6 +1,8 @@
 #include "transpiler/dialects/prostep/memory.h"
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "transpiler/support/check.h"
 
@@ -32,6 +34,72 @@ constexpr MemoryRow kMemoryRows[] = {
     {SpaceKey::kRegisters, "registers", "status, accumulator, arguments", ir::Lifetime::kRoutine, false,
      ir::Direction::kInternal},
 };
+/// What the NC writes beside the program (5.1, 8): its signals, or it takes back what the program has set.
+enum class NcWrites : uint8_t { kSignals, kValues, kClears };
+struct NcRow {
+  Space space;
+  uint32_t first, last;  // bytes
+  NcWrites what;
+};
+constexpr NcRow kNcRows[] = {
+    {Space::kF, 200, 212, NcWrites::kSignals},  // M, S, T and E functions
+    {Space::kF, 213, 221, NcWrites::kClears},   // messages
+    {Space::kF, 252, 255, NcWrites::kSignals},  // soft keys
+    {Space::kO, 162, 162, NcWrites::kValues},   // R parameter: done, error
+    {Space::kO, 232, 255, NcWrites::kValues},   //
+    {Space::kD, 200, 219, NcWrites::kValues},   //
+    {Space::kD, 228, 235, NcWrites::kValues},   // path that was travelled
+};
+constexpr uint32_t kPlcAxes = 5, kFirstAxisControl = 106, kBytesPerAxis = 10;  // each two bytes
+
+Space NcSpaceOf(SpaceKey key) {
+  switch (key) {
+    case SpaceKey::kF:
+      return Space::kF;
+    case SpaceKey::kO:
+      return Space::kO;
+    case SpaceKey::kDBefore:
+    case SpaceKey::kDKept:
+    case SpaceKey::kDBehind:
+      return Space::kD;
+    case SpaceKey::kI:
+    case SpaceKey::kLatches:
+    case SpaceKey::kSystem:
+    case SpaceKey::kRegisters:
+    case SpaceKey::kCount:
+      return Space::kNone;
+  }
+  PLCXX_UNREACHABLE();
+}
+
+/// Zones of `space`, from whose byte `begin` on `bytes` are in the IR's one: signals of the NC are inputs; what both
+/// write is in a second zone, see execute::ControlWrite.
+std::vector<ir::Zone> ZonesOf(Space space, uint32_t begin, uint32_t bytes, ir::Direction direction) {
+  std::vector<ir::Zone> zones, shared;
+  uint32_t next = 0;
+  const auto add = [&](const NcRow& row) {
+    const uint32_t from = std::max(row.first, begin) - begin;
+    const uint32_t to = std::min(std::max(row.last + 1, begin) - begin, bytes);
+    if (row.space != space || from >= to) return;
+    if (row.what != NcWrites::kSignals) {
+      const bool clears = row.what == NcWrites::kClears;
+      shared.push_back({from, to, clears ? ir::Direction::kInternal : ir::Direction::kInput});
+      return;
+    }
+    if (next < from) zones.push_back({next, from, direction});
+    zones.push_back({from, to, ir::Direction::kInput});
+    next = to;
+  };
+  for (const NcRow& row : kNcRows) add(row);
+  for (uint32_t axis = 0; axis < kPlcAxes; ++axis) {
+    const uint32_t control = kFirstAxisControl + kBytesPerAxis * axis;
+    add({Space::kO, control, control + 1, NcWrites::kClears});
+  }
+  if (next < bytes) zones.push_back({next, bytes, direction});
+  zones.insert(zones.end(), shared.begin(), shared.end());
+  return zones;
+}
+
 constexpr uint32_t kSystemBytes = 32, kRegisterBytes = 64;
 constexpr uint32_t kSystemSignals = 20;  // I 20
 constexpr uint8_t kSystemSignalsOn = 2;  // I 20.1 is 1, already in PM 0
@@ -109,7 +177,12 @@ Memory::Memory(ir::Program& program, uint32_t first_retentive, uint32_t last_ret
         PLCXX_UNREACHABLE();
     }
     if (space.bytes == 0) continue;
-    if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
+    if (row.host_visible) {
+      const uint32_t first = row.key == SpaceKey::kDKept     ? first_retentive
+                             : row.key == SpaceKey::kDBehind ? last_retentive + 1
+                                                             : 0;
+      space.zones = ZonesOf(NcSpaceOf(row.key), first, space.bytes, row.direction);
+    }
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }
   for (size_t i = 0; i < parts_.size(); ++i) {

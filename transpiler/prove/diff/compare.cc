@@ -217,7 +217,7 @@ bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
 }
 
 bool Comparison::IsInput(execute::CellId old_cell) const {
-  return IsInputPair(old_version, old_uses, new_uses, match, old_cell);
+  return IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell);
 }
 
 terms::TermId Comparison::NextOld(execute::CellId cell) {

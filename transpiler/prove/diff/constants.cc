@@ -81,7 +81,7 @@ class ConstantCells {
     if (old_cell.valid()) return comparison_.IsInput(old_cell);
     // The new version alone has it.
     const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
-    return machine::DirectionOf(version_, cell) == ir::Direction::kInput ||
+    return machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
            (what.kind == execute::CellKind::kBit && version_.program->spaces[what.space].host_visible &&
             !comparison_.new_uses.writes[cell.index]);
   }

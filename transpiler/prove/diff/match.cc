@@ -8,7 +8,6 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/diff/one_sided.h"
-#include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
@@ -236,23 +235,18 @@ Match MatchCells(const machine::Version& old_version, const machine::Version& ne
   matcher.ByAddress();
   matcher.Instances();
   matcher.HostFunctions();
-  Match match = matcher.Take();
-  match.set_by_host = machine::SetByHost(old_version);
-  const std::vector<bool> set_in_new = machine::SetByHost(new_version);
-  for (uint32_t i = 0; i < match.set_by_host.size(); ++i) {
-    const execute::CellId new_cell = match.new_of_old[i];
-    if (new_cell.valid() && set_in_new[new_cell.index]) match.set_by_host[i] = true;
-  }
-  return match;
+  return matcher.Take();
 }
 
-bool IsInputPair(const machine::Version& old_version, const machine::Uses& old_uses, const machine::Uses& new_uses,
-                 const Match& match, execute::CellId old_cell) {
+bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
+                 const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
+                 execute::CellId old_cell) {
   const execute::Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
   if (cell.kind != execute::CellKind::kBit) return false;
-  if (machine::DirectionOf(old_version, old_cell) == ir::Direction::kInput) return true;
-  if (match.set_by_host[old_cell.index]) return true;
+  if (machine::WhatControlWrites(old_version, old_cell) == execute::ControlWrite::kValues) return true;
   const execute::CellId new_cell = match.new_of_old[old_cell.index];
+  if (new_cell.valid() && machine::WhatControlWrites(new_version, new_cell) == execute::ControlWrite::kValues)
+    return true;
   const ir::Space& space = old_version.program->spaces[cell.space];
   const bool old_writes = old_uses.writes[old_cell.index];
   const bool new_writes = new_cell.valid() ? new_uses.writes[new_cell.index] : old_writes;

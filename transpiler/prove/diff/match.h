@@ -18,18 +18,18 @@ namespace plcxx::prove::diff {
 struct Match {
   std::vector<execute::CellId> new_of_old;  // by cell of the old version; none: it is not in the new one
   std::vector<execute::CellId> old_of_new;
-  std::vector<bool> set_by_host;  // by cell of the old version: in one of them at least, see machine::SetByHost
 };
 
 /// `same`: places of the old and the new version that the user says are one (--map).
 Match MatchCells(const machine::Version& old_version, const machine::Version& new_version,
                  const std::vector<std::pair<ir::Place, ir::Place>>& same);
 
-/// Whether a matched pair is an input, which anybody may set between two parts: an input of the machine, memory
-/// that the control sets when it likes, or that a version at least never writes. What both versions write is theirs,
-/// and so is what one alone uses and writes.
-bool IsInputPair(const machine::Version& old_version, const machine::Uses& old_uses, const machine::Uses& new_uses,
-                 const Match& match, execute::CellId old_cell);
+/// Whether a matched pair is an input, which anybody may set between two parts: memory that the control writes
+/// (inputs of the machine, and what both write), or that a version at least never writes. What both versions write is
+/// theirs, and so is what one alone uses and writes.
+bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
+                 const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
+                 execute::CellId old_cell);
 
 /// Old cells that the program sets and the control takes back (machine/requests.h) in both versions.
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

@@ -9,7 +9,8 @@ Unrolled::Unrolled(terms::Terms& terms, UnrolledVersions versions, InputsChange 
     : terms_(terms), versions_(std::move(versions)), inputs_change_(inputs_change) {}
 
 bool Unrolled::IsInput(execute::CellId old_cell) const {
-  return IsInputPair(versions_.old_version, versions_.old_uses, versions_.new_uses, versions_.match, old_cell);
+  return IsInputPair(versions_.old_version, versions_.new_version, versions_.old_uses, versions_.new_uses,
+                     versions_.match, old_cell);
 }
 
 void Unrolled::PowerOn() {

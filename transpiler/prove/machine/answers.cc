@@ -92,7 +92,7 @@ std::vector<bool> HandshakeCells(const Version& version) {
           if (access != ir::Access::kWrite || place.is_field()) return;
           if (!place.indexed && !execute::IsInside(program, place)) return;
           for (const execute::CellId cell : execute::TouchedCells(program, version.cells, place)) {
-            if (DirectionOf(version, cell) == ir::Direction::kInput) cells[cell.index] = true;
+            if (WhatControlWrites(version, cell) != execute::ControlWrite::kNothing) cells[cell.index] = true;
           }
         },
         [](ir::StateId) {});
@@ -120,7 +120,11 @@ bool AnswersMatter(const Version& version) {
   });
   // The first exchange of a period brings the inputs, which are new anyway; another one may take handshakes back.
   const std::vector<bool> handshakes = HandshakeCells(version);
-  return matters || (exchanges > 1 && std::ranges::find(handshakes, true) != handshakes.end());
+  for (uint32_t i = 0; i < handshakes.size() && !matters; ++i) {
+    const bool is_cleared = WhatControlWrites(version, execute::CellId(i)) == execute::ControlWrite::kClears;
+    matters = handshakes[i] && (exchanges > 1 || is_cleared);
+  }
+  return matters;
 }
 
 }  // namespace plcxx::prove::machine

@@ -21,8 +21,6 @@ class Stores {
     const ir::Routine& routine = program_.routines[id];
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
   }
-  /// What those have seen is left out: another way to call the program's own parts is no signal of the host.
-  void LeaveOut(const Stores& others) { seen_ = others.seen_; }
   const std::vector<bool>& stored() const { return stored_; }
 
  private:
@@ -58,22 +56,6 @@ class Stores {
   std::vector<bool> seen_, stored_;
 };
 
-/// What the program's own parts store, and what other routines that the host may call do.
-struct StoresOfBoth {
-  explicit StoresOfBoth(const Version& version) : own(version), of_host(version) {
-    const ir::Program& program = *version.program;
-    const ir::Schedule& schedule = program.schedule;
-    for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse})
-      own.Routine(id);
-    of_host.LeaveOut(own);
-    for (uint32_t i = 0; i < program.routines.size(); ++i) {
-      const ir::RoutineId id(i);
-      if (program.routines[id].kind == ir::RoutineKind::kSchedule) of_host.Routine(id);
-    }
-  }
-  Stores own, of_host;
-};
-
 }  // namespace
 
 bool IsInbox(const Version& version, execute::CellId id) {
@@ -83,33 +65,19 @@ bool IsInbox(const Version& version, execute::CellId id) {
   return cell.kind == execute::CellKind::kField && cell.state == inbox;
 }
 
-std::vector<bool> SetByHost(const Version& version) {
-  const ir::Program& program = *version.program;
-  const StoresOfBoth stores(version);
-  std::vector<bool> set = stores.of_host.stored();
-  for (uint32_t i = 0; i < set.size(); ++i) {
-    const execute::Cell cell = execute::CellAt(program, version.cells, execute::CellId(i));
-    // Another way to call the program's parts keeps its place in memory that nobody else knows.
-    set[i] = set[i] && cell.kind == execute::CellKind::kBit && program.spaces[cell.space].host_visible &&
-             DirectionOf(version, execute::CellId(i)) != ir::Direction::kOutput;
-  }
-  return set;
-}
-
 std::vector<bool> InputsOf(const Version& version) {
   const ir::Program& program = *version.program;
-  const StoresOfBoth stores(version);
-  const std::vector<bool>& own = stores.own.stored();
-  const std::vector<bool>& of_host = stores.of_host.stored();
+  const ir::Schedule& schedule = program.schedule;
+  Stores own(version);
+  for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse}) own.Routine(id);
   std::vector<bool> inputs(version.cells.count);
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
     const execute::CellId id(i);
     const execute::Cell cell = execute::CellAt(program, version.cells, id);
     if (cell.kind != execute::CellKind::kBit || !IsState(version, id)) continue;
-    const ir::Direction direction = DirectionOf(version, id);
     // What the program's side never writes anybody may set, an output, too.
-    const bool is_free = !own[i] || (direction != ir::Direction::kOutput && of_host[i]);
-    inputs[i] = direction == ir::Direction::kInput || (program.spaces[cell.space].host_visible && is_free);
+    inputs[i] = WhatControlWrites(version, id) == execute::ControlWrite::kValues ||
+                (program.spaces[cell.space].host_visible && !own.stored()[i]);
   }
   return inputs;
 }

@@ -96,6 +96,11 @@ std::vector<bool> RequestCells(const Version& version) {
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue})
       RequestWalk(version, cells).Region(region);
   }
+  const Uses uses = UsesOf(version);
+  for (uint32_t i = 0; i < version.cells.count; ++i) {
+    const bool is_cleared = WhatControlWrites(version, execute::CellId(i)) == execute::ControlWrite::kClears;
+    if (is_cleared && uses.writes[i]) cells[i] = true;
+  }
   return cells;
 }
 

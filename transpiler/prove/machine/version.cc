@@ -17,6 +17,12 @@ ir::Direction DirectionOf(const Version& version, execute::CellId id) {
   return ir::Direction::kInternal;
 }
 
+execute::ControlWrite WhatControlWrites(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind != execute::CellKind::kBit) return execute::ControlWrite::kNothing;
+  return execute::WhatControlWrites(version.program->spaces[cell.space], cell.offset);
+}
+
 bool IsState(const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
   return cell.kind != execute::CellKind::kBit || version.program->spaces[cell.space].lifetime != ir::Lifetime::kRoutine;

@@ -8,6 +8,7 @@
 
 #include "transpiler/ir/program.h"
 #include "transpiler/symbolic/execute/cells.h"
+#include "transpiler/symbolic/execute/execute.h"
 
 namespace plcxx::prove::machine {
 
@@ -20,6 +21,8 @@ Version MakeVersion(const ir::Program& program);
 
 /// How the host uses a cell: bits by the zone of their byte; fields are internal, calls go out.
 ir::Direction DirectionOf(const Version& version, execute::CellId cell);
+/// What the control does to it beside the program; nothing to what is no bit of memory.
+execute::ControlWrite WhatControlWrites(const Version& version, execute::CellId cell);
 /// Whether a cell lives from scan to scan.
 bool IsState(const Version& version, execute::CellId cell);
 bool IsRetentive(const Version& version, execute::CellId cell);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "transpiler/symbolic/execute/host_writes.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/terms/gather.h"
 
@@ -50,12 +51,15 @@ void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& hos
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
       const emit::layout::ByteStorage& stored = emittable_.layout.bytes[s][offset];
-      if (!execute::HostWrites(program, host.access, space, offset)) continue;
+      if (!execute::MayWrite(program, host, space, offset)) continue;
       const std::string& name = program.spaces[space].name;
       const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, name, offset);
       const terms::TermId written = execute::BitsWrittenByHost(terms_, host.name, calls, name, offset);
+      const bool only_clears =
+          execute::WhatControlWrites(program.spaces[space], offset) == execute::ControlWrite::kClears;
       // What the code has written there stays where the host leaves the bit.
       const auto after = [&](uint8_t bit, terms::TermId told, terms::TermId before) {
+        if (only_clears) return terms_.And(told, before);
         return terms_.Ite(terms_.Extract(written, bit, 1), told, before);
       };
       if (stored.whole.storage != emit::layout::Storage::kNone) {
@@ -91,7 +95,7 @@ void HostEnvironment::WriteRetentive(CodeMemory& memory, uint32_t slot, const ir
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
-      if (execute::HostWrites(program, host.access, space, offset))
+      if (execute::MayWrite(program, host, space, offset))
         write(emittable_.layout.bytes[s][offset].whole.offset, StoredByte(terms_, program.spaces[space].name, offset));
     }
   }

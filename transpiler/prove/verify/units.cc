@@ -5,6 +5,7 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -135,7 +136,7 @@ void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-      if (!execute::HostWrites(program_, host.access, space, offset)) continue;
+      if (!execute::MayWrite(program_, host, space, offset)) continue;
       for (uint8_t bit = 0; bit < 8; ++bit) NoteCell(footprint, cells_.OfBit(space, offset, bit), true);
     }
   }

@@ -73,6 +73,11 @@ std::vector<Gathered> Gather(const prove::diff::CompareResult& result, const Nam
       std::ranges::replace(items.back().item.meaning, '\n', ' ');  // comments of several lines
     }
     Gathered& gathered = items[at->second];
+    // No run has to show it: the other version has no such function.
+    if (kind == ItemKind::kCalls && pair.old_cell.valid() != pair.new_cell.valid()) {
+      const std::string without = "not asked of the control", with = "asked of the control";
+      gathered.item.declared = pair.old_cell.valid() ? Declared{with, without} : Declared{without, with};
+    }
     if (pair.old_cell.valid()) gathered.old_cells.push_back(pair.old_cell);
     if (pair.new_cell.valid()) gathered.new_cells.push_back(pair.new_cell);
     gathered.item.changed_itself = gathered.item.changed_itself || pair.changed_itself;

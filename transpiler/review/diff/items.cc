@@ -6,6 +6,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/ir/place_names.h"
+#include "transpiler/scenarios/element_names.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::review::diff {
@@ -129,54 +130,6 @@ CellWord CellWords::OfPlace(const ir::Place& place) const {
   return word;
 }
 
-/// The element of an array or structure that a name of the source covers.
-std::optional<CellWord> CellWords::FromSymbols(const Cell& cell) const {
-  for (const ir::Symbol& symbol : version_.program->symbols) {
-    if (symbol.space != cell.space || cell.offset < symbol.offset) continue;
-    uint32_t rest = cell.offset - symbol.offset;
-    std::string name = symbol.name;
-    bool inside = true;
-    size_t from = 0;
-    for (const ir::Symbol::Index& index : symbol.indices) {
-      const uint32_t i = index.stride == 0 ? 0 : std::min(rest / index.stride, index.count - 1);
-      rest -= i * index.stride;
-      const size_t brackets = name.find("[]", from);
-      if (brackets == std::string::npos) inside = false;
-      if (!inside) break;
-      name.insert(brackets + 1, std::to_string(i));
-      from = brackets + 1;
-    }
-    const bool is_bit = symbol.type == ir::Type::kBit;
-    if (!inside || rest >= std::max(1U, ir::Bytes(symbol.type)) || (is_bit && symbol.bit != cell.bit)) continue;
-    ir::Place place{.name = name, .type = symbol.type, .space = symbol.space, .offset = cell.offset - rest};
-    if (is_bit) place.bit = symbol.bit;
-    return OfPlace(place);
-  }
-  return std::nullopt;
-}
-
-std::optional<CellWord> CellWords::FromDialect(const Cell& cell) const {
-  const ir::Program& program = *version_.program;
-  const std::string& space = program.spaces[cell.space].name;
-  // An element may have one, two or four bytes.
-  std::vector<std::string> names{space + "+" + std::to_string(cell.offset) + ":8"};
-  for (const uint32_t bytes : {4U, 2U, 1U}) {
-    names.insert(names.begin(), space + "[" + std::to_string(cell.offset / bytes) + "]");
-  }
-  for (const std::string& name : names) {
-    const std::optional<dialects::Location> location = compilation_.dialect->locate(program, name);
-    if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) continue;
-    ir::Place place = location->place;
-    const bool is_inside = place.space == cell.space && !place.is_field() && place.type != ir::Type::kBit &&
-                           place.offset <= cell.offset && cell.offset - place.offset < ir::Bytes(place.type);
-    if (!is_inside) continue;
-    place.name = name;
-    place.address.clear();
-    return OfPlace(place);
-  }
-  return std::nullopt;
-}
-
 CellWord CellWords::WordOf(CellId id) const {
   const ir::Program& program = *version_.program;
   const Cell cell = execute::CellAt(program, version_.cells, id);
@@ -209,8 +162,8 @@ CellWord CellWords::WordOf(CellId id) const {
       return OfPlace(program.places[word->second]);
     }
   }
-  if (const std::optional<CellWord> symbol = FromSymbols(cell)) return *symbol;
-  if (const std::optional<CellWord> known = FromDialect(cell)) return *known;
+  if (const std::optional<ir::Place> named = scenarios::NamedElement(program, *compilation_.dialect, cell))
+    return OfPlace(*named);
   CellWord byte{.name = program.spaces[cell.space].name + " byte " + std::to_string(cell.offset),
                 .address = {},
                 .place = std::nullopt,

@@ -30,9 +30,6 @@ class CellWords {
   std::string MeaningOf(const CellWord& word) const;
 
  private:
-  std::optional<CellWord> FromSymbols(const execute::Cell& cell) const;
-  /// A byte that the program reaches by a computed index only.
-  std::optional<CellWord> FromDialect(const execute::Cell& cell) const;
   CellWord OfPlace(const ir::Place& place) const;
   bool IsNamed(const ir::Place& place) const;
 

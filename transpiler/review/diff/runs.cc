@@ -122,7 +122,7 @@ std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_ve
   for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
     if (!new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
-    if (prove::diff::IsInputPair(old_version, old_uses, new_uses, match, old_cell)) {
+    if (prove::diff::IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell)) {
       inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
     }
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/symbolic/execute/executor.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::execute {
@@ -254,7 +255,9 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-      if (!HostWrites(program_, host.access, space, offset)) continue;
+      if (!MayWrite(program_, host, space, offset)) continue;
+      const bool only_clears = host.access == ir::HostAccess::kWritesState &&
+                               WhatControlWrites(program_.spaces[space], offset) == ControlWrite::kClears;
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const CellId cell = memory_.cells().OfBit(space, offset, bit);
         if (is_exchanged && !is_exchanged(cell)) continue;
@@ -268,7 +271,9 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
             host_bit ? host_bit(cell) : Environment::HostBit{program_.spaces[space].name, offset, bit};
         const terms::TermId byte = ByteFromHost(terms_, host.name, told, known.space, known.offset);
         terms::TermId value = terms_.Extract(byte, known.bit, 1);
-        if (memory_.environment().may_be_left && memory_.environment().may_be_left(cell)) {
+        if (only_clears) {
+          value = terms_.And(value, memory_.Read(cell));
+        } else if (memory_.environment().may_be_left && memory_.environment().may_be_left(cell)) {
           const terms::TermId written = BitsWrittenByHost(terms_, host.name, told, known.space, known.offset);
           value = terms_.Ite(terms_.Extract(written, known.bit, 1), value, memory_.Read(cell));
         }

@@ -206,10 +206,15 @@ terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::Ter
 /// |---|---|---|
 /// | kNone           |                                 |                                 |
 /// | kReadsState     | host-visible spaces             |                                 |
-/// | kWritesState    | host-visible spaces, as before  | inputs of host-visible spaces   |
+/// | kWritesState    | host-visible spaces, as before  | what WhatControlWrites gives    |
 /// | kReadsRetentive | retentive spaces                |                                 |
 /// | kWritesRetentive|                                 | retentive spaces                |
 bool HostSees(ir::HostAccess access, const ir::Space& space);
 bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
+
+/// What the control does to a byte beside the program. The first zone that has the byte says whose it is; another one
+/// what the control does there besides: kInput, it writes values; kInternal, it clears bits that the program has set.
+enum class ControlWrite : uint8_t { kNothing, kClears, kValues };
+ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset);
 
 }  // namespace plcxx::execute

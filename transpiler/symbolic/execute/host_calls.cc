@@ -1,7 +1,8 @@
 // Host calls as functions of what the host has been told.
+#include <algorithm>
 #include <string>
 
-#include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::execute {
 namespace {
@@ -71,14 +72,32 @@ bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId i
     case ir::HostAccess::kWritesRetentive:
       return space.lifetime == ir::Lifetime::kRetentive;
     case ir::HostAccess::kWritesState:
-      if (!space.host_visible) return false;
-      for (const ir::Zone& zone : space.zones) {
-        if (zone.begin <= offset && offset < zone.end) return zone.direction == ir::Direction::kInput;
-      }
-      // What is in no zone is the program's own: people may look at it, the control does not write it.
-      return false;
+      return WhatControlWrites(space, offset) != ControlWrite::kNothing;
   }
   PLCXX_UNREACHABLE();
+}
+
+bool MayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId id, uint32_t offset) {
+  if (!HostWrites(program, host.access, id, offset)) return false;
+  if (host.routine_exchange || host.access != ir::HostAccess::kWritesState) return true;
+  const ir::Space& space = program.spaces[id];
+  const auto first = std::ranges::find_if(
+      space.zones, [offset](const ir::Zone& zone) { return zone.begin <= offset && offset < zone.end; });
+  return first->direction != ir::Direction::kInput;
+}
+
+ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset) {
+  // What is in no zone is the program's own: people may look at it, the control does not write it.
+  ControlWrite write = ControlWrite::kNothing;
+  bool is_first = true;
+  if (!space.host_visible) return write;
+  for (const ir::Zone& zone : space.zones) {
+    if (offset < zone.begin || offset >= zone.end) continue;
+    if (zone.direction == ir::Direction::kInput) return ControlWrite::kValues;
+    if (!is_first && zone.direction == ir::Direction::kInternal) write = ControlWrite::kClears;
+    is_first = false;
+  }
+  return write;
 }
 
 }  // namespace plcxx::execute

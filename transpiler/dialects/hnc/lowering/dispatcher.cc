@@ -203,7 +203,7 @@ void Dispatcher::Complete(ir::PlaceId channel) {
 
 void Dispatcher::AddScalars() {
   // One after the other, so that an index reaches them.
-  for (uint32_t c = 0; c < 4; ++c) modal_[c] = memory_.AddScalar("modal_" + std::to_string(c), ir::Type::kI8);
+  modal_ = memory_.AddInputs("modal", "MODAL", ir::Type::kI8);
   for (uint32_t k = 0; k < 4; ++k) {
     for (uint32_t c = 0; c < 4; ++c) {
       states_[c][k] = memory_.AddScalar("state_" + std::string(1, kHandlerKinds[k]) + std::to_string(c), ir::Type::kI8);

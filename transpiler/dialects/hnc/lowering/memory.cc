@@ -29,6 +29,18 @@ ir::Zone ZoneOf(Area area, uint32_t bytes) {
   return {0, bytes, ir::Direction::kInternal};
 }
 
+/// What the control writes in G beside the program: it takes from the way of an axis what it has executed (7.4), and
+/// does what system functions ask for where they are its own.
+void AddAxisZones(ir::Space& space, SysfuncOption sysfunc) {
+  constexpr uint32_t kAxes = 16, kAxisBytes = 20, kWay = 2, kWayBytes = 4, kWrittenBytes = 10;
+  const bool is_host = sysfunc == SysfuncOption::kHost;
+  for (uint32_t axis = 0; axis < kAxes; ++axis) {
+    const uint32_t begin = kAxisBytes * axis + (is_host ? 0 : kWay);
+    space.zones.push_back(
+        {.begin = begin, .end = begin + (is_host ? kWrittenBytes : kWayBytes), .direction = ir::Direction::kInput});
+  }
+}
+
 std::string_view TitleOf(Area area) {
   switch (area) {
     case Area::kX:
@@ -61,6 +73,7 @@ void Memory::AddSpaces() {
                     .host_visible = true};
     space.zones.push_back(ZoneOf(row.area, row.bytes));
     if (row.area == Area::kG) {  // completed, D22
+      AddAxisZones(space, settings_.sysfunc);
       for (uint32_t channel = 0; channel < 4; ++channel) {
         for (uint32_t byte = 0; byte < 8; ++byte) {
           space.initial.push_back({.offset = 2 * (170 + 20 * channel) + byte, .value = 0xFF});
@@ -250,6 +263,18 @@ ir::PlaceId Memory::AddScalar(std::string name, ir::Type type, uint64_t initial)
                               .space = system_,
                               .offset = offset,
                               .bit = type == ir::Type::kBit ? uint8_t{0} : ir::kNoBit});
+}
+
+std::array<ir::PlaceId, 4> Memory::AddInputs(const std::string& name, const std::string& address, ir::Type type) {
+  const uint32_t begin = system_bytes_;
+  std::array<ir::PlaceId, 4> places;
+  for (size_t i = 0; i < places.size(); ++i) {
+    const std::string number = std::to_string(i);
+    places[i] = AddScalar(name + "_" + number, type);
+    program_.places[places[i]].address = address + "[" + number + "]";
+  }
+  program_.spaces[system_].zones.push_back({.begin = begin, .end = system_bytes_, .direction = ir::Direction::kInput});
+  return places;
 }
 
 ir::PlaceId Memory::AddArgument(std::string name, ir::Type type) {

@@ -16,6 +16,9 @@ class Memory : Context {
   void AddSpaces();
   void AddVariables();
   ir::PlaceId AddScalar(std::string name, ir::Type type, uint64_t initial = 0);
+  /// Four scalars one after the other, "NAME_0" to "NAME_3", which the control writes whatever the program does with
+  /// them; scenarios name one ADDRESS[0].
+  std::array<ir::PlaceId, 4> AddInputs(const std::string& name, const std::string& address, ir::Type type);
   /// What the host hands to a routine of the runtime.
   ir::PlaceId AddArgument(std::string name, ir::Type type);
   /// The sizes of spaces to which scalars were added.

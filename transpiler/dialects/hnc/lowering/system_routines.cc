@@ -214,7 +214,7 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
 
 void SystemRoutines::AddHandwheels() {
   // One after the other, so that an index reaches them.
-  for (uint32_t h = 0; h < 4; ++h) handwheels_[h] = memory_.AddScalar("handwheel_" + std::to_string(h), ir::Type::kI16);
+  handwheels_ = memory_.AddInputs("handwheel", "HW", ir::Type::kI16);
 }
 
 }  // namespace plcxx::hnc
