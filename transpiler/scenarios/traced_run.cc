@@ -44,9 +44,9 @@ std::string WithBrackets(std::string_view name) {
 }
 
 /// Which location a signal of a trace is.
-class Names {
+class SignalNames {
  public:
-  explicit Names(const compilation::Compilation& compilation) : compilation_(compilation) {
+  explicit SignalNames(const compilation::Compilation& compilation) : compilation_(compilation) {
     for (const ir::Documentation& known : compilation.program.documentation) {
       by_vcd_name_.emplace(sim::VcdName(known.address), known.address);
       ir::ForEachSymbolName(known,
@@ -233,7 +233,7 @@ TracedRun RunOfTrace(const compilation::Compilation& compilation, const sim::Vcd
   const uint64_t grid = sim::UnitMs(schedule);
   run.begins_ms = PartsEndTheirTime(schedule) ? (trace.first_ms == 0 ? 0 : (trace.first_ms - 1) / grid * grid)
                                               : trace.first_ms / grid * grid;
-  const Names names(compilation);
+  const SignalNames names(compilation);
   const Inputs inputs(compilation.program);
   for (uint32_t i = 0; i < trace.signals.size(); ++i) {
     std::optional<TracedSignal> traced = names.Find(trace.signals[i], i);
