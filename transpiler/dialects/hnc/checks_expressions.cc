@@ -346,19 +346,37 @@ class ExpressionChecks {
     }
   }
 
+  /// A cell, or of its bits those of a bit-field: two fields of one unit are two objects.
+  struct Part {
+    Cell cell;
+    uint8_t bit_offset = 0, bit_width = 0;  // of a bit-field
+    auto operator<=>(const Part&) const = default;
+    bool Overlaps(const Part& other) const {
+      if (!cell.Overlaps(other.cell)) return false;
+      if (bit_width == 0 || other.bit_width == 0 || cell != other.cell) return true;
+      return bit_offset < other.bit_offset + other.bit_width && other.bit_offset < bit_offset + bit_width;
+    }
+  };
   /// What an expression reads and changes, by place.
   struct Accesses {
-    std::set<Cell> reads, writes;
+    std::set<Part> reads, writes;
     void Add(const Accesses& other) {
       reads.insert(other.reads.begin(), other.reads.end());
       writes.insert(other.writes.begin(), other.writes.end());
     }
   };
 
-  std::optional<Cell> CellOf(ExprId lvalue) const {
+  std::optional<Part> PartOf(ExprId lvalue) const {
     const std::optional<StaticAddress> at = context_.facts.AddressOf(lvalue);
     if (!at || !HasType(lvalue)) return std::nullopt;
-    return Cell{at->object, at->offset, std::max(1u, unit_.TypeOf(lvalue).size)};
+    Part part{.cell = {at->object, at->offset, std::max(1u, unit_.TypeOf(lvalue).size)}};
+    const Expr& expr = At(lvalue);
+    if (expr.kind == ExprKind::kMember) {
+      const Member& member = unit_.records[unit_.TypeOf(expr.a).record].members[expr.member];
+      part.bit_offset = member.bit_offset;
+      part.bit_width = member.bit_width;
+    }
+    return part;
   }
 
   /// W15: only where something is changed inside an expression.
@@ -378,11 +396,11 @@ class ExpressionChecks {
   void Conflict(const Accesses& a, const Accesses& b, ExprId at) {
     if (reported_order_) return;
     for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-      for (const Cell& write : first->writes) {
-        const auto overlaps = [&](const Cell& other) { return write.Overlaps(other); };
+      for (const Part& write : first->writes) {
+        const auto overlaps = [&](const Part& other) { return write.Overlaps(other); };
         if (std::ranges::any_of(second->writes, overlaps) || std::ranges::any_of(second->reads, overlaps)) {
           reported_order_ = true;
-          context_.diagnostics.Report(At(at).range, diag::HncEvaluationOrder, context_.objects[write.object].name);
+          context_.diagnostics.Report(At(at).range, diag::HncEvaluationOrder, context_.objects[write.cell.object].name);
           return;
         }
       }
@@ -396,14 +414,14 @@ class ExpressionChecks {
     switch (expr.kind) {
       case ExprKind::kLoad: {
         all = Visit(expr.a);
-        if (const std::optional<Cell> cell = CellOf(expr.a)) all.reads.insert(*cell);
+        if (const std::optional<Part> part = PartOf(expr.a)) all.reads.insert(*part);
         return all;
       }
       case ExprKind::kAssign: {
         const Accesses left = Visit(expr.a), right = Visit(expr.b);
         Conflict(left, right, id);
         Accesses store;
-        if (const std::optional<Cell> cell = CellOf(expr.a)) store.writes.insert(*cell);
+        if (const std::optional<Part> part = PartOf(expr.a)) store.writes.insert(*part);
         Accesses changes;  // of the right side: its reads come before the store
         changes.writes = right.writes;
         Conflict(store, changes, id);
@@ -416,7 +434,7 @@ class ExpressionChecks {
         const Accesses left = Visit(expr.a), right = Visit(expr.b);
         Conflict(left, right, id);
         Accesses store;
-        if (const std::optional<Cell> cell = CellOf(expr.a)) store.writes.insert(*cell);
+        if (const std::optional<Part> part = PartOf(expr.a)) store.writes.insert(*part);
         Accesses changes;
         changes.writes = right.writes;
         Conflict(store, changes, id);
@@ -427,7 +445,7 @@ class ExpressionChecks {
       }
       case ExprKind::kIncrement: {
         all = Visit(expr.a);
-        if (const std::optional<Cell> cell = CellOf(expr.a)) all.writes.insert(*cell);
+        if (const std::optional<Part> part = PartOf(expr.a)) all.writes.insert(*part);
         return all;
       }
       case ExprKind::kBinary:

@@ -30,8 +30,8 @@ std::optional<Bounds> Meet(const Bounds& a, const Bounds& b);
 std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type);
 
 /// Where a fact about a cell comes from. What has been stored into memory need not be there: it may be forced from
-/// outside.
-enum class Origin : uint8_t { kTested, kStored };
+/// outside. kDeclared: of a constant object, its initialiser; no fact of a flow is that.
+enum class Origin : uint8_t { kTested, kStored, kDeclared };
 
 /// What is known at one place of a function. Facts are few: a long function forgets old ones.
 class Flow {

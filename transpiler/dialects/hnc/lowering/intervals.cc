@@ -193,6 +193,24 @@ void Intervals::Refine(ExprId condition, bool holds) {
   }
 }
 
+/// What a constant object of the source has from its initialiser, where no store can reach it.
+std::optional<Bounds> Intervals::DeclaredBounds(const StaticAddress& at, const Type& type) const {
+  const Object& object = objects_[at.object];
+  if (object.kind != ObjectKind::kVariable) return std::nullopt;
+  const Variable& variable = unit_.variables[VariableId(object.index)];
+  if (!variable.is_const || !variable.initialised) return std::nullopt;
+  for (uint32_t i = 0; i < unit_.functions.size(); ++i) {
+    if (facts_.WritesOf(FunctionId(i)).Has(at.object)) return std::nullopt;
+  }
+  for (const InitialValue& initial : variable.initial) {
+    if (initial.offset != at.offset || initial.is_bit_field || TypeAt(initial.type).size != type.size) continue;
+    const std::optional<Constant>& value = ExprAt(initial.value).constant;
+    if (!value) return std::nullopt;
+    return Bounds{value->integer, value->integer};
+  }
+  return std::nullopt;
+}
+
 Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
   const Expr& expr = ExprAt(id);
   if (!expr.type.valid() || !IsInteger(TypeAt(expr.type))) return {0, 0};
@@ -205,8 +223,9 @@ Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
       if (!at) return all;
       // The same bytes may have been looked at through a type with the other sign.
       const Cell cell{at->object, at->offset, type.size};
-      const bool all_count = believed == Origin::kStored || IsLocalObject(at->object);
-      const std::optional<Bounds> known = all_count ? flow_.Find(cell) : flow_.FindTested(cell);
+      const bool all_count = believed != Origin::kTested || IsLocalObject(at->object);
+      std::optional<Bounds> known = all_count ? flow_.Find(cell) : flow_.FindTested(cell);
+      if (!known && believed == Origin::kDeclared) known = DeclaredBounds(*at, type);
       return known && known->Within(all) ? *known : all;
     }
     case ExprKind::kConvert: {

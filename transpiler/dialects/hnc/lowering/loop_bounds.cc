@@ -267,7 +267,7 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
     CountedLoop counted{
         .op = relation.op,
         .start = start,
-        .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kStored) : Bounds{0, 0},
+        .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kDeclared) : Bounds{0, 0},
         .step = *step,
         .type = all,
         .wraps = !type.is_signed,

@@ -103,6 +103,7 @@ class Filter {
 
   void Next();
   bool CountLevels();
+  void CountChains(const clang::Token& token);
   void Identifier();
   bool Apply(Treatment treatment, const std::string& name);
   void SkipParentheses();
@@ -121,6 +122,11 @@ class Filter {
   std::vector<clang::Token> in_;
   size_t at_ = 0;
   size_t levels_ = 0, prefixes_ = 0;
+  size_t heads_ = 0;                        // `while (a) if (b) ...` without a brace or a statement's end between
+  size_t dimensions_ = 0;                   // `[1][2]...` without anything between
+  std::vector<size_t> conditionals_ = {0};  // `a ? b : c ? ...`, by level of brackets
+  size_t parentheses_ = 0;
+  bool behind_bracket_ = false;
   unsigned enumerations_ = 0;
   std::unordered_map<std::string, std::string> long_names_;  // by their significant letters; only asked
 };
@@ -145,13 +151,33 @@ void Filter::Next() {
   ++at_;
 }
 
+/// What nests without a bracket.
+void Filter::CountChains(const clang::Token& token) {
+  if (token.is(tok::l_paren)) ++parentheses_;
+  if (token.is(tok::r_paren) && parentheses_ > 0) --parentheses_;
+  if (token.isOneOf(tok::kw_for, tok::kw_while, tok::kw_do, tok::kw_if, tok::kw_switch)) ++heads_;
+  const bool ends = token.is(tok::semi) && parentheses_ == 0;
+  if (ends || token.isOneOf(tok::l_brace, tok::r_brace, tok::kw_else)) heads_ = 0;
+  if (token.is(tok::question)) ++conditionals_.back();
+  if (token.isOneOf(tok::semi, tok::comma)) conditionals_.back() = 0;
+  if (token.is(tok::l_square)) dimensions_ = behind_bracket_ ? dimensions_ + 1 : 1;
+  behind_bracket_ = token.is(tok::r_square);
+}
+
 /// False, with a message, where it is nested too deep: nothing behind it is looked at.
 bool Filter::CountLevels() {
   const clang::Token& token = Peek();
   prefixes_ = IsPrefixOperator(token) ? prefixes_ + 1 : 0;
-  if (token.isOneOf(tok::l_paren, tok::l_brace, tok::l_square)) ++levels_;
-  if (token.isOneOf(tok::r_paren, tok::r_brace, tok::r_square) && levels_ > 0) --levels_;
-  if (std::max(levels_, prefixes_) <= kMostLevels) return true;
+  if (token.isOneOf(tok::l_paren, tok::l_brace, tok::l_square)) {
+    ++levels_;
+    conditionals_.push_back(0);
+  }
+  if (token.isOneOf(tok::r_paren, tok::r_brace, tok::r_square) && levels_ > 0) {
+    --levels_;
+    conditionals_.pop_back();
+  }
+  CountChains(token);
+  if (std::max({levels_, prefixes_, heads_, dimensions_, conditionals_.back()}) <= kMostLevels) return true;
   session_.findings().Report(RangeOf(token), diag::HncSyntaxDepth);
   session_.stopped = true;
   return false;
