@@ -93,7 +93,10 @@ void PartPrinter::SwitchOver(ir::InstId id) {
     return std::ranges::any_of(arm.values, [](uint64_t value) { return value > kMostOfInt; });
   });
   const ir::ValueId selector(inst.a);
-  Line(Spelled("switch (" + (has_large ? SpellInItsType(emittable_, selector) : Value(inst.a)) + ") {", id));
+  Text spelled = has_large ? SpellInItsType(emittable_, selector) : Value(inst.a);
+  // Clang takes a switch over a condition for a mistake.
+  if (IsSpelledAsBool(emittable_, selector)) spelled = Text("static_cast<int>(") + spelled + ")";
+  Line(Spelled("switch (" + spelled + ") {", id));
   ++indent_;
   for (size_t arm_index = 0; arm_index < arms.size(); ++arm_index) {
     const ir::SwitchCase& arm = arms[arm_index];

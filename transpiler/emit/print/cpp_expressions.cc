@@ -126,7 +126,9 @@ Spelling SpellPure(const Emittable& emittable, ir::InstId id) {
     case Wording::kNegative:
       break;
   }
-  return SpellPattern(emittable, inst, info.spelling);
+  Spelling spelled = SpellPattern(emittable, inst, info.spelling);
+  if (!IsChoiceByOneBit(emittable, inst)) return spelled;
+  return {Text("static_cast<" + std::string(ir::CppName(inst.type)) + ">") + spelled.text, Precedence::kPrimary};
 }
 
 /// What a text is to C++ where it is nothing but stored data: m[a], or a choice of such.
@@ -269,6 +271,16 @@ Text SpellInItsType(const Emittable& emittable, ir::ValueId value) {
   const bool is_computed = info.shape == ir::Shape::kConst || (info.shape == ir::Shape::kPure && !is_function);
   if (inst.type != ir::Type::kI32 || emittable.forms[value.index] == Form::kLocal || !is_computed) return text;
   return Text("static_cast<" + std::string(ir::CppName(inst.type)) + ">(") + text + ")";
+}
+
+bool IsSpelledAsBool(const Emittable& emittable, ir::ValueId value) {
+  const ir::Inst& inst = (*emittable.program)[value];
+  if (inst.type == ir::Type::kBit) return true;
+  if (emittable.forms[value.index] == Form::kLocal || ir::Info(inst.op).shape != ir::Shape::kPure) return false;
+  const std::string_view spelling = ir::Info(inst.op).spelling;
+  if (spelling.starts_with(kChoice))
+    return IsSpelledAsBool(emittable, ir::ValueId(inst.b)) && IsSpelledAsBool(emittable, ir::ValueId(inst.c));
+  return spelling == "{0}" && IsSpelledAsBool(emittable, ir::ValueId(inst.a));
 }
 
 Spelling SpellDefinition(const Emittable& emittable, ir::ValueId value) {

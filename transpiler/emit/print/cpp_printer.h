@@ -60,6 +60,10 @@ constexpr char kBreak = '\x01';
 Spelling Spell(const Emittable& emittable, ir::ValueId value);
 /// As Spell, but a double word that C++ would compute in int says its type: "static_cast<uint32_t>(a & b)".
 Text SpellInItsType(const Emittable& emittable, ir::ValueId value);
+/// A number that is a condition, and has its text.
+bool IsSpelledAsBool(const Emittable& emittable, ir::ValueId value);
+/// Whether GCC takes a choice between two constants for one that its type might not hold.
+bool IsChoiceByOneBit(const Emittable& emittable, const ir::Inst& choice);
 /// A place as it is read and written: "m[U4A8]", "s"; of an indexed one, its element `index`.
 Spelling SpellPlace(const Emittable& emittable, ir::PlaceId place, ir::ValueId index);
 /// The raw bits of a value as a decimal constant: "true", "40000u", "1.5F".
