@@ -46,6 +46,21 @@ TEST(Layout, OffsetsAreThoseOfTheStruct) {
   EXPECT_EQ(layout.size % 4, 0u);
 }
 
+TEST(Layout, OneRetentiveByteIsKept) {
+  const ir::Program program = ir::ReadOrDie(R"(program "p" test
+space T 1 retentive little host_visible "kept"
+place t i8 T[0]
+routine fast fast {
+  body {
+    %0 = load t
+    store t %0
+  }
+}
+)");
+  ASSERT_EQ(MakeLayout(program).members.front().name, "retentive");
+  EXPECT_EQ(MakeLayout(program).size, 8u);
+}
+
 /// Storage of the first place, which no instruction touches, when a declaration stands behind it.
 Storage StorageOfNamed(const std::string& declaration) {
   const ir::Program program = ir::ReadOrDie(std::string(kDeclarations) + declaration);

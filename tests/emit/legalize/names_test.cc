@@ -27,6 +27,13 @@ TEST(SafeIdentifier, NeverGivesAReservedName) {
   EXPECT_EQ(SafeIdentifier(""), "n_");
 }
 
+TEST(NamespaceOf, NoWordOfCppNoMacroAndNoTypeOfStdint) {
+  EXPECT_EQ(NamespaceOf("lamp"), "lamp");
+  EXPECT_EQ(NamespaceOf("class"), "class_program");
+  EXPECT_EQ(NamespaceOf("NULL"), "NULL_program");
+  EXPECT_EQ(NamespaceOf("int8_t"), "int8_t_program");
+}
+
 TEST(NameTable, TellsEqualNamesApartByTheirAddress) {
   NameTable names;
   EXPECT_EQ(names.Allocate("PUMP.", "U4A8"), "PUMP_");

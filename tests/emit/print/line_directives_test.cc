@@ -32,6 +32,56 @@ std::vector<std::string> TakenFor(const OutputFile& file) {
   return lines;
 }
 
+TEST(LineDirectives, LoopsKeepTheirHeads) {
+  ir::Program program = ir::ReadOrDie(R"(
+space m 1 volatile little
+place a bit m[0].0
+place b bit m[0].1
+statement s1 subject FIRST
+statement s2 subject SECOND
+routine slow slow {
+  body {
+    stmt s1
+    loop @1 guard 3 {
+      condition {
+        %0 = load a
+      }
+      body {
+        %1 = load b
+        store a %1
+      }
+    }
+    stmt s2
+    loop @2 guard 5 {
+      condition {
+        %2 = load b
+      }
+      body {
+        %3 = load a
+        store b %3
+      }
+    }
+  }
+}
+)");
+  source::SourceManager sources;
+  const source::FileId file = sources.AddText("lamp.plc", "FIRST\nSECOND\n");
+  const source::Offset base = sources.Get(file).base;
+  program.statements[ir::StatementId(0)].range = {base, base + 5};
+  program.statements[ir::StatementId(1)].range = {base + 6, base + 12};
+  const OutputFile code = PrintCpp(legalize::Legalize(program, {.name = "p", .line_directives = true}), sources).back();
+  std::vector<std::string> lines;
+  std::istringstream text(code.text);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  ASSERT_EQ(code.loops.size(), 2u);
+  for (const PrintedLoop& loop : code.loops) {
+    ASSERT_LE(loop.line, lines.size());
+    const std::string& head = lines[loop.line - 1];
+    EXPECT_NE(head.find("for ("), std::string::npos) << head;
+  }
+  EXPECT_LT(code.loops[0].line, code.loops[1].line);
+}
+
 TEST(LineDirectives, LeadToTheStatementAndBack) {
   ir::Program program = ir::ReadOrDie(R"(
 space m 1 volatile little

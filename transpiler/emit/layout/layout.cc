@@ -171,7 +171,6 @@ void Builder::PlaceVolatile(SpaceId id) {
 }
 
 void Builder::PlaceSpaces() {
-  layout.retentive_base.assign(program.spaces.size(), 0);
   layout.bytes.resize(program.spaces.size());
   for (uint32_t s = 0; s < program.spaces.size(); ++s) {
     const ir::Space& space = program.spaces[SpaceId(s)];
@@ -181,7 +180,6 @@ void Builder::PlaceSpaces() {
       PlaceVolatile(SpaceId(s));
       continue;
     }
-    layout.retentive_base[s] = layout.retentive_bytes;
     for (uint32_t b = 0; b < space.bytes; ++b) {
       layout.bytes[s][b].whole = {Storage::kRetentiveByte, layout.retentive_bytes + b, 0, 0};
     }

@@ -79,7 +79,6 @@ struct Layout {
   std::vector<StateStorage> states;             // by StateId
   std::vector<std::vector<ByteStorage>> bytes;  // by SpaceId and byte; empty for spaces of lifetime kRoutine
   std::vector<Stretch> stretches;               // ascending by index, behind all single bytes of State::byte
-  std::vector<uint32_t> retentive_base;         // by SpaceId: first byte in State::retentive.bytes
   uint32_t retentive_bytes = 0;
   uint32_t size = 0;  // sizeof(State) of the release flavour
 };

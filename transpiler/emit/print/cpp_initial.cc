@@ -90,9 +90,11 @@ class InitialValues {
     } else if (stored.whole.storage == layout::Storage::kByte) {
       Add(layout::Storage::kByte, "byte", ir::Type::kI8, {index, id, initial.offset, initial.value});
     } else {
-      for (int bit = 0; bit < 8; ++bit) {
-        if (stored.bits[bit].storage != layout::Storage::kBit || (initial.value >> bit & 1) == 0) continue;
-        Add(layout::Storage::kBit, "bit", ir::Type::kBit, {stored.bits[bit].index, id, initial.offset, 1});
+      uint32_t left = initial.value;
+      for (const layout::PlaceStorage& bit : stored.bits) {
+        if (bit.storage == layout::Storage::kBit && (left & 1) != 0)
+          Add(layout::Storage::kBit, "bit", ir::Type::kBit, {bit.index, id, initial.offset, 1});
+        left >>= 1;
       }
     }
   }

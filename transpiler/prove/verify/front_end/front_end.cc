@@ -17,7 +17,6 @@ emit::layout::Layout PlainLayout(const ir::Program& program) {
   emit::layout::Layout layout;
   layout.places.resize(program.places.size());
   layout.bytes.resize(program.spaces.size());
-  layout.retentive_base.resize(program.spaces.size());
   for (uint32_t s = 0; s < program.spaces.size(); ++s) {
     const ir::Space& space = program.spaces[ir::SpaceId(s)];
     if (space.lifetime == ir::Lifetime::kRoutine) continue;
