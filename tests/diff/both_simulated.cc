@@ -190,8 +190,8 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
                 new_version = prove::machine::MakeVersion(new_side.compilation.program);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   for (const auto& [old_name, new_name] : options.same) {
-    const auto one = old_side.compilation.dialect->locate(old_side.compilation.program, old_name);
-    const auto other = new_side.compilation.dialect->locate(new_side.compilation.program, new_name);
+    const auto one = old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), old_name);
+    const auto other = new_side.compilation.dialect->locate(ir::NameIndex(new_side.compilation.program), new_name);
     if (one && other) same.emplace_back(one->place, other->place);
   }
   const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, same);

@@ -58,7 +58,7 @@ class RetentiveMachine {
 
  private:
   ir::Place PlaceOf(const std::string& name) const {
-    const auto location = compilation_.dialect->locate(compilation_.program, name);
+    const auto location = compilation_.dialect->locate(ir::NameIndex(compilation_.program), name);
     EXPECT_TRUE(location && location->place.space.valid()) << name;
     return location->place;
   }

@@ -178,7 +178,7 @@ class Compiled {
   const compilation::Compilation& operator*() const { return compilation_; }
   const compilation::Compilation* operator->() const { return &compilation_; }
   ir::Place Place(const std::string& name) const {
-    return compilation_.dialect->locate(compilation_.program, name).value().place;
+    return compilation_.dialect->locate(ir::NameIndex(compilation_.program), name).value().place;
   }
 
  private:

@@ -28,7 +28,7 @@ struct Compiled {
   }
 
   std::vector<Cell> Cells(const std::string& name) const {
-    const auto location = compilation.dialect->locate(compilation.program, name);
+    const auto location = compilation.dialect->locate(ir::NameIndex(compilation.program), name);
     EXPECT_TRUE(location) << name;
     return CellsOf(*emittable.program, emittable.layout, location->place);
   }

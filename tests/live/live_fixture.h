@@ -33,7 +33,7 @@ struct LiveBench {
   }
 
   uint64_t Value(const std::string& name) {
-    return session->timeline().machine().Read(*compilation.dialect->locate(compilation.program, name));
+    return session->timeline().machine().Read(*compilation.dialect->locate(ir::NameIndex(compilation.program), name));
   }
   void Periods(int count) {
     for (int i = 0; i < count; ++i) EXPECT_EQ(session->Step(StepKind::kPeriod), "");

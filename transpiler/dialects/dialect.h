@@ -17,6 +17,7 @@
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/diagnostics/lints.h"
 #include "transpiler/ir/facts.h"
+#include "transpiler/ir/name_index.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 
@@ -176,8 +177,9 @@ struct Dialect {
   std::string (*print_syntax)(Request& request);
   /// Parses and lowers. Always gives a program; it is only meaningful when nothing was reported as an error.
   Lowered (*lower)(Request& request);
-  /// The location that a scenario names; none when the text is no location of this dialect.
-  std::optional<Location> (*locate)(const ir::Program& program, std::string_view text);
+  /// The location that a scenario names; none when the text is no location of this dialect. Who asks often keeps the
+  /// index.
+  std::optional<Location> (*locate)(const ir::NameIndex& names, std::string_view text);
   /// A value in the dialect's own spelling ("33H"); none when it is none.
   std::optional<uint64_t> (*parse_value)(std::string_view text);
   /// The simulated control; none when there is none, or the options want none.

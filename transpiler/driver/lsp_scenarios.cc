@@ -51,7 +51,7 @@ std::string WhyAtItsEnd(const std::string& path, const std::string& signal) {
   const scenarios::Scenario& scenario = std::get<scenarios::Scenario>(read);
   const compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(scenario, {}));
   if (!compilation.ok()) return "the program of " + path + " has errors";
-  const auto location = compilation.dialect->locate(compilation.program, signal);
+  const auto location = compilation.dialect->locate(ir::NameIndex(compilation.program), signal);
   if (!location) return "'" + signal + "' is no location of the program of " + path;
   if (const std::string why = scenarios::CannotBeExplained(compilation, *location); !why.empty()) {
     return "'" + signal + "' cannot be explained: " + why;

@@ -93,23 +93,34 @@ UsesByBits CollectUses(const ir::Program& program) {
   return uses;
 }
 
-/// The place of an address. What the control holds beside memory (an output of the machine) has no place of its own:
-/// it is the one of the program with this address, if there is one.
-const ir::Place* PlaceOf(const ir::Program& program, const dialects::Location& location, const std::string& address) {
-  if (location.place.is_field() || location.place.space.valid()) return &location.place;
-  const auto found = std::ranges::find(program.places, address, &ir::Place::address);
-  return found == program.places.end() ? nullptr : &*found;
-}
+/// Finds the uses of each documented address of a program.
+class UsesByAddress {
+ public:
+  explicit UsesByAddress(const compilation::Compilation& compilation)
+      : locate_(compilation.dialect->locate),
+        names_(compilation.program),
+        numbering_(compilation.program),
+        uses_(CollectUses(compilation.program)) {}
 
-const Uses* UsesOf(const compilation::Compilation& compilation, const UsesByBits& uses, const std::string& address) {
-  const auto location = compilation.dialect->locate(compilation.program, address);
-  if (!location || location->absent || location->text_input) return nullptr;
-  const ir::Place* place = PlaceOf(compilation.program, *location, address);
-  if (place == nullptr) return nullptr;
-  const checks::BitSpan span = checks::BitNumbering(compilation.program).Of(*place);
-  const auto found = uses.find({span.first, span.last});
-  return found == uses.end() ? nullptr : &found->second;
-}
+  const Uses* Of(const std::string& address) const {
+    const std::optional<dialects::Location> location = locate_(names_, address);
+    if (!location || location->absent || location->text_input) return nullptr;
+    // What the control holds beside memory (an output of the machine) has no place of its own: it is the one of the
+    // program with this address, if there is one.
+    const bool has_own = location->place.is_field() || location->place.space.valid();
+    const ir::Place* const place = has_own ? &location->place : names_.PlaceAt(address);
+    if (place == nullptr) return nullptr;
+    const checks::BitSpan span = numbering_.Of(*place);
+    const auto found = uses_.find({span.first, span.last});
+    return found == uses_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  decltype(dialects::Dialect::locate) locate_;
+  ir::NameIndex names_;
+  checks::BitNumbering numbering_;
+  UsesByBits uses_;
+};
 
 std::string PlacesText(const compilation::Compilation& compilation, const std::vector<source::Range>& ranges) {
   std::string out;
@@ -123,14 +134,14 @@ std::string PlacesText(const compilation::Compilation& compilation, const std::v
 }
 
 void PrintSymbols(const compilation::Compilation& compilation) {
-  const UsesByBits uses = CollectUses(compilation.program);
+  const UsesByAddress uses(compilation);
   struct Row {
     std::string address;
     const Uses* uses;
   };
   std::map<std::string, Row> rows;  // sorted by name, as the control itself keeps its table
   for (const ir::Documentation& known : compilation.program.documentation) {
-    const Uses* used = UsesOf(compilation, uses, known.address);
+    const Uses* used = uses.Of(known.address);
     ir::ForEachSymbolName(known, [&](std::string_view name) { rows[std::string(name)] = {known.address, used}; });
   }
   std::cout << "symbol            operand   reads  writes\n";
@@ -142,14 +153,14 @@ void PrintSymbols(const compilation::Compilation& compilation) {
 }
 
 void PrintCrossReference(const compilation::Compilation& compilation) {
-  const UsesByBits uses = CollectUses(compilation.program);
+  const UsesByAddress uses(compilation);
   for (const ir::Documentation& known : compilation.program.documentation) {
     std::cout << diag::Escaped(known.address);
     if (!known.symbols.empty()) std::cout << "  " << diag::Escaped(known.symbols);
     if (!known.predefined.empty()) std::cout << "  (" << diag::Escaped(known.predefined) << ')';
     const std::string& text = known.help.empty() ? known.meaning : known.help;
     if (!text.empty()) std::cout << "  " << diag::Escaped(text);
-    const Uses* used = UsesOf(compilation, uses, known.address);
+    const Uses* used = uses.Of(known.address);
     std::cout << "\n  written: " << (used == nullptr ? "-" : PlacesText(compilation, used->writes))
               << "\n  read:    " << (used == nullptr ? "-" : PlacesText(compilation, used->reads)) << '\n';
   }

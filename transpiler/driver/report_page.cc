@@ -35,8 +35,9 @@ void AddGenerated(const compilation::Compilation& compilation, report::ProgramIn
 }
 
 void AddDocumented(const compilation::Compilation& compilation, report::ProgramInput& input) {
+  const ir::NameIndex names(compilation.program);
   for (const ir::Documentation& known : compilation.program.documentation) {
-    const auto location = compilation.dialect->locate(compilation.program, known.address);
+    const auto location = compilation.dialect->locate(names, known.address);
     const bool is_place = location && !location->absent && !location->text_input && !location->cell;
     input.documented.push_back(is_place ? std::optional(location->place) : std::nullopt);
   }

@@ -59,6 +59,7 @@ class Planner {
 
   const SimWords& words_;
   const compilation::Compilation& compilation_;
+  const ir::NameIndex names_{compilation_.program};
   SimPlan plan_;
   std::string problem_;
 };
@@ -71,7 +72,7 @@ bool Planner::TakeDuration(std::string_view option, std::string_view text, uint6
 }
 
 bool Planner::TakeLocation(std::string_view text, dialects::Location& location) {
-  const std::optional<dialects::Location> found = compilation_.dialect->locate(compilation_.program, text);
+  const std::optional<dialects::Location> found = compilation_.dialect->locate(names_, text);
   if (!found) return Fail(scenarios::NoSuchLocation(*compilation_.dialect, compilation_.program, text));
   location = *found;
   return true;

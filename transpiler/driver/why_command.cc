@@ -66,7 +66,8 @@ int Wrong(const std::string& text) {
 }
 
 std::optional<dialects::Location> Locate(const WhySettings& settings, const compilation::Compilation& compilation) {
-  const std::optional<dialects::Location> location = compilation.dialect->locate(compilation.program, settings.signal);
+  const std::optional<dialects::Location> location =
+      compilation.dialect->locate(ir::NameIndex(compilation.program), settings.signal);
   if (!location) {
     PrintUsageError(scenarios::NoSuchLocation(*compilation.dialect, compilation.program, settings.signal));
     return std::nullopt;

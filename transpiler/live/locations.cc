@@ -11,7 +11,7 @@ namespace plcxx::live {
 std::variant<dialects::Location, std::string> FindLocation(const compilation::Compilation& compilation,
                                                            std::string_view name) {
   const dialects::Dialect& dialect = *compilation.dialect;
-  const std::optional<dialects::Location> found = dialect.locate(compilation.program, name);
+  const std::optional<dialects::Location> found = dialect.locate(ir::NameIndex(compilation.program), name);
   if (!found) return scenarios::NoSuchLocation(dialect, compilation.program, name);
   if (found->absent) return "the program does not use '" + std::string(name) + "'";
   return *found;

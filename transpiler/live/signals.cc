@@ -13,10 +13,11 @@ SignalGroup GroupOf(const report::Signal& signal) {
 }
 
 /// By the first name that the dialect knows.
-std::optional<dialects::Location> LocationOf(const compilation::Compilation& compilation, LiveSignal& signal) {
+std::optional<dialects::Location> LocationOf(const dialects::Dialect& dialect, const ir::NameIndex& names,
+                                             LiveSignal& signal) {
   for (const std::string& name : {signal.name, signal.address}) {
     if (name.empty()) continue;
-    std::optional<dialects::Location> location = compilation.dialect->locate(compilation.program, name);
+    std::optional<dialects::Location> location = dialect.locate(names, name);
     if (!location || location->text_input || location->absent) continue;
     if (name != signal.name) std::swap(signal.name, signal.address);
     signal.can_be_named = true;
@@ -30,6 +31,7 @@ std::optional<dialects::Location> LocationOf(const compilation::Compilation& com
 SignalTable MakeSignals(const compilation::Compilation& compilation, const report::CrossReference& uses) {
   SignalTable table;
   const ir::Program& program = compilation.program;
+  const ir::NameIndex names(program);
   std::vector<uint32_t> place_of(uses.signals.size(), report::kNoSignal);
   for (uint32_t i = static_cast<uint32_t>(uses.of_place.size()); i-- > 0;) {
     const uint32_t signal = uses.of_place[i];
@@ -46,7 +48,7 @@ SignalTable MakeSignals(const compilation::Compilation& compilation, const repor
                       .group = GroupOf(used),
                       .location = {},
                       .state = used.state};
-    signal.location = LocationOf(compilation, signal);
+    signal.location = LocationOf(*compilation.dialect, names, signal);
     if (!signal.location && place_of[i] != report::kNoSignal) {
       signal.location = dialects::Location{.place = program.places[ir::PlaceId(place_of[i])]};
     }

@@ -134,7 +134,7 @@ uint32_t Names::DefinitionOf(const EditorToken& token) const {
 
 std::optional<dialects::Location> Names::Locate(std::string_view text) const {
   if (text.empty() || program().spaces.empty()) return std::nullopt;
-  return meaning_.compilation().dialect->locate(program(), text);
+  return meaning_.compilation().dialect->locate(index_, text);
 }
 
 std::optional<Bits> Names::BitsOfText(std::string_view text) const {

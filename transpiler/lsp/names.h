@@ -70,6 +70,7 @@ class Names {
 
   Analysis& analysis_;
   const Analysis& meaning_;
+  const ir::NameIndex index_{meaning_.program()};
   const dialects::Editing& editing_;
   std::vector<dialects::Definition> definitions_;
   std::vector<std::vector<dialects::EditorToken>> tokens_;  // by FileId

@@ -39,7 +39,7 @@ uint32_t WidthOf(const dialects::Location& location) {
 class Binder {
  public:
   Binder(const plant::Model& model, const dialects::Dialect& dialect, const ir::Program& program)
-      : model_(model), dialect_(dialect), program_(program) {}
+      : model_(model), dialect_(dialect), names_(program) {}
 
   void Bind() {
     for (const yaml::MarkedText& name : model_.reads()) reads_.push_back(Find(name));
@@ -64,9 +64,9 @@ class Binder {
   }
 
   dialects::Location Find(const yaml::MarkedText& name) {
-    const std::optional<dialects::Location> location = dialect_.locate(program_, name.text);
+    const std::optional<dialects::Location> location = dialect_.locate(names_, name.text);
     if (!location) {
-      Fail(name, NoSuchLocation(dialect_, program_, name.text),
+      Fail(name, NoSuchLocation(dialect_, names_.program(), name.text),
            "write it as in a scenario; plcxx report --print-symbols lists the names");
       return {};
     }
@@ -92,7 +92,7 @@ class Binder {
 
   const plant::Model& model_;
   const dialects::Dialect& dialect_;
-  const ir::Program& program_;
+  const ir::NameIndex names_;
   std::vector<dialects::Location> reads_, drives_;
   std::vector<yaml::Error> errors_;
 };

@@ -37,15 +37,15 @@ std::optional<ir::Place> FromSymbols(const ir::Program& program, const Cell& cel
 }
 
 /// An element of an area, as the dialect names it.
-std::optional<ir::Place> FromDialect(const ir::Program& program, const dialects::Dialect& dialect, const Cell& cell) {
-  const std::string& space = program.spaces[cell.space].name;
+std::optional<ir::Place> FromDialect(const ir::NameIndex& index, const dialects::Dialect& dialect, const Cell& cell) {
+  const std::string& space = index.program().spaces[cell.space].name;
   // An element may have one, two or four bytes.
   std::vector<std::string> names{space + "+" + std::to_string(cell.offset) + ":8"};
   for (const uint32_t bytes : {4U, 2U, 1U}) {
     names.insert(names.begin(), space + "[" + std::to_string(cell.offset / bytes) + "]");
   }
   for (const std::string& name : names) {
-    const std::optional<dialects::Location> location = dialect.locate(program, name);
+    const std::optional<dialects::Location> location = dialect.locate(index, name);
     if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) continue;
     ir::Place place = location->place;
     const bool is_inside = place.space == cell.space && !place.is_field() && place.type != ir::Type::kBit &&
@@ -60,9 +60,9 @@ std::optional<ir::Place> FromDialect(const ir::Program& program, const dialects:
 
 }  // namespace
 
-std::optional<ir::Place> NamedElement(const ir::Program& program, const dialects::Dialect& dialect, const Cell& cell) {
-  if (std::optional<ir::Place> symbol = FromSymbols(program, cell)) return symbol;
-  return FromDialect(program, dialect, cell);
+std::optional<ir::Place> NamedElement(const ir::NameIndex& index, const dialects::Dialect& dialect, const Cell& cell) {
+  if (std::optional<ir::Place> symbol = FromSymbols(index.program(), cell)) return symbol;
+  return FromDialect(index, dialect, cell);
 }
 
 }  // namespace plcxx::scenarios

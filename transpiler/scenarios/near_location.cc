@@ -16,13 +16,14 @@ std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Progr
     names.insert(documented.address);
     ir::ForEachSymbolName(documented, [&names](std::string_view symbol) { names.emplace(symbol); });
   }
+  const ir::NameIndex index(program);
   // '!LAMP' and 'LAMP' are one name where the language marks names so.
   const bool marked = text.starts_with('!');
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string near(support::NearestWord(marked ? text.substr(1) : text, views));
   if (near.empty()) return {};
-  const std::string as_written = marked && dialect.locate(program, "!" + near) ? "!" + near : near;
-  return dialect.locate(program, as_written) ? ", did you mean '" + as_written + "'" : std::string();
+  const std::string as_written = marked && dialect.locate(index, "!" + near) ? "!" + near : near;
+  return dialect.locate(index, as_written) ? ", did you mean '" + as_written + "'" : std::string();
 }
 
 std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {

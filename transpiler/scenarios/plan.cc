@@ -129,7 +129,7 @@ class ScenarioPlanner {
 
   /// None when it is no location, or none for this use; reported.
   std::optional<dialects::Location> Locate(const MarkedText& written, Use use) {
-    const std::optional<dialects::Location> location = dialect_.locate(program_, written.text);
+    const std::optional<dialects::Location> location = dialect_.locate(names_, written.text);
     if (!location) {
       Fail(written.mark, "'" + written.text + "' is no location of dialect " + std::string(dialect_.name) +
                              DidYouMeanLocation(dialect_, program_, written.text));
@@ -249,6 +249,7 @@ class ScenarioPlanner {
   const dialects::Dialect& dialect_;
   const ir::Program& program_;
   const BoundPlant* plant_ = nullptr;
+  const ir::NameIndex names_{program_};
   std::vector<ScenarioError> errors_;
 };
 

@@ -56,10 +56,10 @@ uint32_t PeriodsOf(const ir::Program& program, const std::function<sim::Step(sim
 }
 
 /// A name that the dialect reads as exactly this place; empty: there is none.
-std::string NameOf(const dialects::Dialect& dialect, const ir::Program& program, const ir::Place& place) {
+std::string NameOf(const dialects::Dialect& dialect, const ir::NameIndex& names, const ir::Place& place) {
   for (const std::string* const name : {&place.name, &place.address}) {
     if (name->empty()) continue;
-    const std::optional<dialects::Location> location = dialect.locate(program, *name);
+    const std::optional<dialects::Location> location = dialect.locate(names, *name);
     if (!location || location->text_input || location->absent || location->cell || !location->bits.empty()) continue;
     const ir::Place& found = location->place;
     if (!found.is_field() && found.type == place.type && found.space == place.space && found.offset == place.offset &&
@@ -113,8 +113,9 @@ prove::properties::PropertyContext PropertyContextOf(const dialects::Dialect& di
                                                      const prove::properties::PropertyTiming& timing) {
   prove::properties::PropertyContext context;
   context.timing = timing;
-  context.locate = [&](std::string_view word) -> std::optional<prove::properties::LocatedOperand> {
-    const std::optional<dialects::Location> location = dialect.locate(program, word);
+  context.locate =
+      [&, names = ir::NameIndex(program)](std::string_view word) -> std::optional<prove::properties::LocatedOperand> {
+    const std::optional<dialects::Location> location = dialect.locate(names, word);
     if (!location) return std::nullopt;
     return OperandOf(program, cells, *location, word);
   };
@@ -136,6 +137,7 @@ void NameLocationsOf(const prove::properties::Property& property, ProveMachine& 
 std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<CellId>& cells) {
   const ir::Program& program = machine.compilation.program;
   const dialects::Dialect& dialect = *machine.compilation.dialect;
+  const ir::NameIndex names(program);
   std::map<CellId, InputWord> word_of;
   // Bits first: a word is only for what has no name of its own.
   for (const bool bits : {true, false}) {
@@ -147,7 +149,7 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
         return std::ranges::find(cells, cell) != cells.end() && !word_of.contains(cell);
       };
       if (std::ranges::none_of(own, is_open)) continue;
-      const std::string name = NameOf(dialect, program, place);
+      const std::string name = NameOf(dialect, names, place);
       if (name.empty()) continue;
       for (const CellId cell : own) word_of.try_emplace(cell, InputWord{.name = name, .cells = own});
     }
@@ -160,8 +162,8 @@ std::vector<InputWord> WordsOf(const ProveMachine& machine, const std::vector<Ce
     if (word_of.contains(id)) continue;
     const execute::Cell cell = execute::CellAt(program, machine.version.cells, id);
     if (cell.kind != execute::CellKind::kBit) continue;
-    const std::optional<ir::Place> place = NamedElement(program, dialect, cell);
-    if (!place || !IsInside(program, *place) || NameOf(dialect, program, *place).empty()) continue;
+    const std::optional<ir::Place> place = NamedElement(names, dialect, cell);
+    if (!place || !IsInside(program, *place) || NameOf(dialect, names, *place).empty()) continue;
     const std::vector<CellId> own = execute::CellsOf(program, machine.version.cells, *place);
     for (const CellId one : own) word_of.try_emplace(one, InputWord{.name = place->name, .cells = own});
   }

@@ -60,7 +60,7 @@ class SignalNames {
       spellings.push_back(known->second);
     }
     for (std::string& spelling : spellings) {
-      std::optional<Location> location = compilation_.dialect->locate(compilation_.program, spelling);
+      std::optional<Location> location = compilation_.dialect->locate(names_, spelling);
       if (!location || location->text_input || location->absent) continue;
       return TracedSignal{.name = std::move(spelling), .signal = number, .location = *std::move(location)};
     }
@@ -69,6 +69,7 @@ class SignalNames {
 
  private:
   const compilation::Compilation& compilation_;
+  const ir::NameIndex names_{compilation_.program};
   std::map<std::string, std::string, std::less<>> by_vcd_name_;
 };
 

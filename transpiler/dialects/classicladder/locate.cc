@@ -6,20 +6,18 @@
 namespace plcxx::classicladder {
 namespace {
 
-std::optional<Address> AddressOf(const ir::Program& program, std::string_view text) {
+std::optional<Address> AddressOf(const ir::NameIndex& names, std::string_view text) {
   if (const auto address = AddressByName(text)) return address;
-  for (const ir::Documentation& entry : program.documentation) {
-    if (!entry.symbols.empty() && entry.symbols == text) return AddressByName(entry.address);
-  }
-  return std::nullopt;
+  const ir::Documentation* const entry = text.empty() ? nullptr : names.WithSymbols(text);
+  return entry == nullptr ? std::nullopt : AddressByName(entry->address);
 }
 
 }  // namespace
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
-  const auto address = AddressOf(program, text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text) {
+  const auto address = AddressOf(names, text);
   if (!address) return std::nullopt;
-  const Sizes sizes = SizesOf(program);
+  const Sizes sizes = SizesOf(names.program());
   const auto resolved = Resolve(*address, sizes);
   if (!resolved || *resolved != *address) return std::nullopt;  // beyond its kind
   const VariableInfo& info = Info(address->kind);

@@ -11,7 +11,7 @@
 namespace plcxx::classicladder {
 
 /// None for what is no location.
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 /// A value in the dialect's own spelling; none when it is none.
 std::optional<uint64_t> ParseValue(std::string_view text);
 

@@ -91,12 +91,12 @@ std::optional<Location> AreaElement(const ir::Program& program, std::string_view
   return std::nullopt;
 }
 
-std::optional<Location> PlaceNamed(const ir::Program& program, std::string_view name, std::string_view text) {
-  for (const ir::Place& place : program.places) {
-    if (place.name != name || place.indexed || !place.space.valid()) continue;
-    if (program.spaces[place.space].name != "system") continue;
+std::optional<Location> PlaceNamed(const ir::NameIndex& names, std::string_view name, std::string_view text) {
+  for (const ir::Place* const place : names.Places(name)) {
+    if (place->indexed || !place->space.valid()) continue;
+    if (names.program().spaces[place->space].name != "system") continue;
     Location location;
-    location.place = place;
+    location.place = *place;
     location.place.name = text;
     return location;
   }
@@ -104,9 +104,9 @@ std::optional<Location> PlaceNamed(const ir::Program& program, std::string_view 
 }
 
 /// "HW[0]", "MODAL[2]", "FAULT.code"
-std::optional<Location> Runtime(const ir::Program& program, std::string_view text) {
-  if (text == "FAULT.code") return PlaceNamed(program, "fault_code", text);
-  if (text == "FAULT.count") return PlaceNamed(program, "fault_count", text);
+std::optional<Location> Runtime(const ir::NameIndex& names, std::string_view text) {
+  if (text == "FAULT.code") return PlaceNamed(names, "fault_code", text);
+  if (text == "FAULT.count") return PlaceNamed(names, "fault_count", text);
   if (text == "FAULT.line") {
     Location location;
     location.place.name = text;
@@ -120,7 +120,7 @@ std::optional<Location> Runtime(const ir::Program& program, std::string_view tex
     if (!text.starts_with(head) || text.back() != ']') continue;
     const std::optional<uint32_t> number = Number(text.substr(head.size(), text.size() - head.size() - 1));
     if (!number) return std::nullopt;
-    std::optional<Location> location = PlaceNamed(program, name + std::to_string(*number), text);
+    std::optional<Location> location = PlaceNamed(names, name + std::to_string(*number), text);
     if (location) location->has_sign = sign;
     return location;
   }
@@ -128,7 +128,7 @@ std::optional<Location> Runtime(const ir::Program& program, std::string_view tex
 }
 
 /// "table[3].speed", "plc1.count"
-std::optional<Location> Data(const ir::Program& program, std::string_view text) {
+std::optional<Location> Data(const ir::NameIndex& names, std::string_view text) {
   std::string pattern;
   std::vector<uint32_t> indices;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -143,8 +143,9 @@ std::optional<Location> Data(const ir::Program& program, std::string_view text) 
     i = close;
   }
   std::optional<Location> location;
-  for (const ir::Symbol& symbol : program.symbols) {
-    if (symbol.name != pattern || symbol.indices.size() != indices.size()) continue;
+  for (const ir::Symbol* const found : names.Symbols(pattern)) {
+    const ir::Symbol& symbol = *found;
+    if (symbol.indices.size() != indices.size()) continue;
     uint32_t offset = symbol.offset;
     for (size_t i = 0; i < indices.size(); ++i) {
       if (indices[i] >= symbol.indices[i].count) return std::nullopt;
@@ -175,16 +176,17 @@ std::optional<Location> Data(const ir::Program& program, std::string_view text) 
 
 }  // namespace
 
-std::optional<Location> Locate(const ir::Program& program, std::string_view written) {
+std::optional<Location> Locate(const ir::NameIndex& names, std::string_view written) {
+  const ir::Program& program = names.program();
   std::string text;
   for (const char c : written) {
     if (c != ' ' && c != '\t') text += c;
   }
   if (text.empty()) return std::nullopt;
-  if (std::optional<Location> location = Data(program, text)) return location;
+  if (std::optional<Location> location = Data(names, text)) return location;
   if (std::optional<Location> location = AreaBit(program, text)) return location;
   if (std::optional<Location> location = AreaElement(program, text)) return location;
-  return Runtime(program, text);
+  return Runtime(names, text);
 }
 
 }  // namespace plcxx::hnc

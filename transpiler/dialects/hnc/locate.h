@@ -12,6 +12,6 @@ namespace plcxx::hnc {
 /// The cell of FAULT.line, which the simulated control answers: the map knows the statement's line, memory does not.
 inline constexpr uint32_t kFaultLineCell = 0;
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 
 }  // namespace plcxx::hnc

@@ -15,26 +15,23 @@ std::optional<Address> AddressFromText(const ir::Program& program, std::string_v
 }
 
 /// By the documentation that lowering wrote: it lists every symbol with its address.
-std::optional<Address> AddressOfSymbol(const ir::Program& program, std::string_view symbol) {
+std::optional<Address> AddressOfSymbol(const ir::NameIndex& names, std::string_view symbol) {
   if (symbol.empty()) return std::nullopt;  // entries of addresses without one
-  for (const ir::Documentation& entry : program.documentation) {
-    if (entry.symbols == symbol) return AddressFromText(program, entry.address);
-  }
-  return std::nullopt;
+  const ir::Documentation* const entry = names.WithSymbols(symbol);
+  if (entry == nullptr) return std::nullopt;
+  return AddressFromText(names.program(), entry->address);
 }
 
-std::string_view SymbolOf(const ir::Program& program, std::string_view address) {
-  for (const ir::Documentation& entry : program.documentation) {
-    if (entry.address == address) return entry.symbols;
-  }
-  return {};
+std::string_view SymbolOf(const ir::NameIndex& names, std::string_view address) {
+  const ir::Documentation* const entry = names.WithAddress(address);
+  return entry == nullptr ? std::string_view() : entry->symbols;
 }
 
-std::optional<Address> AddressOf(const ir::Program& program, std::string_view text) {
+std::optional<Address> AddressOf(const ir::NameIndex& names, std::string_view text) {
   const bool quoted = text.starts_with('\'');
   if (!quoted) {
-    if (const auto address = AddressFromText(program, text)) return address;
-    if (const auto address = AddressOfSymbol(program, text)) return address;
+    if (const auto address = AddressFromText(names.program(), text)) return address;
+    if (const auto address = AddressOfSymbol(names, text)) return address;
   }
   std::string_view name = text, attribute;
   if (quoted) {
@@ -43,7 +40,7 @@ std::optional<Address> AddressOf(const ir::Program& program, std::string_view te
     if (end == std::string_view::npos) return std::nullopt;
     attribute = name.substr(end + 1);
     name = name.substr(0, end);
-    if (attribute.empty()) return AddressOfSymbol(program, name);
+    if (attribute.empty()) return AddressOfSymbol(names, name);
   } else {
     const size_t dot = text.rfind('.');
     if (dot == std::string_view::npos) return std::nullopt;
@@ -51,7 +48,7 @@ std::optional<Address> AddressOf(const ir::Program& program, std::string_view te
     attribute = text.substr(dot);
   }
   if (!attribute.starts_with('.')) return std::nullopt;
-  std::optional<Address> address = AddressOfSymbol(program, name);
+  std::optional<Address> address = AddressOfSymbol(names, name);
   if (!address || !FieldOf(*address)) return std::nullopt;
   address->attribute = AttributeByName(attribute.substr(1));
   if (address->attribute == Attribute::kNone) return std::nullopt;
@@ -60,19 +57,16 @@ std::optional<Address> AddressOf(const ir::Program& program, std::string_view te
 
 }  // namespace
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
-  const std::optional<Address> address = AddressOf(program, text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text) {
+  const std::optional<Address> address = AddressOf(names, text);
   if (!address) return std::nullopt;
   dialects::Location location;
   if (const auto field = FieldOf(*address)) {
     location.place.type = field->type;
     location.place.field = field->field;
     const Address instance = WithoutAttribute(*address);
-    const std::string name = NameInCode(SymbolOf(program, NameOf(instance)), instance, ChannelsOf(program));
-    for (uint32_t i = 0; i < program.states.size(); ++i) {
-      const ir::StateInstance& state = program.states[ir::StateId(i)];
-      if (state.kind == field->kind && state.name == name) location.place.state = ir::StateId(i);
-    }
+    const std::string name = NameInCode(SymbolOf(names, NameOf(instance)), instance, ChannelsOf(names.program()));
+    location.place.state = names.State(field->kind, name);
     location.absent = !location.place.state.valid();
   } else {
     location.place = MemoryPlace(*address);

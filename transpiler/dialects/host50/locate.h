@@ -10,7 +10,7 @@
 namespace plcxx::host50 {
 
 /// "I0", "%q12", "TM3.V", "C1" (its .Q), "PUMP", "T_RUN.V", "'axis4-'". An address goes before a symbol of that name.
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 /// "$FF".
 std::optional<uint64_t> ParseValue(std::string_view text);
 /// Of an alarm, number 0 to 99; one without a text is called by its address.

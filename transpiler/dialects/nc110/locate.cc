@@ -6,7 +6,6 @@
 #include "transpiler/dialects/nc110/parser.h"
 #include "transpiler/dialects/nc110/places.h"
 #include "transpiler/dialects/nc110/tokens.h"
-#include "transpiler/ir/symbol_names.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -14,17 +13,12 @@ namespace {
 constexpr size_t kSample = 64 * 1024;
 
 /// The operand that a symbol stands for, by the documentation that lowering wrote.
-Operand OperandOfSymbol(const ir::Program& program, std::string_view symbol) {
-  for (const ir::Documentation& entry : program.documentation) {
-    const bool is_it = ir::AnySymbolName(entry, [symbol](std::string_view name) {
-      return name.substr(0, kSignificant) == symbol.substr(0, kSignificant);
-    });
-    if (is_it) return OperandFromText(entry.address);
-  }
-  return {};
+Operand OperandOfSymbol(const ir::NameIndex& names, std::string_view symbol) {
+  const ir::Documentation* const entry = names.WithSymbol(symbol, kSignificant);
+  return entry == nullptr ? Operand{} : OperandFromText(entry->address);
 }
 
-dialects::Location LocationOf(const ir::Program& program, const Operand& operand) {
+dialects::Location LocationOf(const ir::NameIndex& names, const Operand& operand) {
   dialects::Location location;
   const auto field = FieldOfOperand(operand);
   if (!field) {
@@ -32,10 +26,7 @@ dialects::Location LocationOf(const ir::Program& program, const Operand& operand
   } else {
     location.place.type = operand.kind == OperandKind::kCounterValue ? ir::Type::kI8 : ir::Type::kBit;
     location.place.field = field->field;
-    for (uint32_t i = 0; i < program.states.size(); ++i) {
-      const ir::StateInstance& state = program.states[ir::StateId(i)];
-      if (state.kind == field->kind && state.name == field->instance) location.place.state = ir::StateId(i);
-    }
+    location.place.state = names.State(field->kind, field->instance);
     location.absent = !location.place.state.valid();
   }
   location.place.name = ToText(operand);
@@ -55,7 +46,7 @@ std::optional<dialects::Location> WholeConnector(std::string_view text) {
 
 }  // namespace
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text) {
   text = Trim(text);
   if (text == "OPERATOR_TEXT") {
     dialects::Location location;
@@ -68,9 +59,9 @@ std::optional<dialects::Location> Locate(const ir::Program& program, std::string
   if (text.empty()) return std::nullopt;
   Operand operand;
   if (!symbol_only) operand = OperandFromText(text);
-  if (operand.kind == OperandKind::kNone) operand = OperandOfSymbol(program, text);
+  if (operand.kind == OperandKind::kNone) operand = OperandOfSymbol(names, text);
   if (operand.kind == OperandKind::kNone) return WholeConnector(text);
-  return LocationOf(program, operand);
+  return LocationOf(names, operand);
 }
 
 std::optional<uint64_t> ParseValue(std::string_view text) {

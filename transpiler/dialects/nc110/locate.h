@@ -9,7 +9,7 @@
 
 namespace plcxx::nc110 {
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 /// A number of 2.5: 45, 45D, 55O, 2DH.
 std::optional<uint64_t> ParseValue(std::string_view text);
 /// Does a text without a telling file name look like this dialect?

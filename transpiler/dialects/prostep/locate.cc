@@ -41,16 +41,13 @@ ir::Type TypeOf(Shape shape) {
   PLCXX_UNREACHABLE();
 }
 
-std::optional<Location> Instance(const ir::Program& program, ir::StateKind kind, std::string_view field, ir::Type type,
+std::optional<Location> Instance(const ir::NameIndex& names, ir::StateKind kind, std::string_view field, ir::Type type,
                                  std::string name, uint32_t number, uint32_t count) {
   if (number >= count) return std::nullopt;
   Location location;
   location.place.type = type;
   location.place.field = ir::FieldIndex(kind, field);
-  for (uint32_t i = 0; i < program.states.size(); ++i) {
-    const ir::StateInstance& state = program.states[ir::StateId(i)];
-    if (state.kind == kind && state.name == name) location.place.state = ir::StateId(i);
-  }
+  location.place.state = names.State(kind, name);
   location.absent = !location.place.state.valid();
   location.place.name = std::move(name);
   return location;
@@ -68,7 +65,7 @@ std::optional<Location> Port(Shape shape, uint32_t number, uint8_t bit, std::str
 
 }  // namespace
 
-std::optional<Location> Locate(const ir::Program& program, std::string_view text) {
+std::optional<Location> Locate(const ir::NameIndex& names, std::string_view text) {
   std::string name;
   for (const char c : text) {
     if (c == ' ' || c == '\t') continue;
@@ -91,17 +88,17 @@ std::optional<Location> Locate(const ir::Program& program, std::string_view text
     return std::nullopt;
   }
   if (shape == Shape::kTimer) {
-    return Instance(program, ir::StateKind::kTimeWordTimer, "output", ir::Type::kBit, name, *number, kTimers);
+    return Instance(names, ir::StateKind::kTimeWordTimer, "output", ir::Type::kBit, name, *number, kTimers);
   }
   if (shape == Shape::kCounter) {
-    return Instance(program, ir::StateKind::kDecadeCounter, "value", ir::Type::kI16, name, *number, kCounters);
+    return Instance(names, ir::StateKind::kDecadeCounter, "value", ir::Type::kI16, name, *number, kCounters);
   }
   const ir::Type type = TypeOf(shape);
   const Space space = SpaceOf(kind);
   if (type == ir::Type::kNone || space == Space::kNone) return std::nullopt;
   if (space == Space::kP) return Port(shape, *number, bit, std::move(name));
   if (*number + ir::Bytes(type) > BytesOf(space)) return std::nullopt;
-  const Cell cell = Memory(program).At(space, *number);
+  const Cell cell = Memory(names.program()).At(space, *number);
   Location location;
   if (cell.left < ir::Bytes(type)) {  // half retentive
     location.place.name = std::move(name);

@@ -13,7 +13,7 @@
 namespace plcxx::prostep {
 
 /// "I0.3", "IB0", "IW0", "ID100", "P0.3", "T5", "C5"; capitals or small letters. None for what is no location.
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 
 /// A location that is no place: a port, or bytes of D that lie in two spaces of the program.
 struct ControlCell {

@@ -1,6 +1,8 @@
 #include "transpiler/dialects/technol/locate.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "transpiler/dialects/technol/expressions.h"
 #include "transpiler/dialects/technol/memory.h"
@@ -21,7 +23,7 @@ struct Read {
 
 class AddressReader {
  public:
-  AddressReader(const ir::Program& program, std::string_view text) : program_(program), rest_(text) {}
+  AddressReader(const ir::NameIndex& names, std::string_view text) : names_(names), rest_(text) {}
 
   /// None when the text is no address, or goes on behind it.
   std::optional<Read> Whole() {
@@ -82,7 +84,7 @@ class AddressReader {
     }
     const auto name = TakeName();
     if (!name) return std::nullopt;
-    const auto thing = FindName(program_, *name);
+    const auto thing = FindName(names_, *name);
     if (!thing || thing->kind == SymbolKind::kBit || thing->kind == SymbolKind::kMechanism) return std::nullopt;
     const bool constant = thing->kind == SymbolKind::kConstant || thing->kind == SymbolKind::kField;
     return Read{.area = constant ? Area::kNone : thing->area, .offset = thing->offset, .width = thing->width};
@@ -116,28 +118,19 @@ class AddressReader {
     return read;
   }
 
-  const ir::Program& program_;
+  const ir::NameIndex& names_;
   std::string_view rest_;
 };
 
-bool SameName(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (Upper(a[i]) != Upper(b[i])) return false;
-  }
-  return true;
-}
-
 /// The activation bit: the place with the very name, else one that differs by case only.
-std::optional<ir::Place> MechanismPlace(const ir::Program& program, std::string_view name) {
-  const ir::SpaceId space = Memory(program)[SpaceKey::kMechanisms];
-  std::optional<ir::Place> folded;
-  for (const ir::Place& place : program.places) {
-    if (!space.valid() || place.is_field() || place.space != space) continue;
-    if (place.name == name) return place;
-    if (!folded && SameName(place.name, name)) folded = place;
-  }
-  return folded;
+std::optional<ir::Place> MechanismPlace(const ir::NameIndex& names, std::string_view name) {
+  const ir::SpaceId space = Memory(names.program())[SpaceKey::kMechanisms];
+  if (!space.valid()) return std::nullopt;
+  const auto is_mechanism = [space](const ir::Place* place) { return !place->is_field() && place->space == space; };
+  std::vector<const ir::Place*> found = names.Places(name);
+  if (std::ranges::none_of(found, is_mechanism)) found = names.PlacesOfAnyCase(name);
+  const auto first = std::ranges::find_if(found, is_mechanism);
+  return first == found.end() ? std::nullopt : std::optional(**first);
 }
 
 /// Bits and cells; none where it is not wholly inside its area.
@@ -154,17 +147,18 @@ std::optional<ir::Place> MemoryPlace(const ir::Program& program, std::string_vie
                    .bit = bit};
 }
 
-std::optional<ir::Place> PlaceOf(const ir::Program& program, std::string_view text) {
+std::optional<ir::Place> PlaceOf(const ir::NameIndex& names, std::string_view text) {
+  const ir::Program& program = names.program();
   auto thing = ReadDocumentedAddress(text);  // no name has its '+'
-  if (!thing) thing = FindName(program, text);
-  if (thing && thing->kind == SymbolKind::kMechanism) return MechanismPlace(program, text);
+  if (!thing) thing = FindName(names, text);
+  if (thing && thing->kind == SymbolKind::kMechanism) return MechanismPlace(names, text);
   if (thing && thing->kind == SymbolKind::kBit) {
     return MemoryPlace(program, text, thing->area, thing->offset, 1, thing->bit);
   }
   if (thing && thing->kind == SymbolKind::kCell) {
     return MemoryPlace(program, text, thing->area, thing->offset, thing->width, ir::kNoBit);
   }
-  AddressReader reader(program, text);
+  AddressReader reader(names, text);
   const std::optional<uint8_t> prefix = reader.TakePrefix();
   const std::optional<Read> read = reader.Whole();
   if (!read) return std::nullopt;
@@ -173,8 +167,8 @@ std::optional<ir::Place> PlaceOf(const ir::Program& program, std::string_view te
 
 }  // namespace
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text) {
-  std::optional<ir::Place> place = PlaceOf(program, text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text) {
+  std::optional<ir::Place> place = PlaceOf(names, text);
   if (!place) return std::nullopt;
   dialects::Location location;
   location.place = *std::move(place);

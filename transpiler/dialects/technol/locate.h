@@ -9,7 +9,7 @@
 
 namespace plcxx::technol {
 
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 /// A number of 2.4: 62, 0FFh, 1010b, 17q, 'T'.
 std::optional<uint64_t> ParseValue(std::string_view text);
 

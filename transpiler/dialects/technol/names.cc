@@ -98,13 +98,11 @@ std::optional<NamedThing> ReadDocumentedAddress(std::string_view text) {
   return thing;
 }
 
-std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name) {
+std::optional<NamedThing> FindName(const ir::NameIndex& names, std::string_view name) {
   if (name.empty()) return std::nullopt;
-  const auto exact = std::ranges::find(program.documentation, name, &ir::Documentation::symbols);
-  if (exact != program.documentation.end()) return ReadAddress(exact->address);
-  for (const ir::Documentation& row : program.documentation) {
-    if (EqualIgnoringCase(row.symbols, name)) return ReadAddress(row.address);
-  }
+  const ir::Documentation* row = names.WithSymbols(name);
+  if (row == nullptr) row = names.WithSymbolsOfAnyCase(name);
+  if (row != nullptr) return ReadAddress(row->address);
   for (const Signal& signal : Signals()) {
     if (EqualIgnoringCase(signal.name, name)) return OfSignal(signal);
   }

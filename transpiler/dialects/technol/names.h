@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "transpiler/dialects/technol/symbols.h"
-#include "transpiler/ir/program.h"
+#include "transpiler/ir/name_index.h"
 
 namespace plcxx::technol {
 
@@ -30,6 +30,6 @@ NamedThing ReadAddress(std::string_view address);
 std::optional<NamedThing> ReadDocumentedAddress(std::string_view text);
 /// By the documentation of the program, then by the control's own names. Spelled without regard to case, unless the
 /// program has another name that differs by case only.
-std::optional<NamedThing> FindName(const ir::Program& program, std::string_view name);
+std::optional<NamedThing> FindName(const ir::NameIndex& names, std::string_view name);
 
 }  // namespace plcxx::technol

@@ -14,7 +14,7 @@ constexpr uint32_t kConstantBytes = 400;  // of BUKON00 to BUKON99
 class Stub final : public dialects::ControlStub {
  public:
   Stub(const ir::Program& program, Retain retain)
-      : memory_(program), retain_(retain), backup_(*FindName(program, "REQ_BACKUP_MEM")) {}
+      : memory_(program), retain_(retain), backup_(*FindName(ir::NameIndex(program), "REQ_BACKUP_MEM")) {}
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
   void PowerOn(dialects::ImagePort& image) override {

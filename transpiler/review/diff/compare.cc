@@ -181,7 +181,8 @@ void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
 std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& new_side, const DiffOptions& options,
                                     std::vector<std::pair<ir::Place, ir::Place>>& same) {
   const auto locate = [](const DiffSide& side, const std::string& name) -> std::optional<ir::Place> {
-    const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.whole, name);
+    const std::optional<dialects::Location> location =
+        side.compilation.dialect->locate(ir::NameIndex(side.whole), name);
     if (!location || location->absent || location->cell || location->text_input) return std::nullopt;
     return location->place;
   };

@@ -93,7 +93,10 @@ class AccessWalk {
 }  // namespace
 
 CellWords::CellWords(const Version& version, const compilation::Compilation& compilation)
-    : version_(version), compilation_(compilation) {
+    : version_(version),
+      compilation_(compilation),
+      compiled_names_(compilation.program),
+      version_names_(*version.program) {
   const ir::Program& program = *version.program;
   for (const ir::Documentation& known : program.documentation) known_.emplace(known.address, &known);
   for (uint32_t i = 0; i < program.places.size(); ++i) {
@@ -115,7 +118,7 @@ CellWords::CellWords(const Version& version, const compilation::Compilation& com
 bool CellWords::IsNamed(const ir::Place& place) const {
   if (place.name.empty() || place.address.find('+') == std::string::npos) return false;
   const auto [at, added] = is_named_.try_emplace(place.name, false);
-  if (added) at->second = compilation_.dialect->locate(compilation_.program, place.name).has_value();
+  if (added) at->second = compilation_.dialect->locate(compiled_names_, place.name).has_value();
   return at->second;
 }
 
@@ -162,7 +165,7 @@ CellWord CellWords::WordOf(CellId id) const {
       return OfPlace(program.places[word->second]);
     }
   }
-  if (const std::optional<ir::Place> named = scenarios::NamedElement(program, *compilation_.dialect, cell))
+  if (const std::optional<ir::Place> named = scenarios::NamedElement(version_names_, *compilation_.dialect, cell))
     return OfPlace(*named);
   CellWord byte{.name = program.spaces[cell.space].name + " byte " + std::to_string(cell.offset),
                 .address = {},

@@ -35,6 +35,7 @@ class CellWords {
 
   const prove::machine::Version& version_;
   const compilation::Compilation& compilation_;
+  const ir::NameIndex compiled_names_, version_names_;
   std::map<uint32_t, ir::PlaceId> bits_;          // by cell
   std::map<uint32_t, ir::PlaceId> words_;         // by cell of its first bit: the smallest one that begins there
   mutable std::map<std::string, bool> is_named_;  // what has been asked so far

@@ -78,7 +78,7 @@ void DiffMachine::SetCell(execute::CellId id, uint64_t value) {
 }
 
 void DiffMachine::SetWord(const std::string& text, const std::string& value) {
-  const std::optional<dialects::Location> location = side_.compilation.dialect->locate(program_, text);
+  const std::optional<dialects::Location> location = side_.compilation.dialect->locate(names_, text);
   if (!location || location->absent) return;
   if (location->text_input) {
     simulator_.SendText(value);

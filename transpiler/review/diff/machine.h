@@ -60,6 +60,7 @@ class DiffMachine {
 
   const DiffSide& side_;
   const ir::Program& program_;
+  const ir::NameIndex names_{program_};
   const prove::machine::Version& version_;
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;

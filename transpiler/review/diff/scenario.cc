@@ -36,7 +36,8 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
 
 /// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
 std::vector<CellId> CellsNamed(const DiffSide& side, const prove::machine::Version& version, const std::string& name) {
-  const std::optional<dialects::Location> location = side.compilation.dialect->locate(side.compilation.program, name);
+  const std::optional<dialects::Location> location =
+      side.compilation.dialect->locate(ir::NameIndex(side.compilation.program), name);
   if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
   if (!execute::IsInside(*version.program, location->place)) return {};
   return execute::CellsOf(*version.program, version.cells, location->place);
@@ -83,6 +84,7 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
     if (taken.insert(word.name).second) words.push_back(std::move(word));
   }
   machine.Look();
+  const ir::NameIndex names(old_side.compilation.program);
   Sets sets;
   for (const CellWord& word : words) {
     uint64_t value = 0;
@@ -91,7 +93,7 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
       value |= (set != values.end() ? set->second : machine.Seen(word.cells[i])) << i;
     }
     const std::string name = ScenarioName(old_side, new_side, request, word);
-    if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+    if (!old_side.compilation.dialect->locate(names, name)) return std::nullopt;
     sets.emplace_back(name, WordText(word, value));
   }
   return sets;
@@ -159,11 +161,12 @@ struct Candidate {
 /// The run without what no scenario has a name for.
 Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
                  Stimuli stimuli) {
+  const ir::NameIndex names(old_side.compilation.program);
   for (Stimulus& stimulus : stimuli) {
     std::erase_if(stimulus.inputs, [&](const prove::diff::SetCell& input) {
       const CellWord word = WordOfBoth(request, input.old_cell);
-      return HasNoName(word) || !old_side.compilation.dialect->locate(old_side.compilation.program,
-                                                                      ScenarioName(old_side, new_side, request, word));
+      return HasNoName(word) ||
+             !old_side.compilation.dialect->locate(names, ScenarioName(old_side, new_side, request, word));
     });
   }
   return stimuli;
@@ -265,7 +268,7 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
     if (!sets) return std::nullopt;
     // A word of a scenario beside the program that the old version does not know sets nothing there.
     std::ranges::copy_if(stimulus.words, std::back_inserter(*sets), [&old_side](const auto& set) {
-      return old_side.compilation.dialect->locate(old_side.compilation.program, set.first).has_value();
+      return old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), set.first).has_value();
     });
     machine.Apply(after_power, &prove::diff::SetCell::old_cell);
     std::string assignments;
@@ -314,7 +317,7 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
   const std::string name = ScenarioName(old_side, new_side, request, seen.word);
-  if (!old_side.compilation.dialect->locate(old_side.compilation.program, name)) return std::nullopt;
+  if (!old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), name)) return std::nullopt;
   return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
 }
 

@@ -141,7 +141,7 @@ void DirectedSearch::ReadScenarios() {
 
 void DirectedSearch::SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const {
   const auto locate = [&word](const DiffSide& side) {
-    return side.compilation.dialect->locate(side.compilation.program, word.first);
+    return side.compilation.dialect->locate(ir::NameIndex(side.compilation.program), word.first);
   };
   const auto is_memory = [](const std::optional<dialects::Location>& location) {
     return location && !location->absent && !location->cell && !location->text_input && location->bits.empty();

@@ -95,12 +95,13 @@ PropertyRuns::PropertyRuns(const scenarios::ProveMachine& machine,
 void PropertyRuns::AddPlanOf(const std::vector<scenarios::KnownStep>& steps) {
   const dialects::Dialect& dialect = *machine_.compilation.dialect;
   const ir::Program& program = machine_.compilation.program;
+  const ir::NameIndex names(program);
   const prove::properties::PropertyTiming& timing = machine_.timing;
   Plan plan;
   for (const scenarios::KnownStep& step : steps) {
     if (step.power_cycle) break;
     for (const auto& [word, text] : step.words) {
-      const std::optional<dialects::Location> location = dialect.locate(program, word);
+      const std::optional<dialects::Location> location = dialect.locate(names, word);
       if (!location || location->absent || location->text_input || location->cell) continue;
       std::vector<CellId> cells;
       if (!location->bits.empty()) {
