@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "transpiler/driver/terminal.h"
+#include "transpiler/fleet/library.h"
 
 namespace plcxx::driver {
 namespace {
@@ -51,11 +52,9 @@ class Choice {
       }
       return AddHost(word.one_in);
     }
+    if (word.name.starts_with("fleet")) return AddFleet(word);
     const std::vector<std::string_view> machines = engines::EmulatedMachines();
-    if (std::ranges::find(machines, word.name) == machines.end()) {
-      PrintUsageError("there is no engine '" + std::string(word.name) + "'; there are " + EngineNames());
-      return false;
-    }
+    if (std::ranges::find(machines, word.name) == machines.end()) return PrintUnknown(word.name);
     options_.simulator = true;
     return AddPlatform(engines::MakeEmulatedPlatform(word.name), word.one_in);
   }
@@ -72,6 +71,33 @@ class Choice {
       return false;
     }
     return AddPlatform(engines::MakeHostPlatform(compiler_), one_in);
+  }
+
+  /// "fleet", as wide as this processor has it, or with a number of machines.
+  bool AddFleet(Word word) {
+    unsigned lanes = 0;
+    if (word.name == "fleet64") lanes = 64;
+    if (word.name == "fleet256") lanes = 256;
+    if (word.name == "fleet512") lanes = 512;
+    if (lanes == 0 && word.name != "fleet") return PrintUnknown(word.name);
+    if (lanes > fleet::WidestFleet()) {
+      PrintUsageError("'--engine " + std::string(word.name) + "': this processor has fleets of up to " +
+                      std::to_string(fleet::WidestFleet()) + " machines");
+      return false;
+    }
+    if (!FindHostCompiler()) {
+      PrintUsageError("there is no C++ compiler for '--engine fleet': install g++ or name one with --cxx");
+      return false;
+    }
+    options_.simulator = true;
+    // Compiling takes longer than a scenario; level 1 keeps what a fleet is made of and costs half.
+    options_.fleet = {.library = {.compiler = compiler_, .level = "1", .lanes = lanes}, .one_in = word.one_in};
+    return true;
+  }
+
+  static bool PrintUnknown(std::string_view name) {
+    PrintUsageError("there is no engine '" + std::string(name) + "'; there are " + EngineNames());
+    return false;
   }
 
   bool AddPlatform(engines::PlatformOrFailure made, uint32_t one_in) {
@@ -92,7 +118,7 @@ class Choice {
 }  // namespace
 
 std::string EngineNames() {
-  std::string names = "sim, host, all";
+  std::string names = "sim, host, all, fleet";
   for (const std::string_view machine : engines::EmulatedMachines()) names += ", " + std::string(machine);
   return names;
 }
@@ -100,6 +126,7 @@ std::string EngineNames() {
 bool ChooseEngines(const std::string& choice, const std::string& compiler, scenarios::SuiteOptions& options) {
   options.simulator = false;
   options.platforms.clear();
+  options.fleet.reset();
   Choice chosen(compiler, options);
   for (size_t at = 0; at <= choice.size();) {
     const size_t end = std::min(choice.find(',', at), choice.size());

@@ -112,6 +112,14 @@ engines::CompiledOrFailure ScenarioProgram::On(const std::shared_ptr<const engin
   return built.result;
 }
 
+fleet::LibraryOrFailure ScenarioProgram::AsFleet(const fleet::LibraryRequest& request) {
+  const compilation::Compilation& compilation = Compiled();
+  const std::lock_guard lock(built_mutex_);
+  const auto known = fleets_.find(request.forces);
+  if (known != fleets_.end()) return known->second;
+  return fleets_.emplace(request.forces, fleet::CompileFleet(compilation.program, request)).first->second;
+}
+
 void ScenarioProgram::Give(const engines::Platform& platform, emit::Flavour flavour,
                            engines::CompiledOrFailure result) {
   Built& built = BuiltOn(platform, flavour);

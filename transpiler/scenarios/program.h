@@ -14,6 +14,7 @@
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/engines/compiled_program.h"
+#include "transpiler/fleet/library.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::scenarios {
@@ -41,6 +42,8 @@ class ScenarioProgram {
   compilation::Compilation& Compiled();
   /// The generated code, built at the first call for a platform. The compilation must be without errors.
   engines::CompiledOrFailure On(const std::shared_ptr<const engines::Platform>& platform, emit::Flavour flavour);
+  /// The code of a fleet of them, built at the first call.
+  fleet::LibraryOrFailure AsFleet(const fleet::LibraryRequest& request);
   /// It was built already, together with other programs (CompileTogether).
   void Give(const engines::Platform& platform, emit::Flavour flavour, engines::CompiledOrFailure built);
 
@@ -56,6 +59,7 @@ class ScenarioProgram {
   compilation::Compilation compilation_;
   compilation::Compilation* compiled_ = nullptr;  // somebody else's
   std::mutex built_mutex_;
+  std::map<bool, fleet::LibraryOrFailure> fleets_;                // with forces or without
   std::map<std::pair<std::string, emit::Flavour>, Built> built_;  // by the platform's name
 };
 

@@ -141,7 +141,7 @@ class Suite {
       ScenarioProgram& program = programs.Of(scenario);
       if (!program.Compiled().ok()) continue;
       for (const PlatformUse& use : options_.platforms) {
-        if (RunsOn(use, scenario)) programs.Want(use, program, FlavourFor(scenario));
+        if (RunsOn(use.one_in, scenario)) programs.Want(use, program, FlavourFor(scenario));
       }
     }
     work.BeginCommon();

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "transpiler/engines/platform.h"
+#include "transpiler/fleet/library.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/test_case.h"
@@ -25,11 +27,18 @@ struct PlatformUse {
   uint32_t one_in = 1;
 };
 
+/// Many machines at once, a few of which carry the scenario.
+struct FleetUse {
+  fleet::LibraryRequest library;
+  uint32_t one_in = 1;
+};
+
 /// What runs a scenario, in lockstep. A program that uses a function of the regular exchange for itself, too, has the
 /// simulator beside it in any case, which tells the one from the other.
 struct SuiteOptions {
   bool simulator = true;
   std::vector<PlatformUse> platforms;
+  std::optional<FleetUse> fleet;
   ProgramOverrides programs;
   Reach reach = Reach::kProject;
   unsigned jobs = 2;         // processes that run scenarios at a time
@@ -47,8 +56,8 @@ struct ScenarioResult {
 /// None with the reason when a directory holds none.
 std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vector<std::string>& paths);
 
-/// Whether the platform runs this scenario.
-bool RunsOn(const PlatformUse& use, const Scenario& scenario);
+/// Whether the platform runs this scenario, one in `one_in`.
+bool RunsOn(uint32_t one_in, const Scenario& scenario);
 
 /// One scenario, read before, in this process and without a limit.
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program);

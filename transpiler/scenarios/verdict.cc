@@ -13,6 +13,7 @@
 #include "transpiler/diagnostics/render.h"
 #include "transpiler/engines/compiled_engine.h"
 #include "transpiler/engines/lockstep.h"
+#include "transpiler/fleet/fleet_engine.h"
 #include "transpiler/scenarios/expected_diagnostics.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_machine.h"
@@ -141,12 +142,19 @@ class Test {
       engines.push_back(std::move(simulator));
     }
     for (const PlatformUse& use : options_.platforms) {
-      if (!RunsOn(use, scenario_)) continue;
+      if (!RunsOn(use.one_in, scenario_)) continue;
       auto built = program_.On(use.platform, FlavourFor(scenario_));
       if (const auto* failure = std::get_if<engines::CompileFailure>(&built)) return failure->message;
       auto started = engines::StartCompiled(std::get<std::shared_ptr<engines::CompiledProgram>>(built));
       if (const auto* failure = std::get_if<engines::CompileFailure>(&started)) return failure->message;
       engines.push_back(std::move(std::get<std::unique_ptr<sim::Engine>>(started)));
+    }
+    if (options_.fleet && RunsOn(options_.fleet->one_in, scenario_)) {
+      fleet::LibraryRequest request = options_.fleet->library;
+      request.forces = FlavourFor(scenario_) == emit::Flavour::kDebug;
+      const fleet::LibraryOrFailure built = program_.AsFleet(request);
+      if (const auto* failure = std::get_if<std::string>(&built)) return "engine 'fleet': " + *failure;
+      engines.push_back(fleet::StartFleet(std::get<std::shared_ptr<const fleet::Library>>(built)));
     }
     if (engines.empty()) engines.push_back(std::make_unique<sim::Simulator>(compilation.program));
     made.lockstep = std::make_unique<engines::Lockstep>(compilation.program, std::move(engines));
@@ -212,9 +220,9 @@ class Test {
 
 }  // namespace
 
-bool RunsOn(const PlatformUse& use, const Scenario& scenario) {
-  if (use.one_in == 1) return true;
-  return ContentHash(support::ReadFile(scenario.path).value_or("")) % use.one_in == 0;
+bool RunsOn(uint32_t one_in, const Scenario& scenario) {
+  if (one_in == 1) return true;
+  return ContentHash(support::ReadFile(scenario.path).value_or("")) % one_in == 0;
 }
 
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {

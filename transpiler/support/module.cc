@@ -22,4 +22,21 @@ ModuleFunction LoadFunction(const std::string& module, const char* symbol) {
   return {address, address == nullptr ? module + " belongs to another version" : std::string()};
 }
 
+LoadedLibrary::LoadedLibrary(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (handle_ != nullptr) return;
+  const char* const cause = dlerror();
+  reason_ = cause != nullptr ? cause : "no cause was given";
+}
+
+LoadedLibrary::~LoadedLibrary() {
+  if (handle_ != nullptr) dlclose(handle_);
+}
+
+void* LoadedLibrary::Find(const char* symbol) {
+  if (handle_ == nullptr) return nullptr;
+  void* const address = dlsym(handle_, symbol);
+  if (address == nullptr) reason_ = std::string("it has no ") + symbol;
+  return address;
+}
+
 }  // namespace plcxx::support

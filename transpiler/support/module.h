@@ -15,4 +15,20 @@ struct ModuleFunction {
 /// The module stays loaded.
 ModuleFunction LoadFunction(const std::string& module, const char* symbol);
 
+/// A library that was made while the tool runs; open as long as the object lives, also when its file is gone.
+class LoadedLibrary {
+ public:
+  explicit LoadedLibrary(const std::string& path);
+  ~LoadedLibrary();
+  LoadedLibrary(const LoadedLibrary&) = delete;
+  LoadedLibrary& operator=(const LoadedLibrary&) = delete;
+  /// Null when there is none; `reason` says why.
+  void* Find(const char* symbol);
+  const std::string& reason() const { return reason_; }
+
+ private:
+  void* handle_ = nullptr;
+  std::string reason_;
+};
+
 }  // namespace plcxx::support

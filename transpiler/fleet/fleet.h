@@ -1,0 +1,105 @@
+// Machines that execute one program side by side: 64, 256 or 512, each a lane.
+//
+// The caller owns time and says which machines run; each has its own memory, and its own answers of the host. Bits that
+// the program does not name are not kept: they read as 0. Not its job: scenarios (fleet_engine.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "transpiler/fleet/library.h"
+#include "transpiler/ir/program.h"
+
+namespace plcxx::fleet {
+
+/// A set of lanes: a bit for each, 64 in a word.
+using LaneSet = std::vector<uint64_t>;
+
+/// One host function, called by all lanes of `mask` at once. Raw bits; rows of `lanes` elements.
+struct FleetCall {
+  ir::HostFunctionId function;
+  unsigned lanes = 0;
+  const uint64_t* mask = nullptr;
+  const uint64_t* arguments = nullptr;  // row after row
+  uint64_t* results = nullptr;          // 0 at first
+  uint64_t* seconds = nullptr;          // likewise
+  uint64_t* has_second = nullptr;       // a bit for each lane, 0 at first
+
+  bool calls(unsigned lane) const { return (mask[lane / 64] >> (lane % 64) & 1) != 0; }
+};
+
+class Fleet {
+ public:
+  explicit Fleet(std::shared_ptr<const Library> library);
+  Fleet(const Fleet&) = delete;
+  Fleet& operator=(const Fleet&) = delete;
+
+  const ir::Program& program() const { return *library_->program; }
+  const Library& library() const { return *library_; }
+  unsigned lanes() const { return library_->lanes; }
+  LaneSet AllLanes() const { return LaneSet(lanes() / 64, ~uint64_t{0}); }
+
+  /// Of every call but those for the time; the store of retentive memory is the fleet's own, who asks may note it.
+  void AnswerHostCalls(std::function<void(const FleetCall& call)> answers) { answers_ = std::move(answers); }
+
+  /// Clears everything that is not retentive storage of the host, then runs init. Forces stay.
+  void PowerOn(const LaneSet& lanes);
+  void Run(Piece piece, uint32_t now_ms, const LaneSet& lanes);
+
+  bool Holds(ir::SpaceId space, uint32_t offset, uint8_t bit) const;
+  bool Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) const;
+  /// The host writes: a forced bit keeps its value. Nothing where the fleet does not hold it.
+  void SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value);
+  /// `element` of a field that is an array; else 0.
+  uint64_t Field(unsigned lane, ir::StateId state, uint8_t field, uint32_t element = 0) const;
+  void SetField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element = 0);
+  /// A place of the program that is not indexed.
+  uint64_t Read(unsigned lane, const ir::Place& place) const;
+  void Write(unsigned lane, const ir::Place& place, uint64_t value);
+
+  /// Needs a library with forces. Forced bits keep the value that they have now.
+  void ForceBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool forced);
+  void ForceField(unsigned lane, ir::StateId state, uint8_t field, bool forced);
+
+  void StoreRetentive(const LaneSet& lanes);
+  /// As sim::Engine::Snapshot, with bits of spaces that are not held taken from `others` (a byte vector for each
+  /// space).
+  std::vector<uint8_t> Snapshot(unsigned lane, const std::vector<std::vector<uint8_t>>& others) const;
+
+  /// The words of a plane, a bit for each lane; none where the bit is part of a row or not held.
+  std::span<uint64_t> PlaneOf(ir::SpaceId space, uint32_t offset, uint8_t bit);
+
+ private:
+  uint64_t* PlaneAt(uint32_t plane) { return words_ + size_t{plane} * (lanes() / 64); }
+  const uint64_t* PlaneAt(uint32_t plane) const { return words_ + size_t{plane} * (lanes() / 64); }
+  uint8_t* RowAt(uint32_t row) { return rows_ + size_t{row} * lanes(); }
+  const uint8_t* RowAt(uint32_t row) const { return rows_ + size_t{row} * lanes(); }
+  bool PlaneBit(uint32_t plane, unsigned lane) const { return (PlaneAt(plane)[lane / 64] >> (lane % 64) & 1) != 0; }
+  void SetPlaneBit(uint32_t plane, unsigned lane, bool value);
+  uint32_t FieldPlane(ir::StateId state, uint8_t field, uint32_t element) const;
+  void HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
+                  uint64_t* seconds, uint64_t* has_second);
+  void CopyRetentive(const uint64_t* mask, bool loads);
+  template <class Visit>
+  void ForEachPart(const ir::Place& place, Visit&& visit) const;
+
+  struct Free {
+    void operator()(void* memory) const;
+  };
+  std::shared_ptr<const Library> library_;
+  std::unique_ptr<void, Free> memory_;
+  uint64_t* words_ = nullptr;  // the planes
+  uint8_t* rows_ = nullptr;
+  uint64_t* forced_ = nullptr;      // planes, when the library has forces
+  uint8_t* forced_rows_ = nullptr;  // likewise
+  HostTable host_;
+  std::function<void(const FleetCall&)> answers_;
+  std::vector<uint64_t> stored_planes_;  // the host's store of retentive memory, as planes
+  std::vector<uint8_t> stored_rows_;
+  LaneSet has_stored_;
+};
+
+}  // namespace plcxx::fleet

@@ -1,0 +1,253 @@
+// Operations that have a form in planes. The rows of sliced_operations.def name them; what each has to give is the
+// function of runtime_support that transpiler/ir/ops.def names.
+//
+// Operands are planes, rows or constants; constants disappear when the loops over the bits are unrolled.
+#pragma once
+
+#include "values.h"
+
+namespace plcxx_fleet {
+
+template <unsigned N, class A, class Function>
+inline Bits<N> EachBit(const A& a, Function&& function) {
+  const auto& x = Sliced(a);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) r.p[i] = function(x.Bit(i));
+  return r;
+}
+template <unsigned N, class A, class B, class Function>
+inline Bits<N> EachBit(const A& a, const B& b, Function&& function) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) r.p[i] = function(x.Bit(i), y.Bit(i));
+  return r;
+}
+
+inline Plane BitAnd(const Plane& a, const Plane& b) { return a & b; }
+inline Plane BitOr(const Plane& a, const Plane& b) { return a | b; }
+inline Plane BitXor(const Plane& a, const Plane& b) { return a ^ b; }
+inline Plane BitNot(const Plane& a) { return ~a; }
+
+template <unsigned N, class A, class B>
+inline Bits<N> And(const A& a, const B& b) {
+  return EachBit<N>(a, b, [](const Plane& x, const Plane& y) { return x & y; });
+}
+template <unsigned N, class A, class B>
+inline Bits<N> Or(const A& a, const B& b) {
+  return EachBit<N>(a, b, [](const Plane& x, const Plane& y) { return x | y; });
+}
+template <unsigned N, class A, class B>
+inline Bits<N> Xor(const A& a, const B& b) {
+  return EachBit<N>(a, b, [](const Plane& x, const Plane& y) { return x ^ y; });
+}
+template <unsigned N, class A>
+inline Bits<N> Not(const A& a) {
+  return EachBit<N>(a, [](const Plane& x) { return ~x; });
+}
+template <unsigned N, class A, class B>
+inline Bits<N> Select(const Plane& condition, const A& a, const B& b) {
+  return EachBit<N>(a, b, [&](const Plane& x, const Plane& y) { return Choose(condition, x, y); });
+}
+
+/// The bits from `kFrom` on, with 0 above them.
+template <unsigned N, unsigned kFrom, unsigned kWidth, class A>
+inline Bits<N> Part(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) r.p[i] = i < kWidth ? Plane(x.Bit(kFrom + i)) : Zeros();
+  return r;
+}
+template <unsigned N, unsigned kWidth, class A>
+inline Bits<N> SignExtended(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) r.p[i] = x.Bit(i < kWidth ? i : kWidth - 1);
+  return r;
+}
+template <unsigned N>
+inline Bits<N> WidenBit(const Plane& bit) {
+  Bits<N> r{};
+  r.p[0] = bit;
+  return r;
+}
+template <unsigned kHalf, class A, class B>
+inline Bits<2 * kHalf> Pair(const A& low, const B& high) {
+  const auto& x = Sliced(low);
+  const auto& y = Sliced(high);
+  Bits<2 * kHalf> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < kHalf; ++i) {
+    r.p[i] = x.Bit(i);
+    r.p[kHalf + i] = y.Bit(i);
+  }
+  return r;
+}
+template <class A, class B>
+inline Bits<16> WithLowByte(const A& word, const B& low) {
+  return Pair<8>(low, Part<8, 8, 8>(word));
+}
+template <class A>
+inline Bits<8> SwapNibbles(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<8> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < 8; ++i) r.p[i] = x.Bit((i + 4) % 8);
+  return r;
+}
+
+/// a + b + carry, modulo 2^N; the carry out is left in `carry`.
+template <unsigned N, class A, class B>
+inline Bits<N> AddWithCarry(const A& a, const B& b, Plane& carry) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) {
+    const Plane p = x.Bit(i), q = y.Bit(i);
+    r.p[i] = p ^ q ^ carry;
+    carry = (p & q) | (carry & (p | q));
+  }
+  return r;
+}
+template <unsigned N, class A, class B>
+inline Bits<N> Add(const A& a, const B& b) {
+  Plane carry{};
+  return AddWithCarry<N>(a, b, carry);
+}
+/// a - b - borrow; the borrow out is left in `borrow`.
+template <unsigned N, class A, class B>
+inline Bits<N> SubWithBorrow(const A& a, const B& b, Plane& borrow) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) {
+    const Plane p = x.Bit(i), q = y.Bit(i);
+    r.p[i] = p ^ q ^ borrow;
+    borrow = (~p & q) | (borrow & (~p | q));
+  }
+  return r;
+}
+template <unsigned N, class A, class B>
+inline Bits<N> Sub(const A& a, const B& b) {
+  Plane borrow{};
+  return SubWithBorrow<N>(a, b, borrow);
+}
+template <unsigned N, class A>
+inline Bits<N> Minus(const A& a) {
+  return Sub<N>(Fixed<uint64_t, 0>{}, a);
+}
+template <unsigned N, class A>
+inline Bits<N> Abs(const A& a) {
+  const auto& x = Sliced(a);
+  return Select<N>(x.Bit(N - 1), Minus<N>(x), x);
+}
+
+template <unsigned N, class A, class B>
+inline Plane NotEqual(const A& a, const B& b) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  Plane differs{};
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) differs |= x.Bit(i) ^ y.Bit(i);
+  return differs;
+}
+template <unsigned N, class A, class B>
+inline Plane Equal(const A& a, const B& b) {
+  return ~NotEqual<N>(a, b);
+}
+template <unsigned N, class A>
+inline Plane IsZero(const A& a) {
+  return Equal<N>(a, Fixed<uint64_t, 0>{});
+}
+template <unsigned N, class A, class B>
+inline Plane Less(const A& a, const B& b) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  Plane less{};
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) {
+    const Plane p = x.Bit(i), q = y.Bit(i);
+    less = (~p & q) | (less & (~p | q));
+  }
+  return less;
+}
+template <unsigned N, class A, class B>
+inline Plane LessEqual(const A& a, const B& b) {
+  return ~Less<N>(b, a);
+}
+template <unsigned N, class A, class B>
+inline Plane Greater(const A& a, const B& b) {
+  return Less<N>(b, a);
+}
+template <unsigned N, class A, class B>
+inline Plane GreaterEqual(const A& a, const B& b) {
+  return ~Less<N>(a, b);
+}
+/// Of two's complement: the highest bit counts the other way round.
+template <unsigned N, class A, class B>
+inline Plane SignedLess(const A& a, const B& b) {
+  const auto& x = Sliced(a);
+  const auto& y = Sliced(b);
+  const Plane less = Less<N - 1>(x, y), p = x.Bit(N - 1), q = y.Bit(N - 1);
+  return (p & ~q) | (less & (p | ~q));
+}
+template <unsigned N, class A, class B>
+inline Plane SignedLessEqual(const A& a, const B& b) {
+  return ~SignedLess<N>(b, a);
+}
+template <unsigned N, class A, class B>
+inline Plane SignedGreater(const A& a, const B& b) {
+  return SignedLess<N>(b, a);
+}
+template <unsigned N, class A, class B>
+inline Plane SignedGreaterEqual(const A& a, const B& b) {
+  return ~SignedLess<N>(a, b);
+}
+
+template <unsigned N, class A>
+inline Plane SignBit(const A& a) {
+  return Sliced(a).Bit(N - 1);
+}
+
+// --- by a constant number of places
+// -----------------------------------------------------------------------------------
+
+template <unsigned N, class A, class T, uint64_t kCount>
+inline Bits<N> ShiftLeft(const A& a, const Fixed<T, kCount>&) {
+  const auto& x = Sliced(a);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) r.p[i] = i >= kCount ? Plane(x.Bit(static_cast<unsigned>(i - kCount))) : Zeros();
+  return r;
+}
+template <unsigned N, class A, class T, uint64_t kCount>
+inline Bits<N> ShiftRight(const A& a, const Fixed<T, kCount>&) {
+  const auto& x = Sliced(a);
+  Bits<N> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i)
+    r.p[i] = kCount < N - i ? Plane(x.Bit(static_cast<unsigned>(i + kCount % N))) : Zeros();
+  return r;
+}
+template <unsigned N, class A, class T, uint64_t kBit>
+inline Plane TestBit(const A& a, const Fixed<T, kBit>&) {
+  if constexpr (kBit < N) {
+    return Sliced(a).Bit(kBit);
+  } else {
+    return Zeros();
+  }
+}
+template <unsigned N, class T, uint64_t kPosition>
+inline Bits<N> BitAt(const Plane& bit, const Fixed<T, kPosition>&) {
+  Bits<N> r{};
+  if constexpr (kPosition < N) r.p[kPosition] = bit;
+  return r;
+}
+
+}  // namespace plcxx_fleet
