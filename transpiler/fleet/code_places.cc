@@ -26,6 +26,22 @@ bool PlaceWriter::IsPerLane(ir::PlaceId place) const {
   return access.indexed || layout_.At(access.owner, access.offset).is_row();
 }
 
+bool PlaceWriter::IsRows(const sim::PlaceAccess& access) const {
+  for (uint32_t i = 0; i < access.bytes; ++i) {
+    if (!layout_.At(access.owner, access.offset + i).is_row()) return false;
+  }
+  return true;
+}
+
+std::string PlaceWriter::RowNumbers(const sim::PlaceAccess& access) const {
+  std::string text;
+  for (uint32_t i = 0; i < access.bytes; ++i) {
+    const uint32_t at = access.offset + (access.big_endian ? access.bytes - 1 - i : i);
+    text += ", " + std::to_string(layout_.At(access.owner, at).row);
+  }
+  return text;
+}
+
 std::string PlaceWriter::Bytes(const sim::PlaceAccess& access) const {
   std::string text;
   for (uint32_t i = 0; i < access.bytes; ++i) {
@@ -51,6 +67,8 @@ std::string PlaceWriter::LoadFixed(const sim::PlaceAccess& access, ir::Type type
     return type == ir::Type::kBit ? "Plane(m.planes[" + std::to_string(first) + "])"
                                   : "FieldAt<" + WidthText(type) + ">(m, " + std::to_string(first) + ")";
   }
+  if (type != ir::Type::kBit && IsRows(access))
+    return "LoadRows<" + std::string(RawName(type)) + RowNumbers(access) + ">(m)";
   if (type != ir::Type::kBit) return "LoadBytes<" + Bytes(access) + ">(m)";
   const ByteHome& home = layout_.At(access.owner, access.offset);
   if (!home.is_row()) return "Plane(m.planes[" + std::to_string(home.planes[access.bit]) + "])";
@@ -92,6 +110,10 @@ std::string PlaceWriter::Store(ir::PlaceId place, ir::ValueId index, const std::
     return (stored.type == ir::Type::kBit ? "PutPlane(m, " + first
                                           : "PutField<" + WidthText(stored.type) + ">(m, " + first) +
            ", " + end;
+  }
+  if (stored.type != ir::Type::kBit && IsRows(access)) {
+    const std::string raw(RawName(stored.type));
+    return "StoreRows<" + raw + RowNumbers(access) + ">(m, RawRows<" + raw + ">(" + value + "), " + mask + ");";
   }
   if (stored.type != ir::Type::kBit) return "StoreBytes<" + Bytes(access) + ">(m, " + end;
   const ByteHome& home = layout_.At(access.owner, access.offset);

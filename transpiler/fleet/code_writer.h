@@ -36,6 +36,9 @@ class PlaceWriter {
  private:
   std::string LoadFixed(const sim::PlaceAccess& access, ir::Type type) const;
   std::string Element(const sim::PlaceAccess& access) const;
+  bool IsRows(const sim::PlaceAccess& access) const;
+  /// ", 3, 4", least significant first.
+  std::string RowNumbers(const sim::PlaceAccess& access) const;
   /// "Planes<8>, Planes<16>", least significant first.
   std::string Bytes(const sim::PlaceAccess& access) const;
 

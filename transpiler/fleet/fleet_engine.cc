@@ -104,7 +104,10 @@ class FleetEngine : public sim::Engine {
   /// A fleet is made of what is executed: statements are switched off in the simulator.
   void EnableStatement(ir::StatementId, bool enabled) override { PLCXX_CHECK(enabled); }
 
-  void StoreRetentive() override { fleet_.StoreRetentive(fleet_.AllLanes()); }
+  void StoreRetentive() override {
+    fleet_.StoreRetentive(fleet_.AllLanes());
+    stored_shadow_ = shadow_;
+  }
 
   std::vector<sim::HostEvent> TakeEvents() override {
     std::vector<std::vector<sim::HostEvent>> events(carriers_.size());
@@ -188,12 +191,26 @@ class FleetEngine : public sim::Engine {
       call.seconds[lane] = answer->out.value_or(0);
       if (answer->out) call.has_second[lane / 64] |= uint64_t{1} << (lane % 64);
     }
+    if (call.calls(carriers_.front())) MoveRetentive(call.function);
     if (is_store || (function.result == ir::Type::kNone && function.out.name.empty())) return;
     for (unsigned lane = 0; lane < call.lanes; ++lane) {
       if ((noise_lanes_[lane / 64] >> (lane % 64) & 1) == 0) continue;
       call.results[lane] = random_();
       call.seconds[lane] = random_();
       call.has_second[lane / 64] |= (random_() & 1) << (lane % 64);
+    }
+  }
+
+  /// What the host keeps of retentive bytes that the fleet does not hold.
+  void MoveRetentive(ir::HostFunctionId function) {
+    if (function == program_.schedule.retentive_store) stored_shadow_ = shadow_;
+    if (function != program_.schedule.retentive_load || stored_shadow_.empty()) return;
+    for (uint32_t s = 0; s < shadow_.size(); ++s) {
+      if (program_.spaces[ir::SpaceId(s)].lifetime != ir::Lifetime::kRetentive) continue;
+      for (size_t i = 0; i < shadow_[s].size(); ++i) {
+        const int kept = shadow_forced_[s][i];
+        shadow_[s][i] = static_cast<uint8_t>((shadow_[s][i] & kept) | (stored_shadow_[s][i] & ~kept));
+      }
     }
   }
 
@@ -239,6 +256,7 @@ class FleetEngine : public sim::Engine {
   LaneSet noise_lanes_;
   std::vector<NoisyBit> noisy_;
   std::vector<std::vector<uint8_t>> shadow_, shadow_forced_;  // by SpaceId: bits that the fleet does not hold
+  std::vector<std::vector<uint8_t>> stored_shadow_;           // empty: nothing was stored
   std::vector<std::vector<sim::HostEvent>> events_;           // of each carrier
   sim::HostAnswers answers_;
   std::mt19937_64 random_{20'000};  // the same in each run

@@ -41,9 +41,14 @@ std::string FirstLines(const std::string& text) {
 }
 
 bool WriteHeaders(const compile::TemporaryDirectory& directory) {
-  bool written = compile::WriteRuntime(directory.path());
+  // Where they are in the sources, too: they include each other by that name.
+  const std::string folder = "transpiler/fleet/runtime/";
+  std::error_code error;
+  std::filesystem::create_directories(directory.path() + "/" + folder, error);
+  bool written = !error && compile::WriteRuntime(directory.path());
   for (unsigned i = 0; i < kFleetRuntimeCount; ++i)
-    written = directory.Write(kFleetRuntime[i].name, {kFleetRuntime[i].text, kFleetRuntime[i].size}) && written;
+    written =
+        directory.Write(folder + kFleetRuntime[i].name, {kFleetRuntime[i].text, kFleetRuntime[i].size}) && written;
   return written;
 }
 

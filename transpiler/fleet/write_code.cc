@@ -39,7 +39,7 @@ std::string FieldsOf(ir::StateKind kind) {
 std::string Head(const ir::Program& program, const Layout& layout) {
   std::string out = "#define PLCXX_FLEET_PLANES " + std::to_string(std::max(layout.planes, 1u)) +
                     "\n#define PLCXX_FLEET_ROWS " + std::to_string(std::max(layout.rows, 1u)) +
-                    "\n#include \"steps.h\"\n";
+                    "\n#include \"transpiler/fleet/runtime/steps.h\"\n";
   std::set<std::string> headers;
   for (const char* header : {"arith.h", "bcd.h", "c_integers.h", "doubles.h", "floats.h", "logic.h", "registers.h",
                              "rings.h", "position_counters.h"})

@@ -5,7 +5,7 @@
 // transpiler/fleet/layout.h says which place is where, and machines.cc relies on the order of the members.
 #pragma once
 
-#include "operations.h"
+#include "transpiler/fleet/runtime/operations.h"
 
 namespace plcxx_fleet {
 
@@ -120,13 +120,12 @@ inline Lanes<T> LoadRows(const State& m) {
   }
   return number;
 }
-template <class T, unsigned... kRow, class Number, class M>
-inline void StoreRows(State& m, const Number& value, const M& active) {
+template <class T, unsigned... kRow, class Rows, class M>
+inline void StoreRows(State& m, const Rows& value, const M& active) {
   constexpr unsigned rows[] = {kRow...};
-  const auto& number = In<T>(value);
   uint8_t bytes[kLanes];
   for (unsigned b = 0; b < sizeof(T); ++b) {
-    for (unsigned lane = 0; lane < kLanes; ++lane) bytes[lane] = static_cast<uint8_t>(number[lane] >> (8 * b));
+    for (unsigned lane = 0; lane < kLanes; ++lane) bytes[lane] = static_cast<uint8_t>(value[lane] >> (8 * b));
     PutRow(m, rows[b], bytes, active);
   }
 }

@@ -4,7 +4,7 @@
 // Operands are planes, rows or constants; constants disappear when the loops over the bits are unrolled.
 #pragma once
 
-#include "values.h"
+#include "transpiler/fleet/runtime/values.h"
 
 namespace plcxx_fleet {
 

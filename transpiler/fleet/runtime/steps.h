@@ -4,8 +4,8 @@
 // What each has to do is the function of runtime_support of the same name.
 #pragma once
 
-#include "machine.h"
 #include "plcxx/texts.h"
+#include "transpiler/fleet/runtime/machine.h"
 
 namespace plcxx_fleet {
 
@@ -89,26 +89,46 @@ inline void UpdateTextPerLane(State& m, unsigned flag_first, unsigned inbox_firs
 // --- on-delay timers
 // ----------------------------------------------------------------------------------------------------
 
+/// The upper halves of times are rarely touched: they are 0, or those of a moment ago. `kBits` of them are computed.
+template <unsigned kBits, class Preset, class M>
+inline Plane PassDelay(State& m, unsigned first, const Bits<32>& now, const Plane& runs, const Plane& counts,
+                       const Preset& preset, const M& active) {
+  Plane borrow{}, carry{};
+  const Bits<kBits> before = FieldAt<kBits>(m, first);
+  const Bits<kBits> passed = SubWithBorrow<kBits>(now, FieldAt<kBits>(m, first + 32), borrow);
+  if constexpr (kBits < 32) {  // time that goes back has passed nearly 2^32 ms
+    if (Any(borrow)) return PassDelay<32>(m, first, now, runs, counts, preset, active);
+  }
+  const Bits<kBits> sum = AddWithCarry<kBits>(before, passed, carry);
+  const Plane overflow = kBits == 32 ? carry : Zeros();  // what is short does not overflow
+  Bits<32> elapsed{};
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < kBits; ++i) elapsed.p[i] = counts & Choose(runs, sum.p[i] | overflow, before.p[i]);
+  PutField<kBits>(m, first, elapsed, active);
+  PutField<kBits>(m, first + 32, now, active);
+  return GreaterEqual<32>(elapsed, preset);
+}
+/// Whether `kBits` hold what has passed and the sum: both numbers are below 2^(kBits - 1).
+template <unsigned kBits>
+inline bool IsShort(const State& m, unsigned first, const Bits<32>& now) {
+  Plane any{};
+  PLCXX_UNROLL
+  for (unsigned i = kBits - 1; i < 32; ++i) any |= m.planes[first + i] | (now.p[i] ^ m.planes[first + 32 + i]);
+  return !Any(any);
+}
 template <class Preset, class Time, class M>
 inline void OnDelay(State& m, unsigned first, const Plane& input, const Preset& preset, const Time& time,
                     const M& active) {
-  const unsigned kElapsed = first, kLast = first + 32, kInput = first + 64, kDone = first + 66, kTiming = first + 67;
-  const auto& now = Sliced(time);
+  const unsigned kInput = first + 64, kDone = first + 66, kTiming = first + 67;
+  const Bits<32> now = Held<32>(time);
   const Plane was = m.planes[kInput], hold = m.planes[first + 65], done = m.planes[kDone];
-  const Bits<32> before = FieldAt<32>(m, kElapsed);
-  const Plane starts = input & ~was, runs = input & was & ~hold;
-  Plane overflow{};
-  const Bits<32> sum = AddWithCarry<32>(before, Sub<32>(now, FieldAt<32>(m, kLast)), overflow);
-  const Plane counts = input & ~starts;
-  Bits<32> elapsed;
-  PLCXX_UNROLL
-  for (unsigned i = 0; i < 32; ++i) elapsed.p[i] = counts & Choose(runs, sum.p[i] | overflow, before.p[i]);
-  const Plane reached = GreaterEqual<32>(elapsed, preset);
+  const Plane runs = input & was & ~hold, counts = input & was;
+  // Times of the same stretch of 2^15 ms differ by less than that.
+  const Plane reached = IsShort<16>(m, first, now) ? PassDelay<16>(m, first, now, runs, counts, preset, active)
+                                                   : PassDelay<32>(m, first, now, runs, counts, preset, active);
   PutPlane(m, kTiming, input & Choose(done, m.planes[kTiming], ~reached), active);
   PutPlane(m, kDone, input & (done | reached), active);
   PutPlane(m, kInput, input, active);
-  PutField<32>(m, kElapsed, elapsed, active);
-  PutField<32>(m, kLast, now, active);
 }
 
 // --- edges

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "planes.h"
+#include "transpiler/fleet/runtime/planes.h"
 #if defined(__AVX512BW__)
 #include <immintrin.h>
 #endif
