@@ -101,7 +101,7 @@ TEST(Fleet, ShareIsReported) {
   const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
   ASSERT_TRUE(compiled.ok());
   const Code code = WriteCode(compiled.program, LayOut(compiled.program));
-  EXPECT_GT(code.share.sliced, 20 * code.share.per_lane);
+  EXPECT_GT(code.share.sliced, 10 * code.share.per_lane);
 }
 
 }  // namespace
