@@ -177,9 +177,9 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
   for (const auto& [cell, difference] : found.difference_of) {
     const Stimuli& whole = found.runs[difference.run];
     const Stimuli run(whole.begin(), whole.begin() + difference.steps);
-    const Shortener shortener(old_side, new_side, old_version, new_version, {cell}, {match.new_of_old[cell.index]},
-                              Clock::time_point::max());
-    EXPECT_TRUE(shortener.Shows(run, Clock::time_point::max())) << words.WordOf(cell).name;
+    const Shortener::Shows shows =
+        ShowsDifference(old_side, new_side, old_version, new_version, {cell}, {match.new_of_old[cell.index]});
+    EXPECT_TRUE(shows(run, Clock::time_point::max())) << words.WordOf(cell).name;
   }
 }
 

@@ -14,7 +14,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <variant>
 
@@ -244,21 +243,6 @@ int RunLive(const LiveSettings& settings) {
   if (!OpenNamed(settings, compilation, session)) return kWrongUse;
   live::Service service(session, {&compilation, &*request, FolderOf(settings.common)});
   return Serve(settings, service, compilation.name);
-}
-
-/// A folder, or its plcxx.yaml, named where sources are expected.
-void NameProject(CommonOptions& common) {
-  if (common.sources.size() != 1) return;
-  const std::filesystem::path path = common.sources.front();
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    common.project = (path / project::kProjectFile).generic_string();
-  } else if (path.filename() == project::kProjectFile) {
-    common.project = path.generic_string();
-  } else {
-    return;
-  }
-  common.sources.clear();
 }
 
 int RunLiveForOne(LiveSettings settings) {

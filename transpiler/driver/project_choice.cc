@@ -107,4 +107,18 @@ int ForEachProgram(const CommonOptions& options, const std::function<int(const C
   return code;
 }
 
+void NameProject(CommonOptions& common) {
+  if (common.sources.size() != 1) return;
+  const std::filesystem::path path = common.sources.front();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    common.project = (path / project::kProjectFile).generic_string();
+  } else if (path.filename() == project::kProjectFile) {
+    common.project = path.generic_string();
+  } else {
+    return;
+  }
+  common.sources.clear();
+}
+
 }  // namespace plcxx::driver

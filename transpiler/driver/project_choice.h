@@ -17,6 +17,9 @@ namespace plcxx::driver {
 /// it is the only one, or the only one in whose folder the command runs.
 std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& options);
 
+/// A folder, or its plcxx.yaml, named where sources are expected, becomes --project.
+void NameProject(CommonOptions& common);
+
 /// Runs it with the sources of the command line, or for each program of the project; gives the greatest exit code.
 int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command);
 

@@ -15,6 +15,7 @@
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/property_choice.h"
 #include "transpiler/driver/prove_output.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
@@ -75,7 +76,7 @@ std::optional<uint64_t> Milliseconds(const std::string& text) {
 
 class Prove {
  public:
-  explicit Prove(const ProveSettings& settings) : settings_(settings), files_(settings.files) {}
+  explicit Prove(const ProveSettings& settings) : settings_(settings) { chosen_.files = settings.files; }
 
   int Run() {
     const std::optional<uint64_t> time = Milliseconds(settings_.time);
@@ -83,8 +84,13 @@ class Prove {
     options_.time_ms = *time;
     options_.most_periods = settings_.most_periods;
     if (settings_.any_retentive) options_.retentive = prove::properties::RetentiveMemory::kAny;
-    if (!MakeRequest()) return kWrongUse;
-    if (scenarios_.empty() && files_.empty()) {
+    if (!ChooseProperties(settings_.common, chosen_)) return kWrongUse;
+    request_ = chosen_.request;
+    if (!settings_.common.program && IsScenario(settings_.common) && chosen_.scenarios.back().properties.empty() &&
+        settings_.files.empty()) {
+      return Wrong(chosen_.scenarios.back().path + ": no 'properties': there is nothing to prove");
+    }
+    if (chosen_.scenarios.empty() && chosen_.files.empty()) {
       return Wrong(
           "there is nothing to prove: name a file of properties with --property, a scenario that has some, or "
           "'properties' in plcxx.yaml");
@@ -96,7 +102,7 @@ class Prove {
       return ExitCodeOf(compilation);
     }
     if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
-    if (const int code = ReadProperties(); code != kDone) return code;
+    if (const int code = ReadProperties(chosen_, settings_.common, machine_, properties_); code != kDone) return code;
     for (const scenarios::PlacedProperty& placed : properties_) scenarios::NameLocationsOf(placed.property, machine_);
     progress_.Show("executing");
     review::properties::PropertyRuns runs(machine_, scenarios::KnownRuns(request_));
@@ -122,65 +128,6 @@ class Prove {
  private:
   static int Wrong(const std::string& text) {
     PrintUsageError(text);
-    return kWrongUse;
-  }
-
-  bool MakeRequest() {
-    std::optional<compilation::CompilationRequest> request = driver::MakeRequest(settings_.common);
-    if (!request) return false;
-    request_ = std::move(*request);
-    if (settings_.common.program) return files_.empty() ? TakeProperties(*settings_.common.program) : true;
-    if (!IsScenario(settings_.common)) return true;
-    if (!TakeScenario(settings_.common.sources.front())) return false;
-    const scenarios::Scenario& scenario = scenarios_.back();
-    if (scenario.properties.empty() && settings_.files.empty()) {
-      PrintUsageError(scenario.path + ": no 'properties': there is nothing to prove");
-      return false;
-    }
-    return true;
-  }
-
-  bool TakeScenario(const std::string& path) {
-    std::optional<scenarios::Scenario> scenario = ReadScenario(path, settings_.common);
-    if (scenario) scenarios_.push_back(std::move(*scenario));
-    return scenario.has_value();
-  }
-
-  /// What the project wants to be proved, where the command line names nothing.
-  bool TakeProperties(const project::Program& program) {
-    for (const std::string& path : program.properties) {
-      if (!IsScenario(path)) {
-        files_.push_back(path);
-      } else if (!TakeScenario(path)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  int ReadProperties() {
-    compilation::Compilation& compilation = machine_.compilation;
-    const dialects::Dialect& dialect = *compilation.dialect;
-    const prove::properties::PropertyContext context =
-        scenarios::PropertyContextOf(dialect, compilation.program, machine_.version.cells, machine_.timing);
-    const auto add = [this](std::vector<scenarios::PlacedProperty> more) {
-      for (scenarios::PlacedProperty& one : more) properties_.push_back(std::move(one));
-    };
-    diag::Engine diagnostics;
-    std::swap(diagnostics, compilation.diagnostics);  // warnings of the program are not this command's
-    for (const scenarios::Scenario& scenario : scenarios_) {
-      if (scenario.properties.empty()) continue;
-      add(scenarios::PropertiesOfScenario(scenario, dialect.name, context, *compilation.sources,
-                                          compilation.diagnostics));
-    }
-    for (const std::string& path : files_) {
-      const std::optional<std::string> text = support::ReadFile(path);
-      if (!text) return Wrong("cannot read '" + path + "'");
-      add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources,
-                                      compilation.diagnostics));
-    }
-    if (compilation.ok()) return kDone;
-    PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
     return kWrongUse;
   }
 
@@ -215,8 +162,8 @@ class Prove {
     }
     OutputRequest output;
     output.protected_paths = PathsRead(machine_.compilation, settings_.common);
-    for (const scenarios::Scenario& scenario : scenarios_) output.protected_paths.push_back(scenario.path);
-    for (const std::string& path : files_) output.protected_paths.push_back(path);
+    for (const scenarios::Scenario& scenario : chosen_.scenarios) output.protected_paths.push_back(scenario.path);
+    for (const std::string& path : chosen_.files) output.protected_paths.push_back(path);
     if (!settings_.junit.empty()) output.files.push_back({settings_.junit, JunitXml(ProveCases(proved_))});
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
@@ -240,8 +187,7 @@ class Prove {
   const ProveSettings& settings_;
   prove::properties::CheckOptions options_;
   compilation::CompilationRequest request_;
-  std::vector<scenarios::Scenario> scenarios_;  // whose properties are to be proved
-  std::vector<std::string> files_;              // of properties
+  ChosenProperties chosen_;
   scenarios::ProveMachine machine_;
   ProgressLine progress_;
   std::vector<scenarios::PlacedProperty> properties_;

@@ -6,8 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "transpiler/scenarios/scenario.h"
-
 namespace plcxx::scenarios {
 namespace {
 
@@ -61,17 +59,21 @@ std::vector<KnownStep> StepsOf(const std::vector<ScenarioStep>& steps) {
 
 }  // namespace
 
-std::vector<std::vector<KnownStep>> KnownRuns(const compilation::CompilationRequest& request) {
+std::vector<std::vector<KnownStep>> KnownRunsIn(const std::string& directory, Reach reach) {
   std::vector<std::vector<KnownStep>> runs;
-  const std::filesystem::path source = std::filesystem::path(request.base_directory) / request.sources.front();
-  for (const std::string& path : FindScenariosIn(source.parent_path().string())) {
-    const ScenarioOrErrors read = ReadScenario(path);
+  for (const std::string& path : FindScenariosIn(directory)) {
+    const ScenarioOrErrors read = ReadScenario(path, reach);
     const auto* const scenario = std::get_if<Scenario>(&read);
     if (scenario == nullptr || !scenario->steps) continue;
     std::vector<KnownStep> steps = StepsOf(*scenario->steps);
     if (!steps.empty()) runs.push_back(std::move(steps));
   }
   return runs;
+}
+
+std::vector<std::vector<KnownStep>> KnownRuns(const compilation::CompilationRequest& request) {
+  const std::filesystem::path source = std::filesystem::path(request.base_directory) / request.sources.front();
+  return KnownRunsIn(source.parent_path().string(), Reach::kProject);
 }
 
 }  // namespace plcxx::scenarios

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
+#include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::scenarios {
 
@@ -24,5 +25,8 @@ struct KnownStep {
 /// The steps of the scenarios in the directory of the first source, by name, up to the first force;
 /// without what they expect. Files that are no scenarios, or have no steps, are left out.
 std::vector<std::vector<KnownStep>> KnownRuns(const compilation::CompilationRequest& request);
+
+/// The same of a folder; `reach`: what these scenarios may name.
+std::vector<std::vector<KnownStep>> KnownRunsIn(const std::string& directory, Reach reach);
 
 }  // namespace plcxx::scenarios

@@ -52,6 +52,11 @@ void PropertyMonitor::PowerOn() {
   history_.clear();
 }
 
+void PropertyMonitor::BeginAt(sim::Engine& engine) {
+  PowerOn();
+  if (sliced_) slow_done_ = engine.Read(program_.places[program_.schedule.slow_done]);
+}
+
 bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) {
   // With a time of its own it runs between the slow parts anyway.
   const bool is_timed = program_.schedule.fast_ms != 0;

@@ -28,6 +28,8 @@ class PropertyMonitor {
                   std::vector<prove::properties::Property> properties);
 
   void PowerOn();
+  /// It begins at a moment, of whose past nothing is known: a property is then looked at from there.
+  void BeginAt(sim::Engine& engine);
   /// `part` has been executed.
   void AfterPart(sim::Engine& engine, sim::Clock::Part part);
   /// The first violation: "'never U4A8 and U4A9' does not hold"; stays.

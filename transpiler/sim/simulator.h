@@ -73,6 +73,10 @@ class Simulator : public Engine {
   /// Called before each statement that is executed, also one that is switched off; true ends the run there, as StopWhen
   /// does.
   void AtStatements(std::function<bool(ir::StatementId statement)> at) { at_statement_ = std::move(at); }
+  /// From now on what each instruction gave is noted, by InstId, in bytes that the caller keeps and may clear: kGave0,
+  /// kGaveOther. One without a value gives 0. None: it ends.
+  static constexpr uint8_t kGave0 = 1, kGaveOther = 2;
+  void NoteGiven(std::span<uint8_t> given) { given_ = given; }
   const Instances& instances() const { return instances_; }
   /// What an instruction gave when it was executed last, as raw bits.
   uint64_t ValueOf(ir::ValueId id) const { return values_[id.index]; }
@@ -148,6 +152,7 @@ class Simulator : public Engine {
   uint64_t executed_ = 0;
   std::function<bool()> stop_;
   std::function<bool(ir::StatementId)> at_statement_;
+  std::span<uint8_t> given_;
   uint32_t regions_ = 0;  // begun since `stop_` was asked
   bool stopped_ = false;
   std::vector<HostEvent> events_;

@@ -99,6 +99,10 @@ Simulator::Flow Simulator::Execute(RegionId region) {
 #undef PLCXX_STEP
 #undef PLCXX_CORE
     }
+    if (!given_.empty()) {
+      uint8_t& given = given_[id.index];
+      given = static_cast<uint8_t>(given | (values_[id.index] != 0 ? kGaveOther : kGave0));
+    }
     if (flow == Flow::kLeaving) break;
   }
   current_ = outer;

@@ -13,20 +13,10 @@
 #include "transpiler/prove/diff/match.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/review/diff/items.h"
+#include "transpiler/review/diff/stimulus.h"
 #include "transpiler/scenarios/program.h"
 
 namespace plcxx::review::diff {
-
-/// Power fails, perhaps; inputs are set; then time passes.
-struct Stimulus {
-  std::vector<prove::diff::SetCell> inputs;
-  std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
-  uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
-  uint32_t ms = 0;
-  uint32_t fast = 0;  // times the fast part alone; 0: `ms`
-  bool power_cycle = false;
-};
-using Stimuli = std::vector<Stimulus>;
 
 struct RandomRuns {
   std::vector<Stimuli> runs;

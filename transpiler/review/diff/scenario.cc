@@ -246,22 +246,16 @@ SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) 
   return seen;
 }
 
-/// The steps of a scenario, and the same in one line.
-struct WrittenSteps {
-  std::string scenario, line;
-};
 /// None: the run sets what a scenario has no name for.
 std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_side,
                                   const CounterexampleRequest& request, const Stimuli& stimuli) {
   WrittenSteps written;
   DiffMachine machine(old_side, request.old_version);
-  const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const Stimulus& stimulus : stimuli) {
     Stimulus after_power = stimulus;
     if (stimulus.power_cycle) {
       machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::diff::SetCell::old_cell);
-      written.scenario += "- power_cycle: {}\n";
-      add(written.line, "power off and on");
+      written.AddPowerCycle();
       after_power.power_cycle = false;
     }
     std::optional<Sets> sets = SetsOf(old_side, new_side, request, stimulus.inputs, machine);
@@ -271,23 +265,8 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
       return old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), set.first).has_value();
     });
     machine.Apply(after_power, &prove::diff::SetCell::old_cell);
-    std::string assignments;
-    for (const auto& [name, value] : *sets) {
-      add(assignments, Quoted(name) + ": " + Quoted(value));
-      add(written.line, name + "=" + value);
-    }
-    if (!sets->empty()) written.scenario += "- set: {" + assignments + "}\n";
-    if (stimulus.slow == 0 && stimulus.fast == 0 && stimulus.ms == 0) continue;
-    if (stimulus.slow == 0 && stimulus.fast == 0) {
-      const std::string ms = std::to_string(stimulus.ms);
-      written.scenario += "- run: {ms: " + ms + "}\n";
-      add(written.line, ms + " ms");
-      continue;
-    }
-    const std::string part = stimulus.slow != 0 ? "slow" : "fast";
-    const std::string count = std::to_string(stimulus.slow != 0 ? stimulus.slow : stimulus.fast);
-    written.scenario += "- run: {" + part + ": " + count + "}\n";
-    add(written.line, part + " " + count);
+    after_power.words = std::move(*sets);
+    written.Add(after_power);
   }
   return written;
 }
@@ -372,10 +351,11 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
                                                  ExampleBudget& budget) {
   std::vector<CellId> new_cells;
   for (const CellId cell : request.old_cells) new_cells.push_back(request.match.new_of_old[cell.index]);
-  Shortener shortener(old_side, new_side, request.old_version, request.new_version, request.old_cells, new_cells,
-                      budget.end);
+  const Shortener::Shows shows = ShowsDifference(old_side, new_side, request.old_version, request.new_version,
+                                                 request.old_cells, std::move(new_cells));
+  Shortener shortener(shows, budget.end);
   for (Candidate& candidate : Candidates(old_side, new_side, request)) {
-    if (!shortener.Shows(candidate.stimuli, budget.last_end)) continue;
+    if (!shows(candidate.stimuli, budget.last_end)) continue;
     --budget.left;
     Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
     const std::shared_ptr<const ShownRun> run =

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/review/diff/machine.h"
+
 namespace plcxx::review::diff {
 namespace {
 
@@ -43,25 +45,30 @@ Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
 
 }  // namespace
 
-bool Shortener::Shows(const Stimuli& stimuli, Time end) const {
-  DiffMachine old_machine(old_side_, old_version_, end), new_machine(new_side_, new_version_, end);
-  for (const Stimulus& stimulus : stimuli) {
-    if (!old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell)) return false;
-    if (!new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell)) return false;
-  }
-  old_machine.Look();
-  new_machine.Look();
-  for (size_t i = 0; i < old_cells_.size(); ++i) {
-    if (old_machine.Seen(old_cells_[i]) != new_machine.Seen(new_cells_[i])) return true;
-  }
-  return false;
+Shortener::Shows ShowsDifference(const DiffSide& old_side, const DiffSide& new_side,
+                                 const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                                 std::vector<execute::CellId> old_cells, std::vector<execute::CellId> new_cells) {
+  return [&old_side, &new_side, &old_version, &new_version, old_cells = std::move(old_cells),
+          new_cells = std::move(new_cells)](const Stimuli& stimuli, Shortener::Time end) {
+    DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
+    for (const Stimulus& stimulus : stimuli) {
+      if (!old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell)) return false;
+      if (!new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell)) return false;
+    }
+    old_machine.Look();
+    new_machine.Look();
+    for (size_t i = 0; i < old_cells.size(); ++i) {
+      if (old_machine.Seen(old_cells[i]) != new_machine.Seen(new_cells[i])) return true;
+    }
+    return false;
+  };
 }
 
 bool Shortener::IsOver() const { return tries_ > kMostTries || std::chrono::steady_clock::now() > end_; }
 
 bool Shortener::Try(Stimuli shorter) {
   ++tries_;
-  if (IsOver() || !Shows(shorter, end_)) return false;
+  if (IsOver() || !shows_(shorter, end_)) return false;
   stimuli_ = std::move(shorter);
   return true;
 }
@@ -82,7 +89,7 @@ void Shortener::DropSteps() {
 
 bool Shortener::StillShows() {
   ++tries_;
-  return !IsOver() && Shows(stimuli_, end_);
+  return !IsOver() && shows_(stimuli_, end_);
 }
 
 template <class Set>

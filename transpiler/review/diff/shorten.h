@@ -1,38 +1,29 @@
-// From a run that shows a difference to a short one: only what the difference needs.
+// From a run that shows something to a short one: only what that needs.
 //
-// In: both versions, the cells of one item, a run. Out: a run that shows it still. Not its job: finding the first run,
-// writing it as a scenario.
+// In: a run, and whether another one shows it still: a difference of two versions, a fault of one. Out: a run that
+// does. Not its job: finding the first run, writing it as a scenario.
 #pragma once
 
 #include <chrono>
-#include <string>
+#include <functional>
 #include <utility>
 #include <vector>
 
-#include "transpiler/review/diff/machine.h"
-#include "transpiler/review/diff/runs.h"
+#include "transpiler/review/diff/diff.h"
+#include "transpiler/review/diff/stimulus.h"
 
 namespace plcxx::review::diff {
 
 class Shortener {
  public:
   using Time = std::chrono::steady_clock::time_point;
+  /// Whether what is sought is seen behind the last stimulus. Late: it is not.
+  using Shows = std::function<bool(const Stimuli& stimuli, Time end)>;
 
-  /// All but the time outlive the object; after `end` nothing is tried any more.
-  Shortener(const DiffSide& old_side, const DiffSide& new_side, const prove::machine::Version& old_version,
-            const prove::machine::Version& new_version, std::vector<execute::CellId> old_cells,
-            std::vector<execute::CellId> new_cells, Time end)
-      : old_side_(old_side),
-        new_side_(new_side),
-        old_version_(old_version),
-        new_version_(new_version),
-        old_cells_(std::move(old_cells)),
-        new_cells_(std::move(new_cells)),
-        end_(end) {}
+  /// After `end` nothing is tried any more.
+  Shortener(Shows shows, Time end) : shows_(std::move(shows)), end_(end) {}
 
-  /// Whether the item differs behind the last stimulus. Late: it does not.
-  bool Shows(const Stimuli& stimuli, Time end) const;
-  /// A run that shows it, shortened as far as there is time.
+  /// A run that shows it, shortened as far as there is time, in a number of tries that has a bound.
   Stimuli Shorten(Stimuli stimuli);
 
  private:
@@ -51,15 +42,16 @@ class Shortener {
   /// What two waiting steps set is set at once, and both waits come behind it.
   void JoinWaits();
 
-  const DiffSide& old_side_;
-  const DiffSide& new_side_;
-  const prove::machine::Version& old_version_;
-  const prove::machine::Version& new_version_;
-  std::vector<execute::CellId> old_cells_, new_cells_;
+  Shows shows_;
   Time end_;
   Stimuli stimuli_;
   size_t tries_ = 0;
 };
+
+/// Whether one of the cells differs behind the last stimulus. All but the cells outlive it.
+Shortener::Shows ShowsDifference(const DiffSide& old_side, const DiffSide& new_side,
+                                 const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                                 std::vector<execute::CellId> old_cells, std::vector<execute::CellId> new_cells);
 
 /// Time that passes in several pieces, with nothing set between them, passes in one.
 Stimuli Joined(const Stimuli& stimuli);

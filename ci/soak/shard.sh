@@ -1,0 +1,22 @@
+#!/bin/sh
+# One part of a soak, whatever batch system runs it; the parts are merged by plcxx soak --merge (merge.sh).
+#
+#   shard.sh FOLDER [ARGUMENT...]     writes FOLDER/shard-I; the arguments go to plcxx soak
+#
+# Which part it is says the array of Slurm, the index of a Kubernetes job (from 0; SHARDS says how many there are), or
+# GitLab's parallel.
+set -eu
+folder=$1
+shift
+if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
+  part=$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN + 1)) parts=$SLURM_ARRAY_TASK_COUNT
+elif [ -n "${JOB_COMPLETION_INDEX:-}" ]; then
+  part=$((JOB_COMPLETION_INDEX + 1)) parts=$SHARDS
+else
+  part=${CI_NODE_INDEX:?which part is this? set CI_NODE_INDEX and CI_NODE_TOTAL} parts=$CI_NODE_TOTAL
+fi
+mkdir -p "$folder"
+# What is found is told by the merge: a batch system takes 1 for a job that failed.
+code=0
+"${PLCXX:-plcxx}" soak "$@" --shard "$part/$parts" -o "$folder/shard-$part" || code=$?
+[ "$code" -le 1 ] || exit "$code"

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""plcxx soak from the outside: the same bytes, wrong use, what is written, shards and their merge.
+
+commands.py PLCXX ROOT
+"""
+import filecmp
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PLCXX, ROOT = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
+DOOR = """$
+; two valves, and a lock
+U4A0 = I0A0
+U4A1 = I0A0*I0A1
+U4A2 = I0A2*I0A3 + U4A2*/I0A4
+T50I(30) = U4A2
+U4A3 = T50U
+U4A4 = I0A5*/I0A5
+"""
+PROPERTIES = "never U4A0 and U4A1   # not both\nU4A3 implies U4A2\n"
+
+
+def soak(folder, *arguments):
+    return subprocess.run([PLCXX, "soak", *arguments], cwd=folder, capture_output=True, text=True, timeout=120)
+
+
+def clean():
+    """The environment without what a batch system, which may run this test, says."""
+    own = ("SLURM_", "CI_NODE_", "JOB_COMPLETION_", "SHARDS")
+    return {**{name: value for name, value in os.environ.items() if not name.startswith(own)}, "PLCXX": PLCXX}
+
+
+def expect(condition, what, ran=None):
+    if not condition:
+        raise SystemExit(f"{what}\n" + (f"{ran.args}\nexit code {ran.returncode}\n{ran.stdout}{ran.stderr}" if ran else ""))
+
+
+def same_folders(one, other):
+    names = sorted(str(path.relative_to(one)) for path in one.rglob("*") if path.is_file())
+    expect(names == sorted(str(path.relative_to(other)) for path in other.rglob("*") if path.is_file()),
+           f"{one} and {other} have other files")
+    _, differ, errors = filecmp.cmpfiles(one, other, names, shallow=False)
+    expect(not differ and not errors, f"{one} and {other}: {differ} {errors}")
+    return names
+
+
+def main():
+    with tempfile.TemporaryDirectory() as place:
+        work = pathlib.Path(place)
+        (work / "door.plc").write_text(DOOR)
+        (work / "door.prop").write_text(PROPERTIES)
+        door = ["door.plc", "--property", "door.prop"]
+
+        # The same bytes, whatever runs at a time, and other ones by another seed.
+        first = soak(work, *door, "--for", "20min", "-o", "one")
+        expect(first.returncode == 1, "the violated property is no finding", first)
+        second = soak(work, *door, "--for", "20min", "-o", "two", "--jobs", "3")
+        expect(first.stdout.replace("one/", "two/") == second.stdout, "--jobs changes what is said", second)
+        names = same_folders(work / "one", work / "two")
+        other = soak(work, *door, "--for", "20min", "--seed", "2")
+        expect(other.stdout != first.stdout, "another seed does the same", other)
+        expect(not (work / "corpus").exists(), "without -o something is written")
+
+        # What was found is a scenario that fails, and the shortest one.
+        found = "property-never-u4a0-and-u4a1.yaml"
+        expect(found in names and "coverage.html" in names, f"not written: {names}")
+        steps = (work / "one" / found).read_text()
+        expect("- set: {I0A0: 1, I0A1: 1}\n- run: {slow: 1}\n" in steps, steps)
+        tested = subprocess.run([PLCXX, "test", "one/" + found, "--engine", "sim"], cwd=work, capture_output=True, text=True)
+        expect(tested.returncode == 1 and "does not hold" in tested.stdout + tested.stderr, "it does not fail", tested)
+        kept = [name for name in names if name.startswith("corpus/")]
+        ran = subprocess.run([PLCXX, "test", "one/corpus", "--engine", "sim"], cwd=work, capture_output=True, text=True)
+        expect(kept and ran.returncode == 0, "a kept run is no scenario that passes", ran)
+
+        # The claim: what was looked at, and what was not reached.
+        record = json.loads((work / "one/soak.json").read_text())
+        expect(record["machine_ms"] >= 20 * 60_000, "less than what was asked for", first)
+        statements = record["coverage"]["statements"]
+        expect(statements == {"reached": 6, "of": 6}, f"statements: {statements}")
+        expect("door.plc:8" in first.stdout and "one way only" in first.stdout, "what cannot be is not named", first)
+        expect("1 of 5 outputs never moved" in first.stdout and "U4A4 (0)" in first.stdout, "outputs", first)
+        as_json = soak(work, *door, "--for", "20min", "--format", "json")
+        expect(json.loads(as_json.stdout)["reached"] == record["reached"], "--format json says something else", as_json)
+
+        # Runs of earlier times are read again, and none of those that are kept is redundant.
+        again = soak(work, *door, "--for", "1s", "-o", "one")
+        after = json.loads((work / "one/soak.json").read_text())
+        expect(after["reached"] == record["reached"], "what was kept does not reach what was reached", again)
+        sets = {name: int(digits[::-1], 16) for name, digits in after["corpus"].items()}
+        expect(set(sets) == {path.name for path in (work / "one/corpus").iterdir()}, "files and record differ")
+        for name, own in sets.items():
+            rest = 0
+            for one, goals in sets.items():
+                rest |= goals if one != name else 0
+            expect(own & ~rest, f"{name} is redundant")
+
+        # Two shards in processes of their own, merged: what both have reached.
+        shards = [subprocess.Popen([PLCXX, "soak", *door, "--for", "10min", "--shard", f"{i}/2", "-o", f"shard-{i}"], cwd=work,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for i in (1, 2)]
+        for shard in shards:
+            shard.communicate()
+            expect(shard.returncode == 1, "a shard found nothing")
+        merged = soak(work, "--merge", "deep/merged", "shard-1", "shard-2")
+        expect(merged.returncode == 1, "the merge lost the finding", merged)
+        parts = [json.loads((work / f"shard-{i}/soak.json").read_text()) for i in (1, 2)]
+        whole = json.loads((work / "deep/merged/soak.json").read_text())
+        for i, digit in enumerate(whole["reached"]):
+            expect(int(digit, 16) == int(parts[0]["reached"][i], 16) | int(parts[1]["reached"][i], 16), "coverage of the merge")
+        expect(whole["machine_ms"] == sum(part["machine_ms"] for part in parts), "machine-hours of the merge")
+        expect(whole["shards"] == ["1/2", "2/2"], f"shards: {whole['shards']}")
+        ran = subprocess.run([PLCXX, "test", "deep/merged/corpus", "--engine", "sim", "--allow-outside"], cwd=work,
+                             capture_output=True, text=True)
+        expect(ran.returncode == 0, "a merged run does not find its program", ran)
+        twice = soak(work, "--merge", "never", "shard-1", "shard-1")
+        expect(twice.returncode == 2 and "twice" in twice.stderr, "a shard counts twice", twice)
+
+        # The jobs of batch systems, as local processes: each knows its part from another variable.
+        scripts = ROOT / "ci/soak"
+        for name, parts in {
+                "slurm": [{"SLURM_ARRAY_TASK_ID": str(i), "SLURM_ARRAY_TASK_MIN": "4", "SLURM_ARRAY_TASK_COUNT": "2"} for i in (4, 5)],
+                "kubernetes": [{"JOB_COMPLETION_INDEX": str(i), "SHARDS": "2"} for i in (0, 1)],
+                "gitlab": [{"CI_NODE_INDEX": str(i), "CI_NODE_TOTAL": "2"} for i in (1, 2)]}.items():
+            jobs = [subprocess.Popen([scripts / "shard.sh", name, *door, "--for", "10min"], cwd=work,
+                                     env={**clean(), **part}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                    for part in parts]
+            for job in jobs:
+                said = job.communicate()
+                expect(job.returncode == 0, f"{name}: {said}")
+            ran = subprocess.run([scripts / "merge.sh", name], cwd=work, env=clean(), capture_output=True, text=True)
+            expect(ran.returncode == 1, "the merge tells what was found", ran)
+            now = json.loads((work / name / "soak/soak.json").read_text())
+            expect(now["reached"] == whole["reached"], f"{name} reaches something else")
+        ran = subprocess.run([scripts / "shard.sh", "nobody", *door], cwd=work, env=clean(), capture_output=True, text=True)
+        expect(ran.returncode != 0 and "which part" in ran.stderr, "no part is known", ran)
+
+        # Wrong use, each in one line that says what would be right.
+        for arguments, words in (
+                (["door.plc", "--for", "soon"], "write it as in 100h"),
+                (["door.plc", "--for", "0h"], "write it as in 100h"),
+                (["door.plc", "--time", "1 s"], "write it as in 60s"),
+                (["door.plc", "--shard", "3/2"], "write it as in 2/8"),
+                (["door.plc", "--shard", "0/2"], "write it as in 2/8"),
+                (["door.plc", "--machines", "2", "--shard", "1/3"], "--machines gives more"),
+                (["door.plc", "--property", "nowhere.prop"], "cannot read 'nowhere.prop'"),
+                (["--merge", "out"], "name the folders"),
+                (["--merge", "out", "nowhere"], "is 'nowhere' a folder that plcxx soak -o wrote"),
+                (["--merge", "out", "shard-1", "-o", "x"], "leave -o out"),
+                (["nowhere.plc"], "nowhere.plc")):
+            ran = soak(work, *arguments)
+            expect(ran.returncode in (1, 2) and words in ran.stderr, f"{arguments} is not refused", ran)
+        (work / "broken").mkdir()
+        (work / "broken/soak.json").write_text('{"plcxx_soak": 1')
+        ran = soak(work, "--merge", "out", "broken")
+        expect(ran.returncode == 2 and "no record of a soak" in ran.stderr, "a broken record is not refused", ran)
+        (work / "other.plc").write_text("$\nU4A0 = I0A0\n")
+        soak(work, "other.plc", "--for", "1s", "-o", "other")
+        ran = soak(work, "--merge", "out", "shard-1", "other")
+        expect(ran.returncode == 2 and "of another program" in ran.stderr, "another program is merged", ran)
+
+        # A message that never goes: the program forgets to clear it.
+        expect(soak(work, "door.plc", "--for", "1min", "--until", "").returncode in (0, 1), "--until")
+    print("all as expected")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,232 @@
+// plcxx soak: machine-hours with inputs that nobody meant.
+#include "transpiler/driver/soak_command.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "transpiler/driver/accepted_warnings.h"
+#include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/program_output.h"
+#include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/property_choice.h"
+#include "transpiler/driver/sim_plan.h"
+#include "transpiler/driver/soak_files.h"
+#include "transpiler/driver/terminal.h"
+#include "transpiler/scenarios/known_runs.h"
+#include "transpiler/scenarios/property_machine.h"
+#include "transpiler/soak/simulated_machines.h"
+
+namespace plcxx::driver {
+namespace {
+
+constexpr const char* kSoakFooter =
+    R"(What is looked for: faults that the program reports, properties that do not hold, loops that their guard ends, parts that
+do not end, messages that never go, outputs that never move. Each finding becomes a short scenario. Inputs are what the
+program's side never writes; where they go is steered to statements and conditions that were not reached, beginning with
+the scenarios beside the program and with the runs that -o has kept of earlier times.
+
+The same seed, machines and hours give the same bytes, whatever --jobs is; with --time it depends on the machine.
+
+Examples:
+  plcxx soak                                           an hour of 16 machines of the program of the plcxx.yaml here
+  plcxx soak --for 100h --jobs 8 -o soak               and what is found, and worth keeping, in the folder
+  plcxx soak lathe.sym lathe.plc --property safe.prop  these sources, these properties
+  plcxx soak --for 100h --shard 2/8 -o soak-2          the second of eight parts of the same work
+  plcxx soak --merge soak soak-1 soak-2                taken together
+
+docs/soak.md tells more. Exit codes: 0 nothing found, 1 something found, or the program has errors, 2 wrong use.)";
+
+constexpr uint64_t kMsPerHour = 3'600'000, kMostHours = 10'000'000;
+constexpr uint32_t kMostMachines = 1'000'000;
+
+struct SoakSettings {
+  CommonOptions common;
+  std::vector<std::string> files;  // of properties
+  std::optional<std::string> until;
+  std::string length = "1h", time, shard, directory, merge, form = "text";
+  uint32_t machines = 16, jobs = 1;
+  uint64_t seed = 1;
+};
+
+int Wrong(const std::string& text) {
+  PrintUsageError(text);
+  return kWrongUse;
+}
+
+/// As in 90s, 10min or 100h.
+std::optional<uint64_t> LengthMs(const std::string& text) {
+  if (!text.ends_with('h')) return ParseDuration(text);
+  const std::string digits = text.substr(0, text.size() - 1);
+  constexpr size_t kMostDigits = 8;
+  if (digits.empty() || digits.size() > kMostDigits) return std::nullopt;
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  const uint64_t hours = std::stoull(digits);
+  if (hours > kMostHours) return std::nullopt;
+  return hours * kMsPerHour;
+}
+
+struct Shard {
+  uint32_t number = 1, count = 1;
+};
+
+/// "2/8".
+std::optional<Shard> ShardOf(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto number = [](const std::string& digits) -> std::optional<uint32_t> {
+    constexpr size_t kMostDigits = 6;
+    if (digits.empty() || digits.size() > kMostDigits) return std::nullopt;
+    if (digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+    return static_cast<uint32_t>(std::stoul(digits));
+  };
+  const std::optional<uint32_t> one = number(text.substr(0, slash)), count = number(text.substr(slash + 1));
+  if (!one || !count || *one == 0 || *one > *count) return std::nullopt;
+  return Shard{.number = *one, .count = *count};
+}
+
+int RunSoak(const SoakSettings& settings) {
+  const std::optional<uint64_t> length = LengthMs(settings.length);
+  if (!length || *length == 0) {
+    return Wrong("'--for " + settings.length + "' is no time: write it as in 100h, 30min or 90s");
+  }
+  std::optional<uint64_t> time_ms;
+  if (!settings.time.empty()) {
+    time_ms = LengthMs(settings.time);
+    if (!time_ms || *time_ms == 0) return Wrong("'--time " + settings.time + "' is no time: write it as in 60s or 8h");
+  }
+  const std::optional<Shard> shard = ShardOf(settings.shard);
+  if (!shard) return Wrong("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
+  if (shard->count > settings.machines) {
+    return Wrong("--shard " + settings.shard + ": there are " + std::to_string(settings.machines) +
+                 " machines to be split; --machines gives more");
+  }
+
+  ChosenProperties chosen;
+  chosen.files = settings.files;
+  if (!ChooseProperties(settings.common, chosen)) return kWrongUse;
+  ProgressLine progress;
+  chosen.request.progress = [&progress](std::string_view phase) { progress.Show(phase); };
+  std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, chosen.request);
+  if (!compiled) return kWrongUse;
+  progress.Clear();
+  chosen.request.progress = nullptr;
+  scenarios::ProveMachine machine;
+  machine.compilation = std::move(*compiled);
+  if (!machine.compilation.ok()) {
+    PrintDiagnosticsBeside(machine.compilation, MessagesOf(settings.common));
+    return ExitCodeOf(machine.compilation);
+  }
+  if (!machine.compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
+  machine.version = prove::machine::MakeVersion(machine.compilation.program);
+  machine.timing = scenarios::TimingOf(machine.compilation.program);
+  std::vector<scenarios::PlacedProperty> placed;
+  if (const int code = ReadProperties(chosen, settings.common, machine, placed); code != kDone) return code;
+  std::vector<prove::properties::Property> properties;
+  for (scenarios::PlacedProperty& one : placed) {
+    // Whether something is never stuck is not seen in one run.
+    if (one.property.kind == prove::properties::PropertyKind::kNeverStuck) continue;
+    scenarios::NameLocationsOf(one.property, machine);
+    properties.push_back(std::move(one.property));
+  }
+
+  progress.Show("inputs");
+  const soak::Inputs inputs(machine);
+  const soak::Goals goals(machine.compilation.program);
+  const soak::WatchPlan plan(machine, std::move(properties));
+  const uint32_t own = (settings.machines - shard->number) / shard->count + 1;
+  soak::SoakRequest request{
+      .machine = machine,
+      .request = chosen.request,
+      .scenarios = StimuliOf(scenarios::KnownRuns(chosen.request)),
+      .corpus = {},
+      .make = soak::SimulatedMachines(machine.compilation),
+      .machines = own,
+      .first_machine = shard->number - 1,
+      .every = shard->count,
+      .machine_ms = (*length * own + settings.machines - 1) / settings.machines,
+      .end = {},
+      .jobs = settings.jobs != 0 ? settings.jobs : std::max(1U, std::thread::hardware_concurrency()),
+      .seed = settings.seed,
+      .directory = settings.directory,
+      .progress = [&progress](const std::string& text) { progress.Show(text); }};
+  if (!settings.directory.empty()) request.corpus = ReadCorpus(settings.directory);
+  request.until = settings.until;
+  if (time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*time_ms);
+  const soak::Soaked soaked = soak::Soak(request, goals, inputs, plan);
+  progress.Clear();
+
+  soak::Record record = soak::MakeRecord(machine, soaked, goals, inputs, plan);
+  record.seed = settings.seed;
+  record.machines = own;
+  if (!settings.shard.empty()) record.shards.insert(settings.shard);
+  if (!settings.directory.empty()) {
+    std::vector<emit::OutputFile> files;
+    for (const soak::Finding& finding : soaked.findings) files.push_back({finding.file, finding.yaml});
+    for (const soak::KeptRun& run : soaked.corpus) {
+      const std::string name = soak::CorpusName(run.stimuli);
+      files.push_back({std::string(kSoakCorpus) + "/" + name,
+                       soak::ScenarioOf(machine, chosen.request, CorpusFolder(settings.directory),
+                                        "Kept by plcxx soak: it reaches what no other run does.", run.stimuli)});
+    }
+    std::vector<std::string> read = PathsRead(machine.compilation, settings.common);
+    for (const std::string& path : chosen.files) read.push_back(path);
+    if (!WriteSoak(settings.directory, record, std::move(files), std::move(read))) return kWrongUse;
+  }
+  return TellSoak(record, settings.directory, settings.form);
+}
+
+int RunSoakOrMerge(SoakSettings settings) {
+  if (!settings.merge.empty()) {
+    if (settings.common.sources.empty()) return Wrong("--merge: name the folders that are to be merged");
+    if (!settings.directory.empty()) return Wrong("--merge names the folder that is written: leave -o out");
+    return MergeSoaks(settings.merge, settings.common.sources, settings.form);
+  }
+  NameProject(settings.common);
+  return RunForPrograms(settings, RunSoak);
+}
+
+}  // namespace
+
+void AddSoak(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("soak", "Run many machines with random inputs, and keep what goes wrong");
+  const auto settings = std::make_shared<SoakSettings>();
+  AddCommonOptions(*command, settings->common);
+  command->add_option("--machines", settings->machines, "Machines that run beside each other")
+      ->type_name("N")
+      ->default_str("16")
+      ->check(CLI::Range(1U, kMostMachines));
+  command->add_option("--for", settings->length, "Machine-hours of all together, as in 100h, 30min or 90s")
+      ->type_name("TIME")
+      ->default_str("1h");
+  command->add_option("--time", settings->time, "Ends after so much real time, as in 60s or 8h")->type_name("TIME");
+  command->add_option("--until", settings->until, "Ends with a finding whose text has these words; '' takes any")
+      ->type_name("TEXT");
+  command->add_option("--seed", settings->seed, "What all chance is made of")->type_name("N")->default_str("1");
+  command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->take_all();
+  command->add_option("-o", settings->directory, "Folder for findings, runs worth keeping, record and page")
+      ->type_name("DIR");
+  command->add_option("-j,--jobs", settings->jobs, "Machines that run at a time; 0: one for each processor")
+      ->type_name("N")
+      ->default_str("1")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--shard", settings->shard, "One of N parts of the work, as in 2/8")->type_name("I/N");
+  command->add_option("--merge", settings->merge, "Merge the folders that are named into this one")->type_name("DIR");
+  command->add_option("--format", settings->form, "Form of the result: text, json")
+      ->type_name("FORM")
+      ->default_str("text")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->footer(kSoakFooter);
+  command->callback([settings, &run] { run = [settings] { return RunSoakOrMerge(*settings); }; });
+}
+
+}  // namespace plcxx::driver

@@ -1,0 +1,33 @@
+// What is done to a machine in one step of a run: as the steps of a scenario, with inputs that need no name.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/prove/diff/compare.h"
+
+namespace plcxx::review::diff {
+
+/// Power fails, perhaps; inputs are set; then time passes.
+struct Stimulus {
+  std::vector<prove::diff::SetCell> inputs;
+  std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
+  uint32_t slow = 0;                                       // complete slow passes; 0: `fast` or `ms`
+  uint32_t ms = 0;
+  uint32_t fast = 0;  // times the fast part alone; 0: `ms`
+  bool power_cycle = false;
+};
+using Stimuli = std::vector<Stimulus>;
+
+/// The steps of a scenario, and the same in one line.
+struct WrittenSteps {
+  std::string scenario, line;
+
+  void AddPowerCycle();
+  /// Of `stimulus` what it sets by words, then its time.
+  void Add(const Stimulus& stimulus);
+};
+
+}  // namespace plcxx::review::diff

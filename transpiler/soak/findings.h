@@ -1,0 +1,53 @@
+// From a run in which something was seen to a short scenario that shows it, run before it is shown.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "transpiler/compilation/compilation.h"
+#include "transpiler/soak/trial.h"
+
+namespace plcxx::soak {
+
+struct Finding {
+  Cause cause;
+  std::string steps;  // in one line
+  std::string file;   // name of the scenario
+  std::string yaml;
+  std::string not_shown;  // not empty: the scenario does not show it, and why
+};
+
+class Findings {
+ public:
+  /// All outlive the object. `directory`: where scenarios will stand.
+  Findings(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
+           const WatchPlan& plan, const MakeMachines& make, std::string directory);
+
+  /// None: a new machine does not show it.
+  std::optional<Finding> Describe(const Cause& cause, const Stimuli& stimuli);
+  /// How a scenario asks whether the message stands, "'U4A8': 1"; empty: it cannot.
+  std::string MessageStands(uint32_t number) const;
+
+ private:
+  /// Whether the cause is seen in a run from power-on; `stimuli` ends with the step in which it is.
+  bool Shows(const Cause& cause, const Stimuli& stimuli);
+  std::string ExpectationOf(const Cause& cause) const;
+  std::string NameOf(const Cause& cause);
+  void Confirm(Finding& finding);
+
+  const scenarios::ProveMachine& machine_;
+  const compilation::CompilationRequest& request_;
+  const WatchPlan& plan_;
+  std::unique_ptr<Machines> machines_;
+  Words words_;
+  std::string directory_;
+  std::set<std::string> names_;
+  uint64_t most_work_ = 0;  // of the finding at hand
+};
+
+/// The heading and steps of a scenario that does what a run did.
+std::string ScenarioOf(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
+                       const std::string& directory, const std::string& comment, const Stimuli& stimuli);
+
+}  // namespace plcxx::soak

@@ -1,0 +1,115 @@
+// One run of a machine with inputs that nobody meant: from power-on, from a scenario, or from a moment that was worth
+// keeping.
+//
+// In: what is known so far (the same for all trials of a generation, so that it does not matter which one runs first),
+// and a number from which all chance is made. Out: what was new. Not its job: what becomes of it (soak.h).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "transpiler/review/diff/stimulus.h"
+#include "transpiler/soak/goals.h"
+#include "transpiler/soak/inputs.h"
+#include "transpiler/soak/machines.h"
+#include "transpiler/soak/watch.h"
+#include "transpiler/symbolic/terms/random.h"
+
+namespace plcxx::soak {
+
+using review::diff::Stimuli;
+using review::diff::Stimulus;
+
+/// What one machine did first, and where it was then.
+struct Entry {
+  Stimuli stimuli;  // from power-on
+  std::shared_ptr<const Moment> moment;
+  std::vector<uint8_t> given;  // since power-on, see Simulator::NoteGiven
+};
+
+/// A message that came, and was never seen to go.
+struct Standing {
+  std::shared_ptr<const Entry> entry;  // where it has come
+  std::vector<uint32_t> writers;       // statements that write it
+};
+
+/// What is known when a generation begins.
+struct Known {
+  const Inputs& inputs;
+  const WatchPlan& plan;
+  const std::vector<Stimuli>& scenarios;
+  std::vector<std::shared_ptr<const Entry>> entries;  // the newest at the end
+  std::vector<uint8_t> given;                         // by all so far; 3 where it does not matter
+  std::vector<ir::StatementId> open;                  // statements with goals that were not reached
+  std::vector<Standing> standing;
+  std::set<uint32_t> gone;       // messages that were seen to go
+  std::set<std::string> causes;  // by key: they are no news
+};
+
+struct TrialResult {
+  std::vector<Entry> entries;  // each has given something that nothing before has
+  struct Found {
+    Cause cause;
+    Stimuli stimuli;  // up to the step in which it was seen
+  };
+  std::vector<Found> found;
+  std::map<uint32_t, Entry> came;  // by message that is not known to go: where it has come
+  std::map<uint32_t, MessageLife> messages;
+  OutputLife outputs;
+  std::vector<uint8_t> given;
+  uint64_t parts = 0, machine_ms = 0, steps = 0;
+};
+
+class Trial {
+ public:
+  /// `follows`: these steps and nothing else; none: what chance wants, for `most_ms` of the machine's time.
+  Trial(const Known& known, Words& words, uint64_t chance, uint64_t most_ms, const Stimuli* follows = nullptr);
+
+  void Begin(Machines& machines, size_t machine);
+  /// The next step is done, but for its time. False: there is none.
+  bool Next(Machines& machines, Piece& piece);
+  void AfterPart(Machines& machines, sim::Clock::Part part);
+  void AfterStep(Machines& machines);
+  void End(Machines& machines);
+  TrialResult Take() { return std::move(result_); }
+
+ private:
+  Stimulus Choose(Machines& machines);
+  void SetInput(uint32_t input, Machines& machines, Stimulus& stimulus);
+  void ChooseTime(Stimulus& stimulus);
+  bool GaveNews() const;
+  Entry Here(Machines& machines) const;
+  void Keep(Machines& machines);
+
+  const Known& known_;
+  Words& words_;
+  terms::Random random_;
+  uint64_t most_ms_;
+  const Stimuli* follows_;
+  const Stimuli* scenario_ = nullptr;
+  const std::vector<uint32_t>* sought_ = nullptr;  // statements to which inputs are steered; none: the open ones
+  size_t next_step_ = 0;                           // of `scenario_`, `follows_`
+  size_t machine_ = 0;
+  Stimuli stimuli_;                            // from power-on
+  std::vector<uint8_t> given_, given_before_;  // since the trial began; before it
+  std::vector<uint8_t> seen_;                  // by anybody, this one included
+  Watch watch_;
+  uint64_t begin_work_ = 0, steps_ = 0, machine_ms_ = 0, time_ms_ = 0;
+  bool is_over_ = false;
+  TrialResult result_;
+};
+
+/// The same as time that a machine can have: a part that runs alone, while the other one has a time of its own, is a
+/// scenario's means and nothing that happens.
+Stimulus AsItHappens(Stimulus stimulus, const ir::Schedule& schedule);
+
+/// All of the trials, as many at a time as the machines are; in their order.
+void RunTrials(Machines& machines, std::span<Trial* const> trials);
+
+}  // namespace plcxx::soak
