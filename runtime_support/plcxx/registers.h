@@ -117,7 +117,7 @@ template <class T>
   return registers::RotatedLeft(value, 32U - count % 32U);
 }
 
-/// Rotations to the left through the carry, which stands above the highest bit: the value, and the carry behind it.
+/// Rotations to the left through the carry, which stands above the highest bit: the value, and the carry after it.
 /// The count is taken modulo the width with the carry; to the right by n is to the left by what n lacks to it.
 [[gnu::const]] constexpr uint8_t RotateCarryLeft8(uint8_t value, bool carry, uint32_t count) noexcept {
   return static_cast<uint8_t>(registers::RotatedWithCarry(value, carry, count));

@@ -5,7 +5,7 @@
 // content. The older slot is overwritten: its mark is taken away first and set last, so that content changes only while
 // there is no mark; a mark of which a part was written is none. The newer of the whole slots counts. The checksum
 // (CRC-32 of sequence number, size and content) finds what the store itself has lost.
-// In: a store behind two functions that the integrator defines. Not its job: which layout of the content a program
+// In: a store after two functions that the integrator defines. Not its job: which layout of the content a program
 // accepts (retentive.h), when it is stored (the control's specification).
 #pragma once
 

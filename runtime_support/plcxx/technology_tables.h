@@ -295,7 +295,7 @@ constexpr TechnologyTableFault ReadTechnologyTable(const char* text, size_t size
   return {0, 0};
 }
 
-/// Writes the table that the 1632 bytes hold behind the preamble of its old file. The result is the size of the text;
+/// Writes the table that the 1632 bytes hold after the preamble of its old file. The result is the size of the text;
 /// what does not fit into `capacity` is left out.
 constexpr size_t WriteTechnologyTable(const uint8_t* image, const char* preamble, size_t preamble_size, char* out,
                                       size_t capacity) noexcept {

@@ -8,7 +8,7 @@
 
 namespace plcxx::compilation {
 
-/// Takes what stands behind each -W. What names no warning of the catalogue goes to `unknown` as it was written.
+/// Takes what stands after each -W. What names no warning of the catalogue goes to `unknown` as it was written.
 diag::WarningOptions ReadWarningOptions(const std::vector<std::string>& arguments, std::vector<std::string>& unknown);
 
 }  // namespace plcxx::compilation

@@ -29,7 +29,7 @@ std::string InCapitals(std::string_view text) {
   return capitals;
 }
 
-/// Texts behind each other, each included file once, where it is included first.
+/// Texts after each other, each included file once, where it is included first.
 class Joiner {
  public:
   void Add(std::string_view text) {

@@ -25,7 +25,7 @@ struct MissingTool {
 /// names or the system has.
 std::variant<Toolchain, MissingTool> FindToolchain(const Target& target, const std::string& compiler);
 
-/// The command that compiles `source` to `object`, both relative to `directory`, in which it runs. `level` as behind
+/// The command that compiles `source` to `object`, both relative to `directory`, in which it runs. `level` as after
 /// -O. The object names no path outside of `directory`, and has line tables and frame descriptions (-g1), from which
 /// stack and loops are measured; neither is loaded onto a target.
 std::vector<std::string> CompileCommand(const Toolchain& toolchain, const Target& target, const std::string& level,

@@ -119,7 +119,7 @@ class Engine {
   const std::vector<Diagnostic>& all() const { return diagnostics_; }
   /// Drops everything after the first error (in source order); sorts.
   void KeepFirstErrorOnly();
-  /// Drops the errors behind the first `most` (in source order) and says so at the last one; sorts.
+  /// Drops the errors after the first `most` (in source order) and says so at the last one; sorts.
   void LimitErrors(uint32_t most);
   /// Moves what has been reported to the place that `move` gives for its own; where it stood becomes a note.
   void MovePlaces(const std::function<source::Range(source::Range)>& move);

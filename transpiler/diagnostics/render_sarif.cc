@@ -70,7 +70,7 @@ Json RuleOf(const Row& row) {
   return rule;
 }
 
-/// The codes that occur, each by its first row, in the order of the catalogue; rows of no catalogue (tests) behind
+/// The codes that occur, each by its first row, in the order of the catalogue; rows of no catalogue (tests) after
 /// them.
 std::vector<const Row*> RulesOf(std::span<const Diagnostic> diagnostics) {
   std::vector<const Row*> rules;

@@ -51,7 +51,7 @@ Snippet SnippetOf(const source::SourceManager& sources, source::Range range, uin
   const source::Position place = sources.Locate(range.begin);
   const source::File& file = sources.Get(place.file);
   const std::string_view whole_line = sources.Line(place.file, place.line);
-  // A place inside CR LF, or behind the end of the line, is shown just behind the line.
+  // A place inside CR LF, or after the end of the line, is shown just after the line.
   size_t begin = std::min<size_t>(range.begin - file.base - file.line_starts[place.line - 1], whole_line.size());
   const size_t length = range.end > range.begin ? range.end - range.begin : 0;
 

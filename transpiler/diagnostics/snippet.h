@@ -12,7 +12,7 @@ struct Snippet {
   std::string marker;  // blanks, then "^~~~" below what the range covers in the line
 };
 
-/// `range` has a place; what it covers behind its first line is not marked.
+/// `range` has a place; what it covers after its first line is not marked.
 Snippet SnippetOf(const source::SourceManager& sources, source::Range range, uint32_t width);
 
 }  // namespace plcxx::diag

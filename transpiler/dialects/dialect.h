@@ -142,7 +142,7 @@ class ControlStub {
   /// A host call while the program runs, the regular exchange included; not the time and the store of retentive memory,
   /// which the simulation keeps. Gives the call's result, and in `out` its second result (none: the program's place
   /// keeps its value); floats as their bits. The image is that of this moment, and what is written into it the program
-  /// sees behind the call: only a function with HostAccess::kWritesState may write.
+  /// sees after the call: only a function with HostAccess::kWritesState may write.
   virtual uint64_t Call(const ir::HostFunction& /*function*/, std::span<const uint64_t> /*arguments*/, ImagePort&,
                         std::optional<uint64_t>& /*out*/) {
     return 0;

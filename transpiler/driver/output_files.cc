@@ -262,7 +262,7 @@ std::string PathIn(const std::string& directory, const std::string& name) {
 }
 
 std::optional<WriteFailure> WriteAll(const OutputRequest& request) {
-  const DelayedSignals delayed;  // ends behind the transaction: what was begun is undone by then
+  const DelayedSignals delayed;  // ends after the transaction: what was begun is undone by then
   return Transaction(request).Run();
 }
 

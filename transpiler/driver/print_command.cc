@@ -45,7 +45,7 @@ struct PrintSettings {
   std::string phase;
 };
 
-/// Files that are printed one behind the other need headings; a single one is printed as it is.
+/// Files that are printed one after the other need headings; a single one is printed as it is.
 std::string Heading(const std::string& name, size_t count) { return count == 1 ? std::string() : "=== " + name + "\n"; }
 
 std::string PrintSource(compilation::Compilation& compilation) {

@@ -97,7 +97,7 @@ enum class Leave : uint8_t { kFallsThrough, kReturn, kBreak, kContinue, kGoto };
 
 /// What a Block or Loop has beside its body.
 struct Landing {
-  std::string behind;              // label behind it; empty: nothing goes there by goto
+  std::string behind;              // label after it; empty: nothing goes there by goto
   std::string again;               // label at a loop's head, likewise
   std::string counter;             // local that counts the iterations of a guarded loop
   bool braces = false;             // of a block: around locals that a goto would jump over

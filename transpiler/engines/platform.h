@@ -16,13 +16,13 @@
 namespace plcxx::engines {
 
 struct CompileFailure {
-  std::string message;  // the compiler's own words behind it
+  std::string message;  // the compiler's own words after it
 };
 
 struct Platform {
   std::string name;                    // for messages: "compiled", "cortex-m"
   std::vector<std::string> compile;    // the compiler and its flags; the sources follow
-  std::vector<std::string> link;       // behind the sources
+  std::vector<std::string> link;       // after the sources
   std::vector<std::string> emulator;   // in front of the executable; empty: it runs by itself
   compile::TemporaryDirectory shared;  // what all programs of the platform use
 };

@@ -88,10 +88,10 @@ struct Switch {
 /// How a loop is known to end.
 enum class LoopBound : uint8_t {
   kProven,  // at most `bound` rounds, shown by the front end
-  kGuard,   // at most `bound` rounds for each entry, then the fault's host call and on behind the loop
+  kGuard,   // at most `bound` rounds for each entry, then the fault's host call and on after the loop
   /// The body runs once and is left at its end; only Repeat goes round. Each Repeat takes 1 from the budget, a place
   /// that several loops and routines may share; when that is 0 already, Repeat executes its own region and goes on
-  /// behind itself instead. Whoever begins to count stores the number of rounds into the place.
+  /// after itself instead. Whoever begins to count stores the number of rounds into the place.
   kBudget
 };
 struct Loop {
@@ -100,7 +100,7 @@ struct Loop {
   PlaceId budget;      // kBudget only, an i32; such a loop has neither a condition nor a region `exhausted`
   RegionId condition;  // computed before each round; its last instruction is a bit. None: only Exit leaves
   RegionId body;
-  RegionId step;       // behind the body of each round: one store whose value needs no local; may be none
+  RegionId step;       // after the body of each round: one store whose value needs no local; may be none
   RegionId exhausted;  // executed when the guard ends the loop; may be none
 };
 
@@ -160,7 +160,7 @@ struct Routine {
 /// One statement of the source, in the order of the source. Nothing here goes into generated code but texts.
 struct Statement {
   source::Range range;                  // the whole statement
-  std::vector<source::Range> comments;  // above it and behind it, each one line
+  std::vector<source::Range> comments;  // above it and after it, each one line
   std::string subject;                  // what it assigns or heads: "U4A8", "T5"; for names of chunks
   uint32_t id = 0;                      // from the statement's text and a count among equal texts: never a line number
   uint32_t line = 0;                    // where it stands, when run-time faults tell it; for scenarios only

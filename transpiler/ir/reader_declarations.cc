@@ -5,7 +5,7 @@
 namespace plcxx::ir {
 namespace {
 
-/// `named X` behind a handle that is not the name itself.
+/// `named X` after a handle that is not the name itself.
 void ReadNamed(Reader& reader, std::string& name) {
   if (reader.Accept("named")) name = reader.Name();
 }

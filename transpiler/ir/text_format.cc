@@ -15,7 +15,7 @@ bool IsWordCharacter(char c) {
   return byte > ' ' && byte != 0x7F && c != ';' && c != '"' && kPunctuation.find(c) == std::string_view::npos;
 }
 
-/// The string literal at `line[i]`, which is a quote; leaves `i` behind the closing quote.
+/// The string literal at `line[i]`, which is a quote; leaves `i` after the closing quote.
 std::optional<std::string> ReadString(std::string_view line, size_t& i) {
   std::string out;
   for (++i; i < line.size(); ++i) {

@@ -24,7 +24,7 @@ class Target {
   /// Both outlive it.
   Target(Client& client, const emit::layout::Layout& layout) : client_(client), layout_(layout) {}
 
-  /// Empty: it answers, and its State is as long as the layout says. `longer`: the debug flavour's has more behind it.
+  /// Empty: it answers, and its State is as long as the layout says. `longer`: the debug flavour's has more after it.
   enum class Length : uint8_t { kExact, kLonger };
   std::string Begin(Length length);
   const LinkLimits& limits() const { return limits_; }

@@ -61,7 +61,7 @@ std::map<std::string, std::string> ChangedTexts(const FeatureContext& context,
                                                 const std::vector<source::Range>& spellings, const std::string& name) {
   std::map<std::string, std::string> texts;
   const source::SourceManager& sources = context.analysis.sources();
-  for (auto range = spellings.rbegin(); range != spellings.rend(); ++range) {  // from behind: places stay
+  for (auto range = spellings.rbegin(); range != spellings.rend(); ++range) {  // from the end: places stay
     const source::FileId id = sources.FileAt(range->begin);
     const source::File& file = sources.Get(id);
     const auto [text, is_new] = texts.try_emplace(context.analysis.IdentityOf(id), file.text);

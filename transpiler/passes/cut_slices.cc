@@ -12,7 +12,7 @@ namespace {
 uint64_t SliceOf(uint64_t before, uint64_t all, uint64_t slices) {
   if (all == 0) return 0;
   const uint64_t slice = slices * before / all;
-  return slice < slices ? slice : slices - 1;  // items of weight 0 behind the last one that has some
+  return slice < slices ? slice : slices - 1;  // items of weight 0 after the last one that has some
 }
 
 ir::PlaceId SlicePlace(const ir::Routine& routine) {

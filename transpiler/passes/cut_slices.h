@@ -14,7 +14,7 @@
 // Item i (ir/items.h: never a part of a statement or of a chain of blocks) goes to slice
 // floor(slices * (weights before i) / (all weights)). A slice may be empty.
 //
-// The epilogue stays a region of its own: behind the last statement's marker it would be that statement's, and would
+// The epilogue stays a region of its own: after the last statement's marker it would be that statement's, and would
 // not be executed where a debugger switches the statement off. For the same reason a routine with one slice is left as
 // it is: its prologue, body and epilogue run one after the other anyway.
 #pragma once

@@ -147,7 +147,7 @@ void Nester::Retarget(RegionId region, size_t at, InstId block) {
   const bool encloses = program[id].op == OpKind::kBlock || program[id].op == OpKind::kLoop;
   if (!encloses || at + 1 != program.regions[region].insts.size()) return;
   for (const RegionId owned : ir::OwnedRegions(program, program[id])) {
-    // A guard's region is executed behind the loop: an exit there cannot leave it.
+    // A guard's region is executed after the loop: an exit there cannot leave it.
     if (program[id].op == OpKind::kLoop && owned == program.loops[ir::LoopId(program[id].payload)].exhausted) continue;
     ir::ForEachInst(program, owned, [&](InstId inner) {
       Inst& exit = program[inner];

@@ -60,7 +60,7 @@ class Live {
 struct Summary {
   Live reads;   // before it writes them
   Live passes;  // those that it may leave as they are
-  Live after;   // those that some caller reads behind a call
+  Live after;   // those that some caller reads after a call
 };
 
 struct Analysis {
@@ -73,7 +73,7 @@ struct Analysis {
   std::vector<Summary> summaries;             // by RoutineId
   std::unordered_map<uint32_t, Live> behind;  // by InstId of an open block or loop: live where an Exit leads
   std::unordered_map<uint32_t, Live> head;    // by InstId of an open loop: live where a Repeat leads
-  bool collects = false;                      // what callers read behind calls
+  bool collects = false;                      // what callers read after calls
   bool removes = false;
   std::vector<bool> dead = {};  // by InstId
 
@@ -120,7 +120,7 @@ void Analysis::FindLocals() {
     for (const uint32_t i : places) apart.try_emplace(key_of(i), true).first->second &= !fixed[i];
     for (auto one = apart.begin(); one != apart.end(); ++one) {
       const auto& [offset, bit, type] = one->first;
-      // What begins behind this one cannot overlap it, nor can what follows.
+      // What begins after this one cannot overlap it, nor can what follows.
       for (auto other = std::next(one); other != apart.end(); ++other) {
         const auto& [other_offset, other_bit, other_type] = other->first;
         if (other_offset >= offset + ir::Bytes(type)) break;

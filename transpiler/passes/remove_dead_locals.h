@@ -11,7 +11,7 @@
 //
 // Front ends of accumulator languages spill their registers wherever control flow joins or leaves; here is decided
 // which of that anybody sees. A subroutine shares its caller's locals: what it reads first is read by the call, and
-// what one of its callers reads behind a call is read behind its end. A partition's locals end with it.
+// what one of its callers reads after a call is read after its end. A partition's locals end with it.
 //
 // Backward liveness: exact over if, switch, block and loop, joined over the callers of a subroutine. In and out:
 // structured IR without dead values (run RemoveDead before and after).

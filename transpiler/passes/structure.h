@@ -8,7 +8,7 @@
 //                          }
 //
 // A block begins at the first jump to its label and ends at the label; where two blocks would cross, the one that ends
-// later begins earlier. A label right behind a statement's marker counts as standing before it, so that the marker
+// later begins earlier. A label right after a statement's marker counts as standing before it, so that the marker
 // stays with what follows it. A condition that is itself negated is used without the negation. An If made of a jump
 // says so (Inst, kIf), for a statement that is switched off does not jump.
 //

@@ -40,7 +40,7 @@ struct LoopMaker {
   std::vector<LoopJump> jumps;
   std::vector<Interval> loops;  // two of them are disjoint, or one is in the other
   std::vector<size_t> head_of;  // by label: where a loop from it begins, before the marks and labels directly before it
-  std::vector<size_t> end_of;   // by instruction: behind the last one of its statement, whose values what follows a
+  std::vector<size_t> end_of;   // by instruction: after the last one of its statement, whose values what follows a
                                 // jump back may use
   std::vector<std::vector<const LoopJump*>> own;  // by loop: the jumps back that are its own, not an inner one's
   ir::Builder builder;
@@ -126,7 +126,7 @@ class Entries {
     }
   }
 
-  /// Of heads behind `begin` and before `end`; `begin` when there is none, or none that is less.
+  /// Of heads after `begin` and before `end`; `begin` when there is none, or none that is less.
   size_t Least(size_t begin, size_t end) const {
     const auto first = std::lower_bound(by_head_.begin(), by_head_.end(), std::pair(begin + 1, size_t{0}));
     const auto last = std::lower_bound(first, by_head_.end(), std::pair(end, size_t{0}));

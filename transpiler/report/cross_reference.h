@@ -1,7 +1,7 @@
 // Who reads, writes and steps what: every place and state instance that the program uses, with its occurrences.
 //
 // In: the program, and what the addresses of its documentation name. Out: signals in the order of memory, instances
-// behind them. Not its job: warnings (checks/), wording.
+// after them. Not its job: warnings (checks/), wording.
 #pragma once
 
 #include <cstdint>

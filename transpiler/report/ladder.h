@@ -55,7 +55,7 @@ struct Rung {
 };
 
 enum class ItemKind : uint8_t {
-  kStatement,  // what follows is this statement's, `statement`; also behind frames that it owns
+  kStatement,  // what follows is this statement's, `statement`; also after frames that it owns
   kRung,
   kHead,     // opens a frame that its network leads to; `label` says what runs in it
   kSection,  // the frame goes on with another part: "ELSE"; it may have a network

@@ -34,7 +34,7 @@ void LadderBuilder::Append(Rung rung, ir::ValueId driver) {
   driver_ = driver;
 }
 
-/// An output behind the network of `driver`; beside the outputs of the rung before when that has the same network.
+/// An output after the network of `driver`; beside the outputs of the rung before when that has the same network.
 void LadderBuilder::Output(ir::ValueId driver, Element output) {
   if (driver_.valid() && driver_ == driver) {
     items_.back().rung.outputs.push_back(std::move(output));
@@ -91,7 +91,7 @@ void LadderBuilder::Region(ir::RegionId region) {
   Insts(insts, 0, insts.size());
 }
 
-/// Behind the region, what follows is the outer statement's again.
+/// After the region, what follows is the outer statement's again.
 void LadderBuilder::Insts(const std::vector<ir::InstId>& insts, size_t begin, size_t end) {
   const ir::StatementId outer = statement_;
   for (size_t i = begin; i < end; ++i) Inst(insts[i]);

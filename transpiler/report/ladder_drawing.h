@@ -2,7 +2,7 @@
 //
 // In: items (ladder.h). Out: lines, boxes and texts in pixels, x to the right, y down; then SVG. A network is drawn in
 // series from left to right, branches one below the other between two uprights, so that no two wires can cross; a
-// series that is too wide goes on in a line below, behind arrows.
+// series that is too wide goes on in a line below, after arrows.
 #pragma once
 
 #include <span>
@@ -35,8 +35,8 @@ struct DrawnText {
 /// What is connected by wires, so that one colour tells whether it carries power. Net 0 is the left rail.
 enum class NetKind : uint8_t {
   kRail,
-  kThrough,   // behind a contact, comparison or box: from `from`, if `value` lets it through
-  kOutput,    // behind a box that has an output of its own: `value`
+  kThrough,   // after a contact, comparison or box: from `from`, if `value` lets it through
+  kOutput,    // after a box that has an output of its own: `value`
   kInverted,  // 1 where `from` is 0
   kAny,       // 1 where one of `from` is
   kNever
@@ -48,7 +48,7 @@ struct Net {
   bool inverted = false;
 };
 
-/// One symbol: its share of what the pens draw, and the net behind it.
+/// One symbol: its share of what the pens draw, and the net after it.
 struct DrawnSymbol {
   uint32_t net = 0;
   size_t symbols_begin = 0, symbols_end = 0, local_begin = 0, local_end = 0;  // of Drawing::symbols, local_symbols

@@ -47,7 +47,7 @@ bool LadderBuilder::IsConditional(const ir::Inst& inst) const {
   return any;
 }
 
-/// The condition's network, and behind it what it enables: bits set and cleared, boxes.
+/// The condition's network, and after it what it enables: bits set and cleared, boxes.
 void LadderBuilder::Conditional(const ir::Inst& inst) {
   for (const ir::InstId id : program_.regions[ir::RegionId(inst.b)].insts) {
     const ir::Inst& inner = program_[id];

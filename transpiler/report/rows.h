@@ -2,7 +2,7 @@
 //
 // In: a program's input, its ladders. Out: rows in the order of the sources. Every line of every source is in a row but
 // blank ones, every line of C++ that is a statement's, and every ladder item: nothing is left out, and nothing stands
-// twice. What the control does around the statements is in rows of its own behind them.
+// twice. What the control does around the statements is in rows of its own after them.
 #pragma once
 
 #include <cstdint>

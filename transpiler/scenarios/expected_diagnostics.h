@@ -1,7 +1,7 @@
 // What a scenario expects of the compiler: its first error, its warnings.
 //
 // In: a scenario and its compilation. Out: nothing when all is as expected, else why not, in words, each line with the
-// place in the scenario file. Not its job: the list of all diagnostics that is shown behind it.
+// place in the scenario file. Not its job: the list of all diagnostics that is shown after it.
 #pragma once
 
 #include <optional>

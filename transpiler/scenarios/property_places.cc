@@ -58,7 +58,7 @@ void Report(const PropertyError& error, source::FileId file, std::string_view di
       {where.base + static_cast<source::Offset>(begin), where.base + static_cast<source::Offset>(end)}, *row, words);
 }
 
-/// Columns of a property count from where its text begins: behind a quote, if there is one.
+/// Columns of a property count from where its text begins: after a quote, if there is one.
 PropertyError Moved(PropertyError error, const MarkedText& written, std::string_view text) {
   const size_t begin = OffsetOf(text, written.mark.line, written.mark.column);
   const bool quoted = begin < text.size() && (text[begin] == '"' || text[begin] == '\'');

@@ -84,7 +84,7 @@ class Simulator : public Engine {
   uint64_t executed() const { return executed_; }
 
  private:
-  /// Whether execution goes on behind an instruction, or an Exit is on its way to the block or loop `leaving_`; once it
+  /// Whether execution goes on after an instruction, or an Exit is on its way to the block or loop `leaving_`; once it
   /// has stopped, that is none, so that everything is left.
   enum class Flow : uint8_t { kOn, kLeaving };
 

@@ -168,7 +168,7 @@ class Generations {
       for (size_t i = 0; i < given_.size(); ++i) given_[i] |= entry.given[i];
       known_.entries.push_back(std::make_shared<Entry>(std::move(entry)));
     }
-    // What came behind the last moment that was kept.
+    // What came after the last moment that was kept.
     for (size_t i = 0; i < given_.size(); ++i) given_[i] |= result.given[i];
     if (known_.entries.size() > kMostEntries) Thin();
     for (const auto& [number, life] : result.messages) soaked_.messages[number].Add(life);

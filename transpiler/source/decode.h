@@ -46,7 +46,7 @@ std::string EncodeGb18030(std::string_view utf8);
 /// How many bytes of GB18030 a text took that DecodeGb18030 gave; a U+FFFD stood for one.
 size_t Gb18030Length(std::string_view utf8);
 
-/// The first byte at or behind `at` that is not ASCII; the size where there is none.
+/// The first byte at or after `at` that is not ASCII; the size where there is none.
 size_t SkipAscii(std::string_view bytes, size_t at);
 
 /// What the bytes 80H to FFH mean in an 8-bit encoding, as code points of the basic plane.

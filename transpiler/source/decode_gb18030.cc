@@ -1,6 +1,6 @@
 // GB18030: ASCII; two bytes (first 81H to FEH, second 40H to FEH but 7FH); four bytes (the second and the fourth are
 // digits). What has one of these forms is cut out here, so that a broken character costs one byte and never the line
-// end behind it; what it means is ICU's.
+// end after it; what it means is ICU's.
 #include <unicode/ucnv.h>
 #include <unicode/ustring.h>
 

@@ -28,7 +28,7 @@ class TextWriter {
   }
   /// Text as it is: no indentation, no line end.
   void Write(std::string_view text) { text_.append(text); }
-  /// Several lines at once, each indented; a line end behind the last one is not needed.
+  /// Several lines at once, each indented; a line end after the last one is not needed.
   void Lines(std::string_view text);
 
   bool empty() const { return text_.empty(); }

@@ -51,7 +51,7 @@ std::string WhyNotTwo(const std::string& text, Place second) {
   return "the file holds more than one YAML document";
 }
 
-/// Names of locations with signs that YAML takes for its own: Y[0], %I0, !LAMP. Behind its message, or nothing.
+/// Names of locations with signs that YAML takes for its own: Y[0], %I0, !LAMP. After its message, or nothing.
 std::string QuotesMissing(const std::string& text, uint32_t number) {
   std::istringstream lines(text);
   std::string line;

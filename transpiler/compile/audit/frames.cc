@@ -12,7 +12,7 @@ namespace {
 
 using llvm::dwarf::CFIProgram;
 
-/// Where an entry of 32-bit DWARF has the address of its function: behind its length and the link to what it shares.
+/// Where an entry of 32-bit DWARF has the address of its function: after its length and the link to what it shares.
 constexpr uint64_t kAddressInEntry = 8;
 
 /// By offset in .debug_frame: the section and address of the function that is meant.

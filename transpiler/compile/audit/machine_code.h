@@ -21,12 +21,12 @@ namespace plcxx::compile::audit {
 
 /// What an instruction does to the flow of control.
 enum class Flow : uint8_t {
-  kNext,          // goes on behind itself
-  kBranch,        // goes on behind itself, or to its target
+  kNext,          // goes on after itself
+  kBranch,        // goes on after itself, or to its target
   kJump,          // goes to its target
-  kCall,          // of its target, then on behind itself
+  kCall,          // of its target, then on after itself
   kReturn,        // ends the function
-  kMaybeReturn,   // ends the function, or goes on behind itself
+  kMaybeReturn,   // ends the function, or goes on after itself
   kIndirectJump,  // where a register says
   kIndirectCall,  // likewise
   kStop           // a trap

@@ -250,7 +250,7 @@ Expression ParseComparison(const ExpressionText& text, LinuxCnc version, diag::E
   Expression comparison;
   comparison.empty = IsEmpty(text.text);
   if (comparison.empty) return comparison;
-  // The first sign cuts the text, whatever is around it; '=' or '>' behind it belongs to it.
+  // The first sign cuts the text, whatever is around it; '=' or '>' after it belongs to it.
   const size_t sign = std::min(text.text.find_first_of("<>="), text.text.size());
   Reader left(text.text.substr(0, sign), text.range.begin, version, comparison, diagnostics);
   comparison.left = left.Whole();

@@ -96,7 +96,7 @@ uint32_t Lowering::LabelOf(uint32_t rung) {
   return found->second;
 }
 
-/// Behind the last jump that the engine takes: it ends the section, and stands still from the next period on.
+/// After the last jump that the engine takes: it ends the section, and stands still from the next period on.
 void Lowering::RefuseJump() {
   builder_.Store(stopped_, builder_.Bit(1));
   CallFault(Fault::kJumpLoop);

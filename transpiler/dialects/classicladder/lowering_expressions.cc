@@ -57,7 +57,7 @@ ValueId Lowering::Divide(OpKind op, ValueId dividend, ValueId divisor) {
   return builder_.Pure(op, {dividend, divisor});
 }
 
-/// Squares `base` as often as `exponent` says. Behind 31 times nothing changes any more: it is 0 or 1.
+/// Squares `base` as often as `exponent` says. After 31 times nothing changes any more: it is 0 or 1.
 ValueId Lowering::Power(ValueId base, ValueId exponent) {
   constexpr uint32_t kMostSquares = 31;
   const ir::Inst inst = program_[exponent];

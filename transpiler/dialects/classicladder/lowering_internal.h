@@ -37,7 +37,7 @@ class Lowering {
   void AddCalledRoutines(const Section& section);
   void LowerLadder(const Section& section, ir::RegionId body);
   void LowerRung(const Rung& rung);
-  /// False: nothing behind the element is executed.
+  /// False: nothing after the element is executed.
   bool Execute(uint32_t x, uint32_t y, const Element& element);
   void AddStatement(const Rung& rung);
   std::string SubjectOf(const Rung& rung) const;

@@ -161,7 +161,7 @@ uint32_t CountOf(Group group, const Sizes& sizes) {
     case Group::kBits:
       return sizes.bits + sizes.inputs + sizes.outputs + kSteps + kErrorBits;
     case Group::kWords:
-      return sizes.words + kSteps;  // behind it the engine keeps its floats
+      return sizes.words + kSteps;  // after it the engine keeps its floats
     case Group::kFloats:
       return sizes.float_inputs + sizes.float_outputs;
     case Group::kTimers:

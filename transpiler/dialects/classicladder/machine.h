@@ -1,6 +1,6 @@
 // What ClassicLadder's engine has (machine.def): elements of a rung, variables and where they are in its memory, sizes.
 //
-// The engine keeps bits in one array and words in another, one kind of variable behind the other, and looks at no
+// The engine keeps bits in one array and words in another, one kind of variable after the other, and looks at no
 // bound: a number beyond its own kind is a variable of the next one. Where that is, is decided here (Resolve).
 #pragma once
 

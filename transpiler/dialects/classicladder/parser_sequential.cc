@@ -5,7 +5,7 @@
 namespace plcxx::classicladder {
 namespace {
 
-/// Behind the letter.
+/// After the letter.
 Line WithoutLetter(Line line) {
   line.text.remove_prefix(1);
   ++line.range.begin;

@@ -2,7 +2,7 @@
 // them.
 //
 // Every array of the engine is a space. Of the bits each has a byte, as in the engine, so that a computed number
-// reaches each of them; records (timers, counters) lie one behind the other.
+// reaches each of them; records (timers, counters) lie one after the other.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ enum class TokenRole : uint8_t {
   kFunction,  // a function of the language, or of the control
   kAddress,   // an operand that is spelled by its address
   kName,      // a word that may be somebody's name: its place and the program decide
-  kMember,    // a name behind a '.' or '->'
+  kMember,    // a name after a '.' or '->'
   kNumber,
   kText,
   kOperator,

@@ -5,7 +5,7 @@
 // The lowest level is the status register. Each further one (a bracket, a block of contacts) begins empty and is joined
 // with the one below when it is closed. An empty level, and one whose sequence has ended, is "first": the next
 // operation loads instead of combining. Alternatives are the AND-before-OR of an `O` without operand: what stands
-// before it waits until the string behind it ends.
+// before it waits until the string after it ends.
 // Not its job: which instruction ends what, and whether a program may do it.
 #pragma once
 
@@ -44,7 +44,7 @@ class LogicStack {
   /// The value replaces what was computed here, and waiting alternatives (a comparison).
   void Replace(ir::ValueId value);
 
-  /// What was computed here becomes an alternative; the string behind it begins empty.
+  /// What was computed here becomes an alternative; the string after it begins empty.
   void BeginAlternative();
   /// The same where `before` is what was computed.
   void BeginAlternative(ir::ValueId before);

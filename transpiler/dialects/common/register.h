@@ -2,7 +2,7 @@
 //
 // No register exists in the result: what an instruction leaves in one is a value of the IR that the next one uses.
 // Values end with their statement, so that what lives longer goes through a place of lifetime kRoutine: Spill() in
-// front of every border (the next statement, a label, a jump, a call), a load at the first use behind it. Stores that
+// front of every border (the next statement, a label, a jump, a call), a load at the first use after it. Stores that
 // nothing reads vanish later (passes/remove_dead_locals.h), so a lowering spills at every border without asking.
 #pragma once
 
@@ -36,7 +36,7 @@ class Register {
 
   /// From here on the place holds what the register holds.
   void Spill();
-  /// What it holds is in its place: behind a label, a call, an If that set it.
+  /// What it holds is in its place: after a label, a call, an If that set it.
   void Forget();
   /// Before the marker of the next statement: spills what was set; a constant stays known.
   void EndStatement();

@@ -104,7 +104,7 @@ class CReader {
   const std::string& text_;
   source::Offset base_;
   size_t at_ = 0;
-  bool member_ = false;  // behind '.' or '->'
+  bool member_ = false;  // after '.' or '->'
   std::vector<EditorToken> tokens_;
 };
 

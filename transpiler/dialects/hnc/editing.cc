@@ -51,7 +51,7 @@ class NameCollector {
     return &definitions_.back();
   }
 
-  /// The rest of the line behind the name of a #define.
+  /// The rest of the line after the name of a #define.
   std::string MacroText(source::Range name) const {
     const source::Position at = sources_.Locate(name.begin);
     if (!at.file.valid()) return {};

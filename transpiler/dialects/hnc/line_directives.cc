@@ -1,4 +1,4 @@
-// #line: places behind it show as it says, as places of a text with its name and its lines.
+// #line: places after it show as it says, as places of a text with its name and its lines.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -51,7 +51,7 @@ class ShownText {
   SourceText& text_;
   std::string name_, shown_;
   std::vector<SourceText::Moved> parts_;  // `to`: in `shown_`
-  uint32_t next_line_ = 1;                // the line behind `shown_`
+  uint32_t next_line_ = 1;                // the line after `shown_`
   uint32_t blanks_left_ = 1'000'000;      // in all texts of the file
 };
 

@@ -16,7 +16,7 @@ namespace plcxx::hnc {
 /// that is no constant expression.
 std::unordered_set<uint32_t> FindLiveGotos(const Unit& unit, StatementId body);
 
-/// Whether a goto may be refused, so that control goes on behind it: an annotation bounds its iterations.
+/// Whether a goto may be refused, so that control goes on after it: an annotation bounds its iterations.
 bool MayBeRefused(const Unit& unit, const Statement& jump);
 
 /// The value of a condition that is a constant expression; none: it is not.

@@ -43,13 +43,13 @@ std::optional<SystemName> FindSystemName(std::string_view name);
 struct FunctionRow {
   SystemFunction function;
   std::string_view name;       // "set_axis_home"
-  std::string_view headers;    // behind which it is known, with blanks in between
+  std::string_view headers;    // after which it is known, with blanks in between
   std::string_view prototype;  // "void set_axis_home(int, int);"
 };
 
 std::span<const FunctionRow> SystemFunctions();
 const FunctionRow* FindSystemFunction(std::string_view name);
-/// Is the function known behind this header?
+/// Is the function known after this header?
 bool IsDeclaredBy(const FunctionRow& row, std::string_view header);
 
 }  // namespace plcxx::hnc

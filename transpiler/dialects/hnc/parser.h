@@ -21,7 +21,7 @@ struct CompiledUnit {
 };
 CompiledUnit ParseAndCompile(dialects::Request& request);
 
-/// One token a line, behind the preprocessor: line, column, kind, text.
+/// One token a line, after the preprocessor: line, column, kind, text.
 std::string PrintTokens(dialects::Request& request);
 
 /// The tree as nested lines (syntax_print.cc).

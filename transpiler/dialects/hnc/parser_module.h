@@ -18,7 +18,7 @@ namespace plcxx::hnc {
 
 /// The folders in which the module looks for files: that of the main source, one for each -I, the product's headers.
 inline constexpr std::string_view kMainFolder = "/src";
-inline constexpr std::string_view kIncludeFolder = "/inc";  // with the number of the -I behind it
+inline constexpr std::string_view kIncludeFolder = "/inc";  // with the number of the -I after it
 inline constexpr std::string_view kProductFolder = "/sys";
 
 struct ParserInput {
@@ -40,7 +40,7 @@ struct MissingInclude {
   bool in_main = false;
 };
 
-/// One token behind the preprocessor, for `print tokens`.
+/// One token after the preprocessor, for `print tokens`.
 struct TokenText {
   source::Offset place = 0;
   std::string_view kind;  // "identifier", "keyword", ...

@@ -8,7 +8,7 @@
 namespace plcxx::hnc {
 namespace {
 
-/// A name with a '(' behind it.
+/// A name with a '(' after it.
 bool HasCall(std::string_view text, std::string_view name) {
   for (size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
     if (at > 0 && IsWord(text[at - 1])) continue;

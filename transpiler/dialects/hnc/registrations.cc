@@ -28,7 +28,7 @@ class Straight {
     --depth_;
   }
 
-  /// False: what stands behind it in the function need not be executed.
+  /// False: what stands after it in the function need not be executed.
   bool Follow(StatementId id) {
     const Statement& statement = unit_.statements[id];
     if (statement.kind == StatementKind::kCompound) {

@@ -18,7 +18,7 @@ namespace plcxx::hnc {
 struct SourceText {
   struct Stretch {
     uint32_t at = 0;        // in `text`
-    uint32_t original = 0;  // the byte of the file's text that stands there; bytes behind it follow one by one
+    uint32_t original = 0;  // the byte of the file's text that stands there; bytes after it follow one by one
   };
 
   /// #line: what follows shows as another file, or as other lines.
@@ -50,7 +50,7 @@ struct SourceText {
   source::Offset Shown(source::Offset place) const;
 };
 
-/// Makes places behind a #line show as it says: as places of a text with that name and those lines (2.7).
+/// Makes places after a #line show as it says: as places of a text with that name and those lines (2.7).
 void ApplyLineDirectives(source::SourceManager& sources, SourceText& text);
 
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file);

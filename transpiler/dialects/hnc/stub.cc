@@ -11,7 +11,7 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr uint32_t kInputs = 100;  // of X; behind them is the copy
+constexpr uint32_t kInputs = 100;  // of X; after them is the copy
 
 class Stub final : public dialects::ControlStub {
  public:

@@ -7,7 +7,7 @@
 namespace plcxx::hnc {
 namespace {
 
-/// The first comment that begins at or behind `place`.
+/// The first comment that begins at or after `place`.
 std::vector<Comment>::const_iterator FirstFrom(const Unit& unit, source::Offset place) {
   return std::ranges::lower_bound(unit.comments, place, {}, [](const Comment& comment) { return comment.range.begin; });
 }
@@ -45,7 +45,7 @@ std::vector<const Comment*> CommentsBefore(const Unit& unit, const source::Sourc
     next = it->range.begin;
   }
   std::ranges::reverse(found);
-  // The first ones may stand behind code of their own line.
+  // The first ones may stand after code of their own line.
   while (!found.empty()) {
     std::string_view before = LineBefore(sources, found.front()->range.begin);
     if (OnlyBlanks(before)) break;

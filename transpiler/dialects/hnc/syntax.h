@@ -1,7 +1,7 @@
 // The typed syntax tree of dialect hnc: flat stores with typed ids, in source order.
 //
 // The parser has resolved every name, computed every layout (specification 5.6), made every conversion a node of its
-// own and folded what is constant; lowering needs nothing of the front end behind the parser. All ranges are places in
+// own and folded what is constant; lowering needs nothing of the front end after the parser. All ranges are places in
 // the files as the user wrote them; what comes from a macro has the range of the macro's use.
 // A tree is always whole: what could not be understood is an expression of kind kPoison or is left out, and its fault
 // has been reported. Children of an expression have smaller ids than their parent; nesting is at most 127 deep in
@@ -344,7 +344,7 @@ std::vector<const Comment*> CommentsIn(const Unit& unit, source::Range range);
 /// shares its line with code before it belongs to that code.
 std::vector<const Comment*> CommentsBefore(const Unit& unit, const source::SourceManager& sources,
                                            source::Offset place);
-/// The comment behind `place` on the same line; none when there is none.
+/// The comment after `place` on the same line; none when there is none.
 const Comment* CommentBehind(const Unit& unit, const source::SourceManager& sources, source::Offset place);
 
 inline bool IsInteger(const Type& type) { return type.kind == TypeKind::kInteger; }

@@ -11,7 +11,7 @@ source::Offset SourceText::Original(uint32_t at) const {
   const auto next = std::ranges::upper_bound(map, at, {}, &Stretch::at);
   const Stretch& stretch = *std::prev(next);
   uint32_t original = stretch.original + (at - stretch.at);
-  // Within something that was rewritten: no further than what stands behind it.
+  // Within something that was rewritten: no further than what stands after it.
   if (next != map.end()) original = std::min(original, next->original);
   return Shown(base + std::min(original, size));
 }

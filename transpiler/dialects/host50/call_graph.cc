@@ -78,7 +78,7 @@ class CallGraph {
     }
     path_.pop_back();
     marks_[section] = Mark::kDone;
-    order_.push_back(section);  // behind all that it calls
+    order_.push_back(section);  // after all that it calls
   }
 
   void ReportCycle(const Call& call) {

@@ -302,7 +302,7 @@ void Connections::CheckCycles() {
   }
 }
 
-/// Rule 8: actions by row and column, each behind what its input needs.
+/// Rule 8: actions by row and column, each after what its input needs.
 Wiring Connections::Order() {
   Wiring wiring;
   wiring.inputs.resize(count());

@@ -43,7 +43,7 @@ class RowReader {
   }
 
  private:
-  /// Behind the character at the cursor.
+  /// After the character at the cursor.
   void Step() {
     const source::CodePoint point = source::FirstCodePoint(text_.substr(at_));
     at_ += point.length;

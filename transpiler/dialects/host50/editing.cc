@@ -69,7 +69,7 @@ TokenRole EditorRole(TokenKind kind, std::string_view text) {
 
 char ClosingBracket(char opening) { return opening == '[' ? ']' : opening == '(' ? ')' : '}'; }
 
-/// A row of a drawing: what stands in its brackets, and the comment behind it.
+/// A row of a drawing: what stands in its brackets, and the comment after it.
 void AddRowWords(const source::SourceManager& sources, source::Range row, std::vector<EditorToken>& tokens) {
   const source::File& file = sources.Get(sources.FileAt(row.begin));
   const std::string_view text = sources.Text(row);
@@ -83,7 +83,7 @@ void AddRowWords(const source::SourceManager& sources, source::Range row, std::v
     const size_t close = text.find(ClosingBracket(text[i]), i);
     if (close == std::string_view::npos) continue;
     const bool is_block = text[i] == '{';
-    // The character behind the bracket says what kind of contact it is; it is blank where it is a plain one.
+    // The character after the bracket says what kind of contact it is; it is blank where it is a plain one.
     const size_t begin = is_block ? i + 1 : std::min(i + 2, close);
     const auto kind = is_block ? ElementKind::kBlock : ElementKind::kContactOrCoil;
     for (const Token& token : LexElement(file, {at(begin), at(close)}, kind)) {
@@ -113,7 +113,7 @@ std::vector<EditorToken> EditorTokens(dialects::Request& request, source::FileId
   return tokens;
 }
 
-/// The word behind the keyword of a line: "SR4" of "SUB SR4 "turret"", "L0003" of "NETWORK L0003".
+/// The word after the keyword of a line: "SR4" of "SUB SR4 "turret"", "L0003" of "NETWORK L0003".
 source::Range SecondWord(const source::SourceManager& sources, source::Range line, source::Range keyword) {
   const source::Range rest{keyword.end, std::max(keyword.end, line.end)};
   const std::string_view text = sources.Text(rest);
@@ -235,7 +235,7 @@ std::vector<dialects::ControlSignal> EditorSignals(const dialects::Request& requ
   return signals;
 }
 
-/// Apostrophes around a symbol and the attribute behind it are no part of the name.
+/// Apostrophes around a symbol and the attribute after it are no part of the name.
 source::Range NamePart(source::Range range, std::string_view spelling) {
   if (!spelling.starts_with('\'')) {
     const size_t dot = spelling.find('.');

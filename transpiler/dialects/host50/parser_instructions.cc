@@ -157,7 +157,7 @@ std::string_view Parser::MnemonicOf(const Instruction& instruction, Setting sett
   return setting == Setting::kDrawing && info.form == Form::kBasic ? info.name : TextOf(instruction.mnemonic);
 }
 
-/// What stands behind the mnemonic, to the end of the statement.
+/// What stands after the mnemonic, to the end of the statement.
 void Parser::ReadOperands(Instruction& instruction, Setting setting) {
   const InstructionInfo& info = Info(instruction.op);
   const bool leaves_section = info.operand_count == 1 && (info.operands[0] == OperandRole::kSubroutine ||

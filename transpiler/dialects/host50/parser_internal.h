@@ -135,7 +135,7 @@ class Parser {
   void ReadSymbolRow(const Line& line);
   void AddPredefinedSymbols();
   SymbolId SymbolNamed(std::string_view name);
-  /// An address or symbol at the cursor, which moves behind it.
+  /// An address or symbol at the cursor, which moves after it.
   Resolved ReadAddress();
   Resolved ResolveAddress(const Token& token);
   void FaultOfAddressNumber(const Token& token);
@@ -202,7 +202,7 @@ class Parser {
   bool AtExpressionEnd() const { return At(TokenKind::kEnd) || At(TokenKind::kQuote); }
 
   // --- drawings (parser_drawings.cc) ---
-  /// The rows from line `first` on; gives the line behind the last one.
+  /// The rows from line `first` on; gives the line after the last one.
   uint32_t ReadDrawing(const Body& body, uint32_t first, std::vector<source::Range>& comments);
   void ReadElement(const DrawnElement& element, Instruction& instruction);
   void ReadContactOrCoil(const DrawnElement& element, Instruction& instruction);

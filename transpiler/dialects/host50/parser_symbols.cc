@@ -6,7 +6,7 @@
 namespace plcxx::host50 {
 namespace {
 
-/// The name between the apostrophes, and the attribute behind them.
+/// The name between the apostrophes, and the attribute after them.
 struct QuotedName {
   std::string_view name;
   std::string_view attribute;

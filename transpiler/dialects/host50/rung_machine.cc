@@ -240,7 +240,7 @@ void RungMachine::BlockWithQ() {
   GiveAcc();
 }
 
-/// The unnamed pins were loaded behind the main input, in their order: the last one is ACC.
+/// The unnamed pins were loaded after the main input, in their order: the last one is ACC.
 void RungMachine::TakePins(Instruction& instruction) {
   std::vector<Pin*> unnamed;
   for (uint32_t i = 0; i < instruction.pins.count; ++i) {

@@ -2,7 +2,7 @@
 //
 // The parser has resolved every address, symbol, jump target and subroutine; lowering reads sections, networks and
 // instructions from first to last. A tree is always whole: what could not be read is a node of kind kError whose fault
-// has been reported, and `faulty` says that a program has errors, so that nothing behind the parser need handle them.
+// has been reported, and `faulty` says that a program has errors, so that nothing after the parser need handle them.
 //
 // Both forms of a network come out as one: a list of instructions in the order in which they are executed. The rung
 // machine (6.1) and the rules of a drawing (3.6 rule 8) have been evaluated: every instruction names what it takes.
@@ -152,7 +152,7 @@ struct Section {
   uint32_t number = 0;     // of a SUB; kNoNumber when it could not be read
   source::Range range;     // the line of its keyword
   source::Range keyword;
-  std::string name;  // the string behind the keyword
+  std::string name;  // the string after the keyword
   source::Range name_range;
   Span networks;      // of Program::networks
   Span comments;      // above the keyword and on its line

@@ -179,7 +179,7 @@ void TokenReader::ReadName(Reading reading) {
   Add(TokenKind::kWord, begin);
 }
 
-/// ".Q" behind a symbol.
+/// ".Q" after a symbol.
 void TokenReader::ReadAttribute() {
   if (Peek() != '.' || !IsLetter(Peek(1))) return;
   ++at_;

@@ -36,7 +36,7 @@ class TokenReader {
     while (at_ < stop_ && IsBlank(text_[at_])) ++at_;
   }
   void SkipToStop() { at_ = stop_; }
-  /// '\\' with nothing behind it but blanks.
+  /// '\\' with nothing after it but blanks.
   bool AtContinuation() const;
 
   /// A token from `begin` to where the reader is.

@@ -10,7 +10,7 @@
 namespace plcxx::host50 {
 
 enum class TokenKind : uint8_t {
-  kEnd,           // of the statement; what a cursor shows behind the last token
+  kEnd,           // of the statement; what a cursor shows after the last token
   kWord,          // keyword, mnemonic, bare symbol, unit, pin, SR4, J3, L0003: its place decides
   kQuotedSymbol,  // with its apostrophes and perhaps an attribute: 'axis4-'.Q
   kAddress,       // from '%' to the next delimiter, well formed or not
@@ -63,7 +63,7 @@ Integer IntegerOf(const Token& token, std::string_view text);
 /// The binary32 pattern nearest to a number of any of the three forms (ties to even); none when it is too large.
 std::optional<uint32_t> FloatBitsOf(const Token& token, std::string_view text);
 
-/// "SR4", "J3", "L0003": the digits behind a prefix of letters (without regard to case), stopping at 100,000; none when
+/// "SR4", "J3", "L0003": the digits after a prefix of letters (without regard to case), stopping at 100,000; none when
 /// the word has another form.
 std::optional<uint32_t> NumberBehind(std::string_view prefix, std::string_view word);
 

@@ -20,7 +20,7 @@ class TextLengths {
   diag::Engine& diagnostics_;
 };
 
-/// Without ';' and the blanks behind it.
+/// Without ';' and the blanks after it.
 std::string_view TextOf(std::string_view comment) {
   comment.remove_prefix(1);
   const size_t first = comment.find_first_not_of(" \t");

@@ -50,7 +50,7 @@ class Layout {
       case RungEffect::kOutput:
         Widen(acc_.width + 1);
         rung_rows_ += rung_rows_ == 0 ? acc_.height : std::max(1u, acc_.height);
-        acc_.height = 0;  // of the part behind this output
+        acc_.height = 0;  // of the part after this output
         break;
       case RungEffect::kCompare:
       case RungEffect::kElement:

@@ -11,7 +11,7 @@ enum class AccessKind : uint8_t {
   kRead,
   kWrite,
   kWriteConstant,
-  kPair,  // a parameter: reads the word and the one behind it
+  kPair,  // a parameter: reads the word and the one after it
 };
 
 struct Access {
@@ -22,7 +22,7 @@ struct Access {
 
 constexpr bool IsWrite(AccessKind kind) { return kind == AccessKind::kWrite || kind == AccessKind::kWriteConstant; }
 
-/// The word behind `low`: the high byte of a pair.
+/// The word after `low`: the high byte of a pair.
 constexpr Operand HighByteOf(Operand low) {
   low.number = static_cast<uint16_t>(low.number + (low.index + 1) / 4);
   low.index = static_cast<uint8_t>((low.index + 1) % 4);

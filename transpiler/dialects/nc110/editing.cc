@@ -32,7 +32,7 @@ std::vector<EditorToken> EditorTokens(dialects::Request& request, source::FileId
   tokens.reserve(lexed.tokens.size() + lexed.comments.size());
   const source::File& text = request.sources->Get(file);
   source::Offset begin = text.base;
-  if (text.text.starts_with('*')) {  // a symbol file; what stands behind the '*' is a remark
+  if (text.text.starts_with('*')) {  // a symbol file; what stands after the '*' is a remark
     begin += static_cast<source::Offset>(request.sources->Line(file, 1).size());
     tokens.push_back({{text.base, begin}, TokenRole::kComment});
   }

@@ -17,7 +17,7 @@ std::string Key(Operand operand) {
   return ToText(operand);
 }
 
-/// Reads line by line: '<', head, text, '#'. The head may stand behind the '<', the '#' behind the last line.
+/// Reads line by line: '<', head, text, '#'. The head may stand after the '<', the '#' after the last line.
 class HelpReader {
  public:
   HelpReader(HelpTexts& texts, diag::Engine& diagnostics) : texts_(texts), diagnostics_(diagnostics) {}

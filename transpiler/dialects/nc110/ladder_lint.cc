@@ -32,7 +32,7 @@ class LadderLint {
 
  private:
   struct Facts {
-    uint32_t series = 0;            // input elements one behind the other on the longest path
+    uint32_t series = 0;            // input elements one after the other on the longest path
     const char* problem = nullptr;  // of this expression or one inside it
   };
 

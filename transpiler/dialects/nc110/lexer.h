@@ -31,7 +31,7 @@ struct Token {
 
 struct LexedFile {
   std::vector<Token> tokens;                     // the last one is kEndOfFile
-  std::vector<Comment> comments;                 // place: kTrailing behind a token of its line, else kLeading
+  std::vector<Comment> comments;                 // place: kTrailing after a token of its line, else kLeading
   std::map<source::Offset, std::string> mapped;  // by the token's begin: look-alike letters replaced
 };
 

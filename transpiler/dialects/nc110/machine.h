@@ -22,7 +22,7 @@ enum class SpaceIndex : uint8_t { kA, kT, kK, kN, kSystem, kArguments, kLatched 
 ir::SpaceId SpaceOf(Package package);
 ir::SpaceId SpaceOf(SpaceIndex space);
 uint32_t Bytes(Package package);
-/// Of package bytes laid one behind the other in the order of the spaces.
+/// Of package bytes laid one after the other in the order of the spaces.
 uint32_t PackageBase(Package package);
 constexpr uint32_t kAllPackageBytes = 2240;
 

@@ -214,7 +214,7 @@ void CheckOptions(const std::map<std::string, std::string>& options, diag::Engin
 }
 
 void ApplyOptions(const std::map<std::string, std::string>& options, Settings& settings) {
-  for (const auto& row : kRows) {  // in the table's order: cycle_ms and slice_ms come behind clo
+  for (const auto& row : kRows) {  // in the table's order: cycle_ms and slice_ms come after clo
     const auto option = options.find(std::string(row.info.key));
     if (option != options.end()) row.apply(option->second, settings);
   }

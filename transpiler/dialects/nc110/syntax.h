@@ -134,7 +134,7 @@ enum class BlockKind : uint8_t { kDof, kDoe, kDow };
 struct Block {
   BlockKind kind = BlockKind::kDof;
   uint8_t level = 1;         // 1 = outermost
-  bool unreachable = false;  // a DOE behind an unconditional DOE
+  bool unreachable = false;  // a DOE after an unconditional DOE
   source::Range keyword;
   source::Range name;  // empty where none is written
   ExprId condition;    // not valid: an unconditional DOE
@@ -184,7 +184,7 @@ enum class CommentPlace : uint8_t {
   kLeading,   // between the previous item and its own
   kInside,    // between two tokens of its item
   kTrailing,  // on the last line of its item; also the remark after '$'
-  kRest,      // behind the last item of a file
+  kRest,      // after the last item of a file
 };
 
 struct Comment {

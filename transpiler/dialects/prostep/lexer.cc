@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::string_view kDeclarations[] = {"DDB", "DDW", "DDD", "DMF", "DM", "DT"};  // the longest first
 
-/// The declaration that begins in column 1, or behind the blanks that the caller has taken away; empty when none does.
+/// The declaration that begins in column 1, or after the blanks that the caller has taken away; empty when none does.
 std::string_view DeclarationWord(std::string_view text) {
   const std::string upper = Upper(text.substr(0, 3));
   const auto word = std::ranges::find_if(kDeclarations, [&](std::string_view w) { return upper.starts_with(w); });
   return word == std::end(kDeclarations) ? std::string_view() : *word;
 }
 
-/// A mnemonic, a blank or a digit directly behind it, and a number that no colon follows (rule 3 of 2.1).
+/// A mnemonic, a blank or a digit directly after it, and a number that no colon follows (rule 3 of 2.1).
 bool IsDeclaration(std::string_view text) {
   const size_t word = DeclarationWord(text).size();
   if (word == 0 || word >= text.size() || (!IsBlank(text[word]) && !IsDigit(text[word]))) return false;
@@ -123,7 +123,7 @@ class FileLexer {
   bool at_beginning_ = true;  // only blank lines, marked comments and headers so far
 };
 
-/// ':MOD PM n' in any case and spacing; what stands behind the number is free.
+/// ':MOD PM n' in any case and spacing; what stands after the number is free.
 bool OpensModule(std::string_view text) {
   const std::string upper = Upper(TrimBlanks(text));
   std::string_view rest = upper;

@@ -24,15 +24,15 @@ enum class TokenKind : uint8_t {
   kComment,      // with its marker, if it has one
   kDeclaration,  // DDB, DDW, DDD, DMF, DM, DT
   kSwitch,       // of DMF
-  kText,         // of DM and DT, behind the dot; may be empty
+  kText,         // of DM and DT, after the dot; may be empty
   kLabel,        // a word before the colon; only one is right
   kColon,
   kMnemonic,    // a mnemonic of machine.def
   kModuleMark,  // MOD, END
   kUnknown,     // what stands where an instruction should
-  kClass,       // the letters of an operand; as the first token behind the colon: an operand line
+  kClass,       // the letters of an operand; as the first token after the colon: an operand line
   kNumber,      // up to a blank, well formed or not; with the dot and the bit
-  kTarget,      // a label behind JU or JC
+  kTarget,      // a label after JU or JC
   kJunk,        // what stands where an operand, a dot or a switch should
 };
 std::string_view Name(TokenKind kind);
@@ -68,7 +68,7 @@ std::string Upper(std::string_view text);
 std::string_view TrimBlanks(std::string_view text);
 bool IsMarked(std::string_view comment);
 
-/// Behind an instruction without operand: is `rest` meant as an operand (2.2)? One or two letters, blanks, a digit.
+/// After an instruction without operand: is `rest` meant as an operand (2.2)? One or two letters, blanks, a digit.
 bool IsOperandLike(std::string_view rest);
 /// As above, with letters that name an operand class.
 bool LooksLikeOperand(std::string_view rest);

@@ -47,7 +47,7 @@ class LineLexer {
   size_t LettersEnd(size_t from) const;
   /// The end of what no blank, ';' or '*' interrupts.
   size_t RunEnd(size_t from) const;
-  /// [at_, end) as a token; at_ moves behind it. Reports what may not stand in it.
+  /// [at_, end) as a token; at_ moves after it. Reports what may not stand in it.
   void Take(TokenKind kind, size_t end);
   /// Characters that may stand in texts and comments only.
   bool ReportCharacters(size_t begin, size_t end);

@@ -165,7 +165,7 @@ void LineLexer::Word() {
   OperandBehind(word);
 }
 
-/// An operand class and its number (2.6). `K` takes whatever stands behind it.
+/// An operand class and its number (2.6). `K` takes whatever stands after it.
 bool LineLexer::IsOperandLine(std::string_view word, size_t word_end) const {
   const OperandClass operand_class = ClassByName(word);
   if (operand_class == OperandClass::kNone || word == "O" || word == "T" || IsModuleClass(word)) return false;
@@ -207,7 +207,7 @@ void LineLexer::Operand() {
   const size_t next = std::min(text_.find_first_not_of(" \t", at_), text_.size());
   if (next == text_.size() || text_[next] == ';' || text_[next] == '*') return;
   if (!constant && !IsDigit(text_[next])) {
-    // What is attached belongs to it, what stands behind a blank is a comment.
+    // What is attached belongs to it, what stands after a blank is a comment.
     if (next == at_) Take(TokenKind::kJunk, RunEnd(at_));
     return;
   }

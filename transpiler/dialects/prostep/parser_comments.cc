@@ -1,4 +1,4 @@
-// Which comment belongs to what: everything up to an item is its own, as is what stands behind it on its last line.
+// Which comment belongs to what: everything up to an item is its own, as is what stands after it on its last line.
 #include "transpiler/dialects/prostep/parser_internal.h"
 
 namespace plcxx::prostep {

@@ -226,7 +226,7 @@ void Parser::Attach(Instruction& instruction) {
   waiting_.instruction = program_.instructions.Add(instruction);
 }
 
-/// Text behind an instruction that has no marker and may have been meant as a part of it (2.2).
+/// Text after an instruction that has no marker and may have been meant as a part of it (2.2).
 void Parser::WarnOfComment(const Statement& statement, bool without_operand) {
   if (!statement.has_comment()) return;
   const std::string_view text = TextOf(statement.comment);

@@ -26,7 +26,7 @@ class Parser {
   /// The tokens of a line with a colon.
   struct Statement {
     std::vector<Token> labels;
-    std::vector<Token> tokens;  // behind the colon, without the comment
+    std::vector<Token> tokens;  // after the colon, without the comment
     Token comment;              // range empty: none
     source::Range range;        // of `tokens`
     bool has_comment() const { return comment.range.end > comment.range.begin; }
@@ -64,7 +64,7 @@ class Parser {
   // parser_modules.cc
   void OpenModule(const Statement& statement);
   void CloseModule(const Statement& statement);
-  /// The number behind MOD or END; none when it is wrong (reported).
+  /// The number after MOD or END; none when it is wrong (reported).
   std::optional<uint32_t> ModuleNumber(const Statement& statement);
   std::optional<uint32_t> ClosedNumber(const Statement& statement);
   void LeaveModule(source::Range close);

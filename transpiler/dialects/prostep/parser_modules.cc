@@ -138,7 +138,7 @@ void Parser::ResolveJumps(const Module& module) {
     program_.instructions[jump.instruction].target = label->second;
     ++program_.labels[label->second].uses;
   }
-  // Labels in front of END stand behind the last instruction: where the module ends.
+  // Labels in front of END stand after the last instruction: where the module ends.
   PLCXX_CHECK(module.labels.first + module.labels.count == program_.labels.size());
 }
 

@@ -15,7 +15,7 @@ namespace plcxx::prostep {
 /// Before the instruction, on the bracket level on which it acts (a closing bracket: on the one outside).
 struct TextState {
   bool first = true;       // it loads
-  bool in_string = false;  // behind an operand-less O
+  bool in_string = false;  // after an operand-less O
   uint8_t depth = 0;       // of brackets
 };
 
@@ -30,11 +30,11 @@ class ModulePaths {
   /// Where the jump of the instruction goes; size() when it leaves the module, or is no jump.
   uint32_t Target(uint32_t number) const { return target_[number]; }
   bool Jumps(uint32_t number) const;
-  /// Goes the program on behind the instruction?
+  /// Goes the program on after the instruction?
   bool GoesOn(uint32_t number) const;
 
   bool IsReached(uint32_t number) const { return reached_[number]; }
-  /// Calls visit(next) for each instruction that can be executed behind this one; size() is the module's end.
+  /// Calls visit(next) for each instruction that can be executed after this one; size() is the module's end.
   void VisitNext(uint32_t number, const auto& visit) const {
     if (number == size()) return;
     if (Jumps(number)) visit(Target(number));
@@ -61,7 +61,7 @@ class ModulePaths {
   std::vector<TextState> text_;
   std::vector<uint32_t> target_;
   std::vector<bool> reached_;
-  std::vector<uint32_t> stop_;  // by number: the first one from there on behind which the program does not go on
+  std::vector<uint32_t> stop_;  // by number: the first one from there on after which the program does not go on
   bool jumps_back_ = false;
   std::vector<Calls> calls_;
 };

@@ -50,8 +50,8 @@ std::string ToText(const Operand& operand);
 
 enum class CommentPlace : uint8_t {
   kLeading,   // on lines of its own before what it belongs to
-  kInside,    // between an instruction and its operand lines, and behind the instruction when lines follow
-  kTrailing,  // behind what it belongs to, on its last line
+  kInside,    // between an instruction and its operand lines, and after the instruction when lines follow
+  kTrailing,  // after what it belongs to, on its last line
 };
 
 struct Comment {
@@ -84,7 +84,7 @@ struct Label {
   std::string name;  // in capitals
   source::Range range;
   ModuleId module;
-  InstructionId at;  // the instruction behind it; the module's end: the one behind its last (end_of)
+  InstructionId at;  // the instruction after it; the module's end: the one after its last (end_of)
   uint32_t uses = 0;
 };
 
@@ -133,7 +133,7 @@ struct Text {
 struct SourceFile {
   source::FileId file;
   Span header;  // comments before anything else, when a blank line follows them
-  Span rest;    // comments behind everything
+  Span rest;    // comments after everything
 };
 
 struct Program {

@@ -2,7 +2,7 @@
 //
 // One walk for each module and each state in which it is entered: the state is six facts, each of which holds on some
 // path (or on all), so that there are few of them; a called module is walked with the state of its caller and gives the
-// state behind the call. Calls form no ring. A use is reported once; behind it the register counts as set, so that one
+// state after the call. Calls form no ring. A use is reported once; after it the register counts as set, so that one
 // cause gives one message.
 
 #include <algorithm>

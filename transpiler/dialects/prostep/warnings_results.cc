@@ -1,7 +1,7 @@
 // W42: sequences whose result nothing uses.
 //
 // S is alive in front of an instruction when some path from there on uses it: '=', S, R, timers, counters, conditional
-// jumps and calls, and what combines with it. Behind the end of a module that is called, and in a module that is
+// jumps and calls, and what combines with it. After the end of a module that is called, and in a module that is
 // called, it may be used; a module of the scheduler hands it to nobody.
 
 #include <vector>

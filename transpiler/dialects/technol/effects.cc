@@ -60,7 +60,7 @@ EffectRow RowOf(Op op) {
   PLCXX_UNREACHABLE();
 }
 
-/// The flags behind a shift or rotation.
+/// The flags after a shift or rotation.
 void ShiftFlags(const Instruction& instruction, const Operand& count, Effects& effects) {
   const bool rotates = instruction.op == Op::kRol || instruction.op == Op::kRor || instruction.op == Op::kRcl ||
                        instruction.op == Op::kRcr;

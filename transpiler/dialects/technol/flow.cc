@@ -163,7 +163,7 @@ void Flow::FindReached() {
   }
 }
 
-/// The width behind an instruction that is no CALL; 0 where nothing has been loaded.
+/// The width after an instruction that is no CALL; 0 where nothing has been loaded.
 uint32_t Flow::WidthAfter(InstructionId id) const {
   const Instruction& instruction = program_.instructions[id];
   const uint32_t width = widths_[id.index], before = width == 0 ? 16 : width;
@@ -172,7 +172,7 @@ uint32_t Flow::WidthAfter(InstructionId id) const {
   return loads ? WidthBehind(program_, instruction, before) : width;
 }
 
-/// bring(to, width) for everything that takes over the width behind `id`.
+/// bring(to, width) for everything that takes over the width after `id`.
 template <class Bring>
 void Flow::BringWidths(InstructionId id, const std::vector<uint8_t>& leaves, Bring&& bring) const {
   const Instruction& instruction = program_.instructions[id];
@@ -201,7 +201,7 @@ std::vector<std::vector<uint32_t>> Flow::OwnersOfReturns() const {
   return owners;
 }
 
-/// Over the whole program at once: a subprogram begins with what all its calls bring, and behind a call is what all
+/// Over the whole program at once: a subprogram begins with what all its calls bring, and after a call is what all
 /// its RETs leave (6.1). Widths only grow.
 void Flow::FindWidths() {
   const size_t count = program_.instructions.size();

@@ -50,7 +50,7 @@ class Flow {
   const std::vector<uint32_t>& calls_first() const { return calls_first_; }
   /// CALLs that close a cycle, as 10.4 orders them.
   const std::vector<InstructionId>& recursions() const { return recursions_; }
-  /// Where a wait goes on in the next pass (D21); a wait that stands elsewhere than in a mechanism goes on behind
+  /// Where a wait goes on in the next pass (D21); a wait that stands elsewhere than in a mechanism goes on after
   /// itself.
   InstructionId ResumeOf(InstructionId wait) const;
   /// Is it in a unit that may wait?
@@ -66,7 +66,7 @@ class Flow {
 
   /// Is it executed on some path from a root?
   bool IsReached(InstructionId id) const { return reached_[id.index]; }
-  /// What holds something that a path behind the instruction reads.
+  /// What holds something that a path after the instruction reads.
   Resources LiveBehind(InstructionId id) const { return live_behind_[id.index]; }
   Resources LiveBefore(InstructionId id) const { return live_before_[id.index]; }
   /// The same for a subprogram as a whole: what it reads of its caller's.

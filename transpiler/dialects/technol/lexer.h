@@ -21,8 +21,8 @@ enum class TokenKind : uint8_t {
   kQuoted,       // "text", with its quotes
   kOpenString,   // not closed on its line
   kPunctuation,  // one character
-  kPath,         // behind T_INCLUDE or INCLUDE
-  kText,         // behind TITLE and the like
+  kPath,         // after T_INCLUDE or INCLUDE
+  kText,         // after TITLE and the like
   kComment,      // from ';' on, without blanks at the end
   kInvalid,      // one character that belongs into comments
 };

@@ -25,7 +25,7 @@ class AddressReader {
  public:
   AddressReader(const ir::NameIndex& names, std::string_view text) : names_(names), rest_(text) {}
 
-  /// None when the text is no address, or goes on behind it.
+  /// None when the text is no address, or goes on after it.
   std::optional<Read> Whole() {
     const std::optional<Read> read = Address();
     if (!read || Next() != 0 || read->area == Area::kNone) return std::nullopt;

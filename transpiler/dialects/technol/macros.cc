@@ -43,7 +43,7 @@ std::vector<std::string_view> SplitArguments(std::string_view text) {
 std::string Expand(std::string_view line, const Macro& macro, const std::vector<std::string_view>& arguments,
                    uint32_t number, const std::function<std::string(std::string_view)>& fold) {
   std::string text;
-  bool joins = false;  // a parameter ends here: a '&' behind it joins
+  bool joins = false;  // a parameter ends here: a '&' after it joins
   for (size_t at = 0; at < line.size() && text.size() <= kExpandedLineBytes;) {
     const char c = line[at];
     if (c == ';') break;

@@ -84,7 +84,7 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
 }
 
 Memory::Memory(const ir::Program& program) {
-  // They are the first ones; behind them each mechanism may have its own.
+  // They are the first ones; after them each mechanism may have its own.
   const auto most = static_cast<uint32_t>(std::min<size_t>(program.spaces.size(), std::size(kSpaceRows)));
   for (const SpaceRow& row : kSpaceRows) {
     for (uint32_t i = 0; i < most; ++i) {

@@ -156,7 +156,7 @@ bool OperandParser::TakeIndexRegister(Address& address) {
   return true;
 }
 
-/// Behind '[': a register with constants, or a constant.
+/// After '[': a register with constants, or a constant.
 bool OperandParser::ReadIndex(Address& address) {
   const auto is_register = [this](size_t ahead) {
     return reader_.IsKind(TokenKind::kWord, ahead) &&

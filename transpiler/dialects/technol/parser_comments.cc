@@ -10,7 +10,7 @@ void Parser::AddComment(const Token& comment, CommentPlace place) {
 }
 
 void Parser::TakeBlankLine() {
-  // Comments at the beginning of a file, a blank line behind them: they are about the whole file.
+  // Comments at the beginning of a file, a blank line after them: they are about the whole file.
   if (!file_has_items_ && !waiting_comments_.empty()) {
     file_has_items_ = true;
     for (SourceFile& file : context_.program.files) {

@@ -291,7 +291,7 @@ void Parser::TakeInstance(const Statement& statement, const Token* name, size_t 
   DefineCell(statement, name, 0, bytes);
 }
 
-/// One initial value of an instance; behind the first element an array keeps the structure's own values.
+/// One initial value of an instance; after the first element an array keeps the structure's own values.
 bool Parser::ReadField(TokenReader& reader, const StructureField& field, std::vector<uint8_t>& instance) {
   const size_t first = reader.position();
   const Token& token = *reader.Peek();

@@ -34,7 +34,7 @@ class Parser {
   /// A line without its comment.
   struct Statement {
     const Token* label = nullptr;
-    std::span<const Token> words;    // behind the label and its colon; may be empty
+    std::span<const Token> words;    // after the label and its colon; may be empty
     const Token* comment = nullptr;  // of a line of a file
     std::string_view line;           // its whole text
     source::Range range;             // of `words`, or of the label alone
@@ -112,7 +112,7 @@ class Parser {
   void TakeInstance(const Statement& statement, const Token* name, size_t structure);
   void DefineCell(const Statement& statement, const Token* name, uint8_t width, std::span<const uint8_t> bytes);
   bool IsDataPlace(const Statement& statement, const Token* name);
-  /// Values of DB, DW, DD behind the reader, `width` bits each; false when one is wrong (reported).
+  /// Values of DB, DW, DD after the reader, `width` bits each; false when one is wrong (reported).
   bool ReadValues(TokenReader& reader, uint8_t width, uint32_t level, std::vector<uint8_t>& bytes);
   bool ReadValue(TokenReader& reader, uint8_t width, uint32_t level, std::vector<uint8_t>& bytes);
   bool ReadField(TokenReader& reader, const StructureField& field, std::vector<uint8_t>& instance);

@@ -5,7 +5,7 @@
 namespace plcxx::technol {
 namespace {
 
-/// The names behind MACRO or LOCAL, separated by commas; none when one is no name (reported).
+/// The names after MACRO or LOCAL, separated by commas; none when one is no name (reported).
 std::optional<std::vector<std::string>> ReadNames(std::span<const Token> words, ParsingContext& context) {
   std::vector<std::string> names;
   TokenReader reader(words);

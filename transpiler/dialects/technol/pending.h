@@ -12,7 +12,7 @@ namespace plcxx::technol {
 
 struct Pending {
   Instruction instruction;
-  Span tokens;             // behind the mnemonic, in the store of tokens
+  Span tokens;             // after the mnemonic, in the store of tokens
   Span mnemonic;           // one token, of the store; none for marks
   uint32_t statement = 0;  // its number: what constants are known
 };

@@ -68,7 +68,7 @@ struct Operand {
 
 enum class CommentPlace : uint8_t {
   kLeading,   // on lines of its own before what it belongs to
-  kTrailing,  // behind what it belongs to, on its line
+  kTrailing,  // after what it belongs to, on its line
 };
 
 struct Comment {
@@ -121,7 +121,7 @@ struct Unit {
   source::Range open;   // keyword (and name) of its opening line
   source::Range close;  // of its closing line; empty where it is missing (reported)
   InstructionId first;  // a mechanism: its kMechanismBegin
-  InstructionId end;    // its mark: kMechanismEnd, kModuleEnd; of the subprograms: behind their last kAreaEnd
+  InstructionId end;    // its mark: kMechanismEnd, kModuleEnd; of the subprograms: after their last kAreaEnd
   uint32_t timers = 0;  // automatic timers
   Span comments;        // before and on the opening line of a module
 };
@@ -129,7 +129,7 @@ struct Unit {
 struct SourceFile {
   source::FileId file;
   Span header;  // comments before anything else, when a blank line follows them
-  Span rest;    // comments behind everything
+  Span rest;    // comments after everything
 };
 
 struct Program {

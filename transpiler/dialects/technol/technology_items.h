@@ -17,7 +17,7 @@ struct Item {
 };
 Item ReadItem(std::string_view text);
 
-/// "180.520-5.1" to its two items: before each sign that stands behind a well-formed item. Anything else is one part.
+/// "180.520-5.1" to its two items: before each sign that stands after a well-formed item. Anything else is one part.
 std::vector<std::string_view> SplitGlued(std::string_view text);
 
 }  // namespace plcxx::technol

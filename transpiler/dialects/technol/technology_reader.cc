@@ -71,7 +71,7 @@ class TableReader {
   }
   source::Range FirstLine() const { return RangeOf(0, std::min(file_.text.find_first_of("\r\n"), file_.text.size())); }
 
-  /// The end of the last line that is not blank: behind everything else that is wrong in it.
+  /// The end of the last line that is not blank: after everything else that is wrong in it.
   source::Range LastPlace() const {
     const std::string_view text = file_.text;
     size_t end = text.size();
@@ -175,7 +175,7 @@ class TableReader {
   }
 
   bool AtEnd() const { return next_ >= words_.size(); }
-  /// Digits and a ':' behind white space: a row number that is torn, wherever it stands.
+  /// Digits and a ':' after white space: a row number that is torn, wherever it stands.
   bool IsTorn(size_t at) const {
     return at + 1 < words_.size() && IsNumber(words_[at].text) && words_[at + 1].text == ":";
   }

@@ -14,7 +14,7 @@ class TokenReader {
   explicit TokenReader(std::span<const Token> tokens) : tokens_(tokens) {}
 
   bool AtEnd() const { return at_ >= tokens_.size(); }
-  /// The token `ahead` of the next one; null behind the end.
+  /// The token `ahead` of the next one; null after the end.
   const Token* Peek(size_t ahead = 0) const { return at_ + ahead < tokens_.size() ? &tokens_[at_ + ahead] : nullptr; }
   const Token& Take() { return tokens_[at_++]; }
   bool IsPunctuation(char c, size_t ahead = 0) const {
@@ -43,14 +43,14 @@ class TokenReader {
   size_t position() const { return at_; }
   void Return(size_t position) { at_ = position; }
   void TakeRest() { at_ = tokens_.size(); }
-  /// From token `first` to the one before the next; the place behind the last token when nothing has been read since.
+  /// From token `first` to the one before the next; the place after the last token when nothing has been read since.
   source::Range RangeFrom(size_t first) const {
     if (tokens_.empty()) return {};
     if (first >= tokens_.size()) return EndOf(tokens_.back().range);
     const size_t last = at_ > first ? at_ - 1 : first;
     return {tokens_[first].range.begin, tokens_[last].range.end};
   }
-  /// Where the next token is, or the place behind the last one.
+  /// Where the next token is, or the place after the last one.
   source::Range Here() const { return AtEnd() && !tokens_.empty() ? EndOf(tokens_.back().range) : RangeFrom(at_); }
   /// The text from token `first` to the one before the next, blanks as between words.
   std::string TextFrom(size_t first) const {

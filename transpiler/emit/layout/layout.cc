@@ -187,7 +187,7 @@ void Builder::PlaceSpaces() {
   }
 }
 
-/// Behind the single bytes: a program that gets one more of these moves no stretch's name.
+/// After the single bytes: a program that gets one more of these moves no stretch's name.
 void Builder::PlaceStretches() {
   for (Stretch& stretch : layout.stretches) {
     stretch.index = bytes;

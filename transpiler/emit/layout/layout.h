@@ -26,7 +26,7 @@ enum class Storage : uint8_t {
   kWord64,            // State::word64[index]
   kFloat32,           // State::float32[index]
   kFloat64,           // State::float64[index]
-  kWide,              // State::byte[index] and those behind it, in the space's byte order
+  kWide,              // State::byte[index] and those after it, in the space's byte order
   kIndexed,           // values in State::byte from [index] on, which is byte Place::low of the space
   kRetentiveByte,     // State::retentive.bytes[index]
   kRetentiveBit,      // bit `bit` of State::retentive.bytes[index]
@@ -78,7 +78,7 @@ struct Layout {
   std::vector<PlaceStorage> places;             // by PlaceId
   std::vector<StateStorage> states;             // by StateId
   std::vector<std::vector<ByteStorage>> bytes;  // by SpaceId and byte; empty for spaces of lifetime kRoutine
-  std::vector<Stretch> stretches;               // ascending by index, behind all single bytes of State::byte
+  std::vector<Stretch> stretches;               // ascending by index, after all single bytes of State::byte
   uint32_t retentive_bytes = 0;
   uint32_t size = 0;  // sizeof(State) of the release flavour
 };
@@ -101,7 +101,7 @@ struct Elements {
 };
 Elements ElementsOf(const ir::Place& place);
 
-/// `value`, or the next multiple of `alignment` behind it.
+/// `value`, or the next multiple of `alignment` after it.
 constexpr uint32_t RoundUp(uint32_t value, uint32_t alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }

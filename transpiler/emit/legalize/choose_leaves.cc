@@ -6,7 +6,7 @@
 //   if %0 { stmt } else { ... }, the stmt a jump            ->   if (...) { return; } ...
 //
 // C++ has a word of its own for the way out where nothing else follows the block or loop; elsewhere a goto to a label
-// behind it. Labels have the names of what follows them, so that an edit elsewhere renames none.
+// after it. Labels have the names of what follows them, so that an edit elsewhere renames none.
 
 #include <algorithm>
 #include <unordered_set>
@@ -32,7 +32,7 @@ struct Way {
   InstId owner;
 };
 
-/// What happens behind the last instruction of a list.
+/// What happens after the last instruction of a list.
 struct End {
   Point point;
   std::vector<Way> ways;  // that go there
@@ -211,7 +211,7 @@ void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
   }
 }
 
-/// The instructions [begin, stop) of a list; `end` is what happens behind `stop`.
+/// The instructions [begin, stop) of a list; `end` is what happens after `stop`.
 void Chooser::Range(RegionId region, uint32_t begin, uint32_t stop, const End& end) {
   const std::vector<InstId>& insts = program.regions[region].insts;
   uint32_t last = stop;
@@ -233,7 +233,7 @@ void Chooser::Region(RegionId region, const End& end) {
   Range(region, 0, static_cast<uint32_t>(program.regions[region].insts.size()), end);
 }
 
-/// The parts of a routine, one behind the other.
+/// The parts of a routine, one after the other.
 void Chooser::Function(std::initializer_list<RegionId> regions) {
   labels.clear();
   const auto empty = [this](RegionId region) { return !region.valid() || program.regions[region].insts.empty(); };

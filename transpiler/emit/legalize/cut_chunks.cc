@@ -2,7 +2,7 @@
 //
 //   slow: s1 ... s900   ->   slow: slow_U4A8(m, host); slow_T5(m, host); ...
 //
-// Which statements a border lies behind follows from the statements' own texts (their ids), so that inserting one moves
+// Which statements a border lies after follows from the statements' own texts (their ids), so that inserting one moves
 // the borders next to it at most. Values never cross a statement, so any statement's end can be a border. What leaves a
 // block or loop around the region stays where it is, for no jump leads out of a function; its neighbours may be chunks.
 // The statements of a slice are functions of their own however few they are: what is called tells what a slice

@@ -102,7 +102,7 @@ void MakeParts(Emittable& emittable) {
   }
 }
 
-/// The borders are behind the units with the least hashes, some distance from each other: which ones these are depends
+/// The borders are after the units with the least hashes, some distance from each other: which ones these are depends
 /// on their own contents, so that an edit moves at most the border that it touches.
 void MakeFixedParts(Emittable& emittable) {
   const std::vector<Unit> units = UnitsOf(emittable);

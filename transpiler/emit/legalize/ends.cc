@@ -11,7 +11,7 @@ bool HasText(const Emittable& emittable, InstId id) {
   return form == Form::kLine || form == Form::kLocal;
 }
 
-/// Whether control gets behind an instruction that is the last one with text.
+/// Whether control gets after an instruction that is the last one with text.
 bool IsPassed(const Emittable& emittable, InstId id) {
   const ir::Inst& inst = (*emittable.program)[id];
   const bool always = !ir::ValueId(inst.a).valid();

@@ -39,7 +39,7 @@ std::string LocalNamer::NextName(ir::StatementId statement) {
   uint32_t number = wanted;
   for (auto found = taken.find(number); found != taken.end(); found = taken.find(number)) number = found->second;
   taken[number] = number + 1;
-  // Who comes the same way later goes on behind this one at once.
+  // Who comes the same way later goes on after this one at once.
   for (uint32_t passed = wanted; passed != number;) passed = std::exchange(taken[passed], number + 1);
   return "t" + std::to_string(number);
 }

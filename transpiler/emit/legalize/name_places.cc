@@ -124,7 +124,7 @@ void NamePlaces(Emittable& emittable) {
   for (const ir::StateInstance& state : program.states) {
     emittable.state_names.push_back(names.Allocate(state.name, "state"));
   }
-  // Behind all names of the file, none of which such a local may hide.
+  // After all names of the file, none of which such a local may hide.
   const std::vector<std::vector<uint32_t>> functions = FunctionsOfPlaces(program);
   std::vector<FunctionNames> of_routine(program.routines.size());
   std::map<uint32_t, FunctionNames> of_space;

@@ -3,7 +3,7 @@
 // The rule (documented for users in the README): letters, digits and '_' stay; '.' becomes '_', '@' "_at", '#' "_no",
 // ''' "_q", '?' "_is", anything else '_'; runs of '_' become one; a name that does not start with a letter gets "n_"
 // in front. Where the result is taken (a word of C++, a name of the generated code, another name made safe), the
-// address goes behind it ("PUMP_U4A8").
+// address goes after it ("PUMP_U4A8").
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ std::string SafeIdentifier(std::string_view name);
 /// The namespace of a program: its name made safe, with "_program" where C++ or a usual header has the word.
 std::string NamespaceOf(std::string_view program);
 
-/// Of a base with numbers behind it, the first one that may be free: all before it are taken, for good.
+/// Of a base with numbers after it, the first one that may be free: all before it are taken, for good.
 using FirstFree = std::unordered_map<std::string, uint32_t>;
 
 /// The names that a function has given to its own.
@@ -30,7 +30,7 @@ class FunctionNames {
   bool Has(const std::string& name) const { return names_.contains(name); }
   void Take(const std::string& name) { names_.insert(name); }
   uint32_t FirstNumber(const std::string& base) const;
-  /// Behind the name of the base with this number has been taken.
+  /// After the name of the base with this number has been taken.
   void TakeNumber(const std::string& base, uint32_t number);
 
  private:

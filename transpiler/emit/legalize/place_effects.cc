@@ -1,13 +1,13 @@
 // Decides where the text says each instruction: on lines of its own, inside another line, as a named const, nowhere.
 //
 //   %1 = call S; exit @1 if %1   ->   if (S(m, host)) return;       one line spells both
-//   %1 = call S; %2 = load a;    ->   const bool t1 = S(m, host);   what the local reads is read behind the call
+//   %1 = call S; %2 = load a;    ->   const bool t1 = S(m, host);   what the local reads is read after the call
 //   exit @1 if %1; store b, %2 ...    const bool t2 = m[a]; ...
 //   %1 = call S; exit @1 if %1   ->   S(m, host);                   where @1 ends here and the exit leads nowhere else
 //
 //   store a, (load a); if %1 { }   ->   nothing: what would change nothing has no text but its statements' comments
 //
-// An effect happens where its text is. So it is spelled inside another line only when that line is the next one behind
+// An effect happens where its text is. So it is spelled inside another line only when that line is the next one after
 // it; and when no line asks for its value, it is a line itself. The lists are read backwards: who asks is known first.
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void EffectPlacer::Loop(InstId id) {
   Region(loop.body);
   Region(loop.exhausted);
   if (loop.condition.valid()) {
-    // The loop itself asks for the last value, in its head or on the line behind the others.
+    // The loop itself asks for the last value, in its head or on the line after the others.
     asks[program.regions[loop.condition].insts.back().index] = id;
     next = id;
     Region(loop.condition);

@@ -60,7 +60,7 @@ Spelling SpellConstant(const ir::Inst& inst) {
 /// without.
 bool NeedsBrackets(Precedence inner, Precedence outer, bool left) {
   if (inner == Precedence::kPrimary) return false;
-  // "!a & b" makes GCC ask whether "!(a & b)" was meant when b is a packed bit; behind the operator it does not.
+  // "!a & b" makes GCC ask whether "!(a & b)" was meant when b is a packed bit; after the operator it does not.
   if (inner == Precedence::kUnary) return left && outer >= Precedence::kAnd;
   if (outer == Precedence::kUnary) return true;
   return !(inner == outer && left && inner >= Precedence::kAnd);

@@ -30,7 +30,7 @@ struct Initial {
 
 namespace {
 
-/// Whether a table can go on with `next` behind `last`, or with its first value.
+/// Whether a table can go on with `next` after `last`, or with its first value.
 bool Follows(const Initial& last, const Initial& next) {
   return next.space == last.space && next.index <= last.index + 1 + kMostZeros &&
          next.offset <= last.offset + kMostDistance;

@@ -81,7 +81,7 @@ void PartPrinter::Routine(ir::RoutineId id) {
   CloseFunction();
 }
 
-/// Each behind what was cut out of it: where a routine grows beyond one function, its text stays where it is.
+/// Each after what was cut out of it: where a routine grows beyond one function, its text stays where it is.
 void PartPrinter::Routines() {
   size_t chunk = 0;
   for (uint32_t i = 0; i < program_.routines.size(); ++i) {

@@ -16,7 +16,7 @@ bool IsInside(const source::Range& inner, const source::Range& outer) {
 }
 
 /// Where a text that is wider than `width` is broken: as far outside of brackets as possible, so that what is compared
-/// or negated stays on one line, and behind its first third.
+/// or negated stays on one line, and after its first third.
 size_t BreakIn(std::string_view text, size_t width) {
   size_t best = std::string_view::npos;
   int depth = 0, best_depth = 0;

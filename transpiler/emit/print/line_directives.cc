@@ -38,7 +38,7 @@ class Directives {
   Origin implied_;         // what a compiler takes the next line for
 };
 
-/// Where a statement is in the source; else, the generated file itself: the next line, behind a directive.
+/// Where a statement is in the source; else, the generated file itself: the next line, after a directive.
 Origin Directives::OriginOf(ir::StatementId statement) const {
   if (statement.valid()) {
     const source::Position at = sources_.Locate(program_.statements[statement].range.begin);

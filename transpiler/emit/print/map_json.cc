@@ -31,7 +31,7 @@ std::string Json(std::string_view text) {
 /// The name of the file alone: where it lay when it was translated is nobody's business.
 std::string_view FileName(std::string_view path) { return path.substr(path.find_last_of("/\\") + 1); }
 
-/// Of an indexed place `offset` is where its stretch begins; the first value of it lies `first` bytes behind.
+/// Of an indexed place `offset` is where its stretch begins; the first value of it lies `first` bytes after.
 void Elements(const layout::Elements& elements, const ir::Place& place, std::string& out) {
   out += ", \"first\": " + std::to_string(elements.first) + ", \"stride\": " + std::to_string(place.stride) +
          ", \"lowest_index\": " + std::to_string(elements.lowest) + ", \"count\": " + std::to_string(elements.count);

@@ -6,7 +6,7 @@ namespace plcxx_console {
 namespace {
 
 extern "C" {
-/// With a stack, behind the first instructions.
+/// With a stack, after the first instructions.
 [[noreturn, gnu::used]] void plcxx_start() {
 #ifdef __riscv_flen
   asm volatile("csrs mstatus, %0" ::"r"(0x6000) : "memory");  // FS: the unit of floats is in use

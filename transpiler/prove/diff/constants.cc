@@ -2,7 +2,7 @@
 //
 // All are taken for constant, and what a part would change while they are is taken out, until nothing is: the greatest
 // set that keeps itself. Nothing is asked of a solver; a part is executed once, and only the bits that are known in its
-// terms are computed anew. Behind a change that reaches thousands of cells most of a program is masked by what stays 0.
+// terms are computed anew. After a change that reaches thousands of cells most of a program is masked by what stays 0.
 #include <array>
 
 #include "transpiler/prove/diff/comparison.h"

@@ -4,7 +4,7 @@
 // When the pairs that differ after one period are known, and no other pair's next value depends on them, directly or
 // through others, then those other pairs are equal in every scan: their next values are equal, and are computed from
 // such pairs alone. To find them out by executing again and again gives a few more, which differ from nothing because
-// what they read is masked; behind a change that reaches thousands of pairs that is not worth its time.
+// what they read is masked; after a change that reaches thousands of pairs that is not worth its time.
 #include <algorithm>
 #include <optional>
 

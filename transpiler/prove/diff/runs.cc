@@ -88,7 +88,7 @@ void SearchRuns(Comparison& comparison) {
   };
   const bool any_shown = std::ranges::any_of(comparison.results, is_shown);
   if ((comparison.UndecidedCount() == 0 && !any_shown) || comparison.Late()) return;
-  // Behind a change that reaches everything the questions are large: a state answers them sooner than a run.
+  // After a change that reaches everything the questions are large: a state answers them sooner than a run.
   const bool many = comparison.UndecidedCount() > kMostLookedAt;
   const uint64_t end_ms = EndMs(comparison, many ? 60 : 8);
   // Nothing would be left for the questions.

@@ -38,7 +38,7 @@ class InvariantFinder::Finder {
   /// Not yet dropped.
   struct Guess {
     Invariant invariant;
-    terms::TermId holds, fails;  // before a part, and behind any
+    terms::TermId holds, fails;  // before a part, and after any
   };
 
   bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }

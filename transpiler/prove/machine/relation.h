@@ -1,6 +1,6 @@
 // The parts of a program's period as functions of the state before them: executed once, used for every period.
 //
-// In: a structured program. Out: for each part the state behind it as terms over variables, one for each cell that
+// In: a structured program. Out: for each part the state after it as terms over variables, one for each cell that
 // is read. A loop of which it is not known how often it goes round is an unknown function (execute/summary.h). Not its
 // job: runs of several periods (unroll.h).
 #pragma once

@@ -27,7 +27,7 @@ class RequestWalk {
         if (asks_bit) asked_.push_back(CellOf(condition));
         Region(ir::RegionId(inst.b));
         if (asks_bit) asked_.pop_back();
-        answered_ = answered;  // behind the branch nobody knows whether the host was asked
+        answered_ = answered;  // after the branch nobody knows whether the host was asked
         Region(ir::RegionId(inst.c));
         break;
       }

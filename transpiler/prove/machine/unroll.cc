@@ -200,7 +200,7 @@ terms::TermId Unrolled::Instantiate(const Instance& root) {
       if (!value.valid()) open.push_back(found.instance);
       if (value.valid() && found.stays.valid()) value = terms_.And(value, found.stays);
     } else if (const terms::TermId deciding = DecidingOperand(term); deciding.valid()) {
-      // What this decides need not be made: behind power-on many branches are known.
+      // What this decides need not be made: after power-on many branches are known.
       const terms::TermId first = value_of({.term = deciding, .step = now.step});
       const terms::TermId chosen = first.valid() ? Chosen(terms_, term, first) : deciding;
       if (chosen.valid()) {

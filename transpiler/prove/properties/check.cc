@@ -143,7 +143,7 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   };
   // A long wait is found sooner by waiting.
   if (window > kMostQuickWindow && (try_runs() || TryCounting(property, result))) return result;
-  // Behind `window` - 1 periods the induction looks at whole windows.
+  // After `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
     if (search_runs(period)) return result;
   }
@@ -272,7 +272,7 @@ bool PropertyChecker::SearchRuns(const Property& property, uint32_t period, Prop
 }
 
 /// From any state: `k` periods that do not violate it, in all of which the property sees a whole window, then one more.
-/// The state that it begins with stands behind the first of them.
+/// The state that it begins with stands after the first of them.
 bool PropertyChecker::TryInduction(const Property& property, uint32_t k, PropertyResult& result) {
   const uint32_t window = WindowOf(property);
   Report("induction over " + Periods(k));

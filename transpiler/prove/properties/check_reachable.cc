@@ -13,12 +13,12 @@ constexpr uint32_t kShare = 3;  // of the time that is left
 constexpr size_t kMostHistory = 200;
 constexpr size_t kMostBadTerms = 250'000;
 
-/// The values that the cells of a property had behind the last periods, and how many periods there have been.
+/// The values that the cells of a property had after the last periods, and how many periods there have been.
 class History {
  public:
   History(terms::Terms& terms, size_t parts) : terms_(terms), parts_(parts) {}
 
-  /// `after`: the value behind this period; `back`: 1 for the period before it.
+  /// `after`: the value after this period; `back`: 1 for the period before it.
   terms::TermId Before(execute::CellId cell, terms::TermId after, uint32_t back) {
     return Row(rows_[cell], after, back, "before");
   }
@@ -61,7 +61,7 @@ std::vector<const std::vector<terms::TermId>*> PartsOf(const machine::Relation& 
 
 }  // namespace
 
-/// Behind any reachable state, a period that does not violate it: shorter runs than its window have been searched.
+/// After any reachable state, a period that does not violate it: shorter runs than its window have been searched.
 bool PropertyChecker::TryReachable(const Property& property, PropertyResult& result) {
   const uint32_t window = WindowOf(property);
   size_t cells = 0;
@@ -140,7 +140,7 @@ ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
       word.next.push_back((*part)[cell.index].valid() ? (*part)[cell.index] : variable);
     return word;
   };
-  // They hold behind periods, not between their parts.
+  // They hold after periods, not between their parts.
   if (parts.size() == 1) {
     const auto before = [&relation](execute::CellId cell) { return relation.VariableOf(cell); };
     for (const invariants::Invariant& invariant : invariants_)

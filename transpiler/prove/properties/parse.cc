@@ -129,7 +129,7 @@ void LineParser::Parse() {
   }
 }
 
-/// Behind "within" and "for".
+/// After "within" and "for".
 uint32_t LineParser::Periods() {
   if (failed()) return 1;
   const PropertyWord number_word = Now();
@@ -319,7 +319,7 @@ std::optional<int64_t> LineParser::Number() {
   return number;
 }
 
-/// Behind "bit": one bit of a word, counted from the least significant one.
+/// After "bit": one bit of a word, counted from the least significant one.
 uint32_t LineParser::BitOf() {
   const PropertyWord number_word = Now();
   const std::optional<int64_t> number = Number();

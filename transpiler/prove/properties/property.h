@@ -52,7 +52,7 @@ struct Condition {
 
 enum class PropertyKind : uint8_t {
   kAlways,  // `condition` holds after every period
-  /// When `condition` holds after a period, `consequence` holds after that one or one of the `periods` - 1 behind it:
+  /// When `condition` holds after a period, `consequence` holds after that one or one of the `periods` - 1 after it:
   /// "set: ..., run: {slow: periods}" of a scenario is time enough.
   kResponse,
   /// From every state that can be reached, some inputs make operand 0 a 1 within `periods` periods, and some make it
@@ -116,7 +116,7 @@ struct Properties {
   std::vector<PropertyError> errors;  // one for each line at most
 };
 
-/// One property a line; "#" at the beginning of a line or behind a blank begins a comment.
+/// One property a line; "#" at the beginning of a line or after a blank begins a comment.
 Properties ParseProperties(std::string_view text, const PropertyContext& context);
 
 }  // namespace plcxx::prove::properties

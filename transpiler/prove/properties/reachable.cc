@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kMostWords = 1500;          // that count
 constexpr size_t kMostDropped = 24;          // literals of one clause that are tried to do without
-constexpr size_t kMostObligations = 20'000;  // behind each other in one layer
+constexpr size_t kMostObligations = 20'000;  // after each other in one layer
 
 /// A literal is 2 * bit + value; a cube is what several bits are at once, ascending.
 using Literal = uint32_t;
@@ -47,7 +47,7 @@ class Search {
     uint32_t word;
     uint8_t bit;
     terms::TermId now;
-    std::optional<bool> start;  // none: behind power-on it may be either
+    std::optional<bool> start;  // none: after power-on it may be either
   };
   /// A cube from which the bad one can be reached, by way of the obligation `next`.
   struct Obligation {
@@ -366,7 +366,7 @@ Found Search::Run() {
 }
 
 FoundFacts Search::Facts() const {
-  // Behind the empty layer.
+  // After the empty layer.
   size_t begin = 1;
   while (!layers_[begin].empty()) ++begin;
   FoundFacts facts{.words = words_, .forbidden = {}};
@@ -390,7 +390,7 @@ terms::TermId HoldsOf(terms::Terms& terms, const std::vector<StateBit>& fact,
   return clause;
 }
 
-/// The facts hold behind power-on, every part keeps them, and where they hold nothing is bad.
+/// The facts hold after power-on, every part keeps them, and where they hold nothing is bad.
 bool AreProof(const ReachQuestion& question, const FoundFacts& facts) {
   terms::Terms& terms = question.terms;
   const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);  // it knows nothing of the search

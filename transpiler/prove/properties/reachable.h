@@ -29,7 +29,7 @@ namespace plcxx::prove::properties {
 struct StateWord {
   terms::TermId now;                // a variable
   std::vector<terms::TermId> next;  // by part
-  terms::TermId start;              // behind power-on
+  terms::TermId start;              // after power-on
 };
 
 /// One bit of a state word, and the value that it has.

@@ -92,7 +92,7 @@ class Finder {
   std::vector<terms::TermId> Find();
 
  private:
-  /// Its value before (part 0) or behind part `part` - 1, or behind power-on.
+  /// Its value before (part 0) or after part `part` - 1, or after power-on.
   terms::TermId ValueOf(terms::TermId variable, size_t part);
   terms::TermId NumberOf(const Register& one, size_t part);
   terms::TermId ConditionOf(const Guess& guess, size_t part);
@@ -462,7 +462,7 @@ bool Finder::Prove() {
   return true;
 }
 
-/// Behind power-on a fact has to hold, too.
+/// After power-on a fact has to hold, too.
 void Finder::DropWrongAtStart() {
   std::erase_if(guesses_, [this](const Guess& guess) {
     const terms::TermId holds = ConditionOf(guess, kAtStart);

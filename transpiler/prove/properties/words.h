@@ -13,7 +13,7 @@ struct PropertyWord {
   uint32_t column = 0;  // 1-based, in bytes
   uint32_t length = 0;  // as written
   bool quoted = false;  // a location, whatever it looks like
-  bool is_end = false;  // behind the last one
+  bool is_end = false;  // after the last one
 };
 
 /// Up to a comment; the last word is the end. `unclosed`: a quote has no partner; what follows it is the last word.

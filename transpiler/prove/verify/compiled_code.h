@@ -1,7 +1,7 @@
 // Compiled code as the tool sees it: what it is executed on, and what comes out. The border to the module that reads
 // LLVM's bitcode (llvm_ir/, lib/plcxx_verify.so).
 //
-// An execution works on a row of slots: first the bytes of State, one term of 8 bits each; behind them as many more as
+// An execution works on a row of slots: first the bytes of State, one term of 8 bits each; after them as many more as
 // its environment ask for (what hosts have been told), of any width. Branches are joined with Ite, loops are unrolled
 // as far as they are not known to end, calls of defined functions are followed, others are the host's.
 // What the language leaves open (undef, poison, a shift by too much, a read outside of an object) is a variable that
@@ -101,7 +101,7 @@ struct CodeArgument {
   uint32_t slot = 0, bytes = 0;  // kMemory: a variable of the caller's, by reference
 };
 
-/// Of a parameter that is the value at a reference "s" at the time of the call, "s.4.val": how many bytes behind it.
+/// Of a parameter that is the value at a reference "s" at the time of the call, "s.4.val": how many bytes after it.
 inline std::optional<uint32_t> PromotedOffset(std::string_view parameter, std::string_view reference) {
   constexpr std::string_view kEnd = ".val";
   if (!parameter.starts_with(reference) || !parameter.ends_with(kEnd)) return std::nullopt;

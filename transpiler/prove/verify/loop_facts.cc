@@ -114,7 +114,7 @@ void Facts::Add(terms::TermId fact) {
   found_.push_back({.always = fact, .later = terms_.Or(first_, fact), .key = std::to_string(HashOf(terms_, fact))});
 }
 
-/// What is left becomes less, by 1 each round where it does so evenly, and does not begin anew behind 0.
+/// What is left becomes less, by 1 each round where it does so evenly, and does not begin anew after 0.
 void Facts::AddDistance(terms::TermId distance) {
   const terms::TermId before = at_entry_(distance);
   if (before == distance) return;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr size_t kMostGuesses = 12;
 constexpr size_t kMostGuessesOfLater = 6;
-constexpr size_t kFewestLater = 6;  // samples behind an entry
+constexpr size_t kFewestLater = 6;  // samples after an entry
 
 enum Likelihood : uint8_t { kSame, kFixed, kApart, kMasked, kApartSinceEntry, kScaled };
 
@@ -51,7 +51,7 @@ class Guesser {
   std::vector<RatedGuess> Run();
 
  private:
-  /// Of which samples guesses are: all; or those behind the entry, where the item begins as something else.
+  /// Of which samples guesses are: all; or those after the entry, where the item begins as something else.
   enum class Of : uint8_t { kAll, kLater };
   void Try(Of of);
   bool IsAsked(size_t sample) const { return of_ == Of::kAll || loop_.entries[sample] != sample; }

@@ -90,9 +90,9 @@ class LoopRelation : public execute::LoopHeads {
   std::vector<terms::TermId> AtHeadInCode(const CodeLoop& loop);
   void CloseInCode(terms::TermId again, std::span<const terms::TermId> values);
 
-  /// What holds behind the loops that the code has left so far.
+  /// What holds after the loops that the code has left so far.
   terms::TermId given_in_code() const { return given_in_code_; }
-  /// What holds in the program where it is now, inside of open loops and behind others. Later() then tells the same
+  /// What holds in the program where it is now, inside of open loops and after others. Later() then tells the same
   /// with the facts of these loops, which are known when they are closed.
   size_t NoteGiven() {
     noted_.push_back(given_);
@@ -100,7 +100,7 @@ class LoopRelation : public execute::LoopHeads {
   }
   terms::TermId Later(size_t noted) const { return noted_[noted]; }
   bool is_in_loop() const { return !open_.empty(); }
-  /// Behind all of them.
+  /// After all of them.
   terms::TermId Given() { return terms_.And(given_, given_in_code_); }
   const std::vector<LoopClaim>& claims() const { return claims_; }
   /// Whether a loop of the code was not unrolled.
@@ -131,7 +131,7 @@ class LoopRelation : public execute::LoopHeads {
     execute::ProgramLoop::Head head, next;
     terms::TermId later;      // at its head: some round was before
     terms::TermId facts;      // a variable until it is closed: what is no equality and holds at its head
-    uint32_t first_term = 0;  // that is made behind its head
+    uint32_t first_term = 0;  // that is made after its head
     terms::TermId given_before, given_inside, again, holds;
     size_t claims = 0;  // before it
   };
@@ -160,7 +160,7 @@ class LoopRelation : public execute::LoopHeads {
   Replacements HeadAt(const OfProgram& loop, const execute::ProgramLoop::Head& head);
   /// Those that are claimed, as one term.
   terms::TermId ClaimFacts(const OfProgram& loop, size_t number);
-  /// From the condition under which the loop goes round again, as it is over one head and, where it is tested behind
+  /// From the condition under which the loop goes round again, as it is over one head and, where it is tested after
   /// what the round writes, over the next one.
   std::vector<FactCandidate> FactsOf(const OfProgram& loop);
   std::vector<terms::TermId> FactsOnSamples(const OfProgram& loop, const std::string& prefix,

@@ -55,7 +55,7 @@ std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, terms:
   }
   const auto is_free = [](const Entry* entry) { return entry->taken.empty(); };
   if (of_function.size() == 1 && is_free(of_function.front())) return of_function;
-  // The latest first that has been taken, where another branch may have made it; then those behind it.
+  // The latest first that has been taken, where another branch may have made it; then those after it.
   const auto taken = std::find_if_not(of_function.rbegin(), of_function.rend(), is_free);
   std::vector<Entry*> open(taken == of_function.rend() ? of_function.begin() : std::prev(taken.base()),
                            of_function.end());
@@ -66,7 +66,7 @@ std::vector<CallLog::Entry*> CallLog::EntriesOf(const ReplacedCall& call, terms:
         never_(terms_.And(when, terms_.Not(entry->when)));
     if (fits) return {entry};
   }
-  // Behind branches that end alike, one call of the code is now this, now that one of the program's.
+  // After branches that end alike, one call of the code is now this, now that one of the program's.
   std::erase_if(open, [&](const Entry* entry) { return !is_free(entry) || never_(terms_.And(when, entry->when)); });
   return open;
 }

@@ -416,7 +416,7 @@ void UnitVerifier::Decide(solver::Solver& solver) {
   }
   if (proof_.result == ProofResult::kDifferent) proof_.reason.clear();
   if (!undefined.empty() && proof_.result != ProofResult::kNotDecided) {
-    // What differs behind it may come from there.
+    // What differs after it may come from there.
     proof_.result = ProofResult::kNotDecided;
     proof_.differences.clear();
     proof_.reason = "C leaves open what the language says: " + undefined;

@@ -71,7 +71,7 @@ class UnitVerifier {
   void Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when);
   terms::TermId InitialSlot(uint32_t slot);
   terms::TermId CellBefore(execute::CellId cell);
-  /// What is not read again behind the unit.
+  /// What is not read again after the unit.
   bool IsDead(uint32_t slot) const;
   terms::TermId LeftOut(const CodeOutcome& outcome);
   void NoteFault(terms::TermId when, terms::TermId code);
@@ -81,7 +81,7 @@ class UnitVerifier {
   CodeOutcome ExecuteCode();
   void AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls);
   void Ask(execute::Memory& memory, const CodeOutcome& outcome);
-  /// What is given everywhere behind loops.
+  /// What is given everywhere after loops.
   terms::TermId GivenAtEnd(const CodeOutcome& outcome);
   solver::TermPair Asked(const Question& question);
   std::vector<solver::Verdict> Compare(solver::Solver& solver, std::span<const Question> questions);

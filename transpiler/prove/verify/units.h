@@ -18,7 +18,7 @@ using UnitId = support::Id<struct UnitTag>;
 
 /// What functions of the code get from their callers beside their own parameters.
 enum class Passes : uint8_t {
-  kStateAndHost,  // State in front, the host behind
+  kStateAndHost,  // State in front, the host after
   kNothing        // State is in global variables
 };
 

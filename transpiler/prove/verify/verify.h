@@ -68,7 +68,7 @@ struct CodeShape {
   std::vector<ir::RoutineId> in_callers;
   /// Calls of the code that are calls of a host function, by the name in the code.
   std::vector<std::pair<std::string, ir::HostFunctionId>> hosts;
-  /// By RoutineId: bytes of State that nothing reads behind the routine, [begin, end).
+  /// By RoutineId: bytes of State that nothing reads after the routine, [begin, end).
   std::vector<std::vector<std::pair<uint32_t, uint32_t>>> dead_behind;
   std::vector<std::vector<bool>> is_constant;  // by SpaceId and byte: nothing writes it after power-on
   /// What a function of the language's library gives, by its name and arguments; may be empty.

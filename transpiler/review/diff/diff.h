@@ -50,7 +50,7 @@ enum class Replay : uint8_t {
 struct Counterexample {
   std::string scenario;              // YAML; empty where none can say it
   std::string steps;                 // the same in one line: "I0A3=1, slow 1"; empty as above
-  std::string old_value, new_value;  // of the item behind the last step
+  std::string old_value, new_value;  // of the item after the last step
   bool from_state = false;           // it begins with a state that is set; nobody knows whether the machine comes there
   Replay replay = Replay::kSideBySide;
 };

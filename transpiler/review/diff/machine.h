@@ -43,7 +43,7 @@ class DiffMachine {
   const std::vector<uint8_t>& picture() const { return picture_; }
   uint32_t ByteOf(execute::CellId cell) const { return byte_of_[cell.index]; }
 
-  /// A moment between two steps; to be saved behind Look().
+  /// A moment between two steps; to be saved after Look().
   struct Saved {
     sim::Simulator::Saved simulator;
     scenarios::ScenarioControl::Saved control;

@@ -209,7 +209,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_
 
 }  // namespace
 
-/// Both versions behind the last stimulus.
+/// Both versions after the last stimulus.
 struct Ends {
   DiffMachine old_machine, new_machine;
 };

@@ -96,7 +96,7 @@ class DirectedSearch {
   DiffMachine old_machine_, new_machine_;
   std::vector<Compared> compared_;
   std::vector<execute::CellId> compared_calls_;
-  std::vector<Input> inputs_, behind_, near_;   // all; those behind what was changed; those that it reads soon
+  std::vector<Input> inputs_, behind_, near_;   // all; those after what was changed; those that it reads soon
   std::vector<prove::diff::SetCell> requests_;  // that the control clears
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
   std::vector<execute::CellId> read_by_changed_;

@@ -17,7 +17,7 @@ namespace plcxx::review::diff {
 class Shortener {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  /// Whether what is sought is seen behind the last stimulus. Late: it is not.
+  /// Whether what is sought is seen after the last stimulus. Late: it is not.
   using Shows = std::function<bool(const Stimuli& stimuli, Time end)>;
 
   /// After `end` nothing is tried any more.
@@ -39,7 +39,7 @@ class Shortener {
   void DropInputs();
   void DropTime();
   void RoundTime();
-  /// What two waiting steps set is set at once, and both waits come behind it.
+  /// What two waiting steps set is set at once, and both waits come after it.
   void JoinWaits();
 
   Shows shows_;
@@ -48,7 +48,7 @@ class Shortener {
   size_t tries_ = 0;
 };
 
-/// Whether one of the cells differs behind the last stimulus. All but the cells outlive it.
+/// Whether one of the cells differs after the last stimulus. All but the cells outlive it.
 Shortener::Shows ShowsDifference(const DiffSide& old_side, const DiffSide& new_side,
                                  const prove::machine::Version& old_version, const prove::machine::Version& new_version,
                                  std::vector<execute::CellId> old_cells, std::vector<execute::CellId> new_cells);

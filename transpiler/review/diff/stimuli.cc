@@ -100,7 +100,7 @@ ChangedConstants FindChangedConstants(const prove::machine::Version& old_version
   const std::set<uint64_t> units = UnitsOf(*old_version.program);
   std::set<uint32_t> times;
   if (gone.empty() && come.empty()) {
-    // Something else was changed about a timer, perhaps: until a little behind each preset.
+    // Something else was changed about a timer, perhaps: until a little after each preset.
     const std::set<uint64_t> presets(old_constants.begin(), old_constants.end());
     for (const uint64_t preset : presets) {
       for (const uint64_t unit : units) {

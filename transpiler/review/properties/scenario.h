@@ -20,7 +20,7 @@ struct ScenarioPlace {
 };
 
 /// The scenario of a violation: it fails as long as the property is violated, and passes when the program is repaired.
-/// That of "is never stuck" shows a run behind which the output stays as it is: it passes as long as it is stuck.
+/// That of "is never stuck" shows a run after which the output stays as it is: it passes as long as it is stuck.
 PropertyScenario MakePropertyScenario(const scenarios::ProveMachine& machine,
                                       const compilation::CompilationRequest& request,
                                       const prove::properties::Property& property,

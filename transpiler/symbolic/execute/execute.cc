@@ -174,7 +174,7 @@ void Executor::ExecuteUpdateText(ir::InstId, const ir::Inst& inst) {
 void Executor::ExecuteCall(ir::InstId id, const ir::Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
-  // A partition has named locals of its own; those of its caller come back behind it.
+  // A partition has named locals of its own; those of its caller come back after it.
   std::vector<std::pair<CellId, terms::TermId>> callers;
   if (routine.kind != ir::RoutineKind::kSubroutine) {
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {

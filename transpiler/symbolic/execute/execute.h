@@ -49,7 +49,7 @@ class ReplacedParts {
   /// What a call of a routine does, whose parameters stand in their places; none: it is executed. `when`: execution
   /// comes there.
   virtual std::optional<std::vector<CellChange>> Call(Memory& memory, ir::RoutineId routine, terms::TermId when) = 0;
-  /// What the part of a region does that begins at its instruction `at`, which becomes the one behind it; none: that
+  /// What the part of a region does that begins at its instruction `at`, which becomes the one after it; none: that
   /// instruction is executed.
   virtual std::optional<std::vector<CellChange>> Part(Memory& memory, ir::RegionId region, uint32_t& at,
                                                       terms::TermId when) = 0;

@@ -171,7 +171,7 @@ terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms:
   if (terms_.IsFalse(flow_.active)) return flow_.active;
   const terms::TermId running = flow_.active;
   const terms::TermId exhausts = loop.kind == ir::LoopBound::kGuard ? over : terms_.Bit(false);
-  // The body as an arm of its own: what it computes is not guarded inside, only joined behind.
+  // The body as an arm of its own: what it computes is not guarded inside, only joined after.
   flow_.active = terms_.Bit(true);
   const std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
   std::vector<Arm> arms;
@@ -292,7 +292,7 @@ void Executor::ExecuteOneForAll(ir::InstId id, const ir::Loop& loop, ProgramLoop
   std::vector<terms::TermId> values;
   for (const CellId cell : known.cells) values.push_back(memory_.Read(cell));
   heads.Close(again, values);
-  // The round is the last one: who does not leave it for elsewhere goes on behind it.
+  // The round is the last one: who does not leave it for elsewhere goes on after it.
   flow_.active = flow_.leaving.empty() ? terms_.Bit(true) : done;
 }
 

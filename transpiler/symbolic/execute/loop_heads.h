@@ -1,7 +1,7 @@
 // Loops whose number of rounds only the state knows, executed for one round that stands for each.
 //
 // Such a loop is not unrolled: what it writes becomes, at its head, whatever somebody says who knows what all rounds
-// have in common; one round is executed from there, and execution goes on behind the loop as if that round were the
+// have in common; one round is executed from there, and execution goes on after the loop as if that round were the
 // last one. In: the first rounds, as samples. Out: the state at the head, and later whether another round follows and
 // what the next head would be. Not its job: to show that the state at the head stands for all rounds (the one who
 // gives it has to).
@@ -24,7 +24,7 @@ struct ProgramLoop {
     std::vector<terms::TermId> values;  // of the cells
     terms::TermId round;                // how many were before
   };
-  /// The first ones; of those behind the entry there may be none.
+  /// The first ones; of those after the entry there may be none.
   Head entry;
   std::vector<Head> samples;
   /// It ends after so many rounds at the latest; 0: it does not count them.

@@ -42,7 +42,7 @@ class Summarizer {
   /// The cells by their numbers, which are given at the first use, neighbours as one word: where memory lies does not
   /// count, what overlaps does.
   void Use(const std::vector<CellId>& cells, ir::Access access) {
-    std::vector<std::pair<uint32_t, uint32_t>> runs;  // first number and behind the last one
+    std::vector<std::pair<uint32_t, uint32_t>> runs;  // first number and after the last one
     for (const CellId cell : cells) {
       const auto [at, added] = cell_numbers_.try_emplace(cell, static_cast<uint32_t>(summary_.cells.size()));
       if (added) summary_.cells.push_back(cell);

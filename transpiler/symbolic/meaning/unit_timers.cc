@@ -27,7 +27,7 @@ void EndDelay(UnitTimerValues& timer, const Operands& o) {
   timer.running = timer.running & Not(ends);
 }
 
-/// What a program reads behind every execution; gives .Q.
+/// What a program reads after every execution; gives .Q.
 Bit Publish(UnitTimerValues& timer, const Operands& o) {
   timer.previous = o.input;
   timer.preset = o.preset;

@@ -121,7 +121,7 @@ void Gotos::Lower(const Statement& statement) {
   }
   builder_.SetRegion(outside);
   builder_.JumpBack(NumberOf(statement.label), {}, goto_budgets_[statement.label.index], refused);
-  // Refused, it goes on behind itself.
+  // Refused, it goes on after itself.
   if (!annotated) flow_.reachable = false;
 }
 

@@ -19,7 +19,7 @@ class Intervals : Context {
   /// What the statement may change is not known any more.
   void ForgetWrites(StatementId id);
   void ForgetWritesOf(ExprId id);
-  /// What is known behind a loop whose condition has just been evaluated; here, what is known where it holds. A loop
+  /// What is known after a loop whose condition has just been evaluated; here, what is known where it holds. A loop
   /// that counts its iterations is also left while its condition holds.
   Flow RefineWaysOut(ExprId condition, bool counts);
   bool IsLocalObject(ObjectId object) const;

@@ -101,7 +101,7 @@ bool Jumps::GoesOn(StatementId id, bool& continues) const {
     case StatementKind::kBreak:
       return false;
     case StatementKind::kGoto:
-      // Out of the loop, or to a label in it, behind which all is looked at as well.
+      // Out of the loop, or to a label in it, after which all is looked at as well.
       return MayBeRefused(unit_, statement);
     case StatementKind::kContinue:
       continues = true;

@@ -73,7 +73,7 @@ CallResult LibraryCalls::Call(const Expr& expr) {
   return result;
 }
 
-/// The bytes that are left of the object behind the address, 0 when it is outside; an i32.
+/// The bytes that are left of the object after the address, 0 when it is outside; an i32.
 ValueId LibraryCalls::RoomBehind(const Address& address) {
   const ValueId offset = pointers_.OffsetOf(address);
   const auto room_in = [&](ObjectId object) {
@@ -164,7 +164,7 @@ CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
   const ir::PlaceId value = sets ? keep("byte", byte) : ir::PlaceId();
   const ir::PlaceId difference = compares ? locals_.Add("difference", ir::Type::kI16) : ir::PlaceId();
   if (compares) builder_.Store(difference, Word(0));
-  // memmove: from the end when the target lies behind the source.
+  // memmove: from the end when the target lies after the source.
   const bool moves = function == SystemFunction::kMemmove;
   const ir::PlaceId backward = moves ? locals_.Add("backward", ir::Type::kBit) : ir::PlaceId();
   if (moves)

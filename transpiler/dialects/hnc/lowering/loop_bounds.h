@@ -21,7 +21,7 @@ class LoopBounds : Context {
       : Context(context), jumps_(jumps), intervals_(intervals), paths_(paths) {}
 
   std::optional<LoopProof> Prove(const LoopShape& loop, Refusal& refusal);
-  /// At most so often the statement behind the label is executed each time that the loop is entered; none: no proof.
+  /// At most so often the statement after the label is executed each time that the loop is entered; none: no proof.
   std::optional<uint64_t> IterationsOfGoto(StatementId label, StatementId jump);
 
  private:

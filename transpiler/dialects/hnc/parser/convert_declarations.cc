@@ -72,7 +72,7 @@ void Converter::Declare(const clang::Decl* declaration) {
       const int64_t value = constant->getInitVal().getExtValue();
       if (value < -32768 || value > 32767) {
         findings().Report(NameOf(constant), diag::HncConstantTooLarge, constant->getName());
-        break;  // those behind it follow
+        break;  // those after it follow
       }
       if (const clang::Expr* init = constant->getInitExpr()) {
         if (!constant->getName().starts_with(kProductPrefix) && HasWildShift(Convert(init))) {

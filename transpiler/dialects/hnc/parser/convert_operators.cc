@@ -238,7 +238,7 @@ ExprId Converter::CallOf(const clang::CallExpr* expr) {
   const source::Range range = result.op;
   if (poison) result.kind = ExprKind::kPoison;
   const ExprId id = unit_.expressions.Add(std::move(result));
-  // The type of the name is that at this place: a prototype behind it does not convert arguments.
+  // The type of the name is that at this place: a prototype after it does not convert arguments.
   calls_.push_back({poison ? ExprId() : id, function, decay->getSubExpr()->getType()->isFunctionProtoType(), range});
   return id;
 }

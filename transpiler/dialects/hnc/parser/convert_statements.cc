@@ -52,7 +52,7 @@ StatementId Converter::Add(Statement statement) {
   return unit_.statements.Add(std::move(statement));
 }
 
-/// With the ';' behind it.
+/// With the ';' after it.
 source::Range Converter::WithSemicolon(source::Range range) const {
   if (range.begin == 0) return range;
   constexpr source::Offset kFar = 2000;  // of comments between a statement and its ';'

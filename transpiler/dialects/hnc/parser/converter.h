@@ -70,7 +70,7 @@ class Converter {
   // convert_expressions.cc
   /// In the type that Clang gives it.
   ExprId Convert(const clang::Expr* expr);
-  /// The operand of an operator that promotes. Behind a postfix ++ or -- Clang forgets that the value is that of a
+  /// The operand of an operator that promotes. After a postfix ++ or -- Clang forgets that the value is that of a
   /// bit-field: where it has `unsigned int` then, this gives `int` as 6.1 says (promote_bit_fields.cc).
   ExprId Operand(const clang::Expr* expr);
   ExprId AnyExpression(const clang::Expr* expr);

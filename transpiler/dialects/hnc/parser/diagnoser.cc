@@ -557,7 +557,7 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
 void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
   if (level == clang::DiagnosticsEngine::Note) return AddNote(info);
   reported_last_ = false;
-  // Accepted, but not with each operation: the note behind it tells.
+  // Accepted, but not with each operation: the note after it tells.
   folded_size_ = info.getID() == cd::ext_vla_folded_to_constant ? RangeOf(info) : source::Range{};
   if (session_.stopped || IsFoundElsewhere(info.getID())) return;
   if (!IsError(level) && info.getLocation().isValid() && session_.places.InProduct(info.getLocation())) return;

@@ -164,7 +164,7 @@ void Filter::CountChains(const clang::Token& token) {
   behind_bracket_ = token.is(tok::r_square);
 }
 
-/// False, with a message, where it is nested too deep: nothing behind it is looked at.
+/// False, with a message, where it is nested too deep: nothing after it is looked at.
 bool Filter::CountLevels() {
   const clang::Token& token = Peek();
   prefixes_ = IsPrefixOperator(token) ? prefixes_ + 1 : 0;
@@ -456,7 +456,7 @@ void Filter::CheckLength(const std::string& name) {
   session_.findings().Report(RangeOf(Peek()), diag::HncNameLength, name, known->second);
 }
 
-/// Clang may look at some tokens behind the last one.
+/// Clang may look at some tokens after the last one.
 void Filter::Close() {
   clang::Token end = in_.back();
   end.startToken();

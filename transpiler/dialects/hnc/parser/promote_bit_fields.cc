@@ -1,4 +1,4 @@
-// What holds the value of a bit-field is promoted to int (specification 6.1), also behind a postfix ++ or --.
+// What holds the value of a bit-field is promoted to int (specification 6.1), also after a postfix ++ or --.
 //
 // Clang promotes what it can follow to a field: an access, an assignment, a prefix step, an operand of a comma. Of
 // `s.f++` it keeps the declared type, so that `s.f++ - 5` would be 65531 where `s.f - 5` is -5. Here such a value is

@@ -51,14 +51,14 @@ struct Session {
   clang::CompilerInstance clang;
   Places places;
   const clang::Parser* parser = nullptr;                      // while it runs
-  std::vector<clang::Token> tokens;                           // behind the preprocessor and the language's own words
+  std::vector<clang::Token> tokens;                           // after the preprocessor and the language's own words
   std::unordered_map<source::Offset, MacroUseId> macro_uses;  // outermost uses by their places
   std::vector<LoopBound> loop_bounds;                         // #pragma plcxx loop_bound, by place
   bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
 
   Findings& findings() { return output.findings; }
   clang::SourceManager& sources() { return clang.getSourceManager(); }
-  /// The parser, which reads `tokens`, finds their end behind the token where it is.
+  /// The parser, which reads `tokens`, finds their end after the token where it is.
   void Stop();
 };
 

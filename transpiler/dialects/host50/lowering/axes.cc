@@ -60,7 +60,7 @@ void Axes::SwitchOverAxes(ValueId axis, const std::function<void(uint32_t)>& arm
 
 /// What the block does not have counts as 0, and is not compared.
 void Axes::ReadNumbers(AxisRequest& request) {
-  uint32_t next = 1;  // behind the axis number
+  uint32_t next = 1;  // after the axis number
   const auto read = [&](AxisValue value, Type type) {
     if (value == AxisValue::kNotWritten) {
       return builder_.Constant(type == Type::kFloat ? ir::Type::kF32 : ir::Type::kI32, 0);

@@ -27,7 +27,7 @@ uint32_t NetworkWriter::LineOf(InstructionId id) const {
   return sources_.Locate(tree_.instructions[id].range.begin).line;
 }
 
-/// A rung ends where no instruction behind it uses a result of it; in a drawing also not inside a row, and not above
+/// A rung ends where no instruction after it uses a result of it; in a drawing also not inside a row, and not above
 /// a row that it has reached already.
 std::vector<Span> NetworkWriter::RungsOf(const Network& network) const {
   const uint32_t first = network.instructions.first, end = first + network.instructions.count;

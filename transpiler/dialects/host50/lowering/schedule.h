@@ -18,7 +18,7 @@ class Schedule : Context {
 
   /// Places that the schedule keeps; before anything is lowered.
   void AddPlaces();
-  /// Behind the sections: init knows their edges then, and the tick the alarms that they drive.
+  /// After the sections: init knows their edges then, and the tick the alarms that they drive.
   void Lower();
 
  private:

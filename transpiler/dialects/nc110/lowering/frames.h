@@ -17,7 +17,7 @@ class Frames : Context {
   Frames(const Context& context, const Routines& routines, SystemPlaces& system, LatchedInputs& inputs, Texts& texts,
          const Expirations& expirations);
 
-  /// Behind the statements, which say what is needed.
+  /// After the statements, which say what is needed.
   void LowerFast();
   void LowerSlow();
 

@@ -1,4 +1,4 @@
-// The items of the program in their order, into the fast part and, behind the cycle mark, the slow one.
+// The items of the program in their order, into the fast part and, after the cycle mark, the slow one.
 #pragma once
 
 #include "transpiler/dialects/nc110/lowering/context.h"

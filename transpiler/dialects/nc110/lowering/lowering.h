@@ -5,7 +5,7 @@
 // texts (messages_file.h), documentation.
 //
 // Slices: the number may still be found by passes/cut_slices, so nothing here depends on it. A prologue that runs
-// before slice 0 sets `slow_open`, an epilogue behind the last slice clears it; the fast part sees by it that a slow
+// before slice 0 sets `slow_open`, an epilogue after the last slice clears it; the fast part sees by it that a slow
 // cycle is half done (j != 0 of 4.3), and `period` counts `slice` on while it is set. With one slice neither exists.
 #pragma once
 

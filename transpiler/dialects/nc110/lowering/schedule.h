@@ -16,7 +16,7 @@ class Schedule : Context {
 
   /// What others have to know of it; before anything is lowered.
   void Declare();
-  /// Behind the parts, which say what is needed.
+  /// After the parts, which say what is needed.
   void Lower();
   /// Where the control finds what the program wants the operator to read.
   void AddMessagePlaces();

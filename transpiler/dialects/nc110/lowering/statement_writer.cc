@@ -55,7 +55,7 @@ void StatementWriter::AddFileComments(ItemId next) {
   const auto add = [this](const Span& span) {
     for (uint32_t i = 0; i < span.count; ++i) waiting_comments_.push_back(TextOf(tree_.comments[span.first + i]));
   };
-  // Heads of the files that begin here, and what stands behind the last item of the files before.
+  // Heads of the files that begin here, and what stands after the last item of the files before.
   while (next_file_ < tree_.files.size() && tree_.files[next_file_].items.first <= next.index) {
     if (next_file_ > 0 && !tree_.files[next_file_ - 1].is_symbol_file) add(tree_.files[next_file_ - 1].rest);
     if (!tree_.files[next_file_].is_symbol_file) add(tree_.files[next_file_].header);

@@ -17,7 +17,7 @@ struct Edges {
   std::vector<bool> ends;  // the node leaves the level, too
 };
 
-/// Nearest common dominators (Cooper, Harvey, Kennedy): `order` has every node behind one that it is reached from.
+/// Nearest common dominators (Cooper, Harvey, Kennedy): `order` has every node after one that it is reached from.
 std::vector<uint32_t> Dominators(const std::vector<uint32_t>& order, const std::vector<std::vector<uint32_t>>& from) {
   std::vector<uint32_t> rank(from.size(), kNone), dominator(from.size(), kNone);
   for (uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;

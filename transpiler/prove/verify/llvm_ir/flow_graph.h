@@ -26,7 +26,7 @@ struct FlowNode {
 
 struct FlowLevel {
   const llvm::Loop* loop = nullptr;                               // none: the function
-  std::vector<FlowNode> nodes;                                    // each behind those it is reached from
+  std::vector<FlowNode> nodes;                                    // each after those it is reached from
   std::unordered_map<const llvm::BasicBlock*, uint32_t> node_of;  // blocks of loops inside are their loop's node
 };
 

@@ -214,7 +214,7 @@ terms::TermId Executor::PoisonOfPointer(const llvm::GetElementPtrInst& inst, con
                                         const CodeValue& pointer) {
   if (!inst.isInBounds()) return {};
   terms::TermId poison;
-  // Both the address that it starts from and the one that it comes to are in the object, or just behind it.
+  // Both the address that it starts from and the one that it comes to are in the object, or just after it.
   for (const CodeValue* value : {&base, &pointer}) {
     for (const Target& target : value->targets) {
       const Object& object = objects_[target.object];

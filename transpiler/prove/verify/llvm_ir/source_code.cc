@@ -20,7 +20,7 @@ namespace {
 
 constexpr unsigned kCountMask = 0xFF, kNarrowCountMask = 31, kMostCount = 63;
 
-/// Clang's name for a variable: with digits behind it where the function has several of that name.
+/// Clang's name for a variable: with digits after it where the function has several of that name.
 bool IsNameOf(std::string_view name, std::string_view variable) {
   if (!name.starts_with(variable)) return false;
   name.remove_prefix(variable.size());

@@ -16,7 +16,7 @@ enum class LibraryShape : uint8_t { kWide, kShift, kNarrow, kBits, kMemory, kFlo
 enum class LibraryOperation : uint8_t {
   kUnsignedQuotient,
   kUnsignedRest,
-  kUnsignedBoth,  // the quotient, and behind it the rest
+  kUnsignedBoth,  // the quotient, and after it the rest
   kSignedQuotient,
   kSignedRest,
   kSignedBoth,

@@ -101,7 +101,7 @@ void Program::Decode() {
   }
 }
 
-/// What it writes stands in front of its operands; a list of registers behind them is loaded, or only read.
+/// What it writes stands in front of its operands; a list of registers after them is loaded, or only read.
 void Program::NoteWrites(const llvm::MCInst& inst, std::vector<bool>& writes) const {
   const llvm::MCInstrDesc& description = machine_.Describe(inst);
   const bool loads_list = description.isVariadic() && description.mayLoad();
