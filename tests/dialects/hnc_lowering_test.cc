@@ -233,11 +233,11 @@ TEST(HncLowering, LocationsByName) {
             "void plc1() { static int count; count++; axes[1].speed = count; }\nvoid plc2() { }\n");
   for (const char* name : {"X0.1", "F162.5", "R[612]", "B[0]", "R_i[1]", "F_l[1]", "G_i[170]", "axes[1].speed",
                            "axes[2].on", "plc1.count", "HW[0]", "MODAL[3]", "FAULT.code", "FAULT.line", "plc1_time"}) {
-    EXPECT_TRUE(Locate(lowered.program(), name)) << name;
+    EXPECT_TRUE(Locate(ir::NameIndex(lowered.program()), name)) << name;
   }
   for (const char* name :
        {"X0.8", "F162.16", "R[768]", "F_l[255]", "axes[3].speed", "axes", "count", "HW[4]", "Q1", ""}) {
-    EXPECT_FALSE(Locate(lowered.program(), name)) << name;
+    EXPECT_FALSE(Locate(ir::NameIndex(lowered.program()), name)) << name;
   }
 }
 

@@ -14,7 +14,9 @@ const std::string kProgram =
 struct Located {
   LoweredProgram lowered;
   Located() { LowerInto(lowered, {kProgram}); }
-  std::optional<dialects::Location> operator()(std::string_view text) const { return Locate(lowered.program, text); }
+  std::optional<dialects::Location> operator()(std::string_view text) const {
+    return Locate(ir::NameIndex(lowered.program), text);
+  }
   std::string Memory(std::string_view text) const {
     const auto location = (*this)(text);
     if (!location || location->place.is_field()) return "none";

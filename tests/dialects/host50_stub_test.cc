@@ -34,7 +34,7 @@ struct Machine {
     stub = MakeStub(lowered.program, {});
     image = std::make_unique<Image>(lowered.program);
   }
-  ir::Place At(std::string_view name) const { return Locate(lowered.program, name)->place; }
+  ir::Place At(std::string_view name) const { return Locate(ir::NameIndex(lowered.program), name)->place; }
   uint64_t Read(std::string_view name) const {
     const ir::Place place = At(name);
     if (place.type == ir::Type::kBit) return image->Get(place.space, place.offset) >> place.bit & 1;

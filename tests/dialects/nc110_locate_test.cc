@@ -10,7 +10,7 @@ TEST(Nc110Locate, OperandsSymbolsAndTheKeyboard) {
   LoweredProgram lowered;
   LowerInto(lowered,
             {"*\nPUMP=U4A8\nLONGNAME.10IGNORED=W1T0\nNEVER=T9U\n", "!PUMP=T5U*C5R*\"GO\"\nT5I(3)=1\nC5I(3)=1"});
-  const auto at = [&](std::string_view text) { return Locate(lowered.program(), text); };
+  const auto at = [&](std::string_view text) { return Locate(ir::NameIndex(lowered.program()), text); };
   const auto pump = at("!PUMP"), same = at("PUMP"), bit = at("i04A08"), word = at("W3K0");
   ASSERT_TRUE(pump && same && bit && word);
   EXPECT_EQ(pump->place.offset, 17u);

@@ -25,12 +25,12 @@ class Image final : public dialects::ImagePort {
   void LookAtMessages() override {}
 
   uint8_t operator[](std::string_view name) const {
-    const ir::Place place = Locate({}, name)->place;
+    const ir::Place place = Locate(ir::NameIndex(ir::Program{}), name)->place;
     const uint8_t byte = bytes_[place.space.index][place.offset];
     return place.bit == ir::kNoBit ? byte : byte >> place.bit & 1;
   }
   void Write(std::string_view name, uint8_t value) {
-    const ir::Place place = Locate({}, name)->place;
+    const ir::Place place = Locate(ir::NameIndex(ir::Program{}), name)->place;
     uint8_t& byte = bytes_[place.space.index][place.offset];
     if (place.bit == ir::kNoBit) {
       byte = value;

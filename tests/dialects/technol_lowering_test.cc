@@ -212,7 +212,7 @@ TEST(TechnolLocate, AddressesWithoutRegisters) {
   LoweredProgram lowered;
   LowerInto(lowered, TechnolProgram("LDR A\nWR Q\nMECH_BEGIN M\nMECH_END M\n"));
   const auto at = [&](std::string_view text) {
-    const auto location = Locate(lowered.program(), text);
+    const auto location = Locate(ir::NameIndex(lowered.program()), text);
     if (!location) return std::string("none");
     const ir::Place& place = location->place;
     return lowered.program().spaces[place.space].name + " " + std::to_string(place.offset) + " " +

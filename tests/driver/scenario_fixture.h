@@ -80,11 +80,11 @@ inline constexpr std::string_view kScenarioProgram = R"(
   schedule retention 1
 )";
 
-inline std::optional<dialects::Location> LocateByName(const ir::Program& program, std::string_view text) {
+inline std::optional<dialects::Location> LocateByName(const ir::NameIndex& names, std::string_view text) {
   if (text == "OPERATOR_TEXT") return dialects::Location{.place = {}, .text_input = true};
   if (text == "T9U") return dialects::Location{.place = {}, .absent = true};
   if (text == "P3") return dialects::Location{.place = {.name = "P3", .type = ir::Type::kI8}, .cell = 3};
-  for (const ir::Place& place : program.places) {
+  for (const ir::Place& place : names.program().places) {
     if (place.name == text) return dialects::Location{.place = place};
   }
   return std::nullopt;

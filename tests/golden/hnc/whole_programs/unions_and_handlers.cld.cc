@@ -788,7 +788,7 @@ static uint8_t f43_p81(State& m, uint16_t a44_p81, Host& host) noexcept {
   if (true) {
     both_local = RotateRight16(a44_p81, 2) != 0;
   }
-  switch (both_local) {
+  switch (static_cast<int>(both_local)) {
     default: {
       // case 5:
       // case 6:

@@ -225,7 +225,11 @@ Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
       const Cell cell{at->object, at->offset, type.size};
       const bool all_count = believed != Origin::kTested || IsLocalObject(at->object);
       std::optional<Bounds> known = all_count ? flow_.Find(cell) : flow_.FindTested(cell);
-      if (!known && believed == Origin::kDeclared) known = DeclaredBounds(*at, type);
+      if (believed == Origin::kDeclared) {
+        // A comparison before may have said less of the object than its declaration does.
+        const std::optional<Bounds> declared = DeclaredBounds(*at, type);
+        if (declared) known = known ? Meet(*known, *declared) : declared;
+      }
       return known && known->Within(all) ? *known : all;
     }
     case ExprKind::kConvert: {
