@@ -97,8 +97,9 @@ TEST(ProveRuns, PropertiesOfTheLargeSamples) {
 TEST(ProveRuns, WhatTheHostSetsByARoutineIsAnInput) {
   const Workplace work;
   work.Write("nc.prop", "never 'F 4.4'\n");
-  const Ran ran = work.Run("prove " PLCXX_ROOT
-                           "/samples/prostep/mill_fnd32/properties.yaml --property nc.prop --format json --time 600s");
+  const Ran ran =
+      work.Run("prove " PLCXX_ROOT
+               "/samples/prostep/mill_fnd32/emergency_stop.yaml --property nc.prop --format json --time 600s");
   EXPECT_EQ(ran.code, 1) << ran;
   const auto properties = nlohmann::json::parse(ran.out)["properties"];
   EXPECT_EQ(properties.back()["property"], "never 'F 4.4'");

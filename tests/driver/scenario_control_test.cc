@@ -16,6 +16,7 @@ using testing::HasSubstr;
 /// IN is delivered at each read_inputs, the program spoils it; PORT is what port 3 holds; FLOAT goes to the NC.
 constexpr std::string_view kControlled = R"(
   space M 20 volatile little host_visible
+  zone M 0 1 input
   space T 4 retentive little host_visible
   place IN i8 M[0]
   place SEEN i8 M[1]

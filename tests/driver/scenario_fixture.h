@@ -25,6 +25,8 @@ namespace plcxx::driver {
 inline constexpr std::string_view kScenarioProgram = R"(
   space M 20 volatile little host_visible
   space T 1 retentive little host_visible
+  zone M 0 1 input
+  zone M 4 5 input
   place I0 bit M[0].0
   place Q0 bit M[1].0
   place W1 i8 M[2]

@@ -14,11 +14,14 @@ Program Named() {
 space m 8 volatile little
 state T1 on_delay_timer
 state X one_shot
-state T1 ring_counter
+state T2 ring_counter
 place Lamp bit m[0].0
 place LAMP bit m[0].1
-place Lamp bit m[1].0
+place Lamp2 bit m[1].0
 )");
+  // Languages have one name several times; the text form has not.
+  program.states[StateId(2)].name = "T1";
+  program.places[PlaceId(2)].name = "Lamp";
   program.places[PlaceId(1)].address = "m+0.1";
   program.places[PlaceId(2)].address = "m+0.1";
   program.documentation = {{.address = "U1", .symbols = "PUMP, PUMPS_LONG_A"},
