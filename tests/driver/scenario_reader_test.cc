@@ -132,7 +132,7 @@ TEST(ScenarioReader, ExpectedErrors) {
 TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
   EXPECT_THAT(Errors("sources: [a]\nstep: []\n"),
               ElementsAre("s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, program, sources, options, "
-                          "steps, properties, expect_error, warnings, name, description\n"
+                          "plant, steps, properties, expect_error, warnings, name, description\n"
                           "  help: did you mean 'steps'",
                           "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
   EXPECT_THAT(

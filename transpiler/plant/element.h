@@ -62,9 +62,9 @@ class Fields {
     const auto found = all.find(key);
     return found == all.end() ? nullptr : &found->second;
   }
-  Condition TakeCondition(std::string_view key, Condition otherwise) const {
+  Condition TakeCondition(std::string_view key, const Condition& otherwise) const {
     const Field* const field = Find(key);
-    return field == nullptr ? std::move(otherwise) : field->condition;
+    return field == nullptr ? otherwise : field->condition;
   }
   int64_t Number(std::string_view key, int64_t otherwise) const {
     const Field* const field = Find(key);

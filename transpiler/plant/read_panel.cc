@@ -56,9 +56,9 @@ class PanelReader : public yaml::Reader {
     std::vector<int64_t> numbers;
     std::map<std::string, yaml::Place, std::less<>> marks;
 
-    std::string Only(std::string_view key, std::string otherwise) const {
+    std::string Only(std::string_view key, const std::string& otherwise) const {
       const auto found = words.find(key);
-      return found == words.end() || found->second.empty() ? std::move(otherwise) : found->second.front();
+      return found == words.end() || found->second.empty() ? otherwise : found->second.front();
     }
     bool Has(std::string_view key) const { return marks.find(key) != marks.end(); }
     yaml::Place MarkOf(std::string_view key, yaml::Place otherwise) const {

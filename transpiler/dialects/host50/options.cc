@@ -57,7 +57,7 @@ bool IsKey(std::string_view key, std::string_view written) { return EqualIgnorin
 const DirectiveOrOption* RowOf(std::string_view key) { return dialects::FindOptionRow(kRows, key, IsKey); }
 
 /// Without the directives of their own.
-std::string Names() {
+std::string OptionNames() {
   return dialects::OptionKeys(kRows |
                               std::views::filter([](const DirectiveOrOption& row) { return !row.is_directive; }));
 }
@@ -85,7 +85,7 @@ OptionFault ApplyOption(std::string_view name, std::string_view value, Settings&
 
 std::string ExpectedOption(std::string_view name) {
   const DirectiveOrOption* row = RowOf(name);
-  return row == nullptr || row->is_directive ? Names() : std::string(row->info.values);
+  return row == nullptr || row->is_directive ? OptionNames() : std::string(row->info.values);
 }
 
 }  // namespace plcxx::host50

@@ -4,7 +4,7 @@
 
 namespace plcxx::@name@ {
 
-std::optional<dialects::Location> Locate(const ir::Program& /*program*/, std::string_view /*text*/) {
+std::optional<dialects::Location> Locate(const ir::NameIndex& /*names*/, std::string_view /*text*/) {
   return std::nullopt;  // the dialect has no memory yet
 }
 

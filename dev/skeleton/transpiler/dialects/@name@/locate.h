@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/ir/program.h"
+#include "transpiler/ir/name_index.h"
 
 namespace plcxx::@name@ {
 
 /// None for what is no location.
-std::optional<dialects::Location> Locate(const ir::Program& program, std::string_view text);
+std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string_view text);
 /// A value in the dialect's own spelling; none when it is none.
 std::optional<uint64_t> ParseValue(std::string_view text);
 
