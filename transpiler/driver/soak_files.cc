@@ -71,12 +71,7 @@ std::vector<soak::Stimuli> StimuliOf(const std::vector<std::vector<scenarios::Kn
   for (const std::vector<scenarios::KnownStep>& steps : runs) {
     soak::Stimuli& stimuli = all.emplace_back();
     for (const scenarios::KnownStep& step : steps) {
-      soak::Stimulus& stimulus = stimuli.emplace_back();
-      stimulus.words = step.words;
-      stimulus.slow = step.slow;
-      stimulus.fast = step.fast;
-      stimulus.ms = step.ms;
-      stimulus.power_cycle = step.power_cycle;
+      stimuli.emplace_back(review::diff::WithoutWords(step)).words = step.words;
     }
   }
   return all;

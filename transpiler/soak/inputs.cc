@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <set>
 
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/plant/coding.h"
 #include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/scenarios/control.h"
@@ -27,11 +29,10 @@ void AddOnce(std::vector<uint32_t>& numbers, uint32_t number) {
   if (numbers.size() < kMostLinks && std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
 }
 
-uint64_t Digits(uint64_t value) {
-  uint64_t digits = 0;
-  for (unsigned shift = 0; value != 0 && shift < 64; shift += 4, value /= 10) digits |= value % 10 << shift;
-  return digits;
-}
+/// What an input may get.
+enum class Draw : uint8_t { kZero, kSmall, kConstant, kOneBit, kDecimal, kAny };
+constexpr Draw kDraws[] = {Draw::kZero,   Draw::kSmall,   Draw::kConstant, Draw::kConstant,
+                           Draw::kOneBit, Draw::kDecimal, Draw::kAny,      Draw::kAny};
 
 }  // namespace
 
@@ -177,27 +178,26 @@ uint64_t Inputs::ValueFor(const Input& input, uint64_t now, terms::Random& rando
   const uint64_t all = input.width >= 64 ? ~uint64_t{0} : (uint64_t{1} << input.width) - 1;
   if (input.width == 1) return random.OneIn(8) ? random.Next() >> 7 & 1 : now ^ 1;
   uint64_t value = 0;
-  switch (random.Next() % 8) {
-    case 0:
-      value = 0;
+  switch (kDraws[random.Next() % std::size(kDraws)]) {
+    case Draw::kZero:
       break;
-    case 1:
+    case Draw::kSmall:
       value = random.Next() % 5;
       break;
-    case 2:
-    case 3:
+    case Draw::kConstant:
       if (!constants_.empty()) value = constants_[random.Next() % constants_.size()] + random.Next() % 3 - 1;
       break;
-    case 4:
+    case Draw::kOneBit:
       value = now ^ uint64_t { 1 } << random.Next() % input.width;
       break;
-    case 5:
+    case Draw::kDecimal:
       // Numbers of tools and M functions are small, and many controls write them in decimal digits.
       value = random.Next() % 100;
-      if (random.OneIn(2)) value = Digits(value);
+      if (random.OneIn(2)) value = plant::CodeOf(plant::Coding::kBcd, value, 0);
       break;
-    default:
+    case Draw::kAny:
       value = random.Next();
+      break;
   }
   if (input.is_float) {
     const double number = static_cast<double>(static_cast<int64_t>(value % 20'001)) / (random.OneIn(2) ? 1 : 10);

@@ -180,14 +180,16 @@ void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
 /// The places of --map; the first word that is no place of its program, otherwise.
 std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& new_side, const DiffOptions& options,
                                     std::vector<std::pair<ir::Place, ir::Place>>& same) {
-  const auto locate = [](const DiffSide& side, const std::string& name) -> std::optional<ir::Place> {
-    const std::optional<dialects::Location> location =
-        side.compilation.dialect->locate(ir::NameIndex(side.whole), name);
+  const ir::NameIndex old_names(old_side.whole), new_names(new_side.whole);
+  const auto locate = [](const DiffSide& side, const ir::NameIndex& names,
+                         const std::string& name) -> std::optional<ir::Place> {
+    const std::optional<dialects::Location> location = side.compilation.dialect->locate(names, name);
     if (!location || location->absent || location->cell || location->text_input) return std::nullopt;
     return location->place;
   };
   for (const auto& [old_name, new_name] : options.same) {
-    const std::optional<ir::Place> one = locate(old_side, old_name), other = locate(new_side, new_name);
+    const std::optional<ir::Place> one = locate(old_side, old_names, old_name),
+                                   other = locate(new_side, new_names, new_name);
     if (!one) return "--map: '" + old_name + "' is no location of " + old_side.label;
     if (!other) return "--map: '" + new_name + "' is no location of " + new_side.label;
     if (one->type != other->type) return "--map: '" + old_name + "' and '" + new_name + "' have different types";

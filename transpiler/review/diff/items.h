@@ -28,6 +28,8 @@ class CellWords {
   CellWord WordOf(execute::CellId cell) const;
   /// From the program's documentation; empty when there is none.
   std::string MeaningOf(const CellWord& word) const;
+  /// Those of the compiled program, by which a scenario is read.
+  const ir::NameIndex& compiled_names() const { return compiled_names_; }
 
  private:
   CellWord OfPlace(const ir::Place& place) const;

@@ -54,6 +54,7 @@ class DiffMachine {
   /// Goes back to what this machine has saved.
   void Restore(const Saved& saved);
   void EndAt(Time end) { end_ = end; }
+  const ir::NameIndex& names() const { return names_; }
 
  private:
   bool Advance(const Stimulus& stimulus);

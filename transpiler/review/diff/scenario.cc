@@ -35,9 +35,9 @@ CellWord WordOfBoth(const CounterexampleRequest& request, CellId old_cell) {
 }
 
 /// The cells of one version that a scenario means by a name; none: it means something else, or nothing.
-std::vector<CellId> CellsNamed(const DiffSide& side, const prove::machine::Version& version, const std::string& name) {
-  const std::optional<dialects::Location> location =
-      side.compilation.dialect->locate(ir::NameIndex(side.compilation.program), name);
+std::vector<CellId> CellsNamed(const DiffSide& side, const prove::machine::Version& version, const CellWords& words,
+                               const std::string& name) {
+  const std::optional<dialects::Location> location = side.compilation.dialect->locate(words.compiled_names(), name);
   if (!location || location->absent || location->cell || location->text_input || !location->bits.empty()) return {};
   if (!execute::IsInside(*version.program, location->place)) return {};
   return execute::CellsOf(*version.program, version.cells, location->place);
@@ -51,12 +51,17 @@ std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, con
   std::vector<std::string> names{word.name};
   if (!word.place->name.empty() && word.place->name != word.name) names.push_back(word.place->name);
   for (const std::string& name : names) {
-    std::vector<CellId> matched = CellsNamed(old_side, request.old_version, name);
+    std::vector<CellId> matched = CellsNamed(old_side, request.old_version, request.old_words, name);
     if (matched.empty()) continue;
     for (CellId& cell : matched) cell = request.match.new_of_old[cell.index];
-    if (matched == CellsNamed(new_side, request.new_version, name)) return name;
+    if (matched == CellsNamed(new_side, request.new_version, request.new_words, name)) return name;
   }
   return word.name;
+}
+
+/// Does a scenario of the old version know the name?
+bool IsKnownToOld(const DiffSide& old_side, const CounterexampleRequest& request, const std::string& name) {
+  return old_side.compilation.dialect->locate(request.old_words.compiled_names(), name).has_value();
 }
 
 /// A part of a timer that is nobody else's, or the calls of a function: no location of a scenario.
@@ -84,7 +89,6 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
     if (taken.insert(word.name).second) words.push_back(std::move(word));
   }
   machine.Look();
-  const ir::NameIndex names(old_side.compilation.program);
   Sets sets;
   for (const CellWord& word : words) {
     uint64_t value = 0;
@@ -93,7 +97,7 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
       value |= (set != values.end() ? set->second : machine.Seen(word.cells[i])) << i;
     }
     const std::string name = ScenarioName(old_side, new_side, request, word);
-    if (!old_side.compilation.dialect->locate(names, name)) return std::nullopt;
+    if (!IsKnownToOld(old_side, request, name)) return std::nullopt;
     sets.emplace_back(name, WordText(word, value));
   }
   return sets;
@@ -161,12 +165,10 @@ struct Candidate {
 /// The run without what no scenario has a name for.
 Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
                  Stimuli stimuli) {
-  const ir::NameIndex names(old_side.compilation.program);
   for (Stimulus& stimulus : stimuli) {
     std::erase_if(stimulus.inputs, [&](const prove::diff::SetCell& input) {
       const CellWord word = WordOfBoth(request, input.old_cell);
-      return HasNoName(word) ||
-             !old_side.compilation.dialect->locate(names, ScenarioName(old_side, new_side, request, word));
+      return HasNoName(word) || !IsKnownToOld(old_side, request, ScenarioName(old_side, new_side, request, word));
     });
   }
   return stimuli;
@@ -261,9 +263,8 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
     std::optional<Sets> sets = SetsOf(old_side, new_side, request, stimulus.inputs, machine);
     if (!sets) return std::nullopt;
     // A word of a scenario beside the program that the old version does not know sets nothing there.
-    std::ranges::copy_if(stimulus.words, std::back_inserter(*sets), [&old_side](const auto& set) {
-      return old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), set.first).has_value();
-    });
+    std::ranges::copy_if(stimulus.words, std::back_inserter(*sets),
+                         [&](const auto& set) { return IsKnownToOld(old_side, request, set.first); });
     machine.Apply(after_power, &prove::diff::SetCell::old_cell);
     after_power.words = std::move(*sets);
     written.Add(after_power);
@@ -296,7 +297,7 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
   const std::string name = ScenarioName(old_side, new_side, request, seen.word);
-  if (!old_side.compilation.dialect->locate(ir::NameIndex(old_side.compilation.program), name)) return std::nullopt;
+  if (!IsKnownToOld(old_side, request, name)) return std::nullopt;
   return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
 }
 

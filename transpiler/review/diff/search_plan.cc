@@ -126,12 +126,7 @@ void DirectedSearch::ReadScenarios() {
   for (const std::vector<scenarios::KnownStep>& steps : scenarios::KnownRuns(old_side_.request)) {
     Stimuli stimuli;
     for (const scenarios::KnownStep& step : steps) {
-      Stimulus next{.inputs = {},
-                    .words = {},
-                    .slow = step.slow,
-                    .ms = step.ms,
-                    .fast = step.fast,
-                    .power_cycle = step.power_cycle};
+      Stimulus next = WithoutWords(step);
       for (const auto& word : step.words) SetKnown(word, next);
       stimuli.push_back(std::move(next));
     }
@@ -140,13 +135,14 @@ void DirectedSearch::ReadScenarios() {
 }
 
 void DirectedSearch::SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const {
-  const auto locate = [&word](const DiffSide& side) {
-    return side.compilation.dialect->locate(ir::NameIndex(side.compilation.program), word.first);
+  const auto locate = [&word](const DiffSide& side, const DiffMachine& machine) {
+    return side.compilation.dialect->locate(machine.names(), word.first);
   };
   const auto is_memory = [](const std::optional<dialects::Location>& location) {
     return location && !location->absent && !location->cell && !location->text_input && location->bits.empty();
   };
-  const std::optional<dialects::Location> one = locate(old_side_), other = locate(new_side_);
+  const std::optional<dialects::Location> one = locate(old_side_, old_machine_),
+                                          other = locate(new_side_, new_machine_);
   if (!is_memory(one) || !execute::IsInside(*old_version_.program, one->place)) {
     // The control's: it has no other name.
     if (one && other) stimulus.words.push_back(word);

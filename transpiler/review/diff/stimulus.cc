@@ -11,6 +11,11 @@ void AddTo(std::string& text, const std::string& part) { text += (text.empty() ?
 
 }  // namespace
 
+Stimulus WithoutWords(const scenarios::KnownStep& step) {
+  return {
+      .inputs = {}, .words = {}, .slow = step.slow, .ms = step.ms, .fast = step.fast, .power_cycle = step.power_cycle};
+}
+
 void WrittenSteps::AddPowerCycle() {
   scenario += "- power_cycle: {}\n";
   AddTo(line, "power off and on");

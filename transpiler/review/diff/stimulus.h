@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transpiler/prove/diff/compare.h"
+#include "transpiler/scenarios/known_runs.h"
 
 namespace plcxx::review::diff {
 
@@ -20,6 +21,9 @@ struct Stimulus {
   bool power_cycle = false;
 };
 using Stimuli = std::vector<Stimulus>;
+
+/// The time and the power cycle of a known step; which words a machine knows is for the caller to say.
+Stimulus WithoutWords(const scenarios::KnownStep& step);
 
 /// The steps of a scenario, and the same in one line.
 struct WrittenSteps {
