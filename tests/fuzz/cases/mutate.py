@@ -7,6 +7,9 @@ HOSTILE = (b"\x1b]0;title\x07", b"\x1b[2J", "\u202e".encode(), "\u2066".encode()
            b"../../../etc/passwd", b"/dev/zero")
 
 
+MOST_BYTES = 1 << 20  # of a file that was changed
+
+
 def tokens(data):
     return [match.span() for match in re.finditer(rb"[A-Za-z_%!#$]?[\w.]+|\S", data[:200_000])] or [(0, len(data))]
 
@@ -35,7 +38,9 @@ def one(random, data, others):
             first, last = random.choice(tokens(other))
             return data[:begin] + other[first:last] + data[end:]
         case 7:
-            return b"".join(lines[:at] + lines[at:at + 1] * random.choice((2, 20, 2000)) + lines[at + 1:])
+            # A file may be one line of a megabyte: no more copies than the file may have bytes.
+            times = min(random.choice((2, 20, 2000)), MOST_BYTES // len(lines[at] or b" ") + 1)
+            return b"".join(lines[:at] + lines[at:at + 1] * times + lines[at + 1:])
         case 8:
             return b"".join(lines[:at] + lines[at + 1:])
         case 9:
@@ -56,5 +61,5 @@ def one(random, data, others):
 
 def several(random, data, others):
     for _ in range(random.choice((1, 1, 1, 2, 4, 12))):
-        data = one(random, data, others)[:1 << 20]
+        data = one(random, data, others)[:MOST_BYTES]
     return data

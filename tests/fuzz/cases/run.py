@@ -12,6 +12,7 @@ import concurrent.futures
 import dataclasses
 import pathlib
 import random
+import resource
 import shutil
 import sys
 import tempfile
@@ -26,6 +27,7 @@ import words
 
 NAMES = ("пила", "锯", "a b", "-x", "--help", "x'y", 'x"y', "x\\y", "x\ny", "x\ty", "$(x)", "%s", "x" * 200, "\x1b[31m", "\u202ex",
          "con", "#x", "x:y", "x=y", "x,y", "{x}", "*", "?", "~", "&x", "é", "int", "main", "std", "1", ".x", "...")
+OWN_MB = 512  # more than that is a fault of the fuzzer: a command begins as a copy of it
 PROPERTIES = ("never {a} and {b}", "always {a} or not {a}", "{a} => {b} within 100ms", "never {a}\n# x\nalways {b}")
 
 
@@ -114,6 +116,7 @@ def main():
             for dialect in corpus.DIALECTS}
     end = time.monotonic() + args.seconds
     done = faults = 0
+    too_large = False
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool_of_threads:
         running = set()
         number = args.first
@@ -125,6 +128,10 @@ def main():
             for future in ready:
                 tried, case, found = future.result()
                 done += 1
+                own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
+                if own > OWN_MB and not too_large:
+                    found.append((f"the fuzzer itself took {own} MB, here or in an attempt beside it", ["none"]))
+                    too_large = True
                 for problem, line in found:
                     faults += 1
                     print(f"attempt {tried} of seed {args.seed} ({case.scenario}): plcxx {' '.join(line)[:2000]!r}\n    {problem}",
