@@ -7,10 +7,10 @@ namespace plcxx::hnc {
 
 namespace {
 
-constexpr SystemParameter Axis(std::string_view name) { return {name, ir::Type::kI16, kAxes}; }
-constexpr SystemParameter Wheel(std::string_view name) { return {name, ir::Type::kI16, kHandwheels}; }
-constexpr SystemParameter Int(std::string_view name) { return {name, ir::Type::kI16, 0}; }
-constexpr SystemParameter Long(std::string_view name) { return {name, ir::Type::kI32, 0}; }
+consteval SystemParameter Axis(std::string_view name) { return {name, ir::Type::kI16, kAxes}; }
+consteval SystemParameter Wheel(std::string_view name) { return {name, ir::Type::kI16, kHandwheels}; }
+consteval SystemParameter Int(std::string_view name) { return {name, ir::Type::kI16, 0}; }
+consteval SystemParameter Long(std::string_view name) { return {name, ir::Type::kI32, 0}; }
 
 constexpr SystemSignature kSignatures[] = {
 #define HNC_SYSTEM_FUNCTION(name, host, comment, result, outside, ...) \
