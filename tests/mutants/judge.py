@@ -120,7 +120,7 @@ class Judge:
             if test.seconds < 0.5:
                 cheap.setdefault(test.binary, []).append(test.name)
         # Together in one process; what is only kept as it was printed says least.
-        for binary, names in sorted(cheap.items(), key=lambda item: item[0] == "golden_test"):
+        for binary, names in sorted(cheap.items(), key=lambda item: item[0] in ("golden_test", "printed_test")):
             for at in range(0, len(names), 50):
                 together = tests_seen.Unit(binary, ":".join(names[at:at + 50]))
                 failed = run([*tests_seen.unit_command(together), "--gtest_fail_fast"], mutant.id, 120)

@@ -30,7 +30,7 @@ FOLDERS = {
     "classicladder": ["transpiler/dialects/classicladder/lowering*.cc"],
 }
 # The folders of tests that may see them.
-TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "reference")
+TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "printed", "reference")
 # The mutated libraries, whose code is large and runs for moments. What reads beyond the end of a list is to be seen.
 LIBRARIES = {"emit": "emit emit_layout emit_legalize emit_print", "runtime": "sim"}  # others are named as their folder
 FAST_TO_COMPILE = """
@@ -62,8 +62,8 @@ def folder_files(folder, root=ROOT):
 
 def concerns(binary, folders):
     """Whether a test's binary has code of the folders in it, directly or as the tool that it runs."""
-    lowers = binary.startswith(("dialects", "golden", "reference"))
-    emits = binary.startswith(("emit", "golden"))
+    lowers = binary.startswith(("dialects", "golden", "printed", "reference"))
+    emits = binary.startswith(("emit", "golden", "printed"))
     return any(folder in SEEN_BY_ALL or (emits if folder == "emit" else lowers) for folder in folders)
 
 
@@ -171,8 +171,8 @@ def write_judged(runner):
     mark = PLACE / "judged"
     if JUDGED.is_dir() and mark.exists() and mark.read_text() == now:
         return
-    print(f"{JUDGED_PROGRAMS} programs on an AVR", flush=True)
+    print(f"{JUDGED_PROGRAMS} random programs on an AVR, and those written by hand", flush=True)
     # What it says of this build is not asked here: a scenario that fails without a mutant is left out, and reported.
     subprocess.run(["python3", "-B", place / "run.py", BUILD / "bin/plcxx", runner, JUDGED, "--programs",
-                    str(JUDGED_PROGRAMS), "--keep"], check=False, stdout=subprocess.DEVNULL)
+                    str(JUDGED_PROGRAMS), "--written", "--keep"], check=False, stdout=subprocess.DEVNULL)
     mark.write_text(now)

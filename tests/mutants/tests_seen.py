@@ -151,7 +151,7 @@ def units(folders):
             if not line.startswith(" "):
                 suite = word
             elif word and not LEFT_OUT.search(suite + word):
-                generates = "emit" in folders and path.name == "golden_test"
+                generates = "emit" in folders and path.name in ("golden_test", "printed_test")
                 if generates or not reaches_none(suite + word, folders):
                     found.append(Unit(path.name, suite + word))
     return found
