@@ -128,6 +128,29 @@ def survives(server):
     assert server.get("/api/program")["dialect"] == "nc110"
 
 
+def resident_kb(server):
+    with open(f"/proc/{server.process.pid}/status", encoding="utf-8") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith("VmRSS"))
+
+
+def keeps_its_memory(plcxx, root):
+    """A page that comes again and again takes what it took at first: each thread had a heap of its own, of 1.2 MB each."""
+    with Server(plcxx, [str(root / "samples/nc110/lathe_16k20")], "/") as server:
+        sizes = []
+        for _ in range(120):
+            server.request("GET", "/")
+            server.get("/api/program")
+            server.get("/api/rows?from=0&to=24")
+            page = Events(server)
+            page.next()
+            page.close()
+            server.act("pause")  # the stream notices that its page is gone
+            sizes.append(resident_kb(server))
+        print(f"reconnected 120 times: {sizes[0]} kB after the first, {sizes[59]} after 60, {sizes[-1]} after all")
+        assert sizes[-1] - sizes[0] < 6000, sizes
+        assert sizes[-1] - sizes[59] < 1500, sizes
+
+
 def limits_pages(server):
     pages = [Events(server) for _ in range(8)]
     assert server.request("GET", "/api/events")[0] == 503
@@ -222,6 +245,7 @@ def main(plcxx, root):
         wrong_use(plcxx, folder)
     with Server(plcxx, [str(root / "samples/nc110/lathe_16k20")], "/") as server:
         assert server.get("/api/program")["name"] == "lathe"
+    keeps_its_memory(plcxx, root)
     print("plcxx live: all as it should be")
 
 

@@ -1,6 +1,7 @@
 // The web server of plcxx live: cpp-httplib between sockets and a handler. A module, for the library brings others that
 // no other command needs.
 #include <httplib.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,14 @@
 
 namespace plcxx::live {
 namespace {
+
+/// Each thread of glibc gets a heap of its own, which keeps what the largest answer took there; with one for all of them
+/// the memory is that of the answers that are on their way. They wait for the session anyway.
+void ShareOneHeap() {
+#ifdef M_ARENA_MAX
+  mallopt(M_ARENA_MAX, 1);
+#endif
+}
 
 constexpr size_t kMostBytes = size_t{1} << 20;  // of a request's body
 constexpr int kThreads = 24;                    // requests at a time; a page that looks holds one
@@ -105,5 +114,6 @@ class HttplibServer : public HttpServer {
 
 extern "C" __attribute__((visibility("default"))) plcxx::live::HttpServer* PlcxxMakeHttpServer(
     plcxx::live::HttpHandler& handler) {
+  plcxx::live::ShareOneHeap();
   return new plcxx::live::HttplibServer(handler);
 }
