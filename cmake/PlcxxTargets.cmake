@@ -45,18 +45,25 @@ function(plcxx_library NAME)
   endif()
 endfunction()
 
-# plcxx_test(<folder> [DEPENDS <folder>...] [LABELS <label>...] [SHARDS <n>] [COST <seconds>] [FILTER <filter>]): all
-# *_test.cc of this folder. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at
+# plcxx_test(<folder> [DEPENDS <folder>...] [RUNS_TOOL] [LABELS <label>...] [SHARDS <n>] [COST <seconds>]
+# [FILTER <filter>]): all *_test.cc of this folder, without those about hnc where nothing reads C. RUNS_TOOL: they run
+# the binary as well. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at
 # the same time. COST: of an entry, for ctest starts what takes long first. FILTER is GoogleTest's.
 function(plcxx_test NAME)
-  cmake_parse_arguments(ARG "" "SHARDS;COST;FILTER" "DEPENDS;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "RUNS_TOOL" "SHARDS;COST;FILTER" "DEPENDS;LIBRARIES;LABELS" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cc)
+  if(NOT PLCXX_HNC)  # nothing reads C
+    list(FILTER SOURCES EXCLUDE REGEX "/[^/]*hnc[^/]*_test[.]cc$")
+  endif()
   if(NOT SOURCES)
     return()
   endif()
   list(TRANSFORM ARG_DEPENDS PREPEND plcxx_)
   add_executable(${NAME}_test ${SOURCES})
   target_link_libraries(${NAME}_test PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} plcxx_options GTest::gmock_main)
+  if(ARG_RUNS_TOOL)
+    add_dependencies(${NAME}_test plcxx)
+  endif()
   # What the tests cost is compiling them.
   target_compile_options(${NAME}_test PRIVATE $<$<CONFIG:Release>:-O0>)
   set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ${PLCXX_UNITY})
