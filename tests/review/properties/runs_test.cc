@@ -133,6 +133,20 @@ TEST(ProveRuns, WhatTheControlTakesBackIsCleared) {
   EXPECT_THAT(ran.out, HasSubstr("proved       never 'O 106.2'"));
 }
 
+// The program clears it, and has nothing that sets it: a part program does, or a record of the control.
+TEST(ProveRuns, WhatTheProgramOnlyTakesBackSomebodyElseSets) {
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc",
+                        "$\nU50K3=U50K3*/I0A3\nU4A0=U50K3\nU4A5=I0A5\nU4A6=/I0A5\nU50K4=U50K4+U4A5*U4A6\nU4A1=U50K4\n",
+                        "never U4A0\nnever U4A1\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never U4A0"));
+  EXPECT_THAT(work.Read("found/property-1.yaml"), HasSubstr("U50K3: 1"));
+  ExpectShown(work);
+  // It has a statement that sets it; that this never happens is the program's own.
+  EXPECT_THAT(ran.out, HasSubstr("proved       never U4A1"));
+}
+
 TEST(ProveRuns, RetentiveMemoryThatIsAnything) {
   // W4T0 is retentive: the program itself never makes it more than 5.
   constexpr std::string_view kUnguarded = "$\nDOF: I0A0\n  W4T0 = 5\nENDF\nU4A8=[W4T0>5]\n";

@@ -50,6 +50,7 @@ constexpr NcRow kNcRows[] = {
     {Space::kD, 200, 219, NcWrites::kValues},   //
     {Space::kD, 228, 235, NcWrites::kValues},   // path that was travelled
 };
+constexpr uint32_t kAxes = 9, kFirstAxisWord = 26, kBytesPerAxisWord = 2;
 constexpr uint32_t kPlcAxes = 5, kFirstAxisControl = 106, kBytesPerAxis = 10;  // each two bytes
 
 Space NcSpaceOf(SpaceKey key) {
@@ -91,6 +92,11 @@ std::vector<ir::Zone> ZonesOf(Space space, uint32_t begin, uint32_t bytes, ir::D
     next = to;
   };
   for (const NcRow& row : kNcRows) add(row);
+  for (uint32_t axis = 0; axis < kAxes; ++axis) {
+    // While a PLC axis is homed the NC uses the jog bits itself (8.7); parameters say which axis it is.
+    const uint32_t jog = kFirstAxisWord + kBytesPerAxisWord * axis + 1;
+    add({Space::kO, jog, jog, NcWrites::kValues});
+  }
   for (uint32_t axis = 0; axis < kPlcAxes; ++axis) {
     const uint32_t control = kFirstAxisControl + kBytesPerAxis * axis;
     add({Space::kO, control, control + 1, NcWrites::kClears});

@@ -83,7 +83,7 @@ class ConstantCells {
     const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
     return machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
            (what.kind == execute::CellKind::kBit && version_.program->spaces[what.space].host_visible &&
-            !comparison_.new_uses.writes[cell.index]);
+            !comparison_.new_uses.sets[cell.index]);
   }
 
   void FindVariables() {

@@ -248,13 +248,14 @@ bool IsInputPair(const machine::Version& old_version, const machine::Version& ne
   if (new_cell.valid() && machine::WhatControlWrites(new_version, new_cell) == execute::ControlWrite::kValues)
     return true;
   const ir::Space& space = old_version.program->spaces[cell.space];
-  const bool old_writes = old_uses.writes[old_cell.index];
-  const bool new_writes = new_cell.valid() ? new_uses.writes[new_cell.index] : old_writes;
-  if (!space.host_visible || (old_writes && new_writes)) return false;
+  const bool old_sets = old_uses.sets[old_cell.index];
+  const bool new_sets = new_cell.valid() ? new_uses.sets[new_cell.index] : old_sets;
+  if (!space.host_visible || (old_sets && new_sets)) return false;
   // What one version alone uses, and writes, is how it does something: no host of the other one knows of it.
-  const bool old_uses_it = old_writes || old_uses.reads[old_cell.index];
-  const bool new_uses_it = new_writes || (new_cell.valid() && new_uses.reads[new_cell.index]);
-  return !((old_writes || new_writes) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
+  const bool old_uses_it = old_uses.writes[old_cell.index] || old_uses.reads[old_cell.index];
+  const bool new_uses_it = new_cell.valid() ? new_uses.writes[new_cell.index] || new_uses.reads[new_cell.index]
+                                            : old_uses.writes[old_cell.index];
+  return !((old_sets || new_sets) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
 }
 
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

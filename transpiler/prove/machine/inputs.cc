@@ -4,16 +4,21 @@
 
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/prove/machine/sets.h"
 
 namespace plcxx::prove::machine {
 namespace {
 
-/// What some routines, and all that they call, store at fixed addresses and into arrays. An index that may reach all of
-/// a space may reach signals of the host there, and says nothing about them.
+/// What some routines, and all that they call, set at fixed addresses and in arrays. An index that may reach all of a
+/// space may reach signals of the host there, and says nothing about them.
 class Stores {
  public:
   explicit Stores(const Version& version)
-      : version_(version), program_(*version.program), seen_(program_.routines.size()), stored_(version.cells.count) {}
+      : version_(version),
+        program_(*version.program),
+        seen_(program_.routines.size()),
+        set_(version.cells.count),
+        stored_(version.cells.count) {}
 
   void Routine(ir::RoutineId id) {
     if (!id.valid() || seen_[id.index]) return;
@@ -21,16 +26,20 @@ class Stores {
     const ir::Routine& routine = program_.routines[id];
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
   }
-  const std::vector<bool>& stored() const { return stored_; }
+  /// As Uses::sets.
+  bool Sets(execute::CellId cell) const {
+    return set_[cell.index] || (stored_[cell.index] && !MayBeSetByOthers(version_, cell));
+  }
 
  private:
-  void Place(ir::PlaceId id) {
+  void Place(const ir::Inst& inst, ir::PlaceId id) {
     const ir::Place& place = program_.places[id];
     if (place.is_field()) return;
     const bool is_array = place.indexed && (place.low > 0 || place.high < program_.spaces[place.space].bytes);
     if (!is_array && !execute::IsInside(program_, place)) return;
     for (const execute::CellId cell : execute::TouchedCells(program_, version_.cells, place))
       stored_[cell.index] = true;
+    for (const execute::CellId cell : CellsThatMayBeSet(version_, inst, id)) set_[cell.index] = true;
   }
 
   void Region(ir::RegionId region) {
@@ -41,8 +50,8 @@ class Stores {
   void Inst(const ir::Inst& inst) {
     ir::ForEachAccess(
         program_, inst,
-        [this](ir::PlaceId place, ir::Access access) {
-          if (access == ir::Access::kWrite) Place(place);
+        [&](ir::PlaceId place, ir::Access access) {
+          if (access == ir::Access::kWrite) Place(inst, place);
         },
         [](ir::StateId) {});
     if (ir::Info(inst.op).effect == ir::Effect::kControl) {
@@ -53,7 +62,7 @@ class Stores {
 
   const Version& version_;
   const ir::Program& program_;
-  std::vector<bool> seen_, stored_;
+  std::vector<bool> seen_, set_, stored_;
 };
 
 }  // namespace
@@ -75,9 +84,9 @@ std::vector<bool> InputsOf(const Version& version) {
     const execute::CellId id(i);
     const execute::Cell cell = execute::CellAt(program, version.cells, id);
     if (cell.kind != execute::CellKind::kBit || !IsState(version, id)) continue;
-    // What the program's side never writes anybody may set, an output, too.
+    // What the program's side never writes, or only takes back, anybody may set, an output, too.
     inputs[i] = WhatControlWrites(version, id) == execute::ControlWrite::kValues ||
-                (program.spaces[cell.space].host_visible && !own.stored()[i]);
+                (program.spaces[cell.space].host_visible && !own.Sets(id));
   }
   return inputs;
 }

@@ -2,6 +2,7 @@
 
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/op.h"
+#include "transpiler/prove/machine/sets.h"
 
 namespace plcxx::prove::machine {
 
@@ -36,28 +37,37 @@ bool IsRetentive(const Version& version, execute::CellId id) {
 
 Uses UsesOf(const Version& version) {
   const ir::Program& program = *version.program;
-  Uses uses{.reads = std::vector<bool>(version.cells.count), .writes = std::vector<bool>(version.cells.count)};
-  const auto on_place = [&](ir::PlaceId place, ir::Access access) {
-    for (const execute::CellId cell : execute::TouchedCells(program, version.cells, program.places[place])) {
-      if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
-      if (access != ir::Access::kRead) uses.writes[cell.index] = true;
-    }
-  };
+  Uses uses{.reads = std::vector<bool>(version.cells.count),
+            .writes = std::vector<bool>(version.cells.count),
+            .sets = std::vector<bool>(version.cells.count)};
   const auto on_instance = [&](ir::StateId state) {
     for (const execute::CellId cell : execute::CellsOfInstance(program, version.cells, state)) {
-      uses.reads[cell.index] = uses.writes[cell.index] = true;
+      uses.reads[cell.index] = uses.writes[cell.index] = uses.sets[cell.index] = true;
     }
   };
-  for (const ir::Region& region : program.regions) {
-    for (const ir::InstId id : region.insts) {
+  const std::vector<bool> is_scheduled = ScheduledRegions(program);
+  for (uint32_t r = 0; r < program.regions.size(); ++r) {
+    for (const ir::InstId id : program.regions[ir::RegionId(r)].insts) {
       const ir::Inst& inst = program[id];
+      const auto on_place = [&](ir::PlaceId place, ir::Access access) {
+        for (const execute::CellId cell : execute::TouchedCells(program, version.cells, program.places[place])) {
+          if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
+          if (access != ir::Access::kRead) uses.writes[cell.index] = true;
+        }
+        if (access == ir::Access::kRead || !is_scheduled[r]) return;
+        for (const execute::CellId cell : CellsThatMayBeSet(version, inst, place)) uses.sets[cell.index] = true;
+      };
       ir::ForEachAccess(program, inst, on_place, on_instance);
       if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
         const ir::HostFunctionId host = program.calls[ir::CallId(inst.payload)].host;
-        uses.writes[version.cells.OfCalls(host).index] = true;
-        if (version.cells.is_ordered[host.index]) uses.writes[version.cells.OfOrder().index] = true;
+        uses.writes[version.cells.OfCalls(host).index] = uses.sets[version.cells.OfCalls(host).index] = true;
+        if (version.cells.is_ordered[host.index])
+          uses.writes[version.cells.OfOrder().index] = uses.sets[version.cells.OfOrder().index] = true;
       }
     }
+  }
+  for (uint32_t i = 0; i < version.cells.count; ++i) {
+    if (uses.writes[i] && !uses.sets[i]) uses.sets[i] = !MayBeSetByOthers(version, execute::CellId(i));
   }
   return uses;
 }

@@ -30,6 +30,9 @@ bool IsRetentive(const Version& version, execute::CellId cell);
 /// What a program does to each cell, by CellId.
 struct Uses {
   std::vector<bool> reads, writes;
+  /// Writes of the schedule that may make it 1; any write of what is no internal memory, or is 1 when power comes. What
+  /// is written and never set is only taken back by the program (sets.h): somebody else sets it.
+  std::vector<bool> sets;
 };
 Uses UsesOf(const Version& version);
 

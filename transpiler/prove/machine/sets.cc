@@ -1,0 +1,101 @@
+#include "transpiler/prove/machine/sets.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "transpiler/ir/builder.h"
+#include "transpiler/ir/op.h"
+#include "transpiler/prove/machine/transition.h"
+
+namespace plcxx::prove::machine {
+namespace {
+
+constexpr uint64_t kAll = ~uint64_t{0};
+constexpr ir::OpKind kAnds[] = {ir::OpKind::kBitAnd, ir::OpKind::kAnd8, ir::OpKind::kAnd16, ir::OpKind::kAnd32};
+constexpr ir::OpKind kOrs[] = {ir::OpKind::kBitOr, ir::OpKind::kOr8, ir::OpKind::kOr16, ir::OpKind::kOr32};
+constexpr ir::OpKind kSelects[] = {ir::OpKind::kSelect1, ir::OpKind::kSelect8, ir::OpKind::kSelect16,
+                                   ir::OpKind::kSelect32};
+bool IsOneOf(std::span<const ir::OpKind> ops, ir::OpKind op) { return std::ranges::find(ops, op) != ops.end(); }
+
+constexpr int kMaxDepth = 16;  // of operations within the value
+
+bool IsSameMemory(const ir::Place& one, const ir::Place& other) {
+  return !one.is_field() && !other.is_field() && !one.indexed && !other.indexed && one.space == other.space &&
+         one.offset == other.offset && one.bit == other.bit && one.type == other.type;
+}
+
+/// Bits that `value` may have where `place` has none. A value of the place that was loaded earlier has no more bits
+/// than it had when its last setter was through.
+uint64_t MayAdd(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth) {
+  const ir::Inst& inst = program[value];
+  if (depth > kMaxDepth) return kAll;
+  const auto operand = [&](uint32_t id) { return MayAdd(program, place, ir::InstId(id), depth + 1); };
+  if (ir::Info(inst.op).shape == ir::Shape::kConst) return ir::ConstantValue(inst);
+  if (ir::Info(inst.op).shape == ir::Shape::kLoad)
+    return IsSameMemory(program.places[ir::PlaceId(inst.payload)], place) ? 0 : kAll;
+  if (IsOneOf(kAnds, inst.op)) return operand(inst.a) & operand(inst.b);
+  if (IsOneOf(kOrs, inst.op)) return operand(inst.a) | operand(inst.b);
+  if (IsOneOf(kSelects, inst.op)) return operand(inst.b) | operand(inst.c);
+  return kAll;
+}
+
+class ScheduleWalk {
+ public:
+  explicit ScheduleWalk(const ir::Program& program) : program_(program), regions_(program.regions.size()) {}
+
+  void Routine(ir::RoutineId id) {
+    if (!id.valid()) return;
+    const ir::Routine& routine = program_.routines[id];
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
+  }
+  std::vector<bool> Take() { return std::move(regions_); }
+
+ private:
+  void Region(ir::RegionId id) {
+    if (!id.valid() || regions_[id.index]) return;
+    regions_[id.index] = true;
+    for (const ir::InstId inst_id : program_.regions[id].insts) {
+      const ir::Inst& inst = program_[inst_id];
+      if (ir::Info(inst.op).effect == ir::Effect::kControl) {
+        for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) Region(owned);
+      }
+      if (ir::Info(inst.op).shape == ir::Shape::kCall) Routine(program_.calls[ir::CallId(inst.payload)].routine);
+    }
+  }
+
+  const ir::Program& program_;
+  std::vector<bool> regions_;
+};
+
+}  // namespace
+
+std::vector<bool> ScheduledRegions(const ir::Program& program) {
+  ScheduleWalk walk(program);
+  const ir::Schedule& schedule = program.schedule;
+  for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse}) walk.Routine(id);
+  return walk.Take();
+}
+
+std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir::Inst& inst, ir::PlaceId written) {
+  const ir::Program& program = *version.program;
+  const ir::Place& place = program.places[written];
+  if (ir::Info(inst.op).shape != ir::Shape::kStore) return execute::TouchedCells(program, version.cells, place);
+  const uint64_t added = MayAdd(program, place, ir::InstId(inst.a), 0);
+  if (place.is_field() || place.indexed || !execute::IsInside(program, place))
+    return added == 0 ? std::vector<execute::CellId>() : execute::TouchedCells(program, version.cells, place);
+  const std::vector<execute::CellId> cells = execute::CellsOf(program, version.cells, place);
+  std::vector<execute::CellId> set;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    if ((added >> i & 1) != 0) set.push_back(cells[i]);
+  }
+  return set;
+}
+
+bool MayBeSetByOthers(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind != execute::CellKind::kBit || DirectionOf(version, id) != ir::Direction::kInternal) return false;
+  return !PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+}
+
+}  // namespace plcxx::prove::machine
