@@ -181,6 +181,7 @@ struct Compared {
 /// What the comparison says to be equal, and what the machine sets.
 struct Locations {
   std::vector<Compared> equal, inputs;
+  std::vector<Compared> requests;  // what the control takes back when it likes
   std::set<std::string> equal_calls;
 };
 
@@ -234,11 +235,17 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     if (!old_place || !new_place) continue;
     if (prove::diff::IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
-    } else if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
+    }
+    if (!is_listed && (old_uses.writes[i] || new_uses.writes[new_cell.index])) {
       // A flag that one version alone has is not compared, and the verdict names it.
       if (!is_named(name) && !is_named(new_words.WordOf(new_cell).name))
         locations.equal.push_back({name, *old_place, *new_place});
     }
+  }
+  for (const CellId request : prove::diff::MatchedRequests(old_version, new_version, match)) {
+    const std::optional<ir::Place> old_place = PlaceOf(old_version, request),
+                                   new_place = PlaceOf(new_version, match.new_of_old[request.index]);
+    if (old_place && new_place) locations.requests.push_back({old_words.WordOf(request).name, *old_place, *new_place});
   }
   return locations;
 }
@@ -282,6 +289,11 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
         const uint64_t value = bytes ? usual >> place.bit & 1 : random.Next() % 4 < ones ? 1 : 0;
         old_machine.Set(place, value);
         new_machine.Set(input.new_place, value);
+      }
+      for (const Compared& request : locations.requests) {
+        if (!random.OneIn(4 * one_in)) continue;
+        old_machine.Set(request.old_place, 0);
+        new_machine.Set(request.new_place, 0);
       }
       const uint64_t what = random.Next() % 32, length = 1 + random.Next() % 40;
       for (Machine* machine : {&old_machine, &new_machine}) {

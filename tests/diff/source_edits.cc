@@ -68,10 +68,12 @@ std::string TextOf(const std::vector<std::string>& lines) {
 }
 
 /// What is easily written for another one. Signs of several characters are edited sign by sign.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kSlips = {{
-    {"*", "+"}, {"+", "*"},     {"+", "-"},    {"-", "+"},   {"<", ">"},       {">", "<"},   {"&", "|"},    {"|", "&"},
-    {"=", ">"}, {"AND", "OR"},  {"OR", "AND"}, {"A", "O"},   {"O", "A"},       {"AN", "ON"}, {"LD", "LDI"}, {"S", "R"},
-    {"R", "S"}, {"SET", "RST"}, {"LDR", "LA"}, {"LO", "LA"}, {"TONS", "TOFS"}, {"EQ", "GT"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kSlips = {{
+    {"*", "+"},    {"+", "*"},     {"+", "-"},     {"-", "+"},     {"<", ">"},      {">", "<"},      {"&", "|"},
+    {"|", "&"},    {"=", ">"},     {"AND", "OR"},  {"OR", "AND"},  {"A", "O"},      {"O", "A"},      {"AN", "ON"},
+    {"LD", "LDI"}, {"S", "R"},     {"R", "S"},     {"SET", "RST"}, {"LDR", "LA"},   {"LO", "LA"},    {"TONS", "TOFS"},
+    {"EQ", "GT"},  {"LDP", "LD"},  {"LD", "LDP"},  {"LDF", "LD"},  {"AND", "ANDP"}, {"ANDP", "AND"}, {"FL", "FL1"},
+    {"FL1", "FL"}, {"JL0", "JL1"}, {"JL1", "JL0"}, {"EX0", "EX1"}, {"EX1", "EX0"},  {"TIM", "TEX1"}, {"LE", "LT"},
 }};
 
 /// One token of the line instead of another; empty: this line has none.

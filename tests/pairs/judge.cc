@@ -152,8 +152,10 @@ Pair PairOf(const std::string& dialect, uint64_t seed) {
   Random random(0x9FB21C651E98DF25 * (seed + 1) + dialect.size());
   if (Below(random, 5) < 2) {
     if (dialect == "hnc") return RandomHncPair(random);
+    if (dialect == "classicladder") return RandomLadderPair(random, true);
     return Rewritten(RandomProgramText(dialect, random), random);
   }
+  if (dialect == "classicladder" && !random.OneIn(4)) return RandomLadderPair(random, false);
   return Mutated(RandomProgramText(dialect, random), random);
 }
 

@@ -1,6 +1,6 @@
 // Pairs of programs with what is known of them, to judge `plcxx diff` by.
 //
-// In: a seed. Out: an old and a new version, in any of the five languages; and whether they are written so that they
+// In: a seed. Out: an old and a new version, in any of the six languages; and whether they are written so that they
 // behave alike. Not its job: what diff says of them (judge.h).
 #pragma once
 
@@ -42,6 +42,8 @@ Pair Mutated(const ProgramText& program, Random& random);
 Pair Rewritten(const ProgramText& program, Random& random);
 /// Programs of hnc are made twice from one tree.
 Pair RandomHncPair(Random& random);
+/// A project of classicladder, changed as a drawing is, or drawn otherwise.
+Pair RandomLadderPair(Random& random, bool alike);
 
 inline uint32_t Below(Random& random, size_t count) { return static_cast<uint32_t>((random.Next() >> 9) % count); }
 

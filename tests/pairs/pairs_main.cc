@@ -21,7 +21,7 @@ volatile std::sig_atomic_t stopped = 0;
 int main(int argc, char** argv) {
   using namespace plcxx::pairs;
   CLI::App app("Random pairs of programs: is what plcxx diff says of them right?");
-  std::vector<std::string> dialects{"nc110", "technol", "host50", "prostep", "hnc"};
+  std::vector<std::string> dialects{"nc110", "technol", "host50", "prostep", "hnc", "classicladder"};
   uint64_t pairs = 1000, seed = 1;
   unsigned jobs = 2;
   JudgeOptions options{.runs = 16, .steps = 60};

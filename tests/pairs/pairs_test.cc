@@ -38,12 +38,13 @@ TEST_P(RandomPairs, NothingIsCalledWhatItIsNot) {
   for (const std::string& what : sum.unsound) ADD_FAILURE() << what;
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, RandomPairs, testing::Values("nc110", "technol", "host50", "prostep", "hnc"),
+INSTANTIATE_TEST_SUITE_P(Dialects, RandomPairs,
+                         testing::Values("nc110", "technol", "host50", "prostep", "hnc", "classicladder"),
                          [](const auto& named) { return std::string(named.param); });
 
 /// The same seed makes the same pair, everywhere.
 TEST(Pairs, FollowFromTheirSeeds) {
-  for (const char* const dialect : {"nc110", "technol", "host50", "prostep", "hnc"}) {
+  for (const char* const dialect : {"nc110", "technol", "host50", "prostep", "hnc", "classicladder"}) {
     EXPECT_EQ(PairOf(dialect, 7).new_program.files, PairOf(dialect, 7).new_program.files);
   }
 }

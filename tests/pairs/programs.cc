@@ -57,7 +57,8 @@ ProgramText Golden(const std::string& dialect, Random& random) {
       // Files beside it may be included, or named by options; what was printed is not.
       const bool is_printed =
           name.ends_with(".cc") || name.ends_with(".ir") || name.ends_with(".syntax") || name.ends_with(".yaml");
-      const bool is_other = name.ends_with(".plc") || name.ends_with(".il") || name.ends_with(".cld");
+      const bool is_other =
+          name.ends_with(".plc") || name.ends_with(".il") || name.ends_with(".cld") || name.ends_with(".clp");
       const bool is_source = std::ranges::find(program.sources, name) != program.sources.end();
       if (entry.is_regular_file() && !is_printed && (!is_other || is_source))
         program.files[name] = Content(entry.path());
@@ -69,7 +70,7 @@ ProgramText Golden(const std::string& dialect, Random& random) {
   return {};
 }
 
-/// None: of hnc there is none.
+/// None: of hnc and classicladder there is none.
 using Generate = reference::RandomProgram (*)(reference::Random& random, reference::ProgramSize size,
                                               reference::Spelling spelling);
 Generate GeneratorOf(const std::string& dialect) {
@@ -101,7 +102,7 @@ ProgramText Generated(const std::string& dialect, Generate generate, Random& ran
 ProgramText RandomProgramText(const std::string& dialect, Random& random) {
   const Generate generate = GeneratorOf(dialect);
   if (generate != nullptr && !random.OneIn(3)) return Generated(dialect, generate, random);
-  if (generate == nullptr && !random.OneIn(3)) return RandomHncPair(random).old_program;
+  if (dialect == "hnc" && !random.OneIn(3)) return RandomHncPair(random).old_program;
   return Golden(dialect, random);
 }
 
