@@ -1,13 +1,18 @@
 """Random small machines of every dialect, and random properties of them.
 
 A machine is a few statements over a few bits and words, so that by chance many properties hold and many do not. All
-five generators give the same things: text of the program, bits, numbers with their greatest value, inputs as scenarios
-set them, and the milliseconds of a period.
+six generators give the same things: text of the program, bits, numbers with their greatest value, inputs as scenarios
+set them, the flag that the program only takes back (somebody else sets it), bits that the control takes back, and the
+milliseconds of a period.
 """
 import random
 
 
 class Machine:
+    flag = ""  # that the program only takes back
+    is_taken = False
+    cleared = []  # by the control, when it likes
+
     def __init__(self, seed):
         self.rng = random.Random(seed)
         self.lines = []
@@ -19,7 +24,11 @@ class Machine:
         return self.rng.random() < probability
 
     def bits(self):
-        return self.inputs + self.coils
+        return self.inputs + self.coils + ([self.flag] if self.is_taken else [])
+
+    def taken(self):
+        self.is_taken = True
+        self.take_back()
 
     def contacts(self, most=3):
         """(operator, negated, bit): "and" or "or", from left to right; the first operator says nothing."""
@@ -39,6 +48,10 @@ class Nc110(Machine):
     numbers = {"W30K0": 255, "W30K1": 255, "C1W": 255}
     words = ["W30K0", "W30K1"]
     input_words = []
+    flag = "U50K3"
+
+    def take_back(self):
+        self.lines.append(f"U50K3=U50K3*/({self.expression()})")
 
     def expression(self):
         text = ""
@@ -73,7 +86,7 @@ class Nc110(Machine):
         self.lines.append(f"DOF: {self.expression()}\n  {word}={change}\nENDF")
 
     def text(self):
-        self.statements(["coil", "coil", "latch", "latch", "timer", "counter", "pulse", "count", "count"])
+        self.statements(["coil", "coil", "latch", "latch", "timer", "counter", "pulse", "count", "count", "taken"])
         split = self.rng.randint(0, len(self.lines)) if self.chance(0.4) else 0
         # A one-shot or a counter of both parts is refused or warned of: they stay together.
         fast = [line for line in self.lines[:split] if line[0] == "U" and "P1" not in line]
@@ -88,6 +101,11 @@ class Host50(Machine):
     coils = [f"Q{i}" for i in range(5)] + ["B0", "B1"]
     numbers = {"W0": 65535, "W1": 65535}
     input_words = []
+    flag = "B600"
+
+    def take_back(self):
+        self.expression()
+        self.lines.append("RST %B600")
 
     def expression(self):
         for i, (operator, negated, bit) in enumerate(self.contacts()):
@@ -130,7 +148,7 @@ class Host50(Machine):
 
     def text(self):
         self.lines = [f"SLOWDIV {self.one([1, 2, 4])}", "SLOW", "NETWORK"]
-        kinds = ["coil", "coil", "latch", "latch", "timer", "pulse", "count", "count"]
+        kinds = ["coil", "coil", "latch", "latch", "timer", "pulse", "count", "count", "taken"]
         self.statements(kinds)
         if self.chance(0.5):
             self.counter()
@@ -143,6 +161,11 @@ class Prostep(Machine):
     coils = [f"O 0.{i}" for i in range(5)] + ["F 1.0", "F 1.1"]
     numbers = {"DB 60": 255, "DB 61": 255}
     input_words = []
+    flag = "F 100.0"
+
+    def take_back(self):
+        self.expression()
+        self.lines.append(":R F 100.0")
 
     def expression(self):
         for i, (operator, negated, bit) in enumerate(self.contacts()):
@@ -194,7 +217,7 @@ class Prostep(Machine):
         self.lines.append(f"{label} :NOP")
 
     def text(self):
-        self.statements(["coil", "coil", "latch", "latch", "timer", "counter", "compare", "count", "count"])
+        self.statements(["coil", "coil", "latch", "latch", "timer", "counter", "compare", "count", "count", "taken"])
         return "\n".join([":MOD PM 0", ":A I 20.1", ":S F 251.0", ":END PM 0", ":MOD PM 9"] + self.lines +
                          [":END PM 9"]) + "\n"
 
@@ -207,6 +230,11 @@ class Technol(Machine):
     numbers = {"N1": 255, "N2": 255}
     input_words = []
     labels = 0
+    flag = "NC1"
+
+    def take_back(self):
+        self.expression()
+        self.lines.append(" FL1 0,NC1")
 
     def label(self):
         self.labels += 1
@@ -273,11 +301,12 @@ class Technol(Machine):
             self.latch()
             fast = [" MODULE_FAST"] + self.lines + [" MODULE_FAST_END"]
             self.lines = []
-        self.statements(["coil", "latch", "latch", "count", "compare", "start", "stop"], 3, 7)
+        self.statements(["coil", "latch", "latch", "count", "compare", "start", "stop", "taken"], 3, 7)
         self.start()
         self.mechanism("M1")
         self.mechanism("M2")
         head = [" DATA", "IN0: DFM I0,I1,I2,I3,,,,", "OUT0: DFM Q0,Q1,Q2,Q3,Q4,Q5,,", "N1: DS 1", "N2: DS 1",
+                "FLAGS: DFM NC1,,,,,,,",
                 " DATA_END"]
         return "\n".join(head + fast + [" MODULE_MAIN"] + self.lines + [" MODULE_MAIN_END", " STOP"]) + "\n"
 
@@ -346,7 +375,72 @@ class Hnc(Machine):
                 f"void plc2()\n{{\n    int i;\n    i = 0;\n    {slow}\n}}\n")
 
 
-MACHINES = {machine.dialect: machine for machine in (Nc110, Host50, Prostep, Technol, Hnc)}
+class Classicladder(Machine):
+    dialect, suffix, period_ms = "classicladder", "clp", 1
+    inputs = [f"I{i}" for i in range(4)]
+    coils = [f"Q{i}" for i in range(5)] + ["B0", "B1"]
+    numbers = {"W0": 255, "W1": 255}
+    input_words = []
+    flag = "B9"
+    kinds = {"I": 50, "Q": 60, "B": 0}
+
+    def element(self, kind, name):
+        return f"{kind}-0-{self.kinds[name[0]]}/{name[1:]}"
+
+    def rung(self, end, width=1):
+        """Rows of contacts in series, joined; behind them `end`, `width` cells."""
+        rows = [[]]
+        for operator, negated, bit in self.contacts():
+            if operator == "or" and rows[-1]:
+                rows.append([])
+            edge = self.rng.choice([3, 4]) if self.chance(0.1) else 0
+            rows[-1].append(self.element(edge or (2 if negated else 1), bit))
+        lines = []
+        for i, row in enumerate(rows):
+            cells = row + ["9-0-0/0"] * (3 - len(row))
+            if i == 0:
+                lines.append(cells + ["9-0-0/0"] * (7 - width) + end)
+            else:
+                lines.append(cells + ["0-1-0/0"] + ["0-0-0/0"] * 6)
+        self.lines.append([" , ".join(cells) for cells in lines])
+
+    def coil(self):
+        self.rung([self.element(50, self.one(self.coils))])
+
+    def latch(self):
+        coil = self.one(self.coils)
+        for kind in self.rng.sample([51, 52], 2):
+            self.rung([self.element(kind, coil)])
+
+    def take_back(self):
+        self.rung([self.element(52, self.flag)])
+
+    def block(self, kind, expression):
+        self.expressions.append(expression)
+        return ["99-0-0/0", "99-0-0/0", f"{kind}-0-0/{len(self.expressions) - 1}"]
+
+    def count(self):
+        word, other = self.one([0, 1]), self.one([0, 1])
+        change = self.one([f"@200/{word}@+1", f"(@200/{word}@+1)%{self.rng.randint(2, 6)}", str(self.rng.randrange(6)),
+                           f"@200/{other}@+1", f"@200/{word}@-1"])
+        self.rung(self.block(60, f"@200/{word}@:={change}"), 3)
+
+    def compare(self):
+        cells = ["9-0-0/0"] + self.block(20, f"@200/{self.one([0, 1])}@{self.one(['<', '=', '>'])}{self.rng.randrange(6)}")
+        self.lines.append([" , ".join(cells + ["9-0-0/0"] * 5 + [self.element(50, self.one(self.coils))])])
+
+    def text(self):
+        self.expressions = []
+        self.statements(["coil", "coil", "latch", "latch", "count", "compare", "taken"])
+        parts = {"sections.csv": ["#VER=1.0", f"000,0,-1,0,{len(self.lines) - 1},0"],
+                 "arithmetic_expressions.csv": ["#VER=2.0"] + [f"{i:04d},{one}" for i, one in enumerate(self.expressions)]}
+        for i, rows in enumerate(self.lines):
+            parts[f"rung_{i}.csv"] = ["#VER=2.0", f"#NEXTRUNG={i + 1 if i + 1 < len(self.lines) else -1}"] + rows
+        text = "".join(f"_FILE-{name}\n" + "\n".join(lines) + f"\n_/FILE-{name}\n" for name, lines in parts.items())
+        return f"_FILES_CLASSICLADDER\n{text}_/FILES_CLASSICLADDER\n"
+
+
+MACHINES = {machine.dialect: machine for machine in (Nc110, Host50, Prostep, Technol, Hnc, Classicladder)}
 
 
 def quoted(location):
@@ -371,8 +465,29 @@ def properties(machine, count):
     def pair(word):
         return f"{word} " + ", ".join(quoted(one) for one in rng.sample(outputs, rng.randint(2, 3)))
 
+    def condition(depth):
+        """Anything of the grammar that is no count of several."""
+        if depth == 0 or rng.random() < 0.2:
+            return rng.choice([bit, bit, comparison])()
+        one, other = condition(depth - 1), condition(depth - 1)
+        return rng.choice([f"({one} and {other})", f"({one} or {other})", f"not ({one})", f"({one})",
+                           f"({one}) for {rng.randint(1, 3)} slow",
+                           f"(at most one of ({one}), {bit()}, not {bit()})",
+                           f"(exactly one of {bit()}, ({other}))"])
+
+    def comparison():
+        one, other = quoted(rng.choice(numbers)), quoted(rng.choice(numbers))
+        relation = rng.choice(["=", "!=", "<", "<=", ">", ">="])
+        return rng.choice([f"{one} {relation} {rng.randrange(6)}", f"{one} {relation} {other}",
+                           f"{rng.randrange(6)} {relation} {one}", f"{one} in {rng.randrange(3)}..{rng.randint(3, 9)}",
+                           f"bit {rng.randrange(4)} of {one}"])
+
     def one():
         return rng.choice([
+            lambda: f"never {condition(2)} and {bit(outputs)}",
+            lambda: f"always {condition(3)}",
+            lambda: f"{condition(2)} implies {condition(2)}",
+            lambda: f"{condition(1)} implies {condition(1)} within {rng.randint(1, 3) * machine.period_ms} ms",
             lambda: f"never {bit(outputs)} and {bit()}",
             lambda: f"never {bit(outputs)} and {bit()}",
             lambda: f"never {bit()} and {bit()} and {bit(outputs)}",
@@ -380,6 +495,9 @@ def properties(machine, count):
             lambda: f"{bit(outputs)} implies {bit()}",
             lambda: f"{bit()} and {bit()} implies {bit(outputs)}",
             lambda: f"{bit()} implies {bit(outputs)} within {rng.randint(1, 3)} slow",
+            lambda: f"{bit()} implies {bit(outputs)} or {bit()}",
+            lambda: f"({bit()} or {bit()}) and {bit()} implies {bit(outputs)}",
+            lambda: f"not ({bit()} and {bit(outputs)}) or {bit()}",
             lambda: f"{bit()} for {rng.randint(2, 4)} slow implies {bit(outputs)}",
             lambda: pair("at most one of"),
             lambda: pair("exactly one of"),
@@ -390,18 +508,23 @@ def properties(machine, count):
 
 
 def scenario(machine, source, held, rng, periods):
-    """A long random run that watches properties."""
+    """A long random run that watches properties: inputs, what the program only takes back, what the control takes back,
+    power failures."""
     text = f"dialect: {machine.dialect}\nsources: [{source}]\nproperties:\n"
     text += "".join("- \"" + one + "\"\n" for one in held) + "steps:\n"
     one_in = rng.choice([1, 2, 4, 8, 16])
     density = rng.choice([0.2, 0.5, 0.8])
+    inputs = machine.inputs + ([machine.flag] if machine.is_taken else [])
     done = 0
     while done < periods:
-        changes = {name: int(rng.random() < density) for name in machine.inputs if rng.randrange(one_in) == 0}
+        changes = {name: int(rng.random() < density) for name in inputs if rng.randrange(one_in) == 0}
         changes.update({name: rng.randrange(8) for name in machine.input_words if rng.randrange(one_in) == 0})
+        changes.update({name: 0 for name in machine.cleared if rng.randrange(4 * one_in) == 0})
         if changes:
             text += "- set: {" + ", ".join(f"'{name}': {value}" for name, value in changes.items()) + "}\n"
         wait = 1 if rng.random() < 0.8 else rng.randint(1, 40)
         text += f"- run: {{ms: {wait * machine.period_ms}}}\n"
+        if rng.random() < 0.01:
+            text += "- power_cycle: {}\n"
         done += wait
     return text
