@@ -89,7 +89,7 @@ class Statements(Expressions, Pointing, Forms):
         if pick < 86:
             if self.exits and self.chance(50):
                 return self.leave()
-            return self.jump_forward(depth)
+            return self.jump_between_arms(depth) if self.chance(25) else self.jump_forward(depth)
         if pick < 90:
             return self.once(depth) if self.chance(25) else self.inner_block(depth)
         if pick < 93:
@@ -310,6 +310,16 @@ class Statements(Expressions, Pointing, Forms):
         test = self.condition()
         made = Lines([f"if ({test.plc}) goto {label};"], [f"if ({test.avr}) goto {label};"])
         return made + self.several(depth - 1, 3) + both(f"{label}:") + self.simple(self.stepped(1))
+
+    def jump_between_arms(self, depth):
+        """goto from one arm of an if to a label in another one."""
+        label = self.fresh("arm")
+        first, second, leaves = self.condition(), self.condition(1), self.condition(1)
+        made = Lines([f"if ({first.plc}) {{"], [f"if ({first.avr}) {{"]) + self.several(depth - 1, 2)
+        made += Lines([f"if ({leaves.plc}) goto {label};"], [f"if ({leaves.avr}) goto {label};"])
+        made += Lines([f"}} else if ({second.plc}) {{"], [f"}} else if ({second.avr}) {{"]) if self.chance(50) else both("} else {")
+        made += self.several(depth - 1, 2) + both(f"{label}:") + self.simple(self.stepped(1))
+        return made + self.several(depth - 1, 2) + both("}")
 
     def inner_block(self, depth):
         """Locals: with an initialiser each time, without it 0 once."""

@@ -53,14 +53,15 @@ void Gotos::PrepareBackJump(const Statement& label, const std::vector<StatementI
   const bool annotated = rounds != 0;
   const Span again = jumps_.Repeated(label.label, jumps);
   const StatementId self = unit_.labels[label.label].statement;
+  const bool passed_by = jumps_.IsEnteredElsewhere(again) || std::ranges::any_of(jumps, [&](StatementId back) {
+                           return jumps_.HasChoiceAround(self, back);
+                         });
+  // A jump back that is reached past the label comes here without what is known in front of the label.
+  if (passed_by) flow_.ForgetAll();
   if (!annotated) {
     // A second way back would not ask for what the first one asks for.
     std::optional<uint64_t> proved;
-    const Flow known = flow_;
-    // Who comes another way knows nothing of what is known at the label.
-    if (jumps_.IsEnteredElsewhere(again)) flow_.ForgetAll();
     if (jumps.size() == 1) proved = loop_bounds_.IterationsOfGoto(self, jumps.front());
-    flow_ = known;
     if (!proved) {
       diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,
                           "nothing shows that the jump back to '" + unit_.labels[label.label].name + "' ends");
@@ -77,7 +78,7 @@ void Gotos::PrepareBackJump(const Statement& label, const std::vector<StatementI
   goto_budgets_[label.label.index] = budget;
   annotated_labels_[label.label.index] = annotated;
   const auto left = static_cast<uint32_t>(rounds == 0 ? 0 : rounds - 1);
-  if (jumps_.IsEnteredElsewhere(again) || jumps_.HasChoiceAround(self, jumps.back())) SetBudget(budget, left, self);
+  if (passed_by) SetBudget(budget, left, self);
   builder_.Store(budget, Long(left));
 }
 

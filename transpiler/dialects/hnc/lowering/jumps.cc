@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace plcxx::hnc {
 
@@ -76,13 +77,13 @@ bool Jumps::IsEnteredElsewhere(const Span& span) const {
 }
 
 bool Jumps::HasChoiceAround(StatementId label, StatementId jump) const {
-  std::unordered_set<uint32_t> around;
-  for (StatementId at = jump; at.valid(); at = ParentOf(at)) around.insert(at.index);
-  for (StatementId at = ParentOf(label); !around.contains(at.index); at = ParentOf(at)) {
+  StatementId at = ParentOf(label);
+  for (; at.valid() && !Holds(at, jump); at = ParentOf(at)) {
     const StatementKind kind = unit_.statements[at].kind;
     if (kind == StatementKind::kIf || kind == StatementKind::kSwitch) return true;
   }
-  return false;
+  // The label in one arm, the jump in the other one.
+  return at.valid() && unit_.statements[at].kind == StatementKind::kIf && !Holds(label, jump);
 }
 
 bool Jumps::GoesOn(StatementId id, bool& continues) const {
@@ -158,6 +159,14 @@ void Jumps::Find(const Function& function) {
     if (statement.then.valid()) parents_[statement.then.index] = id;
     if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
   });
+  last_ = {};
+  for (uint32_t i = 0; i < statements_.size(); ++i) last_.emplace(statements_[i].index, i);
+  for (size_t i = statements_.size(); i-- > 0;) {
+    const StatementId parent = ParentOf(statements_[i]);
+    if (!parent.valid()) continue;
+    uint32_t& last = last_.at(parent.index);
+    last = std::max(last, last_.at(statements_[i].index));
+  }
   live_gotos_ = FindLiveGotos(unit_, function.body);
   FindEntries(function);
   CheckJumps(function);
@@ -167,30 +176,31 @@ void Jumps::Find(const Function& function) {
 /// label in it. A switch with a goto to what is not in the same arm becomes flat.
 void Jumps::FindEntries(const Function& function) {
   entered_.clear();
+  std::unordered_set<uint32_t> around_cases;  // by StatementId, up to the switch
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     if (statement.kind == StatementKind::kGoto && live_gotos_.contains(id.index)) {
-      std::unordered_map<uint32_t, StatementId> part_of;  // by StatementId around the goto: its part with the goto
-      for (StatementId at = id, part; at.valid(); part = at, at = ParentOf(at)) part_of.emplace(at.index, part);
       StatementId at = unit_.labels[statement.label].statement, part;
-      for (; at.valid() && !part_of.contains(at.index); part = at, at = ParentOf(at)) entered_.insert(at.index);
-      if (part.valid() && !AreInOneArm(at, part, part_of.at(at.index))) flat_.insert(ParentOf(at).index);
+      for (; at.valid() && !Holds(at, id); part = at, at = ParentOf(at)) entered_.insert(at.index);
+      if (part.valid() && at.valid() && !AreInOneArm(at, part, id)) flat_.insert(ParentOf(at).index);
     }
     if (!IsCase(statement.kind)) return;
     for (StatementId at = id; at.valid() && unit_.statements[at].kind != StatementKind::kSwitch; at = ParentOf(at)) {
       entered_.insert(at.index);
+      if (!around_cases.insert(at.index).second) break;  // another label of the switch has been here
     }
   });
 }
 
-/// Whether parts of a list are executed in one arm where that is the body of a switch: no label of it between them.
-bool Jumps::AreInOneArm(StatementId list, StatementId a, StatementId b) const {
+/// Whether a part of a list and a jump in another part are executed in one arm where the list is the body of a switch:
+/// no label of it between them.
+bool Jumps::AreInOneArm(StatementId list, StatementId a, StatementId jump) const {
   const StatementId parent = ParentOf(list);
   if (!parent.valid() || unit_.statements[parent].kind != StatementKind::kSwitch) return true;
   bool between = false;
   for (const StatementId part : unit_.statements[list].body) {
     if (between && IsCase(unit_.statements[part].kind)) return false;
-    if (part == a || part == b) between = !between;
+    if (part == a || Holds(part, jump)) between = !between;
   }
   return true;
 }
@@ -202,23 +212,33 @@ StatementId Jumps::ParentOf(StatementId id) const {
 
 /// Gotos into loops and switches, cases inside loops; what a jump leads into becomes flat.
 void Jumps::CheckJumps(const Function& function) {
+  std::unordered_map<uint32_t, std::optional<StatementKind>> loops_around;  // by label of a switch: a loop in between
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
     if (statement.kind == StatementKind::kGoto && statement.label.valid()) {
-      std::unordered_set<uint32_t> around;
-      for (StatementId at = id; at.valid(); at = ParentOf(at)) around.insert(at.index);
       const Label& label = unit_.labels[statement.label];
-      for (StatementId at = ParentOf(label.statement); at.valid() && !around.contains(at.index); at = ParentOf(at)) {
+      if (Holds(label.statement, id)) return;
+      StatementId at = ParentOf(label.statement);
+      for (; at.valid() && !Holds(at, id); at = ParentOf(at)) {
         const StatementKind kind = unit_.statements[at].kind;
         if (IsLoop(kind) || kind == StatementKind::kSwitch) {
           diagnostics_.Report(statement.range, diag::HncJumpInto, label.name, WordOf(kind));
-          break;
+          return;
         }
         if (kind == StatementKind::kIf) flat_.insert(at.index);
       }
+      // From one arm into the other.
+      if (at.valid() && unit_.statements[at].kind == StatementKind::kIf) flat_.insert(at.index);
       return;
     }
     if (!IsCase(statement.kind)) return;
+    const auto above = loops_around.find(ParentOf(id).index);
+    if (above != loops_around.end()) {  // `case 1: case 2:`, and all around it is looked at
+      if (above->second) diagnostics_.Report(statement.head, diag::HncCaseInside, WordOf(*above->second));
+      loops_around.emplace(id.index, above->second);
+      return;
+    }
+    std::optional<StatementKind>& loop_around = loops_around[id.index];
     bool direct = true;  // stands in the body of its switch
     for (StatementId at = ParentOf(id); at.valid(); at = ParentOf(at)) {
       const StatementKind kind = unit_.statements[at].kind;
@@ -228,6 +248,7 @@ void Jumps::CheckJumps(const Function& function) {
       }
       if (IsLoop(kind)) {
         diagnostics_.Report(statement.head, diag::HncCaseInside, WordOf(kind));
+        loop_around = kind;
         return;
       }
       if (kind == StatementKind::kIf) flat_.insert(at.index);
@@ -236,6 +257,11 @@ void Jumps::CheckJumps(const Function& function) {
       if (!IsCase(kind) && !body) direct = false;
     }
   });
+}
+
+bool Jumps::Holds(StatementId outer, StatementId inner) const {
+  const auto last = last_.find(outer.index);
+  return last != last_.end() && OrderOf(outer) <= OrderOf(inner) && OrderOf(inner) <= last->second;
 }
 
 uint32_t Jumps::OrderOf(StatementId id) const {

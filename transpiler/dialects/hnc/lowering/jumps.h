@@ -36,7 +36,8 @@ class Jumps : Context {
   Span Repeated(LabelId label, const std::vector<StatementId>& jumps) const;
   /// Whether a goto or a switch leads into the statements from outside, past the first of them.
   bool IsEnteredElsewhere(const Span& span) const;
-  /// Whether an if or a switch around the label, but not around the jump back, decides if it is passed.
+  /// Whether an if or a switch decides if the label is passed before the jump back: one around the label alone, or an
+  /// if with both in different arms.
   bool HasChoiceAround(StatementId label, StatementId jump) const;
   /// Whether control can get to the end of the statement, or round the loop by `continue`.
   bool GoesOn(StatementId id, bool& continues) const;
@@ -59,7 +60,9 @@ class Jumps : Context {
  private:
   bool Continues(StatementId id, StatementId outer) const;
   void FindEntries(const Function& function);
-  bool AreInOneArm(StatementId list, StatementId a, StatementId b) const;
+  bool AreInOneArm(StatementId list, StatementId a, StatementId jump) const;
+  /// Whether `inner` is `outer` or lies in it.
+  bool Holds(StatementId outer, StatementId inner) const;
   void CheckJumps(const Function& function);
 
   std::unordered_set<uint32_t> flat_;                  // by StatementId
@@ -67,6 +70,7 @@ class Jumps : Context {
   std::unordered_set<uint32_t> entered_;               // by StatementId: a jump from outside leads into it
   std::unordered_map<uint32_t, StatementId> parents_;  // by StatementId
   std::unordered_map<uint32_t, uint32_t> order_;       // by StatementId
+  std::unordered_map<uint32_t, uint32_t> last_;        // by StatementId: the order of the last statement in it
   std::vector<StatementId> statements_;                // of the function, by their order
   std::unordered_map<uint32_t, std::vector<StatementId>> jumps_to_;  // gotos by StatementId of their label
 };
