@@ -123,6 +123,10 @@ KINDS = {
                                "void plc2(void) {}\nvoid plc1(void) {\n" + "".join(f"f{i}();\n" for i in range(n)) + "}\n"),
         "variable": lambda n: (HNC + "".join(f"int v{i};\n" for i in range(n // 4)) + "void plc2(void) {}\nvoid plc1(void) {\n" +
                                "".join(f"v{i}++;\n" for i in range(n // 4)) + "}\n"),
+        "wrong-cases": lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\nswitch (i) {\n" +
+                                  "".join(f"case {i}:\n" for i in range(n)) + ";\n}\n}\n"),
+        "wrong-cases-with-breaks": lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\nswitch (i) {\n" +
+                                              "".join(f"case {i}: Y[1] = {i % 100}; break;\n" for i in range(n)) + "}\n}\n"),
         "macro": lambda n: (HNC + "".join(f"#define M{i} {i % 100}\n" for i in range(n)) + "void plc2(void) {}\nvoid plc1(void) {\n" +
                             "".join(f"Y[1] = M{i};\n" for i in range(n)) + "}\n"),
     }),

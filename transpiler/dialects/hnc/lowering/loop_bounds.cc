@@ -1,5 +1,6 @@
 #include "transpiler/dialects/hnc/lowering/loop_bounds.h"
 
+#include <string>
 #include <utility>
 
 #include "transpiler/dialects/hnc/loop_counts.h"
@@ -44,6 +45,16 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
   relation.changes_before =
       expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPreDecrement;
   return true;
+}
+
+/// The first function that an expression calls; empty: it calls none.
+std::string CalledIn(const Unit& unit, ExprId expr) {
+  std::string name;
+  ForEachExpr(unit, expr, [&](ExprId id) {
+    const Expr& call = unit.expressions[id];
+    if (call.kind == ExprKind::kCall && name.empty()) name = unit.functions[call.function].name;
+  });
+  return name;
 }
 
 }  // namespace
@@ -255,7 +266,11 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
       continue;
     }
     if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
-      refusal.Add(ProofStep::kLimit, "its limit changes in the loop");
+      const std::string called = CalledIn(unit_, relation.limit);
+      refusal.Add(ProofStep::kLimit, called.empty()
+                                         ? "its limit changes in the loop"
+                                         : "its limit calls '" + called +
+                                               "' in each round: keep the result in a variable in front of the loop");
       continue;
     }
     const Bounds all = BoundsOf(type);

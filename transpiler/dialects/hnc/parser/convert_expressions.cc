@@ -12,7 +12,7 @@ namespace plcxx::hnc {
 
 /// Which macro wrote the expression, and whether it wrote nothing else.
 void Converter::LocateMacro(const clang::Expr* expr, Expr& result) const {
-  const clang::SourceLocation begin = expr->getBeginLoc(), end = expr->getEndLoc();
+  const clang::SourceLocation begin = extents_.BeginOf(expr), end = extents_.EndOf(expr);
   if (!begin.isMacroID()) return;
   const auto use = session_.macro_uses.find(result.range.begin);
   if (use == session_.macro_uses.end()) return;

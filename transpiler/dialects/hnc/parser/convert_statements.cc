@@ -34,7 +34,7 @@ size_t GapLength(std::string_view text) {
 Statement Converter::Start(StatementKind kind, const clang::Stmt* statement) {
   Statement result;
   result.kind = kind;
-  result.range = session_.places.Of(statement->getSourceRange());
+  result.range = session_.places.Of(statement->getBeginLoc(), extents_.EndOf(statement));
   result.keyword = session_.places.OfToken(statement->getBeginLoc());
   result.head = result.range;
   if (statement->getBeginLoc().isMacroID()) {

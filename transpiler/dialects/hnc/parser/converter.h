@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "transpiler/dialects/hnc/parser/extents.h"
 #include "transpiler/dialects/hnc/parser/session.h"
 
 namespace plcxx::hnc {
@@ -126,7 +127,9 @@ class Converter {
   std::optional<LoopBound> BoundBefore(source::Offset place) const;
 
   Findings& findings() { return session_.findings(); }
-  source::Range RangeOf(const clang::Expr* expr) const { return session_.places.Of(expr->getSourceRange()); }
+  source::Range RangeOf(const clang::Expr* expr) const {
+    return session_.places.Of(extents_.BeginOf(expr), extents_.EndOf(expr));
+  }
   source::Range NameOf(const clang::NamedDecl* declaration) const {
     return session_.places.OfToken(declaration->getLocation());
   }
@@ -137,6 +140,7 @@ class Converter {
   clang::ASTContext& context_;
   Unit& unit_;
 
+  mutable Extents extents_;
   // Only asked, never walked through.
   std::unordered_map<std::string, TypeId> types_;
   std::unordered_map<const void*, TypeId> known_types_;  // by Clang's type

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <charconv>
 #include <memory>
+#include <string>
 #include <unordered_map>
 
 #include "transpiler/dialects/hnc/parser/session.h"
@@ -16,8 +17,9 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr unsigned kMostIncludes = 20;           // one in the other, 10.1
-constexpr size_t kMostTokens = 4'000'000;        // macros that double each other end here, not in memory
+constexpr unsigned kMostIncludes = 20;      // one in the other, 10.1
+constexpr size_t kMostTokens = 4'000'000;   // macros that double each other end here, not in memory
+constexpr size_t kMostCharacters = 65'536;  // of a token: `#` and `##` double characters, and take the square of them
 constexpr std::string_view kBlanks = " \t\v\f";  // line ends within a directive are splices
 
 bool IsWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -160,6 +162,47 @@ void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroduc
   session_.loop_bounds.push_back({rounds, all});
 }
 
+/// Ends the run at a number of tokens, or at a token that macros made too long. What is in a macro's arguments counts,
+/// too: an argument is expanded completely before the macro that gets it, so `M(M(M(x)))` doubles while one token is
+/// read.
+class Limit {
+ public:
+  explicit Limit(Session& session) : session_(session), preprocessor_(session.clang.getPreprocessor()) {
+    preprocessor_.setPreprocessToken(true);
+    preprocessor_.setTokenWatcher([this](const clang::Token& token) { Count(token); });
+  }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+  ~Limit() {
+    preprocessor_.setPreprocessToken(false);
+    preprocessor_.setTokenWatcher(nullptr);
+  }
+
+ private:
+  void Count(const clang::Token& token) {
+    ++tokens_;
+    const bool too_long =
+        !token.isAnnotation() && token.getLength() > kMostCharacters && token.getLocation().isMacroID();
+    if (too_long) Stop(token, "macros make a token of more than " + std::to_string(kMostCharacters) + " characters");
+    if (tokens_ > kMostTokens) Stop(token, "macros expand to more than " + std::to_string(kMostTokens) + " tokens");
+    if (!stopped_) return;
+    // From here on every token is the last one: each argument that is being expanded ends at once, and then the file.
+    // A directive still ends where its line does.
+    if (token.isNot(clang::tok::eod)) const_cast<clang::Token&>(token).setKind(clang::tok::eof);
+  }
+
+  void Stop(const clang::Token& token, const std::string& why) {
+    if (stopped_) return;
+    session_.findings().Report(session_.places.OfToken(token.getLocation()), diag::HncPreprocessor, why);
+    session_.stopped = stopped_ = true;
+  }
+
+  Session& session_;
+  clang::Preprocessor& preprocessor_;
+  size_t tokens_ = 0;
+  bool stopped_ = false;
+};
+
 }  // namespace
 
 void Preprocess(Session& session) {
@@ -167,18 +210,12 @@ void Preprocess(Session& session) {
   preprocessor.addPPCallbacks(std::make_unique<Watcher>(session));
   preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
+  const Limit limit(session);
   clang::Token token;
   do {
     preprocessor.Lex(token);
     session.tokens.push_back(token);
-  } while (token.isNot(clang::tok::eof) && session.tokens.size() < kMostTokens);
-  if (token.is(clang::tok::eof)) return;
-  session.findings().Report(session.places.OfToken(token.getLocation()), diag::HncPreprocessor,
-                            "macros expand to more than 4000000 tokens");
-  session.stopped = true;
-  session.tokens.back().startToken();
-  session.tokens.back().setKind(clang::tok::eof);
-  session.tokens.back().setLocation(token.getLocation());
+  } while (token.isNot(clang::tok::eof));
 }
 
 }  // namespace plcxx::hnc
