@@ -97,11 +97,17 @@ static void known() {
   { int k = nothing(); n = k < 4; n = three_or_five() > 2; n = small() < 8; n = byte() < 256; n = truth() < 2; }
   R[7] = 3; n = R[7]; if (R[8] == 4) n = R[8] == 4; if (R[8] < 5) R[8] = 0; n = R[8] < 5; a = 5; n = a; any(); n = a;
 }
+const int seven = 7;
+const unsigned char few[2] = {3, 200};
+static void constants() {
+  if (seven > 3) n = seven > 3; if (seven < 9) n = seven < 9; n = seven + 1; n = seven == 7; l = seven; n = 10 / seven;
+  if (few[1] > 5) n = few[1] > 5; n = few[0]; n = few[a & 1]; n = a % seven; n = a << seven;
+}
 static void library() {
   a = abs(b); a = abs(-5); a = abs(a & 7); a = abs(-(a & 7)); a = abs(small() - 3); l = labs(m); l = labs(a); l = labs(l & 7);
   u = _rotl(u, 3); u = _rotr(u, a); w = _lrotl(w, 3); w = _lrotr(w, c); u = _rotl(a, 0); u = _rotr(c, 17);
   r = fabs(q); r = floor(q); r = ceil(q); r = sqrt(q); f = fabs(f); a = floor(f); r = sqrt(a);
 }
 void init() { plc1_time = 1; plc2_time = 1; }
-void plc1() { arithmetic(); shifts(); comparisons(); conversions(); assignments(); known(); library(); }
+void plc1() { arithmetic(); shifts(); comparisons(); conversions(); assignments(); known(); constants(); library(); }
 void plc2() { }

@@ -10,6 +10,8 @@ static int other(int k) { if (k) { return 3; } return any(); }
 static int both_ways(int k) { if (k > 3) { a++; return 1; } else { b++; return 2; } }
 static int early(int k) { if (k > 3) return 1; if (k > 2) return 2; a++; if (k > 1) { b++; return 3; } return 4; }
 static int sometimes(int k) { if (k) return 5; a++; }
+static int bare(int k) { if (k) return; return 5; }
+static int bare_first(int k) { if (k > 3) return 7; if (k) return; return 5; }
 static void nothing(int k) { if (k) return; a++; if (b) { a--; return; } b++; }
 static long wide(char k) { return k; }
 static unsigned char narrow(long k) { return k; }
@@ -122,6 +124,16 @@ static void jumps() {
   /*@loop_bound 4@*/ for (;;) { n++; if (any()) break; }
   end: n = 0;
 }
+// What is known at a label, and what is not any more.
+static void rounds() {
+  int k;
+  k = 0; /*@loop_bound 5@*/ first: n = k < 1; /*@loop_bound 6@*/ second: n++; if (a) goto first; k = 5; if (b) goto second;
+  k = 0; goto below; /*@loop_bound 4@*/ above: n = k < 1; k = 3; below: n = k < 1; if (any()) goto above;
+  k = 0; /*@loop_bound 3@*/ around: n = k < 1; for (c = 0; c < 3; c++) k = c; if (any()) goto around;
+  k = 0; /*@loop_bound 3@*/ choice: n++; if (a) { k = 9; goto choice; } n = k < 9;
+  k = 0; if (a) { /*@loop_bound 3@*/ within: n++; } n = k; if (any()) goto within;
+  for (c = 0; c < 3; c++) { if (a) goto entry; n++; /*@loop_bound 3@*/ again2: n--; entry: if (any()) goto again2; }
+}
 static void dead() {
   int k;
   if (a) { return; n++; } 
@@ -147,7 +159,7 @@ static void scopes() {
 }
 void init() { plc1_time = 1; plc2_time = 1; }
 void plc1() {
-  branches(); switches(); jumps(); dead(); scopes(); both_ways(a); early(a); sometimes(a); nothing(a); wide(s); narrow(l); real(a); from_loop(); from_switch(a);
+  branches(); switches(); jumps(); rounds(); bare(a); n = bare_first(b); dead(); scopes(); both_ways(a); early(a); sometimes(a); nothing(a); wide(s); narrow(l); real(a); from_loop(); from_switch(a);
   nested(a); entry_value(a, b); n = both_ways(any()) + early(3) * sometimes(1); l = wide(narrow(l)); n = real(n);
 }
 void plc2() { if (a) return; n++; }

@@ -224,6 +224,19 @@ static void values() {
   for (k = 0; k < 4; k++) for (n = 0; n < 2; n++) table[k + k + n] = 1;
   for (k = 0; k < 4; k++) for (n = 0; n < 2; n++) table[k * 2 + 1] = 1;
 }
+// Where the limit is in memory, and may be forced.
+static void believed() {
+  int k;
+  limit = 5; for (k = 0; k < limit; k++) { n = k < 5; table[k] = 1; } n = k <= 5; n = k < 5; n = k >= 5;
+  if (limit > 0 && limit < 8) { for (k = 0; k < limit; k++) { table[k] = 1; n = k < 7; } n = k < 8; n = k < 7; }
+  if (limit > 0 && limit < 8) { for (k = limit; k > 0; k--) table[k - 1] = 1; n = k >= 0; }
+  limit = 3; k = 0; do { table[k] = 1; k++; n = k < 4; } while (k < limit); n = k <= 3;
+  for (k = 0; k < seven; k++) table[k] = 1; n = k <= 7;
+  limit = 6; for (i = 0; i < limit; i++) table[i] = 1; n = i < 7;
+  for (k = 0; k < 8; k++) { if (table[k]) break; n = k; } n = k < 9; if (k < 8) table[k] = 2;
+  for (k = 3; k < 8; k += 2) { n = k > 2; table[k] = 1; } n = k > 7; n = k < 10;
+  for (k = 7; k >= 0; k -= 3) { n = k < 8; table[k] = 1; } n = k < 0; n = k > -4;
+}
 // Counted by an annotation, and too many.
 static void bounded() {
   int k;
@@ -231,5 +244,5 @@ static void bounded() {
   for (k = 0; k < 1000; k++) for (j = 0; j < 1000; j++) a++;
 }
 void init() { plc1_time = 1; plc2_time = 1; }
-void plc1() { relations(); steps(); types(); in_condition(); bodies(); memory(); values(); bounded(); }
+void plc1() { relations(); steps(); types(); in_condition(); bodies(); memory(); values(); believed(); bounded(); }
 void plc2() { }

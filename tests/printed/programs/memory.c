@@ -66,11 +66,16 @@ static void pointers() {
   x = &axes[1]; n = x->speed; x->at[1].y = 3; x++; x->flags[i] = 4; x = &axes[i]; n = x->name; y = &x->at[1]; n = y->x; y = &start; y->y++; *y = line[1]; line[0] = *y; x = &one_axis; (*x).speed = 5; axis_pointer = axes; axis_pointer->speed++;
   bytes = (unsigned char *)&both; n = bytes[1]; bytes = &R[5]; *bytes = 1; bytes[i] = 2; bytes = (unsigned char *)row; n = bytes[3]; *longs = 5; longs = (long *)&R[8]; *longs = 6; pointer = (int *)&R[10]; *pointer = 7; long_pointer = &big; n = *long_pointer; n = *to_one + *to_row; to_row++; *to_row = 1;
 }
+static int o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, *several_objects = &o1;
+static void choices() {
+  switch (a) { case 1: several_objects = &o2; break; case 2: several_objects = &o3; break; case 3: several_objects = &o4; break; case 4: several_objects = &o5; break; default: several_objects = &o6; }
+  n = *several_objects; *several_objects = 5; several_objects[i] = 6; memset(several_objects, 1, 2); n = several_objects == &o3; n = several_objects != 0; n = read(several_objects);
+}
 static void copies() {
   char here[10], there[10]; struct axis s;
   memset(here, 0, 10); memset(here, 'x', 3); memset(&here[2], a, 4); memset(row, 0, sizeof row); memset(here, 1, 20); memset(here + i, 2, j); memset(&s, 0, sizeof s); memset(here, 0, 0); memset((void *)&R[10], 0xFF, 20);
   memcpy(here, there, 10); memcpy(here, letters, i); memcpy(&here[i], there, 3); memcpy(&s, &axes[1], sizeof s); memmove(here, &here[1], 5); memmove(here + i, here, j); n = memcmp(here, there, 10); n = memcmp(here, "abc", i); memcpy(a ? here : there, letters, 3); n = *(char *)memset(here, 5, 2);
 }
 void init() { plc1_time = 1; plc2_time = 1; one = 2; }
-void plc1() { areas(); objects(); bit_fields(); records(); pointers(); copies(); }
+void plc1() { areas(); objects(); bit_fields(); records(); pointers(); choices(); copies(); }
 void plc2() { X[100]; Y[5] = X[99]; }
