@@ -90,6 +90,7 @@ static void known() {
   { int k = 3; n = k; k = a & 3; n = k < 4; k = k + 1; n = k < 5; any(); n = k < 5; if (b) k = 9; n = k <= 9; k = b; n = k < 5; }
   { int k = a & 3, j = b & 1; n = k - j; l = k - j; l = k + j; l = k * j; n = 10 / (k + 1); n = 10 / (k + j); n = k % 2; n = (k | j) < 4; n = (k ^ j) < 4; n = (k & j) < 2; n = k << j; n = k >> j; }
   { int k; k = a > b ? a & 3 : 7; n = k < 8; k = a > 10 ? a : 10; n = k >= 10; k = a < 10 ? a : 10; n = k <= 10; k = a > 10 ? 10 : a < 0 ? 0 : a; n = k; l = k; }
+  { int k = any(); n = k > 5 ? any() : k > 7; n = k > 5 ? k > 3 : any(); n = (k > 5 && any()) ? k > 3 : k < 9; k > 5 ? any() : (n = k > 7); k > 5 ? (n = k > 3) : any(); k > 5 && (n = k > 3); k > 5 || (n = k > 7); }
   { unsigned k = u; if (k < 3) { n = k; l = k; k--; n = k < 3; } }
   { unsigned char k = c; n = k + 1 > 0; k += 200; n = k < 256; k = 3; k -= 4; n = k; }
   { int k = any(); if (k < 0) k = 0; if (k > 9) k = 9; l = k; n = 10 / (k + 1); }

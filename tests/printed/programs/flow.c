@@ -13,6 +13,11 @@ static int sometimes(int k) { if (k) return 5; a++; }
 static int bare(int k) { if (k) return; return 5; }
 static int bare_first(int k) { if (k > 3) return 7; if (k) return; return 5; }
 static void nothing(int k) { if (k) return; a++; if (b) { a--; return; } b++; }
+static int other_way(int k) { if (k) { a++; } else { return 1; } }
+static int one_way(int k) { if (k) return 1; else { a++; } }
+static int from_last_loop(int k) { int j; for (j = 0; j < 3; j++) { if (R[j]) { return j; } else n++; } }
+static int from_last_switch(int k) { switch (k) { case 1: if (a) return 3; else n++; break; default: n--; } }
+static int in_both_loops(int k) { int j; for (j = 0; j < 3; j++) { if (R[j]) { n++; continue; } else { if (a) return j; n--; } } return 7; }
 static long wide(char k) { return k; }
 static unsigned char narrow(long k) { return k; }
 static float real(int k) { if (k) return 1; return 2.5; }
@@ -159,7 +164,7 @@ static void scopes() {
 }
 void init() { plc1_time = 1; plc2_time = 1; }
 void plc1() {
-  branches(); switches(); jumps(); rounds(); bare(a); n = bare_first(b); dead(); scopes(); both_ways(a); early(a); sometimes(a); nothing(a); wide(s); narrow(l); real(a); from_loop(); from_switch(a);
+  branches(); switches(); jumps(); rounds(); bare(a); n = bare_first(b) + other_way(a) + one_way(b) + from_last_loop(a) + from_last_switch(b) + in_both_loops(a); dead(); scopes(); both_ways(a); early(a); sometimes(a); nothing(a); wide(s); narrow(l); real(a); from_loop(); from_switch(a);
   nested(a); entry_value(a, b); n = both_ways(any()) + early(3) * sometimes(1); l = wide(narrow(l)); n = real(n);
 }
 void plc2() { if (a) return; n++; }

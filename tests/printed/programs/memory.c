@@ -46,6 +46,10 @@ static void objects() {
   axes[0].name = 'a'; axes[1].speed = 5; axes[2].at[1].y = 6; axes[i].speed = 7; axes[i].at[j].x = 8; axes[1].at[j].y = 9; axes[i].flags[2] = 1; axes[i].flags[j] = 2; n = axes[i].at[1].x; one_axis.flags[i] = 3;
   both.word = 5; n = both.bytes[1]; both.parts.high = 3; several[1].parts.low = 4; several[i].word = 5; n = several[i].bytes[j]; tree.in.deep = 1; tree.in.u.whole = 2; tree.in.u.halves[1] = 3; tree.in.u.halves[i] = 4;
 }
+static void bounded() {
+  int k = (any() & 1) - 1, m = any() & 1, q = 2 - (any() & 3);
+  n = grid[k][m]; n = grid[k + 1][m]; n = grid[m][k + 1]; n = grid[m][k]; n = grid[q][m]; n = axes[k].at[m].x; n = axes[m].at[k + 1].y; n = axes[m + 1].flags[q]; row[q + 1] = 1; row[q] = 2; n = *(row + m + k); pointer = &row[m]; n = pointer[k]; n = pointer[k + 1]; pointer = &row[q]; n = *pointer;
+}
 static void bit_fields() {
   flags.low = 3; flags.sign = -2; flags.high = a; flags.small = 1; n = flags.low; n = flags.sign; n = flags.high; n = flags.small; flags.low++; --flags.sign; flags.high += 3; flags.low |= 4; n = flags.sign++; n = (flags.low = 9); n = ++flags.low;
   fields[1].low = 2; fields[i].sign = 3; fields[i].high++; n = fields[i].small; n = fields[i & 1].low; if (flags.small) n++; if (flags.sign < 0) n--; flags.low = flags.high; fields[0] = flags; n = set.sign;
@@ -77,5 +81,5 @@ static void copies() {
   memcpy(here, there, 10); memcpy(here, letters, i); memcpy(&here[i], there, 3); memcpy(&s, &axes[1], sizeof s); memmove(here, &here[1], 5); memmove(here + i, here, j); n = memcmp(here, there, 10); n = memcmp(here, "abc", i); memcpy(a ? here : there, letters, 3); n = *(char *)memset(here, 5, 2);
 }
 void init() { plc1_time = 1; plc2_time = 1; one = 2; }
-void plc1() { areas(); objects(); bit_fields(); records(); pointers(); choices(); copies(); }
+void plc1() { areas(); objects(); bounded(); bit_fields(); records(); pointers(); choices(); copies(); }
 void plc2() { X[100]; Y[5] = X[99]; }
