@@ -50,5 +50,8 @@ TEST(CommentText, DropsWhatControlsOrHidesAndNothingBesideIt) {
   }
 }
 
+// Of a text of the program: what would end the literal is escaped, what controls is dropped.
+TEST(CppString, IsOneLiteral) { EXPECT_EQ(CppString("a\"b\\c\x1F\x20\n"), "\"a\\\"b\\\\c \""); }
+
 }  // namespace
 }  // namespace plcxx::emit::print

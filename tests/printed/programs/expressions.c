@@ -106,6 +106,7 @@ static void constants() {
 }
 static void library() {
   a = abs(b); a = abs(-5); a = abs(a & 7); a = abs(-(a & 7)); a = abs(small() - 3); l = labs(m); l = labs(a); l = labs(l & 7);
+  n = abs((a & 7) + 3) >= 3; n = abs((a & 7) + 3) < 4; n = abs(-(a & 7) - 2) >= 2; n = abs(-(a & 7) - 2) < 10; n = abs((a & 7) - 3) < 5; n = abs((a & 7) - 3) >= 0; l = labs((l & 7) + 3);
   u = _rotl(u, 3); u = _rotr(u, a); w = _lrotl(w, 3); w = _lrotr(w, c); u = _rotl(a, 0); u = _rotr(c, 17);
   r = fabs(q); r = floor(q); r = ceil(q); r = sqrt(q); f = fabs(f); a = floor(f); r = sqrt(a);
 }

@@ -83,6 +83,7 @@ static void switches() {
   switch (a) { default: n++; }
   switch (a) { }
   switch (a) case 1: n++;
+  switch (a) { case 1: n++; break; /* at the end of the last group */ }
   switch (a) { case 1: if (b) break; n++; break; case 2: if (b) { n--; break; } else n = 2; }
   switch (a) { case 1: switch (b) { case 1: n++; break; default: n--; } break; case 2: n = 2; }
   switch (a) { case 1: if (b) { case 2: n++; } n--; break; case 3: n = 3; }

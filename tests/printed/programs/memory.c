@@ -71,6 +71,9 @@ static void pointers() {
   bytes = (unsigned char *)&both; n = bytes[1]; bytes = &R[5]; *bytes = 1; bytes[i] = 2; bytes = (unsigned char *)row; n = bytes[3]; *longs = 5; longs = (long *)&R[8]; *longs = 6; pointer = (int *)&R[10]; *pointer = 7; long_pointer = &big; n = *long_pointer; n = *to_one + *to_row; to_row++; *to_row = 1;
 }
 static int o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, *several_objects = &o1;
+static void nulls() {
+  int *z = 0, *y; if (a) z = row; n = *z; *z = 3; z = 0; n = z == 0; y = 0; if (a) y = &row[i & 3]; n = y[1]; if (y) n = *y;
+}
 static void choices() {
   switch (a) { case 1: several_objects = &o2; break; case 2: several_objects = &o3; break; case 3: several_objects = &o4; break; case 4: several_objects = &o5; break; default: several_objects = &o6; }
   n = *several_objects; *several_objects = 5; several_objects[i] = 6; memset(several_objects, 1, 2); n = several_objects == &o3; n = several_objects != 0; n = read(several_objects);
@@ -81,5 +84,5 @@ static void copies() {
   memcpy(here, there, 10); memcpy(here, letters, i); memcpy(&here[i], there, 3); memcpy(&s, &axes[1], sizeof s); memmove(here, &here[1], 5); memmove(here + i, here, j); n = memcmp(here, there, 10); n = memcmp(here, "abc", i); memcpy(a ? here : there, letters, 3); n = *(char *)memset(here, 5, 2);
 }
 void init() { plc1_time = 1; plc2_time = 1; one = 2; }
-void plc1() { areas(); objects(); bounded(); bit_fields(); records(); pointers(); choices(); copies(); }
+void plc1() { areas(); objects(); bounded(); bit_fields(); records(); pointers(); nulls(); choices(); copies(); }
 void plc2() { X[100]; Y[5] = X[99]; }
