@@ -5,7 +5,6 @@
 #include "transpiler/dialects/classicladder/parser.h"
 #include "transpiler/dialects/common/printing.h"
 #include "transpiler/support/check.h"
-#include "transpiler/support/text_writer.h"
 
 namespace plcxx::classicladder {
 namespace {
@@ -48,9 +47,10 @@ std::string_view NameOfKind(ExprKind kind) {
 
 constexpr std::string_view kRelations[] = {"=", "<>", "<", "<=", ">", ">="};
 
-class SyntaxPrinter {
+class SyntaxPrinter : dialects::SyntaxLines {
  public:
-  SyntaxPrinter(const source::SourceManager& sources, const Program& program) : sources_(sources), program_(program) {}
+  SyntaxPrinter(const source::SourceManager& sources, const Program& program)
+      : SyntaxLines(sources), program_(program) {}
 
   std::string Run() {
     for (const SizeInfo& size : SizeInfos()) {
@@ -78,8 +78,6 @@ class SyntaxPrinter {
   }
 
  private:
-  std::string PlaceText(source::Range range) const { return dialects::PlaceText(sources_, range.begin) + " "; }
-
   static std::string Text(const Variable& variable) {
     const std::string name = "%" + NameOf(variable.address);
     return variable.index ? name + "[%" + NameOf(*variable.index) + "]" : name;
@@ -89,9 +87,8 @@ class SyntaxPrinter {
     const ExprNode& at = expression.nodes[node];
     if (at.kind == ExprKind::kConstant) return std::to_string(static_cast<int32_t>(at.value));
     if (at.kind == ExprKind::kVariable) return Text(at.variable);
-    std::string text = "(" + std::string(NameOfKind(at.kind));
-    for (const uint32_t operand : at.operands) text += " " + Text(expression, operand);
-    return text + ")";
+    return dialects::PrefixForm(NameOfKind(at.kind), at.operands,
+                                [&](uint32_t operand) { return Text(expression, operand); });
   }
 
   std::string Text(const Expression& expression, bool compares) const {
@@ -107,63 +104,58 @@ class SyntaxPrinter {
   void PrintPresets(std::string_view what, const std::map<uint32_t, Preset>& presets) {
     for (const auto& [number, preset] : presets) {
       if (preset.preset == 0) continue;
-      std::string text = PlaceText(preset.range) + std::string(what) + " " + std::to_string(number) + " preset " +
-                         std::to_string(preset.preset);
+      std::string text = std::string(what) + " " + std::to_string(number) + " preset " + std::to_string(preset.preset);
       if (what != "counter") text += " of " + std::to_string(preset.base_ms) + " ms";
       constexpr std::string_view kModes[] = {"TON", "TOF", "TP"};
       if (what == "IEC timer") text += " " + std::string(kModes[static_cast<size_t>(preset.mode)]);
-      writer_.Line(text);
+      Node(preset.range, text);
     }
   }
 
   void Print(const Section& section) {
-    std::string text =
-        PlaceText(section.range) + "section " + std::to_string(section.number) + " '" + section.name + "'";
+    std::string text = "section " + std::to_string(section.number) + " '" + section.name + "'";
     if (!section.is_main()) text += " subroutine " + std::to_string(section.subroutine);
     if (section.language == Language::kSequential) {
       text += " page " + std::to_string(section.page);
     } else {
       text += " rungs " + std::to_string(section.first_rung) + " to " + std::to_string(section.last_rung);
     }
-    writer_.Line(text);
+    Node(section.range, text);
   }
 
   void Print(const Rung& rung) {
-    writer_.Line(PlaceText(rung.range), "rung ", std::to_string(rung.number), " next ", std::to_string(rung.next));
+    Node(rung.range, "rung ", std::to_string(rung.number), " next ", std::to_string(rung.next));
     const support::Indented deeper(writer_);
     for (uint32_t y = 0; y < kRungHeight; ++y) {
       for (uint32_t x = 0; x < kRungWidth; ++x) {
         const Element& element = rung.At(x, y);
         if (element.kind == ElementKind::kFree && !element.joined_above) continue;
         const ElementInfo& info = Info(element.kind);
-        std::string text =
-            PlaceText(element.range) + std::to_string(x) + "," + std::to_string(y) + " " + std::string(info.name);
+        std::string text = std::to_string(x) + "," + std::to_string(y) + " " + std::string(info.name);
         if (UsesNumber(element.kind)) text += " " + std::to_string(element.number);
         if (UsesVariable(element.kind)) text += " " + Text(element.variable);
         if (element.joined_above) text += " joined";
-        writer_.Line(text);
+        Node(element.range, text);
       }
     }
   }
 
   void PrintPages() {
     for (const auto& [index, step] : program_.steps) {
-      writer_.Line(PlaceText(step.range), "step ", std::to_string(index), " number ", std::to_string(step.number),
-                   " page ", std::to_string(step.page), step.initial ? " initial" : "");
+      Node(step.range, "step ", std::to_string(index), " number ", std::to_string(step.number), " page ",
+           std::to_string(step.page), step.initial ? " initial" : "");
     }
     for (const auto& [index, transition] : program_.transitions) {
-      std::string text = PlaceText(transition.range) + "transition " + std::to_string(index) + " page " +
-                         std::to_string(transition.page) + " if " + Text(transition.condition) + " from";
+      std::string text = "transition " + std::to_string(index) + " page " + std::to_string(transition.page) + " if " +
+                         Text(transition.condition) + " from";
       for (const uint32_t step : transition.deactivates) text += " " + std::to_string(step);
       text += " to";
       for (const uint32_t step : transition.activates) text += " " + std::to_string(step);
-      writer_.Line(text);
+      Node(transition.range, text);
     }
   }
 
-  const source::SourceManager& sources_;
   const Program& program_;
-  support::TextWriter writer_;
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
 // `plcxx print tokens` and `plcxx print syntax`: one line per token or statement, stable, places as line:column.
 #include <bit>
 #include <charconv>
+#include <vector>
 
 #include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/host50/lexer.h"
 #include "transpiler/dialects/host50/parser.h"
-#include "transpiler/support/text_writer.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -75,9 +75,10 @@ std::string ConstantText(Type type, uint32_t bits) {
   return std::to_string(static_cast<int32_t>(bits));
 }
 
-class SyntaxPrinter {
+class SyntaxPrinter : dialects::SyntaxLines {
  public:
-  SyntaxPrinter(const source::SourceManager& sources, const Program& program) : sources_(sources), program_(program) {}
+  SyntaxPrinter(const source::SourceManager& sources, const Program& program)
+      : SyntaxLines(sources), program_(program) {}
 
   std::string Run() {
     PrintSettings();
@@ -87,8 +88,6 @@ class SyntaxPrinter {
   }
 
  private:
-  std::string PlaceText(source::Range range) const { return dialects::PlaceText(sources_, range.begin) + " "; }
-
   void PrintSettings() {
     const Settings& settings = program_.settings;
     writer_.Line("slowdiv ", std::to_string(settings.slowdiv), " channels ", std::to_string(settings.channels));
@@ -99,28 +98,26 @@ class SyntaxPrinter {
 
   void PrintTables() {
     for (const TitleField& field : program_.title) {
-      writer_.Line(PlaceText(field.range), "title ", TitleKeys()[static_cast<size_t>(field.key)].name, " \"",
-                   field.text, "\"");
+      Node(field.range, "title ", TitleKeys()[static_cast<size_t>(field.key)].name, " \"", field.text, "\"");
     }
     for (const Symbol& symbol : program_.symbols) {
       if (symbol.predefined) continue;
-      writer_.Line(PlaceText(symbol.range), "symbol ", ToText(symbol.address), " '", symbol.name, "' \"",
-                   symbol.comment, "\"");
+      Node(symbol.range, "symbol ", ToText(symbol.address), " '", symbol.name, "' \"", symbol.comment, "\"");
     }
     for (const Alarm& alarm : program_.alarms) {
-      writer_.Line(PlaceText(alarm.range), "alarm ", std::to_string(alarm.index), " ",
-                   Severities()[static_cast<size_t>(alarm.severity)].keyword, " \"", alarm.text, "\"");
+      Node(alarm.range, "alarm ", std::to_string(alarm.index), " ",
+           Severities()[static_cast<size_t>(alarm.severity)].keyword, " \"", alarm.text, "\"");
     }
     for (const MCode& code : program_.mcodes) {
-      writer_.Line(PlaceText(code.range), "mcode ", std::to_string(code.number), " \"", code.text, "\"");
+      Node(code.range, "mcode ", std::to_string(code.number), " \"", code.text, "\"");
     }
   }
 
   void Print(const Section& section) {
-    std::string head = PlaceText(section.range) + std::string(SectionName(section.kind));
+    std::string head(SectionName(section.kind));
     if (section.kind == SectionKind::kSubroutine) head += " " + SubroutineName(section.number);
     if (!section.name.empty()) head += " \"" + section.name + "\"";
-    writer_.Line(head);
+    Node(section.range, head);
     const support::Indented deeper(writer_);
     for (uint32_t i = 0; i < section.networks.count; ++i) {
       Print(program_.networks[NetworkId(section.networks.first + i)]);
@@ -128,11 +125,11 @@ class SyntaxPrinter {
   }
 
   void Print(const Network& network) {
-    std::string head = PlaceText(network.range) + "network " + std::to_string(network.number);
+    std::string head = "network " + std::to_string(network.number);
     if (network.has_label) head += " labelled";
     if (network.is_drawing) head += " drawn";
     if (!network.comment.empty()) head += " \"" + network.comment + "\"";
-    writer_.Line(head);
+    Node(network.range, head);
     const support::Indented deeper(writer_);
     for (uint32_t i = 0; i < network.instructions.count; ++i) {
       Print(InstructionId(network.instructions.first + i), network.instructions.first);
@@ -142,7 +139,7 @@ class SyntaxPrinter {
   /// Instructions are numbered in their network: "#2 AND %I1 <- #0 #1".
   void Print(InstructionId id, uint32_t first) {
     const Instruction& instruction = program_.instructions[id];
-    std::string line = PlaceText(instruction.range) + "#" + std::to_string(id.index - first) + " ";
+    std::string line = "#" + std::to_string(id.index - first) + " ";
     line += instruction.unknown ? "error" : std::string(Info(instruction.op).name);
     if (Info(instruction.op).state == State::kTimer) line += " " + std::to_string(Duration(instruction.unit)) + "ms";
     for (uint32_t i = 0; i < instruction.operands.count; ++i) {
@@ -165,7 +162,7 @@ class SyntaxPrinter {
     }
     if (instruction.other.valid()) line += " with " + number(instruction.other);
     if (instruction.faulty) line += " (faulty)";
-    writer_.Line(line);
+    Node(instruction.range, line);
   }
 
   std::string AddressText(const Address& address, SymbolId symbol) const {
@@ -198,16 +195,15 @@ class SyntaxPrinter {
     const Expr& expr = program_.exprs[id];
     if (expr.kind == ExprKind::kConstant) return ConstantText(expr.type, expr.bits);
     if (expr.kind == ExprKind::kAddress) return AddressText(expr.address, expr.symbol);
-    std::string text = "(" + std::string(OperatorName(expr.kind));
+    std::vector<ExprId> operands;
     for (const ExprId child : {expr.left, expr.right}) {
-      if (child.valid()) text += " " + ExprText(child);
+      if (child.valid()) operands.push_back(child);
     }
-    return text + ")" + (expr.type == Type::kFloat ? "f" : "");
+    return dialects::PrefixForm(OperatorName(expr.kind), operands, [this](ExprId child) { return ExprText(child); }) +
+           (expr.type == Type::kFloat ? "f" : "");
   }
 
-  const source::SourceManager& sources_;
   const Program& program_;
-  support::TextWriter writer_;
 };
 
 }  // namespace

@@ -1,7 +1,10 @@
 // `plcxx print tokens` and `plcxx print syntax`: one line per token or item, stable, places as line:column.
+#include <vector>
+
 #include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/nc110/lexer.h"
 #include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -44,140 +47,102 @@ std::string_view OperatorName(ExprKind kind) {
   PLCXX_UNREACHABLE();
 }
 
-class SyntaxPrinter {
+class SyntaxPrinter : dialects::SyntaxLines {
  public:
-  SyntaxPrinter(const source::SourceManager& sources, const Program& program) : sources_(sources), program_(program) {}
+  SyntaxPrinter(const source::SourceManager& sources, const Program& program)
+      : SyntaxLines(sources), program_(program) {}
 
   std::string Run() {
     for (const SourceFile& file : program_.files) {
-      out_ += "file " + sources_.Get(file.file).path;
-      out_ += file.is_symbol_file ? " (symbols)\n" : "\n";
-      if (file.is_symbol_file) {
-        PrintSymbols(file);
-      }
+      writer_.Line("file ", sources_.Get(file.file).path, file.is_symbol_file ? " (symbols)" : "");
+      const support::Indented deeper(writer_);
+      if (file.is_symbol_file) PrintSymbols(file);
       for (uint32_t i = 0; i < file.items.count; ++i) {
-        Print(program_.items[ItemId(file.items.first + i)]);
+        const Item& item = program_.items[ItemId(file.items.first + i)];
+        Node(item.range, Text(item), item.faulty && item.kind != ItemKind::kError ? " (faulty)" : "");
       }
     }
-    return std::move(out_);
+    return writer_.Take();
   }
 
  private:
   void PrintSymbols(const SourceFile& file) {
     const source::Range whole = sources_.WholeFile(file.file);
     for (const Symbol& symbol : program_.symbols) {
-      if (symbol.range.begin >= whole.begin && symbol.range.begin < whole.end) {
-        out_ += "  " + dialects::PlaceText(sources_, symbol.range.begin) + " !" + symbol.name + " = " +
-                ToText(symbol.operand) + "\n";
-      }
+      if (symbol.range.begin < whole.begin || symbol.range.begin >= whole.end) continue;
+      Node(symbol.range, "!", symbol.name, " = ", ToText(symbol.operand));
     }
   }
 
-  void Print(const Item& item) {
-    out_ += "  " + dialects::PlaceText(sources_, item.range.begin) + " ";
+  std::string Text(const Item& item) const {
     switch (item.kind) {
       case ItemKind::kError:
-        out_ += "error";
-        break;
+        return "error";
       case ItemKind::kCycleMark:
-        out_ += "cycle-mark";
-        break;
+        return "cycle-mark";
       case ItemKind::kAssignment:
-        Print(program_.assignments[item.assignment()]);
-        break;
+        return Text(program_.assignments[item.assignment()]);
       case ItemKind::kBlockHead:
-        Print(program_.blocks[item.block()]);
-        break;
+        return Text(program_.blocks[item.block()]);
       case ItemKind::kBlockEnd:
-        Print(program_.block_ends[item.block_end()]);
-        break;
+        return Text(program_.block_ends[item.block_end()]);
       case ItemKind::kMessage: {
         const Message& message = program_.messages[item.message()];
-        out_ += "message " + std::to_string(message.number) + " \"" + std::string(sources_.Text(message.text)) + "\"";
-        break;
+        return "message " + std::to_string(message.number) + " \"" + std::string(sources_.Text(message.text)) + "\"";
       }
     }
-    out_ += item.faulty && item.kind != ItemKind::kError ? " (faulty)\n" : "\n";
+    PLCXX_UNREACHABLE();
   }
 
-  void Print(const OperandUse& use) { Print(use.operand, use.symbol); }
-  void Print(const Operand& operand, SymbolId symbol) {
-    out_ += ToText(operand);
-    if (symbol.valid()) {
-      out_ += ":!" + program_.symbols[symbol].name;
-    }
+  std::string Text(const OperandUse& use) const { return Text(use.operand, use.symbol); }
+  std::string Text(const Operand& operand, SymbolId symbol) const {
+    return ToText(operand) + (symbol.valid() ? ":!" + program_.symbols[symbol].name : "");
   }
 
-  void Print(const Assignment& assignment) {
-    out_ += assignment.inverted ? "assign-inverted " : "assign ";
-    Print(assignment.target);
-    if (assignment.parameter.valid()) {
-      out_ += " [";
-      Print(assignment.parameter);
-      out_ += "]";
-    }
-    out_ += " ";
-    if (!assignment.mux.valid()) {
-      Print(assignment.value);
-      return;
-    }
-    const Mux& mux = program_.muxes[assignment.mux];
-    out_ += "(MUX";
+  std::string Text(const Assignment& assignment) const {
+    std::string text = (assignment.inverted ? "assign-inverted " : "assign ") + Text(assignment.target);
+    if (assignment.parameter.valid()) text += " [" + Text(assignment.parameter) + "]";
+    return text + " " + (assignment.mux.valid() ? Text(program_.muxes[assignment.mux]) : Text(assignment.value));
+  }
+
+  std::string Text(const Mux& mux) const {
+    std::string text = "(MUX";
     for (uint32_t i = 0; i < mux.count; ++i) {
       const MuxInput& input = program_.mux_inputs[mux.first + i];
-      out_ += " (";
-      Print(input.selector);
-      out_ += " -> ";
-      Print(input.word);
-      out_ += ")";
+      text += " (" + Text(input.selector) + " -> " + Text(input.word) + ")";
     }
-    out_ += ")";
+    return text + ")";
   }
 
-  std::string Id(BlockId id) const { return id.valid() ? "#" + std::to_string(id.index) : "none"; }
+  static std::string Id(BlockId id) { return id.valid() ? "#" + std::to_string(id.index) : "none"; }
 
-  void PrintName(source::Range name) {
-    if (name.begin != name.end) {
-      out_ += " '" + std::string(sources_.Text(name)) + "'";
-    }
+  std::string Name(source::Range name) const {
+    return name.begin == name.end ? "" : " '" + std::string(sources_.Text(name)) + "'";
   }
 
-  void Print(const Block& block) {
-    out_ += block.kind == BlockKind::kDof ? "DOF" : block.kind == BlockKind::kDoe ? "DOE" : "DOW";
-    PrintName(block.name);
-    out_ += " level " + std::to_string(block.level);
-    if (block.previous.valid()) {
-      out_ += " after " + Id(block.previous);
-    }
-    out_ += ": ";
-    if (block.condition.valid()) {
-      Print(block.condition);
-    } else {
-      out_ += "always";
-    }
+  std::string Text(const Block& block) const {
+    const std::string kind = block.kind == BlockKind::kDof ? "DOF" : block.kind == BlockKind::kDoe ? "DOE" : "DOW";
+    return kind + Name(block.name) + " level " + std::to_string(block.level) +
+           (block.previous.valid() ? " after " + Id(block.previous) : "") + ": " +
+           (block.condition.valid() ? Text(block.condition) : "always");
   }
 
-  void Print(const BlockEnd& end) {
-    out_ += end.kind == BlockKind::kDof ? "ENDF" : end.kind == BlockKind::kDoe ? "ENDE" : "ENDW";
-    PrintName(end.name);
-    out_ += " of " + Id(end.block);
+  std::string Text(const BlockEnd& end) const {
+    const std::string kind = end.kind == BlockKind::kDof ? "ENDF" : end.kind == BlockKind::kDoe ? "ENDE" : "ENDW";
+    return kind + Name(end.name) + " of " + Id(end.block);
   }
 
-  void Print(ExprId id) {
+  std::string Text(ExprId id) const {
     const Expr& expr = program_.exprs[id];
     switch (expr.kind) {
       case ExprKind::kOperand:
-        Print(expr.operand, expr.symbol);
-        return;
+        return Text(expr.operand, expr.symbol);
       case ExprKind::kConstant:
-        out_ += std::to_string(expr.value);
-        return;
+        return std::to_string(expr.value);
       case ExprKind::kAscii:
-        out_ += "\"" + std::string(sources_.Text(program_.literals[expr.literal].range)) + "\"";
-        return;
+        return "\"" + std::string(sources_.Text(program_.literals[expr.literal].range)) + "\"";
       case ExprKind::kError:
-        out_ += "error";
-        return;
+        return "error";
       case ExprKind::kNot:
       case ExprKind::kAnd:
       case ExprKind::kOr:
@@ -192,20 +157,14 @@ class SyntaxPrinter {
 #include "transpiler/dialects/nc110/functions.def"
         break;
     }
-    out_ += "(";
-    out_ += OperatorName(expr.kind);
+    std::vector<ExprId> operands;
     for (const ExprId child : {expr.left, expr.right}) {
-      if (child.valid()) {
-        out_ += " ";
-        Print(child);
-      }
+      if (child.valid()) operands.push_back(child);
     }
-    out_ += ")";
+    return dialects::PrefixForm(OperatorName(expr.kind), operands, [this](ExprId child) { return Text(child); });
   }
 
-  const source::SourceManager& sources_;
   const Program& program_;
-  std::string out_;
 };
 
 }  // namespace
@@ -214,17 +173,10 @@ std::string PrintTokens(const source::SourceManager& sources, source::FileId fil
   diag::Engine unused;
   const LexedFile lexed =
       Lex(sources, file, options.accept_homoglyphs ? Homoglyphs::kAccept : Homoglyphs::kReject, unused);
-  std::string out;
-  for (const Token& token : lexed.tokens) {
-    out += dialects::PlaceText(sources, token.range.begin) + " ";
-    out += Name(token.kind);
-    if (token.kind != TokenKind::kEndOfFile) {
-      out += " ";
-      out += token.mapped ? std::string_view(lexed.mapped.at(token.range.begin)) : sources.Text(token.range);
-    }
-    out += "\n";
-  }
-  return out;
+  return dialects::TokenLines(sources, lexed.tokens, [&](const Token& token) {
+    if (token.kind == TokenKind::kEndOfFile) return std::string();
+    return " " + (token.mapped ? lexed.mapped.at(token.range.begin) : std::string(sources.Text(token.range)));
+  });
 }
 
 std::string PrintSyntax(const source::SourceManager& sources, const Program& program) {

@@ -6,41 +6,39 @@
 namespace plcxx::prostep {
 namespace {
 
-class SyntaxPrinter {
+class SyntaxPrinter : dialects::SyntaxLines {
  public:
-  SyntaxPrinter(const source::SourceManager& sources, const Program& program) : sources_(sources), program_(program) {}
+  SyntaxPrinter(const source::SourceManager& sources, const Program& program)
+      : SyntaxLines(sources), program_(program) {}
 
   std::string Run() {
     for (const SourceFile& file : program_.files) {
-      out_ += "file " + sources_.Get(file.file).path + "\n";
+      writer_.Line("file ", sources_.Get(file.file).path);
+      const support::Indented deeper(writer_);
       PrintDeclarations(file.file);
       for (const Module& module : program_.modules) {
         if (module.file == file.file) Print(module);
       }
     }
-    return std::move(out_);
+    return writer_.Take();
   }
 
  private:
   bool IsIn(source::FileId file, source::Range range) const { return sources_.FileAt(range.begin) == file; }
 
-  void Begin(source::Range range) { out_ += "  " + dialects::PlaceText(sources_, range.begin) + " "; }
-
   void PrintDeclarations(source::FileId file) {
     for (const DataDeclaration& data : program_.data) {
       if (!IsIn(file, data.range)) continue;
-      Begin(data.range);
-      out_ += "data " + std::to_string(data.address) + " bytes " + std::to_string(data.bytes) + " = " +
-              std::to_string(data.value) + "\n";
+      Node(data.range, "data ", std::to_string(data.address), " bytes ", std::to_string(data.bytes), " = ",
+           std::to_string(data.value));
     }
     for (const MFunction& function : program_.m_functions) {
       if (!IsIn(file, function.range)) continue;
-      Begin(function.range);
-      out_ += "m-function " + std::to_string(function.number);
-      if (function.after_move) out_ += " after-move";
-      if (function.static_bit != 0) out_ += " static " + std::to_string(function.static_bit);
-      if (function.dynamic_bit != 0) out_ += " dynamic " + std::to_string(function.dynamic_bit);
-      out_ += "\n";
+      std::string text = "m-function " + std::to_string(function.number);
+      if (function.after_move) text += " after-move";
+      if (function.static_bit != 0) text += " static " + std::to_string(function.static_bit);
+      if (function.dynamic_bit != 0) text += " dynamic " + std::to_string(function.dynamic_bit);
+      Node(function.range, text);
     }
     PrintTexts(file, program_.messages, "message");
     PrintTexts(file, program_.menu_texts, "menu");
@@ -48,41 +46,33 @@ class SyntaxPrinter {
 
   void PrintTexts(source::FileId file, const std::vector<Text>& texts, std::string_view kind) {
     for (const Text& text : texts) {
-      if (!IsIn(file, text.range)) continue;
-      Begin(text.range);
-      out_ += std::string(kind) + " " + std::to_string(text.number) + " \"" + text.text + "\"\n";
+      if (IsIn(file, text.range)) Node(text.range, kind, " ", std::to_string(text.number), " \"", text.text, "\"");
     }
   }
 
   void Print(const Module& module) {
-    Begin(module.open);
-    out_ += "module PM " + std::to_string(module.number) + (module.faulty ? " (faulty)\n" : "\n");
+    Node(module.open, "module PM ", std::to_string(module.number), module.faulty ? " (faulty)" : "");
     uint32_t label = module.labels.first;
     const uint32_t last_label = module.labels.first + module.labels.count;
     for (uint32_t i = module.instructions.first; i <= module.end_of().index; ++i) {
       for (; label < last_label && program_.labels[LabelId(label)].at.index == i; ++label) {
-        Begin(program_.labels[LabelId(label)].range);
-        out_ += "label " + program_.labels[LabelId(label)].name + "\n";
+        Node(program_.labels[LabelId(label)].range, "label ", program_.labels[LabelId(label)].name);
       }
       if (i < module.end_of().index) Print(program_.instructions[InstructionId(i)]);
     }
-    Begin(module.close);
-    out_ += module.close == source::Range{} ? "end is missing\n" : "end\n";
+    Node(module.close, module.close == source::Range{} ? "end is missing" : "end");
   }
 
   void Print(const Instruction& instruction) {
-    Begin(instruction.range);
-    out_ += instruction.op == Op::kUnknown ? "error" : ToText(program_, instruction);
-    if (instruction.function) out_ += " " + std::string(Info(*instruction.function).name);
+    std::string text = instruction.op == Op::kUnknown ? "error" : ToText(program_, instruction);
+    if (instruction.function) text += " " + std::string(Info(*instruction.function).name);
     for (uint32_t i = 0; i < instruction.arguments.count; ++i) {
-      out_ += " [" + ToText(program_.Argument(instruction, i)) + "]";
+      text += " [" + ToText(program_.Argument(instruction, i)) + "]";
     }
-    out_ += instruction.faulty && instruction.op != Op::kUnknown ? " (faulty)\n" : "\n";
+    Node(instruction.range, text, instruction.faulty && instruction.op != Op::kUnknown ? " (faulty)" : "");
   }
 
-  const source::SourceManager& sources_;
   const Program& program_;
-  std::string out_;
 };
 
 }  // namespace

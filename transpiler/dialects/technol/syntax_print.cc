@@ -111,10 +111,7 @@ std::string PrintTokens(const source::SourceManager& sources, source::FileId fil
   for (uint32_t i = 0; i < sources.LineCount(file); ++i) {
     tokens.clear();
     LexLine(sources.Line(file, i + 1), {.begin = text.base + text.line_starts[i]}, tokens);
-    for (const Token& token : tokens) {
-      printed += dialects::PlaceText(sources, token.range.begin) + " " + std::string(Name(token.kind)) + " " +
-                 std::string(token.text) + "\n";
-    }
+    printed += dialects::TokenLines(sources, tokens, [](const Token& token) { return " " + std::string(token.text); });
   }
   return printed;
 }
