@@ -58,6 +58,7 @@ class Nc110 : public Reference {
       if (item.kind != ItemKind::kAssignment) continue;
       const Operand& target = tree_.assignments[item.assignment()].target.operand;
       if (target.kind == OperandKind::kCounterInput) counts_in_[i < fast_end_ ? 0 : 1][target.number] = true;
+      if (target.kind == OperandKind::kOneShot) pulses_in_[i < fast_end_ ? 0 : 1][target.number] = true;
     }
   }
 
@@ -176,7 +177,10 @@ class Nc110 : public Reference {
       const bool of_part = counts_in_[ended == Part::kFast ? 0 : 1][i];
       if (of_part && settings_.carry == CarryEnd::kScan) counters_[i].Expire(ended, cycles_);
     }
-    for (OneShot& one_shot : one_shots_) one_shot.Expire(ended, cycles_);
+    // One that the host has set, and no statement of the part starts, is not the part's.
+    for (size_t i = 0; i < one_shots_.size(); ++i) {
+      if (pulses_in_[ended == Part::kFast ? 0 : 1][i]) one_shots_[i].Expire(ended, cycles_);
+    }
     PutBackForced();
   }
 
@@ -496,6 +500,7 @@ class Nc110 : public Reference {
   std::array<Timer, 255> timers_{};
   std::array<Counter, 100> counters_{};
   std::array<std::array<bool, 100>, 2> counts_in_{};  // the fast part, the slow part: counters with a statement there
+  std::array<std::array<bool, 100>, 2> pulses_in_{};  // likewise: one-shots
   std::array<OneShot, 100> one_shots_{};
   Cycles cycles_;
   uint32_t slice_ = 0;  // j

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/reference/crossed.h"
 #include "tests/reference/reference_dialects.h"
 #include "tests/reference/runs.h"
 #include "tests/reference/spellings.h"
@@ -29,6 +30,23 @@ TEST_P(RandomPrograms, Agree) {
     EXPECT_EQ(result.outcome, Outcome::kAgrees) << "seed " << i << ": " << result.text;
   }
   GTEST_LOG_(INFO) << dialect.name << ": " << compared << " values compared";
+}
+
+/// Golden programs with changes. Those that are refused say nothing, so some must not be.
+TEST_P(RandomPrograms, CrossedGoldensAgree) {
+  const ReferenceDialect& dialect = GetParam();
+  const testing_support::TemporaryDirectory directory;
+  const Goldens goldens(dialect.name);
+  ASSERT_GT(goldens.size(), 100U);
+  uint32_t ran = 0;
+  for (uint32_t i = 0; i < kPrograms; ++i) {
+    Random random(i);
+    const RunResult result = RunRandom(goldens.Crossed(random), dialect, directory.path().string());
+    EXPECT_NE(result.outcome, Outcome::kDisagrees) << "seed " << i << ": " << result.text;
+    ran += result.outcome == Outcome::kAgrees ? 1 : 0;
+  }
+  EXPECT_GT(ran, 0U);
+  GTEST_LOG_(INFO) << dialect.name << ": " << ran << " of " << kPrograms << " ran";
 }
 
 TEST_P(RandomPrograms, MeanTheSameInAnySpelling) {

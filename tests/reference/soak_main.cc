@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "tests/reference/crossed.h"
 #include "tests/reference/reference_dialects.h"
 #include "tests/reference/runs.h"
 #include "tests/reference/shares.h"
@@ -46,6 +47,7 @@ struct Wanted {
   uint64_t seed = 1;
   unsigned jobs = 2;
   uint64_t large_every = 8;
+  uint64_t crossed_every = 0;  // 0: none
   ShareSizes one_in = {};
   std::string save = "soak";
   Judges judges;
@@ -53,6 +55,7 @@ struct Wanted {
 
 struct Tally {
   uint64_t programs = 0, large = 0, spelled = 0, compared = 0, disagreements = 0, refused = 0, unsupported = 0;
+  uint64_t crossed = 0, crossed_ran = 0;  // golden programs that were changed; the others of them are refused
   std::array<ShareCounts, 3> shares;
 };
 
@@ -62,6 +65,7 @@ struct Waiting {
   uint64_t seed = 0;
   JudgedProgram judged;
 };
+constexpr int kMostTries = 30;    // of a golden program with changes
 constexpr size_t kTogether = 16;  // programs of one call of a compiler
 
 class Soak {
@@ -73,6 +77,9 @@ class Soak {
     }
     if (dialects_.empty()) throw std::invalid_argument("no such dialect has a reference");
     tallies_.resize(dialects_.size());
+    if (wanted_.crossed_every != 0) {
+      for (const ReferenceDialect* dialect : dialects_) goldens_.emplace_back(dialect->name);
+    }
     wanted_.judges.stops = IsStopped;
   }
 
@@ -191,12 +198,21 @@ class Soak {
     Tally& tally = tallies_[index];
     const uint64_t seed = SeedOf(number);
     Random random(seed);
-    const bool large = number % wanted_.large_every == wanted_.large_every - 1;
+    const bool crossed = wanted_.crossed_every != 0 && number % wanted_.crossed_every == wanted_.crossed_every - 1;
+    const bool large = !crossed && number % wanted_.large_every == wanted_.large_every - 1;
     const ProgramSize size = large ? ProgramSize::kLarge : ProgramSize::kSmall;
-    RandomProgram program = dialect.generate(random, size, Spelling::kAny);
-    const RunResult result = RunRandom(program, dialect, directory);
+    const auto make = [&] {
+      return crossed ? goldens_[index].Crossed(random) : dialect.generate(random, size, Spelling::kAny);
+    };
+    RandomProgram program = make();
+    RunResult result = RunRandom(program, dialect, directory);
+    // Most changes make an error of a line: another one, until the program runs.
+    for (int i = 0; crossed && i < kMostTries && result.outcome == Outcome::kNothingToRun; ++i) {
+      program = make();
+      result = RunRandom(program, dialect, directory);
+    }
     const bool agrees = result.outcome == Outcome::kAgrees;
-    const bool spelled = agrees && number % 2 == 0;
+    const bool spelled = agrees && !crossed && number % 2 == 0;
     const std::string texts = directory + "/spellings";
     const std::string difference = spelled ? DifferentSpellings(dialect, seed, size, texts) : std::string();
     {
@@ -205,12 +221,16 @@ class Soak {
       tally.large += large ? 1 : 0;
       tally.spelled += spelled ? 1 : 0;
       tally.compared += result.compared;
-      tally.refused += result.outcome == Outcome::kNothingToRun ? 1 : 0;
-      tally.unsupported += result.outcome == Outcome::kUnsupported ? 1 : 0;
+      tally.crossed += crossed ? 1 : 0;
+      tally.crossed_ran += crossed && agrees ? 1 : 0;
+      // What a change made of a golden program may have errors, and need what the reference passes over.
+      tally.refused += !crossed && result.outcome == Outcome::kNothingToRun ? 1 : 0;
+      tally.unsupported += !crossed && result.outcome == Outcome::kUnsupported ? 1 : 0;
       if (result.outcome == Outcome::kDisagrees || !difference.empty()) ++tally.disagreements;
     }
     if (!difference.empty()) SaveSpellings(dialect, seed, texts, difference);
     if (agrees) return program;
+    if (crossed && result.outcome != Outcome::kDisagrees) return std::nullopt;
     const auto fails = [&](const RandomProgram& less) {
       return !IsStopped() && RunRandom(less, dialect, directory).outcome == result.outcome;
     };
@@ -241,14 +261,16 @@ class Soak {
   }
 
   void Print() {
-    std::printf("%-8s %9s %7s %8s %9s %9s %9s %16s %14s %8s %12s\n", "dialect", "programs", "large", "spelled",
-                "compiled", "emulated", "verified", "values compared", "disagreements", "refused", "unsupported");
+    std::printf("%-8s %9s %7s %8s %9s %9s %9s %9s %9s %16s %14s %8s %12s\n", "dialect", "programs", "large", "spelled",
+                "crossed", "(ran)", "compiled", "emulated", "verified", "values compared", "disagreements", "refused",
+                "unsupported");
     for (size_t i = 0; i < dialects_.size(); ++i) {
       const Tally& tally = tallies_[i];
       if (tally.refused != 0 || tally.unsupported != 0) failed_ = true;
-      std::printf("%-8s %9ju %7ju %8ju %9ju %9ju %9ju %16ju %14ju %8ju %12ju\n",
+      std::printf("%-8s %9ju %7ju %8ju %9ju %9ju %9ju %9ju %9ju %16ju %14ju %8ju %12ju\n",
                   std::string(dialects_[i]->name).c_str(), uintmax_t{tally.programs}, uintmax_t{tally.large},
-                  uintmax_t{tally.spelled}, uintmax_t{tally.shares[0].programs}, uintmax_t{tally.shares[1].programs},
+                  uintmax_t{tally.spelled}, uintmax_t{tally.crossed}, uintmax_t{tally.crossed_ran},
+                  uintmax_t{tally.shares[0].programs}, uintmax_t{tally.shares[1].programs},
                   uintmax_t{tally.shares[2].programs}, uintmax_t{tally.compared}, uintmax_t{tally.disagreements},
                   uintmax_t{tally.refused}, uintmax_t{tally.unsupported});
     }
@@ -259,8 +281,9 @@ class Soak {
 
   Wanted wanted_;
   std::vector<const ReferenceDialect*> dialects_;
-  std::vector<Tally> tallies_;  // by dialect; guarded by mutex_ while threads run
-  ShareCounts verified_;        // functions, of all dialects; guarded likewise
+  std::vector<Goldens> goldens_;  // by dialect; none: nothing is crossed
+  std::vector<Tally> tallies_;    // by dialect; guarded by mutex_ while threads run
+  ShareCounts verified_;          // functions, of all dialects; guarded likewise
   std::atomic<uint64_t> next_ = 0;
   std::mutex mutex_;
   bool failed_ = false;
@@ -296,6 +319,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", wanted.seed, "another seed gives other programs");
   app.add_option("--jobs", wanted.jobs, "programs at a time");
   app.add_option("--large-every", wanted.large_every, "one program in N has 150 to 600 statements");
+  app.add_option("--crossed-every", wanted.crossed_every, "one program in N is a golden one with changes; 0: none");
   app.add_option("--compiled-every", wanted.one_in[0], "one program in N also as generated C++; 0: none");
   app.add_option("--emulated-every", wanted.one_in[1], "one program in N also on a Cortex-M4 and an rv32imac in QEMU");
   app.add_option("--verified-every", wanted.one_in[2], "one program in N also proved by plcxx verify");
