@@ -82,6 +82,25 @@ TEST(Cells, AreWhereTheMapSays) {
   AgreesWithTheMap(Compiled(Golden("classicladder", "flow/calls.clp")));
 }
 
+/// A bool that holds anything but 0 and 1 is undefined for the machine's program: no value makes the tool write another.
+TEST(Cells, ATruthIsWrittenAsItsLowestBitAlone) {
+  const Compiled compiled(Golden("nc110", "timers/different_members_of_a_chain.plc"));
+  const ir::Program& program = *compiled.emittable.program;
+  uint32_t truths = 0;
+  for (uint32_t i = 0; i < program.places.size(); ++i) {
+    const ir::Place& place = program.places[ir::PlaceId(i)];
+    const emit::layout::Storage storage = compiled.emittable.layout.places[i].storage;
+    if (place.type != ir::Type::kBit) continue;
+    if (storage != emit::layout::Storage::kBit && storage != emit::layout::Storage::kField) continue;
+    for (const MaskedRun& run : WritesOf(CellsOf(program, compiled.emittable.layout, place), ~uint64_t{0}, 32)) {
+      EXPECT_THAT(run.masks, ElementsAre(1)) << place.name;
+      EXPECT_THAT(run.values, ElementsAre(1)) << place.name;
+      ++truths;
+    }
+  }
+  EXPECT_GT(truths, 2u);
+}
+
 TEST(Cells, ABitAByteAndWhatIsNotThere) {
   compilation::CompilationRequest request;
   request.sources = {"a.plc"};
