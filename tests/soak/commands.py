@@ -21,6 +21,15 @@ T50I(30) = U4A2
 U4A3 = T50U
 U4A4 = I0A5*/I0A5
 """
+# The gate's switches follow from its contactor; both at once is what no machine does.
+GATE = """$
+U4A0 = I0A0*/I0A6
+U4A1 = I0A6*I0A7
+U4A2 = I0A6
+"""
+PLANT = """elements:
+- cylinder: {name: gate, extend: U4A0, extend-time: 200 ms, retract-time: 100 ms, extended: I0A6, retracted: I0A7}
+"""
 PROPERTIES = "never U4A0 and U4A1   # not both\nU4A3 implies U4A2\n"
 
 
@@ -48,12 +57,48 @@ def same_folders(one, other):
     return names
 
 
+def with_a_plant(work):
+    """Inputs that the plant drives are the plant's: what only chance does is not found, and a finding's scenario has the plant."""
+    (work / "gate.plc").write_text(GATE)
+    (work / "gate.plant.yaml").write_text(PLANT)
+    (work / "both.prop").write_text("never U4A1\n")
+    (work / "open.prop").write_text("never U4A2\n")
+    (work / "pressed.yaml").write_text("dialect: nc110\nsources: [gate.plc]\nsteps:\n- set: {I0A6: 1, I0A0: 1}\n- run: {slow: 3}\n")
+    both = ["gate.plc", "--property", "both.prop", "--for", "10min"]
+    expect(soak(work, *both).returncode == 1, "chance closes no two switches")
+    planted = soak(work, *both, "--plant", "gate.plant.yaml", "-o", "planted")
+    expect(planted.returncode == 0, "the plant closes two switches, or chance still drives them", planted)
+    expect("by the plant (gate.plant.yaml), which drives 2 more" in planted.stdout, "the plant is not named", planted)
+    record = json.loads((work / "planted" / "soak.json").read_text())
+    expect(record["plant"] == "gate.plant.yaml" and record["inputs_of_plant"] == 2, f"the record: {record['plant']}")
+    corpus = list((work / "planted").rglob("run-*.yaml"))
+    expect(corpus and all("plant: " in run.read_text() and "I0A6" not in run.read_text() for run in corpus), "runs that are kept")
+    again = soak(work, *both, "--plant", "gate.plant.yaml", "--jobs", "3", "-o", "planted again")
+    expect(again.returncode == 0, "again", again)
+    same_folders(work / "planted", work / "planted again")
+    found = soak(work, "gate.plc", "--property", "open.prop", "--for", "10min", "--plant", "gate.plant.yaml", "-o", "found")
+    expect(found.returncode == 1, "the gate never opens", found)
+    scenario = (work / "found" / "property-never-u4a2.yaml").read_text()
+    expect("plant: ../gate.plant.yaml" in scenario and "I0A0: 1" in scenario and "I0A6" not in scenario, scenario)
+    ran = subprocess.run([PLCXX, "test", "found/property-never-u4a2.yaml"], cwd=work, capture_output=True, text=True)
+    expect(ran.returncode == 1 and "never U4A2" in ran.stdout, "the scenario does not show it", ran)
+    (work / "other.plant.yaml").write_text(PLANT.replace("U4A0", "U4A5"))
+    for plant, words in (("none.yaml", "none.yaml"), ("project", "names no plant"), ("both.prop", "both.prop")):
+        wrong = soak(work, *both, "--plant", plant)
+        expect(wrong.returncode == 2 and words in wrong.stderr, plant, wrong)
+    soak(work, *both, "-o", "without")
+    merged = soak(work, "--merge", "merged-plants", "planted", "without")
+    expect(merged.returncode == 2 and "another plant" in merged.stderr, "machines of two plants are merged", merged)
+
+
 def main():
     with tempfile.TemporaryDirectory() as place:
         work = pathlib.Path(place)
         (work / "door.plc").write_text(DOOR)
         (work / "door.prop").write_text(PROPERTIES)
         door = ["door.plc", "--property", "door.prop"]
+
+        with_a_plant(work)
 
         # The same bytes, whatever runs at a time, and other ones by another seed.
         first = soak(work, *door, "--for", "20min", "-o", "one")

@@ -2,6 +2,7 @@
 #include "transpiler/driver/soak_command.h"
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/property_choice.h"
@@ -37,11 +39,13 @@ Examples:
   plcxx soak                                           an hour of 16 machines of the program of the plcxx.yaml here
   plcxx soak --for 100h --jobs 8 -o soak               and what is found, and worth keeping, in the folder
   plcxx soak lathe.sym lathe.plc --property safe.prop  these sources, these properties
+  plcxx soak --plant project                           the machine moves as its plant does, the operator as nobody would
   plcxx soak --for 100h --shard 2/8 -o soak-2          the second of eight parts of the same work
   plcxx soak --merge soak soak-1 soak-2                taken together
 
 docs/soak.md tells more. Exit codes: 0 nothing found, 1 something found, or the program has errors, 2 wrong use.)";
 
+constexpr const char* kOfProject = "project";  // as the value of --plant
 constexpr uint64_t kMsPerHour = 3'600'000, kMostHours = 10'000'000;
 constexpr uint32_t kMostMachines = 1'000'000;
 
@@ -50,6 +54,7 @@ struct SoakSettings {
   std::vector<std::string> files;  // of properties
   std::optional<std::string> until;
   std::string length = "1h", time, shard, directory, merge, form = "text";
+  std::string plant;  // a file, or kOfProject; empty: nothing moves by itself
   uint32_t machines = 16, jobs = 1;
   uint64_t seed = 1;
 };
@@ -136,8 +141,15 @@ int RunSoak(const SoakSettings& settings) {
     properties.push_back(std::move(one.property));
   }
 
+  const std::string named = settings.plant.empty() ? kNone : settings.plant == kOfProject ? "" : settings.plant;
+  const auto plant = ChoosePlant(named, settings.common, machine.compilation);
+  if (!plant) return kWrongUse;
+  if (settings.plant == kOfProject && !*plant) {
+    return Wrong("--plant project: the plcxx.yaml here names no plant; write 'plant: FILE' into it");
+  }
+
   progress.Show("inputs");
-  const soak::Inputs inputs(machine);
+  const soak::Inputs inputs(machine, plant->get());
   const soak::Goals goals(machine.compilation.program);
   const soak::WatchPlan plan(machine, std::move(properties));
   const uint32_t own = (settings.machines - shard->number) / shard->count + 1;
@@ -146,7 +158,8 @@ int RunSoak(const SoakSettings& settings) {
       .request = chosen.request,
       .scenarios = StimuliOf(scenarios::KnownRuns(chosen.request)),
       .corpus = {},
-      .make = soak::SimulatedMachines(machine.compilation),
+      .make = soak::SimulatedMachines(machine.compilation, *plant),
+      .plant = *plant,
       .machines = own,
       .first_machine = shard->number - 1,
       .every = shard->count,
@@ -157,6 +170,10 @@ int RunSoak(const SoakSettings& settings) {
       .directory = settings.directory,
       .progress = [&progress](const std::string& text) { progress.Show(text); }};
   if (!settings.directory.empty()) request.corpus = ReadCorpus(settings.directory);
+  if (*plant) {
+    soak::LeaveToPlant(**plant, machine.compilation, request.scenarios);
+    soak::LeaveToPlant(**plant, machine.compilation, request.corpus);
+  }
   request.until = settings.until;
   if (time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*time_ms);
   const soak::Soaked soaked = soak::Soak(request, goals, inputs, plan);
@@ -165,6 +182,7 @@ int RunSoak(const SoakSettings& settings) {
   soak::Record record = soak::MakeRecord(machine, soaked, goals, inputs, plan);
   record.seed = settings.seed;
   record.machines = own;
+  if (*plant) record.plant = std::filesystem::path((*plant)->model().path()).filename().string();
   if (!settings.shard.empty()) record.shards.insert(settings.shard);
   if (!settings.directory.empty()) {
     std::vector<emit::OutputFile> files;
@@ -172,7 +190,7 @@ int RunSoak(const SoakSettings& settings) {
     for (const soak::KeptRun& run : soaked.corpus) {
       const std::string name = soak::CorpusName(run.stimuli);
       files.push_back({std::string(kSoakCorpus) + "/" + name,
-                       soak::ScenarioOf(machine, chosen.request, CorpusFolder(settings.directory),
+                       soak::ScenarioOf(machine, chosen.request, plant->get(), CorpusFolder(settings.directory),
                                         "Kept by plcxx soak: it reaches what no other run does.", run.stimuli)});
     }
     std::vector<std::string> read = PathsRead(machine.compilation, settings.common);
@@ -213,6 +231,10 @@ void AddSoak(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();
+  command
+      ->add_option("--plant", settings->plant,
+                   "What the machine does around the program, instead of chance; 'project': that of plcxx.yaml")
+      ->type_name("FILE");
   command->add_option("-o", settings->directory, "Folder for findings, runs worth keeping, record and page")
       ->type_name("DIR");
   command->add_option("-j,--jobs", settings->jobs, "Machines that run at a time; 0: one for each processor")

@@ -147,6 +147,9 @@ std::string SoakText(const soak::Record& record, const std::string& directory) {
           std::to_string(record.inputs) + " inputs";
   if (record.nameless != 0)
     text += " (" + std::to_string(record.nameless) + " more have no name that a scenario can set)";
+  if (!record.plant.empty()) {
+    text += " and by the plant (" + record.plant + "), which drives " + std::to_string(record.driven) + " more";
+  }
   text += ". It proves nothing of what was not reached.\n";
   return diag::EscapedLines(text);
 }

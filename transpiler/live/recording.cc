@@ -88,15 +88,6 @@ class StepWriter {
   uint64_t run_ = 0;
 };
 
-/// Names the plant from the folder of the scenario.
-std::string PlantLine(const Timeline& timeline, const std::string& directory) {
-  if (!timeline.plant()) return {};
-  const std::filesystem::path path = std::filesystem::absolute(timeline.plant()->model().path()).lexically_normal();
-  const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory).lexically_normal();
-  const std::filesystem::path relative = path.lexically_relative((from / "").lexically_normal());
-  return "plant: " + Word((relative.empty() ? path : relative).generic_string()) + "\n";
-}
-
 /// False: it has no step.
 bool Write(const Action& action, StepWriter& steps) {
   switch (action.kind) {
@@ -178,7 +169,7 @@ Recording WriteRecording(const compilation::Compilation& compilation, const comp
     return recording;
   }
   recording.yaml = "# Recorded with plcxx live.\n" + scenarios::ScenarioHeading(compilation, request, directory) +
-                   PlantLine(timeline, directory) + "steps:\n" + written;
+                   scenarios::PlantHeading(timeline.plant().get(), directory) + "steps:\n" + written;
   return recording;
 }
 

@@ -11,13 +11,17 @@ namespace {
 
 std::string HeadingWord(const std::string& text) { return yaml::YamlWord(text, "_./"); }
 
-/// `path`, which the request names, from `directory`.
-std::string PathFrom(const std::string& directory, const compilation::CompilationRequest& request,
-                     const std::string& path) {
-  const std::filesystem::path full = std::filesystem::absolute(std::filesystem::path(request.base_directory) / path);
+std::string PathFrom(const std::string& directory, const std::filesystem::path& path) {
+  const std::filesystem::path full = std::filesystem::absolute(path);
   const std::filesystem::path from = std::filesystem::absolute(directory.empty() ? "." : directory);
   const std::filesystem::path relative = full.lexically_normal().lexically_relative((from / "").lexically_normal());
   return relative.empty() ? full.generic_string() : relative.generic_string();
+}
+
+/// `path`, which the request names, from `directory`.
+std::string PathFrom(const std::string& directory, const compilation::CompilationRequest& request,
+                     const std::string& path) {
+  return PathFrom(directory, std::filesystem::path(request.base_directory) / path);
 }
 
 }  // namespace
@@ -52,6 +56,11 @@ std::string ScenarioHeading(const compilation::Compilation& compilation, const c
   if (request.encoding) options += separator + "encoding: " + std::string(source::Name(*request.encoding));
   if (!options.empty()) text += "options: {" + options + "}\n";
   return text;
+}
+
+std::string PlantHeading(const BoundPlant* plant, const std::string& directory) {
+  if (plant == nullptr) return {};
+  return "plant: " + HeadingWord(PathFrom(directory, plant->model().path())) + "\n";
 }
 
 }  // namespace plcxx::scenarios

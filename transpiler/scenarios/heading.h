@@ -4,6 +4,7 @@
 #include <string>
 
 #include "transpiler/compilation/compilation.h"
+#include "transpiler/scenarios/bound_plant.h"
 
 namespace plcxx::scenarios {
 
@@ -11,5 +12,8 @@ namespace plcxx::scenarios {
 /// where the scenario will stand.
 std::string ScenarioHeading(const compilation::Compilation& compilation, const compilation::CompilationRequest& request,
                             const std::string& directory);
+
+/// Key `plant`, likewise; none: no key.
+std::string PlantHeading(const BoundPlant* plant, const std::string& directory);
 
 }  // namespace plcxx::scenarios

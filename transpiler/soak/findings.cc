@@ -59,22 +59,25 @@ std::string_view WordOf(CauseKind kind) {
 }  // namespace
 
 std::string ScenarioOf(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
-                       const std::string& directory, const std::string& comment, const Stimuli& stimuli) {
+                       const scenarios::BoundPlant* plant, const std::string& directory, const std::string& comment,
+                       const Stimuli& stimuli) {
   review::diff::WrittenSteps steps;
   for (const Stimulus& stimulus : stimuli) {
     if (stimulus.power_cycle) steps.AddPowerCycle();
     steps.Add(stimulus);
   }
   std::string text = "# " + comment + "\n" + scenarios::ScenarioHeading(machine.compilation, request, directory);
-  return text + "steps:\n" + steps.scenario;
+  return text + scenarios::PlantHeading(plant, directory) + "steps:\n" + steps.scenario;
 }
 
 Findings::Findings(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
-                   const WatchPlan& plan, const MakeMachines& make, std::string directory)
+                   const WatchPlan& plan, const MakeMachines& make, std::shared_ptr<const scenarios::BoundPlant> plant,
+                   std::string directory)
     : machine_(machine),
       request_(request),
       plan_(plan),
       machines_(make(1)),
+      plant_(std::move(plant)),
       words_(machine.compilation),
       directory_(std::move(directory)) {}
 
@@ -179,7 +182,7 @@ std::optional<Finding> Findings::Describe(const Cause& cause, const Stimuli& sti
       break;
   }
   std::ranges::replace(comment, '\n', ' ');
-  finding.yaml = ScenarioOf(machine_, request_, directory_, comment, shortened);
+  finding.yaml = ScenarioOf(machine_, request_, plant_.get(), directory_, comment, shortened);
   if (cause.kind == CauseKind::kProperty) {
     const size_t at = finding.yaml.find("steps:\n");
     PLCXX_CHECK(at != std::string::npos);

@@ -20,9 +20,10 @@ struct Finding {
 
 class Findings {
  public:
-  /// All outlive the object. `directory`: where scenarios will stand.
+  /// All outlive the object. `plant`: of the machines that are made. `directory`: where scenarios will stand.
   Findings(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
-           const WatchPlan& plan, const MakeMachines& make, std::string directory);
+           const WatchPlan& plan, const MakeMachines& make, std::shared_ptr<const scenarios::BoundPlant> plant,
+           std::string directory);
 
   /// None: a new machine does not show it.
   std::optional<Finding> Describe(const Cause& cause, const Stimuli& stimuli);
@@ -40,14 +41,16 @@ class Findings {
   const compilation::CompilationRequest& request_;
   const WatchPlan& plan_;
   std::unique_ptr<Machines> machines_;
+  std::shared_ptr<const scenarios::BoundPlant> plant_;
   Words words_;
   std::string directory_;
   std::set<std::string> names_;
   uint64_t most_work_ = 0;  // of the finding at hand
 };
 
-/// The heading and steps of a scenario that does what a run did.
+/// The heading and steps of a scenario that does what a run did; `plant` may be none.
 std::string ScenarioOf(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
-                       const std::string& directory, const std::string& comment, const Stimuli& stimuli);
+                       const scenarios::BoundPlant* plant, const std::string& directory, const std::string& comment,
+                       const Stimuli& stimuli);
 
 }  // namespace plcxx::soak

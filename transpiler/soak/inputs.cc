@@ -50,13 +50,25 @@ void Words::Set(const std::pair<std::string, std::string>& word, Machines& machi
   if (value) machines.Set(machine, *location, *value);
 }
 
-Inputs::Inputs(const scenarios::ProveMachine& machine) {
-  FindInputs(machine);
+void LeaveToPlant(const scenarios::BoundPlant& plant, const compilation::Compilation& compilation,
+                  std::vector<review::diff::Stimuli>& runs) {
+  const ir::NameIndex names(compilation.program);
+  const auto is_driven = [&](const std::pair<std::string, std::string>& word) {
+    const std::optional<dialects::Location> location = compilation.dialect->locate(names, word.first);
+    return location && plant.DriverOf(*location) != nullptr;
+  };
+  for (review::diff::Stimuli& run : runs) {
+    for (review::diff::Stimulus& stimulus : run) std::erase_if(stimulus.words, is_driven);
+  }
+}
+
+Inputs::Inputs(const scenarios::ProveMachine& machine, const scenarios::BoundPlant* plant) {
+  FindInputs(machine, plant);
   FindConstants(machine.compilation.program);
   FindReads(machine);
 }
 
-void Inputs::FindInputs(const scenarios::ProveMachine& machine) {
+void Inputs::FindInputs(const scenarios::ProveMachine& machine, const scenarios::BoundPlant* plant) {
   const ir::Program& program = machine.compilation.program;
   const std::vector<bool> is_input = prove::machine::InputsOf(machine.version);
   const std::vector<bool> is_request = prove::machine::RequestCells(machine.version);
@@ -73,6 +85,10 @@ void Inputs::FindInputs(const scenarios::ProveMachine& machine) {
         word.name.empty() ? std::nullopt : machine.compilation.dialect->locate(names, word.name);
     if (!location || location->absent || location->text_input || word.cells.size() > 64) {
       ++nameless_;
+      continue;
+    }
+    if (plant != nullptr && plant->DriverOf(*location) != nullptr) {
+      ++driven_;
       continue;
     }
     Input input{.name = word.name, .location = *location};

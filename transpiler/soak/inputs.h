@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "transpiler/compilation/compilation.h"
+#include "transpiler/review/diff/stimulus.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/property_machine.h"
 #include "transpiler/soak/machines.h"
 #include "transpiler/symbolic/terms/random.h"
@@ -42,14 +44,20 @@ class Words {
   std::unordered_map<std::string, std::optional<dialects::Location>> known_;  // looked up only
 };
 
+/// Runs of elsewhere for machines with a plant: without what it drives.
+void LeaveToPlant(const scenarios::BoundPlant& plant, const compilation::Compilation& compilation,
+                  std::vector<review::diff::Stimuli>& runs);
+
 class Inputs {
  public:
-  /// `machine`: the program as it runs, with its slices.
-  explicit Inputs(const scenarios::ProveMachine& machine);
+  /// `machine`: the program as it runs, with its slices. What the plant drives, or some of it, is left to the plant,
+  /// which may be none.
+  explicit Inputs(const scenarios::ProveMachine& machine, const scenarios::BoundPlant* plant = nullptr);
 
   const std::vector<Input>& all() const { return inputs_; }
   /// Inputs that no scenario can name: they stay as they are at power-on.
   size_t nameless() const { return nameless_; }
+  size_t driven() const { return driven_; }
   /// Waits worth while, ascending: up to presets of timers, and beyond.
   const std::vector<uint32_t>& waits_ms() const { return waits_ms_; }
 
@@ -65,14 +73,14 @@ class Inputs {
   const std::vector<uint32_t>& WritersOf(execute::CellId cell) const { return writers_[cell.index]; }
 
  private:
-  void FindInputs(const scenarios::ProveMachine& machine);
+  void FindInputs(const scenarios::ProveMachine& machine, const scenarios::BoundPlant* plant);
   void FindConstants(const ir::Program& program);
   void FindReads(const scenarios::ProveMachine& machine);
 
   std::vector<Input> inputs_;
   std::vector<uint64_t> constants_;  // ascending, each once
   std::vector<uint32_t> waits_ms_;
-  size_t nameless_ = 0;
+  size_t nameless_ = 0, driven_ = 0;
   std::vector<std::vector<uint32_t>> input_of_cell_;  // by CellId: at most one
   std::vector<std::vector<uint32_t>> writers_;        // by CellId
   /// What a statement reads, by StatementId: inputs, and statements that write the rest.

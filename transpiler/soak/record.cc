@@ -75,6 +75,10 @@ Json JsonOf(const Record& record) {
   json["ended_by_time"] = record.out_of_time;
   json["inputs"] = record.inputs;
   json["inputs_without_name"] = record.nameless;
+  if (!record.plant.empty()) {
+    json["plant"] = record.plant;
+    json["inputs_of_plant"] = record.driven;
+  }
   json["outputs_without_name"] = record.nameless_outputs;
   json["properties"] = record.properties;
   for (const auto& [name, kind] : {std::pair{"statements", GoalKind::kStatement},
@@ -138,6 +142,8 @@ std::string ReadFrom(const Json& json, Record& record) {
   record.out_of_time = json.at("ended_by_time");
   record.inputs = json.at("inputs");
   record.nameless = json.at("inputs_without_name");
+  record.plant = json.value("plant", "");
+  record.driven = json.value("inputs_of_plant", size_t{0});
   record.nameless_outputs = json.at("outputs_without_name");
   record.properties = json.at("properties");
   record.more = json.at("more_findings").get<std::set<std::string>>();
@@ -213,6 +219,7 @@ Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, 
   record.out_of_time = soaked.out_of_time;
   record.inputs = inputs.all().size();
   record.nameless = inputs.nameless();
+  record.driven = inputs.driven();
   record.properties = plan.properties().size();
   const source::SourceManager& sources = *machine.compilation.sources;
   ir::StatementId last;
@@ -274,6 +281,7 @@ std::variant<Record, std::string> ReadRecord(const std::string& text) {
 std::string AddRecord(Record& record, const Record& other) {
   if (record.hash != other.hash || record.GoalCount() != other.GoalCount()) return "it is of another program";
   if (record.outputs.size() != other.outputs.size()) return "it has other outputs";
+  if (record.plant != other.plant || record.driven != other.driven) return "its machines have another plant";
   for (const std::string& shard : other.shards) {
     if (!record.shards.insert(shard).second && record.seed == other.seed) return "shard " + shard + " is there twice";
   }

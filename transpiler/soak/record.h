@@ -51,7 +51,8 @@ struct Record {
   std::set<std::string> shards;  // "1/2"; none: it was the whole
   uint64_t machine_ms = 0, parts = 0, steps = 0;
   bool out_of_time = false;
-  size_t inputs = 0, nameless = 0, nameless_outputs = 0;
+  std::string plant;  // the file that moves the machine; empty: none does
+  size_t inputs = 0, nameless = 0, driven = 0, nameless_outputs = 0;
   size_t properties = 0;
   std::vector<StatementRecord> statements;
   GoalSet reached;

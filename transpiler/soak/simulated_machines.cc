@@ -23,11 +23,13 @@ struct SimulatedMoment : Moment {
 
 class SimulatedMachine {
  public:
-  explicit SimulatedMachine(const compilation::Compilation& compilation)
+  SimulatedMachine(const compilation::Compilation& compilation,
+                   const std::shared_ptr<const scenarios::BoundPlant>& plant)
       : simulator_(compilation.program),
         control_(compilation.program, *compilation.dialect, simulator_, scenarios::StubOf(compilation)),
-        clock_(compilation.program, {&simulator_}),
-        new_(simulator_.Save(), control_.Save()) {
+        clock_(compilation.program, {&simulator_}) {
+    if (plant) control_.Attach(plant);
+    new_ = std::make_unique<SimulatedMoment>(simulator_.Save(), control_.Save());
     simulator_.StopWhen([this] { return simulator_.executed() > most_; });
     clock_.before_period = [this](uint32_t now_ms) {
       most_ = simulator_.executed() + kMostOfPart;
@@ -42,7 +44,7 @@ class SimulatedMachine {
   }
 
   void PowerOn() {
-    Restore(new_);
+    Restore(*new_);
     most_ = simulator_.executed() + kMostOfPart;
     clock_.PowerOn();
     control_.PowerOn();
@@ -91,7 +93,7 @@ class SimulatedMachine {
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;
-  SimulatedMoment new_;
+  std::unique_ptr<const SimulatedMoment> new_;
   uint64_t most_ = kMostOfPart;
   size_t number_ = 0;
   const Machines::AfterPart* after_ = nullptr;
@@ -100,8 +102,10 @@ class SimulatedMachine {
 
 class OneByOne : public Machines {
  public:
-  OneByOne(const compilation::Compilation& compilation, size_t count) : compilation_(compilation), given_(count) {
-    for (size_t i = 0; i < count; ++i) machines_.push_back(std::make_unique<SimulatedMachine>(compilation));
+  OneByOne(const compilation::Compilation& compilation, std::shared_ptr<const scenarios::BoundPlant> plant,
+           size_t count)
+      : compilation_(compilation), plant_(std::move(plant)), given_(count) {
+    for (size_t i = 0; i < count; ++i) machines_.push_back(std::make_unique<SimulatedMachine>(compilation, plant_));
   }
 
   size_t count() const override { return machines_.size(); }
@@ -141,11 +145,12 @@ class OneByOne : public Machines {
   void Renew(size_t machine) {
     if (!machines_[machine]->simulator().stopped()) return;
     worked_ += machines_[machine]->simulator().executed();
-    machines_[machine] = std::make_unique<SimulatedMachine>(compilation_);
+    machines_[machine] = std::make_unique<SimulatedMachine>(compilation_, plant_);
     machines_[machine]->simulator().NoteGiven(given_[machine]);
   }
 
   const compilation::Compilation& compilation_;
+  std::shared_ptr<const scenarios::BoundPlant> plant_;
   std::vector<std::unique_ptr<SimulatedMachine>> machines_;
   std::vector<std::span<uint8_t>> given_;
   uint64_t worked_ = 0;
@@ -153,8 +158,11 @@ class OneByOne : public Machines {
 
 }  // namespace
 
-MakeMachines SimulatedMachines(const compilation::Compilation& compilation) {
-  return [&compilation](size_t count) { return std::make_unique<OneByOne>(compilation, count); };
+MakeMachines SimulatedMachines(const compilation::Compilation& compilation,
+                               std::shared_ptr<const scenarios::BoundPlant> plant) {
+  return [&compilation, plant = std::move(plant)](size_t count) {
+    return std::make_unique<OneByOne>(compilation, plant, count);
+  };
 }
 
 }  // namespace plcxx::soak

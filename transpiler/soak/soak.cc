@@ -40,7 +40,7 @@ class Generations {
                .standing = {},
                .gone = {},
                .causes = {}},
-        findings_(request.machine, request.request, plan, request.make, request.directory),
+        findings_(request.machine, request.request, plan, request.make, request.plant, request.directory),
         given_(plan.program().insts.size()) {
     soaked_.outputs.ones.resize(plan.outputs().size());
     soaked_.outputs.zeros.resize(plan.outputs().size());

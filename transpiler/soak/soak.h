@@ -27,9 +27,10 @@ struct SoakRequest {
   std::vector<Stimuli> scenarios;  // beside the program
   std::vector<Stimuli> corpus;     // of earlier times
   MakeMachines make;
-  uint32_t machines = 16;                 // of this shard
-  uint32_t first_machine = 0, every = 1;  // their numbers: the first, and so many on from each to the next
-  uint64_t machine_ms = 0;                // of all of them together
+  std::shared_ptr<const scenarios::BoundPlant> plant;  // of these machines; may be none
+  uint32_t machines = 16;                              // of this shard
+  uint32_t first_machine = 0, every = 1;               // their numbers: the first, and so many on from each to the next
+  uint64_t machine_ms = 0;                             // of all of them together
   std::optional<std::chrono::steady_clock::time_point> end;
   uint32_t jobs = 1;
   uint64_t seed = 1;
