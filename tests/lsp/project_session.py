@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What a plcxx.yaml says to plcxx lsp beside the sources: warnings that are accepted, and which program a file
-belongs to, why a signal is so in its scenarios.
+belongs to, why a signal is so in its scenarios, its plant and its panel.
 
 usage: project_session.py PLCXX PROJECT
 """
@@ -84,6 +84,50 @@ def program_of(plcxx, root, folder):
     assert client.shut_down() == 0
 
 
+PLANT = """elements:
+- cylinder: {name: door, extend: U4A8, extend-time: 200 ms, retract-time: 100 ms, extended: I0A6, retracted: I0A7}
+"""
+PANEL = """groups:
+- controls:
+  - button: {text: GO, input: I0A3, lamp: U4A9}
+"""
+
+
+def machine(plcxx, folder):
+    """The plant and the panel of a program are checked as they are in the editor, and complete its locations."""
+    folder.mkdir()
+    source, plant, panel = folder / "door.plc", folder / "plant.yaml", folder / "panel.yaml"
+    source.write_text("$\nU4A8=I0A3*I0A4\nU4A9=I0A6*U4A8\n")
+    plant.write_text(PLANT)
+    panel.write_text(PANEL)
+    (folder / "plcxx.yaml").write_text("name: door\ndialect: nc110\nsources: [door.plc]\nplant: plant.yaml\npanel: panel.yaml\n")
+    client = Client(plcxx)
+    client.open(plant, PLANT)
+    assert client.wait_for(plant, 1) == []
+    client.change(plant, [{"text": PLANT.replace("extend: U4A8", "extend: NOPE").replace("name: door,", "name: door, stroke: 5,")}], 2)
+    faults = client.wait_for(plant, 2)
+    assert len(faults) == 1 and "stroke" in faults[0]["message"] and faults[0]["range"]["start"]["line"] == 1, faults
+    client.change(plant, [{"text": PLANT.replace("extend: U4A8", "extend: NOPE")}], 3)
+    faults = client.wait_for(plant, 3)
+    assert len(faults) == 1 and "NOPE" in faults[0]["message"] and faults[0]["range"]["start"]["character"] == 33, faults
+    client.change(plant, [{"text": PLANT}], 4)
+    assert client.wait_for(plant, 4) == []
+    # What the plant drives is no button's.
+    client.open(panel, PANEL.replace("I0A3", "I0A6"))
+    faults = client.wait_for(panel, 1)
+    assert len(faults) == 1 and "driven by the plant" in faults[0]["message"], faults
+    client.change(panel, [{"text": PANEL}], 2)
+    assert client.wait_for(panel, 2) == []
+    # Another program: a location that is gone.
+    client.open(source, "$\nU4A8=I0A3*I0A4\nU4A9=I0A6*\n")
+    assert client.wait_for(source, 1)
+    at = {"textDocument": {"uri": uri_of(plant)}, "position": {"line": 1, "character": 36}}
+    labels = [item["label"] for item in client.request("textDocument/completion", at)["items"]]
+    assert "U4A8" in labels and "I0A3" not in labels, labels
+    assert client.request("textDocument/hover", at) is None
+    assert client.shut_down() == 0
+
+
 def why(plcxx, folder):
     """Why a signal is what it is at the end of each scenario that runs the program, of the text as it is in the editor."""
     source = folder / "lamp.plc"
@@ -129,6 +173,7 @@ def main():
         program_of(plcxx, pathlib.Path(root), folder)
         (folder / "why").mkdir()
         why(plcxx, folder / "why")
+        machine(plcxx, folder / "machine")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,16 @@
 #include "transpiler/driver/lsp_scenarios.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/compilation/source_loading.h"
+#include "transpiler/live/panel.h"
+#include "transpiler/plant/panel.h"
+#include "transpiler/plant/plant.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
@@ -66,8 +71,34 @@ std::string WhyAtItsEnd(const std::string& path, const std::string& signal) {
   return answer.failure.empty() ? text : text + "the scenario did not come to its end: " + answer.failure;
 }
 
+std::vector<yaml::Error> MachineFaults(const lsp::FileText& plant, const lsp::FileText& panel,
+                                       const compilation::Compilation& compilation) {
+  std::vector<yaml::Error> faults;
+  const auto add = [&](const auto& read_or_bound) {
+    const auto* errors = std::get_if<std::vector<yaml::Error>>(&read_or_bound);
+    if (errors != nullptr) faults.insert(faults.end(), errors->begin(), errors->end());
+    return errors == nullptr;
+  };
+  std::shared_ptr<const scenarios::BoundPlant> bound;
+  if (!plant.path.empty()) {
+    const plant::ModelOrErrors read = plant::ParsePlant(plant.path, plant.text);
+    if (add(read)) {
+      const scenarios::BoundOrErrors joined = scenarios::BindPlant(std::get<std::shared_ptr<const plant::Model>>(read),
+                                                                   *compilation.dialect, compilation.program);
+      if (add(joined)) bound = std::get<std::shared_ptr<const scenarios::BoundPlant>>(joined);
+    }
+  }
+  if (!panel.path.empty()) {
+    const plant::PanelOrErrors read = plant::ParsePanel(panel.path, panel.text);
+    if (add(read)) add(live::BindPanel(std::get<plant::Panel>(read), compilation, bound.get()));
+  }
+  return faults;
+}
+
 }  // namespace
 
-lsp::ScenarioAnswers AnswersOfScenarios() { return {.of_program = ScenariosOfProgram, .why = WhyAtItsEnd}; }
+lsp::ScenarioAnswers AnswersOfScenarios() {
+  return {.of_program = ScenariosOfProgram, .why = WhyAtItsEnd, .machine_faults = MachineFaults};
+}
 
 }  // namespace plcxx::driver

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 
 #include "transpiler/lsp/features.h"
 
@@ -48,6 +49,8 @@ bool StartsWith(std::string_view text, std::string_view prefix) {
 
 class Items {
  public:
+  /// `range`: what an item replaces, of which `prefix` is there.
+  Items(Json range, std::string_view prefix) : range_(std::move(range)), prefix_(prefix) {}
   Items(const FeatureContext& context, source::Range replaced, std::string_view prefix)
       : range_(ToJson(context.analysis.Locate(replaced))), prefix_(prefix), mark_(context.names.editing().name_mark) {
     const source::Offset begin = replaced.begin;
@@ -172,6 +175,28 @@ std::vector<std::string> ParametersOf(std::string_view declaration) {
   return parameters;
 }
 
+/// What the program and its control call by address.
+void AddAddresses(const FeatureContext& context, Items& items) {
+  const Names& names = context.names;
+  for (const ir::Documentation& known : names.program().documentation) {
+    const bool is_spelling = !known.address.starts_with('=') && known.address.find('+') == std::string::npos;
+    if (is_spelling) items.Add(known.address, ItemKindOf(DefinitionKind::kSignal), known.symbols, known.meaning);
+  }
+  diag::Engine unused;
+  for (const dialects::ControlSignal& signal : names.editing().signals(context.RequestOf(unused))) {
+    items.Add(signal.address, ItemKindOf(DefinitionKind::kSignal), signal.name, signal.meaning);
+    if (signal.has_name_in_programs) {
+      items.Add(signal.name, ItemKindOf(DefinitionKind::kSignal), signal.address, signal.meaning);
+    }
+  }
+}
+
+/// Of a location's name in any language, as YAML has it.
+bool IsOfLocation(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || std::isalnum(byte) != 0 || c == '_' || c == '.' || c == '%';
+}
+
 }  // namespace
 
 Json Completion(const FeatureContext& context, const Json& params) {
@@ -188,18 +213,24 @@ Json Completion(const FeatureContext& context, const Json& params) {
   for (const dialects::Word& word : names.editing().words()) {
     items.Add(word.name, ItemKindOf(word.role), JoinedParameters(word.parameters), word.meaning);
   }
-  if (prefix.empty()) return items.Result();  // the control has thousands of signals
-  for (const ir::Documentation& known : names.program().documentation) {
-    const bool is_spelling = !known.address.starts_with('=') && known.address.find('+') == std::string::npos;
-    if (is_spelling) items.Add(known.address, ItemKindOf(DefinitionKind::kSignal), known.symbols, known.meaning);
+  if (!prefix.empty()) AddAddresses(context, items);  // the control has thousands of signals
+  return items.Result();
+}
+
+Json CompleteMachineFile(const Workspace& workspace, WorkspaceProgram& program, const Document& document,
+                         const Json& params) {
+  const Lines lines(document.text, workspace.units());
+  const size_t at = lines.Offset(ReadPosition(rpc::ObjectOf(params, "position")));
+  size_t begin = at;
+  while (begin > 0 && IsOfLocation(document.text[begin - 1])) --begin;
+  const std::string_view prefix = std::string_view(document.text).substr(begin, at - begin);
+  Items items({{"start", ToJson(lines.At(begin))}, {"end", ToJson(lines.At(at))}}, prefix);
+  const Names& names = program.analysis->NamesWith(program.Meaning());
+  for (const Definition& definition : names.definitions()) {
+    if (definition.kind != DefinitionKind::kSignal && definition.kind != DefinitionKind::kVariable) continue;
+    items.Add(definition.name, ItemKindOf(definition.kind), definition.detail, definition.comment);
   }
-  diag::Engine unused;
-  for (const dialects::ControlSignal& signal : names.editing().signals(context.RequestOf(unused))) {
-    items.Add(signal.address, ItemKindOf(DefinitionKind::kSignal), signal.name, signal.meaning);
-    if (signal.has_name_in_programs) {
-      items.Add(signal.name, ItemKindOf(DefinitionKind::kSignal), signal.address, signal.meaning);
-    }
-  }
+  if (!prefix.empty()) AddAddresses({workspace, program, *program.analysis, names, source::FileId(0)}, items);
   return items.Result();
 }
 

@@ -40,6 +40,9 @@ Json DocumentHighlights(const FeatureContext& context, const Json& params);
 Json DocumentSymbols(const FeatureContext& context, const Json& params);
 void AddWorkspaceSymbols(const FeatureContext& context, std::string_view query, Json& symbols);
 Json Completion(const FeatureContext& context, const Json& params);
+/// In the plant or the panel of a program: its locations.
+Json CompleteMachineFile(const Workspace& workspace, WorkspaceProgram& program, const Document& document,
+                         const Json& params);
 Json SignatureHelp(const FeatureContext& context, const Json& params);
 Json PrepareRename(const FeatureContext& context, const Json& params);
 Json Rename(const FeatureContext& context, const Json& params);

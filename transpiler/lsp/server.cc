@@ -128,7 +128,11 @@ void LanguageServer::AddFeature(const char* method, Feature feature) {
     if (program == nullptr || program->analysis->compilation().dialect == nullptr) return nullptr;
     Analysis& analysis = *program->analysis;
     const source::FileId file = analysis.FileOf(identity);
-    if (!file.valid()) return nullptr;
+    if (!file.valid()) {
+      const Document* const open = workspace_.documents().Find(identity);
+      if (feature != Completion || open == nullptr || !IsMachineFile(*program, identity)) return nullptr;
+      return CompleteMachineFile(workspace_, *program, *open, params);
+    }
     return feature({workspace_, *program, analysis, analysis.NamesWith(program->Meaning()), file}, params);
   });
 }

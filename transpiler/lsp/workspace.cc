@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
 #include <utility>
 
 #include "transpiler/compilation/dialect_choice.h"
@@ -23,9 +26,36 @@ void Workspace::Configure(const Json& options) {
   }
 }
 
+bool IsMachineFile(const WorkspaceProgram& program, std::string_view identity) {
+  return std::ranges::any_of(
+      std::initializer_list<const std::string*>{&program.plant, &program.panel},
+      [&](const std::string* path) { return !path->empty() && source::FileIdentity(*path) == identity; });
+}
+
+FileText Workspace::TextOf(const std::string& path) const {
+  if (path.empty()) return {};
+  if (const Document* open = documents_.Find(source::FileIdentity(path)); open != nullptr) return {path, open->text};
+  std::ifstream file(path, std::ios::binary);
+  // That a file which plcxx.yaml names is not there is said in plcxx.yaml.
+  if (!file) return {};
+  return {path, std::string(std::istreambuf_iterator<char>(file), {})};
+}
+
+void Workspace::CheckMachine(WorkspaceProgram& program) const {
+  const compilation::Compilation& compilation = program.Meaning().compilation();
+  if (!answers_.machine_faults || !compilation.ok() || !compilation.has_program) return;
+  const std::vector<yaml::Error> faults =
+      answers_.machine_faults(TextOf(program.plant), TextOf(program.panel), compilation);
+  for (const yaml::Error& fault : faults) {
+    std::vector<std::string>& of_file = program.diagnostics[source::FileIdentity(fault.path)];
+    for (std::string& one : ProjectFaults({fault})) of_file.push_back(std::move(one));
+  }
+}
+
 bool Workspace::Reads(const WorkspaceProgram& program, const std::string& identity) {
   if (program.analysis != nullptr && program.analysis->FileOf(identity).valid()) return true;
   if (program.whole != nullptr && program.whole->FileOf(identity).valid()) return true;
+  if (IsMachineFile(program, identity)) return true;
   return std::ranges::any_of(program.request.sources, [&](const std::string& path) {
     return source::FileIdentity(compilation::FromBase(program.request.base_directory, path)) == identity;
   });
@@ -79,6 +109,8 @@ void Workspace::ReadProjectFile(const std::string& project) {
     program->project = project;
     program->name = project::NameOf(said);
     program->scenario_paths = said.scenarios;
+    program->plant = said.plant;
+    program->panel = said.panel;
     if (!said.baseline.empty()) ReadBaselineOf(*program, said.baseline);
     programs_.push_back(std::move(program));
   }
@@ -171,6 +203,10 @@ void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
   std::set<std::string> files;
   for (const auto& [file, found] : program.diagnostics) files.insert(file);
   program.diagnostics = DiagnosticsByFile(*program.analysis);
+  CheckMachine(program);
+  for (const std::string* path : {&program.plant, &program.panel}) {
+    if (!path->empty()) files.insert(source::FileIdentity(*path));
+  }
   for (const auto& [file, found] : program.diagnostics) files.insert(file);
   for (uint32_t i = 0; i < program.analysis->sources().size(); ++i) {
     files.insert(program.analysis->IdentityOf(source::FileId(i)));

@@ -34,6 +34,7 @@ struct WorkspaceProgram {
   /// The last one without errors: names keep their meaning while a statement is being typed.
   std::unique_ptr<Analysis> whole;
   FileDiagnostics diagnostics;
+  std::string plant, panel;                                   // files of the machine around it; empty: none
   std::vector<std::string> scenario_paths;                    // files and folders, as the project says
   mutable std::optional<std::vector<std::string>> scenarios;  // those of the program, when somebody has asked
 
@@ -87,6 +88,9 @@ class Workspace {
   void DropSingleFiles();
   void Drop(size_t index);
   void Analyse(WorkspaceProgram& program, const Publish& publish);
+  /// What is wrong with its plant and panel goes to its diagnostics.
+  void CheckMachine(WorkspaceProgram& program) const;
+  FileText TextOf(const std::string& path) const;
   /// Does the program read the file, as far as is known?
   static bool Reads(const WorkspaceProgram& program, const std::string& identity);
 
@@ -99,9 +103,12 @@ class Workspace {
   std::vector<std::unique_ptr<WorkspaceProgram>> programs_;
 };
 
+/// Its plant, or its panel; `identity` is a FileIdentity.
+bool IsMachineFile(const WorkspaceProgram& program, std::string_view identity);
+
 /// The diagnostics of one compilation.
 FileDiagnostics DiagnosticsByFile(const Analysis& analysis);
-/// What is wrong with a plcxx.yaml, as diagnostics.
+/// What is wrong with a YAML file, as diagnostics.
 std::vector<std::string> ProjectFaults(const std::vector<yaml::Error>& errors);
 
 }  // namespace plcxx::lsp
