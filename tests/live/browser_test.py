@@ -21,6 +21,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "report"))
 from browser import Browser  # noqa: E402
 from server import Server  # noqa: E402
+from station import Station, build  # noqa: E402
 
 SAMPLES = ("nc110/lathe_16k20", "prostep/mill_fnd32", "host50/ck6150", "technol/mcv_750", "hnc/mill_xk7132",
            "classicladder/turret")
@@ -400,6 +401,63 @@ def comes_back(browser, plcxx, folder):
         page.wait("document.querySelector('.list button.bit[aria-checked=true]') !== null")
 
 
+def of_use(selector):
+    return f"document.querySelector({json.dumps(selector)}).getAttribute('aria-disabled') !== 'true' && !document.querySelector({json.dumps(selector)}).disabled"
+
+
+def linked(browser, plcxx, root, folder, pictures):
+    """The page of a running machine: what it shows, what is of no use, and why."""
+    os.makedirs(folder)
+    program = build(plcxx, root, folder)
+    socket = os.path.join(folder, "link.socket")
+    toggle = "[aria-label='Toggle I0A3']"
+    force = "Array.from(document.querySelectorAll('#card button')).find(one => one.textContent === 'Force')"
+    with Station(program, socket) as station:
+        with Server(plcxx, ["lamp.plc", "--link", "socket:" + socket], folder) as server:
+            page = Page(browser, server)
+            page.wait("document.querySelector('#link').textContent.includes('reading only')")
+            layout(page, "link")
+            check(not named(page), f"link: without a name: {named(page)[:3]}")
+            page.wait("document.querySelector('#state').textContent === 'running' && document.querySelector('#lost').hidden")
+            for selector in ("#run", "#power", "#speed", "#slider", "#back-statement", "[data-back]", "[data-step]", "#break-text", "#restart",
+                             "#show-scenario", "#save-name", "#rows button.gutter", "#rows .switch", toggle):
+                check(not page.evaluate(of_use(selector)), f"link: {selector} is of use")
+                check(len(page.evaluate(f"document.querySelector({json.dumps(selector)}).title")) > 10, f"link: {selector} says not why")
+            check(page.evaluate(of_use("#watch-name")), "link: nothing can be watched")
+            page.click("#run")
+            page.wait("document.querySelector('#toast').textContent.includes('only a simulation')")
+            # What the machine does is seen: values, and power in the ladder.
+            before = page.evaluate("document.querySelectorAll('#rows svg.ladder .live').length")
+            station.tell("3")
+            page.wait(f"document.querySelector({json.dumps(toggle)}).classList.contains('on')")
+            page.wait(f"document.querySelectorAll('#rows svg.ladder .live').length > {before}")
+            page.evaluate("document.querySelector('#watch-name').value = 'W3K0'; 0")
+            page.click("#watch-form button")
+            page.wait("document.querySelectorAll('#watches tbody tr').length === 1")
+            page.wait("Number(document.querySelector('#watches .value').textContent) > 10")
+            # The key switch lets write: then what can be done is of use.
+            station.tell("w")
+            page.wait(of_use(toggle))
+            page.evaluate("document.querySelector(\"[aria-label='Toggle I0A5']\").closest('li').querySelector('.name').click(); 0")
+            page.evaluate("document.querySelector('#card input').value = '1'; 0")
+            page.evaluate(force + ".click(); 0")
+            page.wait("!document.querySelector('#forced-card').hidden && document.querySelector('.list .forced') !== null")
+            page.picture(pictures, "link")
+            page.click("#release-all")
+            page.wait("document.querySelector('#forced-card').hidden")
+            # The wire breaks, and is there again.
+            station.end()
+            page.wait("!document.querySelector('#lost').hidden && document.body.classList.contains('stale')")
+            page.wait("document.querySelector('#lost').textContent.includes('What is shown is old')")
+            check(not page.evaluate(of_use("#watch-name")), "link: without a machine something can be watched")
+            page.picture(pictures, "link-lost")
+            with Station(program, socket) as again:
+                page.wait("document.querySelector('#lost').hidden", 30)
+                again.tell("3")
+                page.wait(f"document.querySelector({json.dumps(toggle)}).classList.contains('on')")
+            check(not page.errors(), f"link: errors in the page: {page.errors()[:1]}")
+
+
 def main(plcxx, root, *more):
     pictures = more[more.index("--pictures") + 1] if "--pictures" in more else None
     chromium = more[0] if more and not more[0].startswith("--") else shutil.which("chromium")
@@ -411,6 +469,7 @@ def main(plcxx, root, *more):
         latency(browser, plcxx, folder)
         comes_back(browser, plcxx, folder)
         shows_a_trace(browser, plcxx, folder)
+        linked(browser, plcxx, root, os.path.join(folder, "linked"), pictures)
         sides(browser, plcxx, root, pictures)
         panels(browser, plcxx, root, pictures)
         if "--large" in more:

@@ -25,11 +25,12 @@ std::string DifferenceOf(const identity::Identity& there, const identity::Identi
 
 }  // namespace
 
-LinkedProgram MatchProgram(const compilation::Compilation& compilation, const std::vector<uint8_t>& identity) {
+debug_link::LinkedProgram MatchProgram(const compilation::Compilation& compilation,
+                                       const std::vector<uint8_t>& identity) {
   const std::vector<identity::Identity> found =
       identity::FindIdentities(std::string_view(reinterpret_cast<const char*>(identity.data()), identity.size()));
   if (found.empty()) return {.difference = "it says no program", .layout = {}, .length = {}};
-  LinkedProgram linked;
+  debug_link::LinkedProgram linked;
   for (const emit::Flavour flavour : {emit::Flavour::kRelease, emit::Flavour::kDebug}) {
     for (const bool simulated : {false, true}) {
       const emit::Emittable emittable = emit::legalize::Legalize(

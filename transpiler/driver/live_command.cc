@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/linked_program.h"
 #include "transpiler/driver/live_link.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/plant_choice.h"
@@ -28,7 +30,9 @@
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/traced_input.h"
+#include "transpiler/link/transport.h"
 #include "transpiler/live/http.h"
+#include "transpiler/live/linked_machine.h"
 #include "transpiler/live/opened.h"
 #include "transpiler/live/service.h"
 #include "transpiler/scenarios/plan.h"
@@ -44,8 +48,9 @@ constexpr const char* kLiveFooter = R"(Examples:
   plcxx live turret.sym turret.plc    these sources
   plcxx live found/U4A0.yaml          a scenario, where it fails: the way back shows how it came to that
   plcxx live --vcd machine.vcd        a recorded trace: the program runs with its inputs, from power-on
+  plcxx live --link tcp:10.0.0.7:5020 the page of the machine itself, built with plcxx/debug_link.h
   plcxx live --link tcp:10.0.0.7:5020 --watch U4A8,W3K0 --for 10s
-                                      the machine itself, built with plcxx/debug_link.h
+                                      the same, on the terminal
 
 The page is served to this machine alone. With --listen others can see and operate the simulation: then a token
 is needed, which the printed address has. Scenarios that are recorded are saved in the project's folder, and no
@@ -214,6 +219,22 @@ int Serve(const LiveSettings& settings, live::Service& service, const std::strin
   return kDone;
 }
 
+/// The page shows the machine at the other end of the link, as long as that is this program.
+int ServeMachine(const LiveSettings& settings, const compilation::Compilation& compilation, live::Session& session) {
+  const std::string& address = settings.link.address;
+  live::Service service(session, {});
+  live::LinkedMachine machine(
+      session, address, [&] { return debug_link::OpenTransport(address); },
+      [&](const debug_link::Bytes& identity) { return MatchProgram(compilation, identity); });
+  if (const std::string reason = machine.Connect(); !reason.empty()) {
+    std::cerr << "plcxx: " << address << ": " << reason << "\n";
+    return kProgramHasErrors;
+  }
+  service.Attach(machine);
+  machine.Begin([&](const std::function<void()>& change) { service.Apply(change); });
+  return Serve(settings, service, compilation.name);
+}
+
 int RunLive(const LiveSettings& settings) {
   std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
@@ -229,10 +250,11 @@ int RunLive(const LiveSettings& settings) {
   if (!compilation.ok()) return ExitCodeOf(compilation);
   if (!compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
   request->progress = nullptr;
-  if (!is_simulated) return RunLink(settings.link, compilation);
+  if (IsForTerminal(settings.link)) return RunLink(settings.link, compilation);
 
   const report::ProgramInput input = PageInput(compilation);
   live::Session session(compilation, input);
+  if (!is_simulated) return ServeMachine(settings, compilation, session);
   // A trace has the machine's inputs as they were.
   const std::string& named = settings.plant.empty() && !settings.waveform.empty() ? kNone : settings.plant;
   const auto plant = ChoosePlant(named, settings.common, compilation);
@@ -253,6 +275,9 @@ int RunLiveForOne(LiveSettings settings) {
   if (const std::string wrong = WrongAbout(settings.link); !wrong.empty()) return Wrong(wrong);
   if (!settings.link.address.empty() && (!settings.waveform.empty() || IsScenario(settings.common))) {
     return Wrong("a machine runs what it runs: leave the scenario or the trace out, or --link");
+  }
+  if (!settings.link.address.empty() && (!settings.plant.empty() || !settings.panel.empty())) {
+    return Wrong("the machine itself is around the program: leave --plant and --panel out, or --link");
   }
   if (settings.common.all || settings.common.program_names.size() > 1) {
     return Wrong("live shows one program: name it with --program");

@@ -16,6 +16,7 @@
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/link/target.h"
+#include "transpiler/live/linked_cells.h"
 #include "transpiler/live/locations.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
@@ -41,19 +42,6 @@ struct Linked {
   std::vector<debug_link::Cell> cells;
   uint64_t value = 0;  // of one that is written or forced
 };
-
-std::vector<debug_link::Cell> CellsOf(const ir::Program& program, const emit::layout::Layout& layout,
-                                      const dialects::Location& location) {
-  if (location.bits.empty()) return debug_link::CellsOf(program, layout, location.place);
-  std::vector<debug_link::Cell> all;
-  for (size_t i = 0; i < location.bits.size(); ++i) {
-    for (debug_link::Cell cell : debug_link::CellsOf(program, layout, location.bits[i])) {
-      cell.at = static_cast<uint8_t>(i);
-      all.push_back(cell);
-    }
-  }
-  return all;
-}
 
 class LinkSession {
  public:
@@ -91,7 +79,7 @@ class LinkSession {
   const compilation::Compilation& compilation_;
   std::unique_ptr<debug_link::Transport> transport_;
   std::optional<debug_link::Client> client_;
-  LinkedProgram program_;
+  debug_link::LinkedProgram program_;
   std::optional<debug_link::Target> target_;
   std::vector<Linked> read_, watched_, written_, forced_;
   std::optional<milliseconds> lasts_;
@@ -160,7 +148,7 @@ bool LinkSession::Connect() {
   if (const std::string reason = target_->Begin(program_.length); !reason.empty()) return Refused(reason), false;
   for (std::vector<Linked>* list : {&read_, &watched_, &written_, &forced_}) {
     for (Linked& linked : *list) {
-      linked.cells = CellsOf(compilation_.program, program_.layout, linked.location);
+      linked.cells = live::CellsOf(compilation_.program, program_.layout, linked.location);
       if (linked.cells.empty()) {
         return Refused("'" + linked.name + "' is not in the machine's State: the program does not use it"), false;
       }
@@ -295,11 +283,15 @@ std::string WrongAbout(const LinkWords& words) {
     return says_what ? "--read, --watch, --write, --force, --for and --save are about a machine: name it with --link"
                      : "";
   }
-  if (words.read.empty() && words.watch.empty() && words.write.empty() && words.force.empty()) {
-    return "say what to --read, --watch, --write or --force";
+  if (!words.duration.empty() && words.watch.empty() && words.force.empty()) {
+    return "--for is how long --watch and --force last: the page of --link alone is there until Ctrl+C";
   }
   if (!words.waveform.empty() && words.watch.empty()) return "--save needs locations to --watch";
   return "";
+}
+
+bool IsForTerminal(const LinkWords& words) {
+  return !words.read.empty() || !words.watch.empty() || !words.write.empty() || !words.force.empty();
 }
 
 int RunLink(const LinkWords& words, const compilation::Compilation& compilation) {

@@ -19,6 +19,9 @@ struct LinkWords {
 /// What is not right about the words without a machine; empty: nothing.
 std::string WrongAbout(const LinkWords& words);
 
+/// Something is to be printed, or held; else the page shows the machine.
+bool IsForTerminal(const LinkWords& words);
+
 /// Refuses a machine that runs another program. Gives the exit code.
 int RunLink(const LinkWords& words, const compilation::Compilation& compilation);
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "transpiler/live/command_words.h"
 #include "transpiler/live/recording.h"
 #include "transpiler/live/why.h"
 
@@ -12,65 +13,6 @@ namespace plcxx::live {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr size_t kMostText = 4096;  // bytes of a word of a command
-
-/// The words of a command; the first that is not as it should be is noted.
-class Words {
- public:
-  explicit Words(const Json& command) : command_(command) {}
-
-  std::string Text(const char* key) {
-    const auto found = command_.find(key);
-    if (found == command_.end() || !found->is_string()) {
-      return Fail<std::string>(key, "a text");
-    }
-    const auto& text = found->get_ref<const std::string&>();
-    if (text.size() > kMostText || text.find('\0') != std::string::npos) return Fail<std::string>(key, "a short text");
-    return text;
-  }
-  uint64_t Number(const char* key, uint64_t most) {
-    const auto found = command_.find(key);
-    if (found == command_.end() || !found->is_number_unsigned() || found->get<uint64_t>() > most) {
-      return Fail<uint64_t>(key, "a number from 0 to " + std::to_string(most));
-    }
-    return found->get<uint64_t>();
-  }
-  double Real(const char* key) {
-    const auto found = command_.find(key);
-    if (found == command_.end() || !found->is_number()) return Fail<double>(key, "a number");
-    return found->get<double>();
-  }
-  bool Truth(const char* key) {
-    const auto found = command_.find(key);
-    if (found == command_.end() || !found->is_boolean()) return Fail<bool>(key, "true or false");
-    return found->get<bool>();
-  }
-  std::vector<std::string> Texts(const char* key, size_t most) {
-    const auto found = command_.find(key);
-    std::vector<std::string> texts;
-    if (found == command_.end() || !found->is_array() || found->size() > most) {
-      return Fail<std::vector<std::string>>(key, "a list of at most " + std::to_string(most) + " texts");
-    }
-    for (const Json& item : *found) {
-      if (!item.is_string() || item.get_ref<const std::string&>().size() > kMostText) {
-        return Fail<std::vector<std::string>>(key, "a list of texts");
-      }
-      texts.push_back(item.get<std::string>());
-    }
-    return texts;
-  }
-  const std::string& wrong() const { return wrong_; }
-
- private:
-  template <class T>
-  T Fail(const char* key, const std::string& what) {
-    if (wrong_.empty()) wrong_ = "'" + std::string(key) + "' of the command is " + what;
-    return T{};
-  }
-  const Json& command_;
-  std::string wrong_;
-};
 
 struct Context {
   Session& session;
@@ -143,14 +85,7 @@ Refusal SaveCommand(Context& context) {
 }
 
 Refusal TriggerCommand(Context& context) {
-  constexpr uint64_t kMost = 3'600'000;
-  Words& words = context.words;
-  const Session::TriggerWish wish{.edge = words.Text("edge"),
-                                  .text = words.Text("text"),
-                                  .base_ms = static_cast<uint32_t>(words.Number("baseMs", kMost)),
-                                  .delay_ms = static_cast<uint32_t>(words.Number("delayMs", kMost)),
-                                  .samples = static_cast<uint32_t>(words.Number("samples", kMost)),
-                                  .before_percent = static_cast<uint32_t>(words.Number("before", 100))};
+  const Session::TriggerWish wish = TriggerWishOf(context.words);
   PLCXX_WITH_WORDS(context.session.Arm(wish));
 }
 

@@ -62,16 +62,27 @@ void Machine::RunAgain(const Advance& advance) {
   }
 }
 
-bool Machine::Run(const Advance& advance, const StopAt& stop) {
+void Machine::BeginStretch(const StopAt& stop) {
   ++stretch_;
-  simulator_->AtStatements([&](ir::StatementId statement) {
+  simulator_->AtStatements([this, &stop](ir::StatementId statement) {
     if (stop && stop(statement)) return true;
     executed_[statement.index] = stretch_;
     return false;
   });
-  clock_.interrupted = [this] { return simulator_->stopped(); };
   const auto end = std::chrono::steady_clock::now() + kLongest;
   simulator_->StopWhen([end] { return std::chrono::steady_clock::now() > end; });
+}
+
+void Machine::ComputeAgain(uint32_t now_ms) {
+  const StopAt no_stop;
+  BeginStretch(no_stop);
+  simulator_->RunPeriod(now_ms);
+  simulator_->AtStatements({});
+}
+
+bool Machine::Run(const Advance& advance, const StopAt& stop) {
+  BeginStretch(stop);
+  clock_.interrupted = [this] { return simulator_->stopped(); };
   RunAgain(advance);
   simulator_->AtStatements({});
   return !simulator_->stopped();

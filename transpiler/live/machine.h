@@ -50,6 +50,9 @@ class Machine {
   bool Run(const Advance& advance, const StopAt& stop);
   /// What has run to its end before, once more.
   void RunAgain(const Advance& advance);
+  /// A whole period on the memory as it is, at this time of the program's clock; the machine around it stands still.
+  /// Afterwards the memory is that of a period that nobody asked for.
+  void ComputeAgain(uint32_t now_ms);
 
   void Set(const dialects::Location& location, uint64_t value) { control_.Set(location, value); }
   void Force(const dialects::Location& location, uint64_t value);
@@ -80,6 +83,9 @@ class Machine {
   void Restore(const Saved& saved);
 
  private:
+  /// The next stretch, which notes what is executed, and ends where `stop` or the clock on the wall says so.
+  void BeginStretch(const StopAt& stop);
+
   const compilation::Compilation& compilation_;
   std::unique_ptr<sim::Simulator> simulator_;
   scenarios::ScenarioControl control_;

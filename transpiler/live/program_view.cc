@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transpiler/live/linked_commands.h"
 #include "transpiler/report/ladder_drawing.h"
 
 namespace plcxx::live {
@@ -167,6 +168,13 @@ Json ProgramView::Outline() const {
     if (session_.CanStep(kind)) steps.push_back(NameOf(kind));
   }
   outline["steps"] = steps;
+  if (const std::optional<LinkStatus>& link = session_.link()) {
+    Json refused = Json::object();
+    for (const std::string& command : CommandNames()) {
+      if (const std::string_view reason = RefusedOverLink(command); !reason.empty()) refused[command] = reason;
+    }
+    outline["link"] = {{"address", link->address}, {"refused", std::move(refused)}};
+  }
   outline["signals"] = SignalsJson(session_);
   Json statements = Json::array();
   for (uint32_t i = 0; i < rows_.of_statement.size(); ++i) {

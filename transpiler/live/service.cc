@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "transpiler/live/linked_commands.h"
 #include "transpiler/live/pace.h"
 #include "transpiler/live/page_files.h"
 #include "transpiler/live/state_view.h"
@@ -127,16 +128,30 @@ HttpResponse Service::Rows(const HttpRequest& request) {
 HttpResponse Service::Command(const std::string& body) {
   const Json command = Json::parse(body, nullptr, false);
   if (command.is_discarded()) return Failure(400, "this is no JSON");
-  const std::lock_guard lock(mutex_);
-  CommandResult result = RunCommand(session_, place_, command);
-  ++version_;
-  ++commands_;
-  changed_.notify_all();
+  const CommandResult result = Run(command);
   if (!result.refusal.empty()) {
     Json refused = {{"error", result.refusal}};
     return {.status = 400, .type = kJson, .body = Dumped(refused), .stream = {}};
   }
   return {.status = 200, .type = kJson, .body = Dumped(result.answer), .stream = {}};
+}
+
+CommandResult Service::Run(const Json& command) {
+  CommandResult result;
+  if (linked_ != nullptr) result = RunLinkedCommand(*linked_, command);
+  const std::lock_guard lock(mutex_);
+  if (linked_ == nullptr) result = RunCommand(session_, place_, command);
+  ++version_;
+  ++commands_;
+  changed_.notify_all();
+  return result;
+}
+
+void Service::Apply(const std::function<void()>& change) {
+  const std::lock_guard lock(mutex_);
+  change();
+  ++version_;
+  changed_.notify_all();
 }
 
 HttpResponse Service::Events() {

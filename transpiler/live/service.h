@@ -7,6 +7,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "transpiler/live/commands.h"
 #include "transpiler/live/guard.h"
 #include "transpiler/live/http.h"
+#include "transpiler/live/linked_machine.h"
 #include "transpiler/live/program_view.h"
 #include "transpiler/live/session.h"
 
@@ -27,12 +29,17 @@ class Service : public HttpHandler {
 
   /// Before the first request.
   void Guard(GuardOptions options) { guard_ = std::move(options); }
+  /// Before the first request: a running machine is shown, which takes the commands. It ends before the service.
+  void Attach(LinkedMachine& machine) { linked_ = &machine; }
+  /// Changes the session, and shows it.
+  void Apply(const std::function<void()>& change);
   HttpResponse Answer(const HttpRequest& request) override;
   /// Streams end, time stands still.
   void End();
 
  private:
   HttpResponse Command(const std::string& body);
+  CommandResult Run(const nlohmann::ordered_json& command);
   HttpResponse Rows(const HttpRequest& request);
   HttpResponse Events();
   void LetTimePass();
@@ -40,6 +47,7 @@ class Service : public HttpHandler {
   Session& session_;
   RecordingPlace place_;
   GuardOptions guard_;
+  LinkedMachine* linked_ = nullptr;
   std::mutex mutex_;  // of the session and of all below
   std::condition_variable changed_;
   ProgramView program_;

@@ -6,25 +6,10 @@
 #include <utility>
 
 #include "transpiler/engines/lockstep.h"
+#include "transpiler/live/fault_statement.h"
 
 namespace plcxx::live {
 namespace {
-
-ir::StatementId StatementWithId(const ir::Program& program, uint64_t id) {
-  for (uint32_t i = 0; i < program.statements.size(); ++i) {
-    if (program.statements[ir::StatementId(i)].id == id) return ir::StatementId(i);
-  }
-  return {};
-}
-
-/// The statement that a call names among its arguments: that of a fault.
-std::optional<ir::StatementId> StatementOf(const ir::Program& program, const sim::HostEvent& event) {
-  const std::vector<ir::Parameter>& parameters = program.host_functions[event.function].parameters;
-  for (size_t i = 0; i < parameters.size() && i < event.arguments.size(); ++i) {
-    if (parameters[i].is_statement) return StatementWithId(program, event.arguments[i]);
-  }
-  return std::nullopt;
-}
 
 constexpr const char* kOffText = "the machine is switched off";
 
@@ -123,22 +108,25 @@ bool Session::Period(const Advance& advance) {
   return false;
 }
 
+void Session::AddNote(Note note) {
+  notes_.push_back(std::move(note));
+  if (notes_.size() > kMostNotes) notes_.pop_front();
+  ++notes_version_;
+}
+
 void Session::Observe(uint64_t period) {
   Machine& machine = timeline_.machine();
   const uint64_t time_ms = machine.time_ms();
   for (const scenarios::ShownMessage& message : machine.control().TakeMessages()) {
     const std::string& shown = message.shown.empty() ? scenarios::TextOf(message) : message.shown;
-    notes_.push_back({period, time_ms, NoteKind::kMessage, std::to_string(message.number) + "  " + shown, {}});
-    ++notes_version_;
+    AddNote({period, time_ms, NoteKind::kMessage, std::to_string(message.number) + "  " + shown, {}});
   }
   for (const sim::HostEvent& event : machine.simulator().TakeEvents()) {
     if (event.exchange || program().host_functions[event.function].polled) continue;
-    const std::optional<ir::StatementId> statement = StatementOf(program(), event);
-    notes_.push_back({period, time_ms, statement ? NoteKind::kFault : NoteKind::kCall,
-                      engines::ToText(program(), event), statement.value_or(ir::StatementId())});
-    ++notes_version_;
+    const std::optional<ir::StatementId> statement = FaultStatement(program(), event);
+    AddNote({period, time_ms, statement ? NoteKind::kFault : NoteKind::kCall, engines::ToText(program(), event),
+             statement.value_or(ir::StatementId())});
   }
-  while (notes_.size() > kMostNotes) notes_.pop_front();
   chart_.Record(period, time_ms, machine.control().Reader(), machine.simulator(), machine.last_part());
 }
 

@@ -40,7 +40,7 @@ struct Breakpoint {
 inline constexpr size_t kMostBreakpoints = 64;
 
 /// What the machine has said.
-enum class NoteKind : uint8_t { kMessage, kCall, kFault };
+enum class NoteKind : uint8_t { kMessage, kCall, kFault, kLink };
 struct Note {
   uint64_t period = 0, time_ms = 0;
   NoteKind kind{};
@@ -48,6 +48,19 @@ struct Note {
   ir::StatementId statement;  // of a fault: where
 };
 inline constexpr size_t kMostNotes = 200;
+
+/// What is known of a running machine that is shown instead of a simulated one.
+struct LinkStatus {
+  std::string address;
+  bool is_connected = false;
+  std::string reason;      // why it is not; lower case, no full stop
+  bool can_write = false;  // there is code that writes; now it may only with
+  bool may_write = false;
+  uint32_t forced_bytes = 0;  // whoever has forced them
+  uint32_t scans = 0;
+  uint64_t lost = 0;      // samples of what is watched now, for which the wire was too slow
+  uint64_t round_ms = 0;  // in which all of State was read last
+};
 
 struct Forced {
   std::string name;
@@ -109,6 +122,16 @@ class Session {
   Refusal Arm(const TriggerWish& wish);
   void Disarm() { chart_.Disarm(); }
 
+  /// Of a running machine (linked_machine.h). From the first status on nothing runs here, and time is the machine's.
+  void ShowLink(LinkStatus status) { link_ = std::move(status); }
+  const std::optional<LinkStatus>& link() const { return link_; }
+  /// One for each watched location, after the scan of this number.
+  void TakeSample(uint32_t scan, const std::vector<uint64_t>& values);
+  /// Those that were reported before, without a break, are not news.
+  void TakeFaults(const std::vector<sim::HostEvent>& faults);
+  void SetForced(std::vector<Forced> forced) { forced_ = std::move(forced); }
+  void NoteOfLink(std::string text);
+
   /// Of a scenario that is opened: done, and run, without a look at breakpoints.
   void DoRecorded(Action action);
   void RunRecorded(const Advance& advance);
@@ -154,6 +177,7 @@ class Session {
   void PutPanelBack(const std::vector<ControlState>& before);
   /// Buttons that were released before they had been pressed long enough.
   void LetButtonsGo();
+  void AddNote(Note note);
   void FindForced();
   Machine::StopAt StatementStops();
   uint64_t Count(ir::PlaceId counter);
@@ -184,6 +208,8 @@ class Session {
   bool is_running_ = false, is_on_ = true;
   double speed_ = 1;
   std::string why_stopped_, opened_;
+  std::optional<LinkStatus> link_;
+  std::vector<std::string> faults_;  // of the scan that was computed again last
 };
 
 }  // namespace plcxx::live

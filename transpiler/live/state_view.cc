@@ -36,6 +36,8 @@ constexpr const char* NameOf(NoteKind kind) {
       return "call";
     case NoteKind::kFault:
       return "fault";
+    case NoteKind::kLink:
+      return "link";
   }
   return "";
 }
@@ -175,8 +177,30 @@ void StateView::AddNotes(Json& state) {
   has_notes_ = true;
 }
 
-Json StateView::Changes() {
-  Json state = Json::object();
+void StateView::AddWhereItIs(Json& state) {
+  if (const std::optional<LinkStatus>& link = session_.link()) {
+    AddPart(state, "at",
+            {{"period", link->scans},
+             {"first", link->scans},
+             {"end", link->scans},
+             {"ms", uint64_t{link->scans} * session_.unit_ms()},
+             {"statement", -1}});
+    AddPart(state, "mode",
+            {{"running", link->is_connected},
+             {"on", true},
+             {"speed", 1},
+             {"why", link->is_connected ? "" : "no connection"},
+             {"opened", ""}});
+    AddPart(state, "link",
+            {{"connected", link->is_connected},
+             {"reason", link->reason},
+             {"canWrite", link->can_write},
+             {"mayWrite", link->may_write},
+             {"forcedBytes", link->forced_bytes},
+             {"lost", Exact(link->lost)},
+             {"roundMs", link->round_ms}});
+    return;
+  }
   Timeline& timeline = session_.timeline();
   AddPart(state, "at",
           {{"period", timeline.period()},
@@ -190,6 +214,12 @@ Json StateView::Changes() {
            {"speed", session_.speed()},
            {"why", session_.why_stopped()},
            {"opened", session_.opened()}});
+}
+
+Json StateView::Changes() {
+  Json state = Json::object();
+  Timeline& timeline = session_.timeline();
+  AddWhereItIs(state);
   AddValues(state);
   AddPower(state);
   AddExecuted(state);

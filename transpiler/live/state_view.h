@@ -22,6 +22,7 @@ class StateView {
   nlohmann::ordered_json Changes();
 
  private:
+  void AddWhereItIs(nlohmann::ordered_json& state);
   void AddValues(nlohmann::ordered_json& state);
   void AddPower(nlohmann::ordered_json& state);
   void AddExecuted(nlohmann::ordered_json& state);

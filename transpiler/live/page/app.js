@@ -3,6 +3,7 @@
 import { get, listen } from "./api.js";
 import * as chart from "./chart.js";
 import { byId, isTyping } from "./dom.js";
+import * as link from "./link.js";
 import * as panel from "./panel.js";
 import * as program from "./program.js";
 import * as signals from "./signals.js";
@@ -35,7 +36,7 @@ function listenToKeys() {
 }
 
 let shownIdentity = "";
-const identityOf = (outline) => JSON.stringify([outline.name, outline.rows.length, outline.signals.length]);
+const identityOf = (outline) => JSON.stringify([outline.name, outline.rows.length, outline.signals.length, outline.link?.address]);
 
 async function start() {
   state.outline = await get("/api/program");
@@ -43,7 +44,7 @@ async function start() {
   document.title = state.outline.name + " - plcxx live";
   byId("name").textContent = state.outline.name;
   byId("control").textContent = state.outline.control;
-  for (const part of [transport, signals, program, panel, watches, chart]) part.begin();
+  for (const part of [link, transport, signals, program, panel, watches, chart]) part.begin();
   listenToKeys();
   listen(apply, begun, (isGone) => (byId("gone").hidden = !isGone));
 }

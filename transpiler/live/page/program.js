@@ -4,6 +4,7 @@ import { get } from "./api.js";
 import { byId, element } from "./dom.js";
 import { baseOf, format } from "./format.js";
 import { Ladder } from "./ladder.js";
+import { markAll } from "./link.js";
 import { act, onChange, select, signalNamed, state } from "./store.js";
 
 const kRows = 24;  // of a group, which comes and goes as one
@@ -53,7 +54,7 @@ class Row {
     for (const [number, text, isComment] of row.source) {
       const ids = ofLine.get(number) ?? [];
       const gutter = ids.length
-        ? element("button", { type: "button", class: "gutter", "aria-pressed": "false", title: "Stop here",
+        ? element("button", { type: "button", class: "gutter", "data-command": "breakStatement", "aria-pressed": "false", title: "Stop here",
             "aria-label": "Stop at line " + number, onclick: () => this.toggleStop(ids[0]) }, String(number))
         : element("span", { class: "gutter" }, String(number));
       for (const id of ids) this.marks.set(id, gutter);
@@ -65,6 +66,7 @@ class Row {
     this.ladder = row.ladder ? new Ladder(row.ladder, "Ladder of " + (row.statements.map((id) => state.outline.statements[id].subject).join(", ") || row.title)) : null;
     this.element = element("article", { class: "row", "data-row": row.row }, ...heading, source,
       element("div", { class: "lad" }, ...(this.ladder ? [this.ladder.element] : [])));
+    markAll(this.element);
     this.show();
     this.showValues(null);
   }
@@ -74,7 +76,7 @@ class Row {
     const signal = signalNamed(subject);
     const value = element("button", { type: "button", class: "subject", title: "What it is now", onclick: () => signal >= 0 && select(signal) });
     if (signal >= 0) this.badges.push([value, signal]);
-    const toggle = element("button", { type: "button", class: "switch", role: "switch", "aria-label": "Statement " + subject,
+    const toggle = element("button", { type: "button", class: "switch", role: "switch", "data-command": "switch", "aria-label": "Statement " + subject,
       title: "Switch the statement off or on", onclick: () => act({ do: "switch", statement: id, on: state.off.has(id) }) });
     this.switches = [...(this.switches ?? []), [toggle, id]];
     return element("span", { class: "tool" }, ...(signal >= 0 ? [value] : []), toggle);

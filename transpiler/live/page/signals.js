@@ -3,6 +3,7 @@
 import { byId, element } from "./dom.js";
 import { act, isForced, onChange, select, state } from "./store.js";
 import { baseOf, bases, format } from "./format.js";
+import { mark, markAll } from "./link.js";
 
 let group = "input";
 const rows = new Map();  // by number of the signal
@@ -37,7 +38,7 @@ function showRow(number) {
 function makeRow(signal, number) {
   const isBit = signal.type === "bit" && signal.named;
   const value = element(isBit ? "button" : "span", isBit
-    ? { type: "button", class: "value bit", role: "switch", "aria-label": "Toggle " + signal.name, title: drivenText(signal), onclick: () => {
+    ? { type: "button", class: "value bit", role: "switch", "data-command": "toggle", "aria-label": "Toggle " + signal.name, title: drivenText(signal), onclick: () => {
         select(number);
         toggleSignal(number);
       } }
@@ -47,6 +48,7 @@ function makeRow(signal, number) {
       element("b", { dir: "auto" }, signal.name),
       element("small", { dir: "auto" }, wordsOf(signal) || signal.address)),
     value);
+  if (isBit) mark(value, "toggle");
   rows.set(number, { item, value });
   showRow(number);
   return item;
@@ -72,10 +74,11 @@ function showCard() {
   const values = element("dl", { class: "values" });
   const entry = element("input", { "aria-label": "Value", placeholder: signal.type === "bit" ? "0 or 1" : "value", size: 8 });
   const given = () => entry.value.trim() || format(state.values[number], signal.type, baseOf(signal.type, false));
-  const button = (text, command, title = "") => element("button", { type: "button", title, onclick: () => act(command()) }, text);
+  const button = (text, command, title = "") =>
+    element("button", { type: "button", title, "data-command": command().do, onclick: () => act(command()) }, text);
   const actions = element("div", { class: "buttons" });
   if (signal.named) {
-    if (signal.type === "bit") actions.append(element("button", { type: "button", onclick: () => toggleSignal(number), title: "t" }, "Toggle"));
+    if (signal.type === "bit") actions.append(element("button", { type: "button", "data-command": "toggle", onclick: () => toggleSignal(number), title: "t" }, "Toggle"));
     actions.append(
       button("Set", () => ({ do: "set", name: signal.name, value: given() })),
       button("Force", () => ({ do: "force", name: signal.name, value: given() }), "Held against every writer"),
@@ -83,12 +86,12 @@ function showCard() {
       button("Watch", () => ({ do: "watch", name: signal.name })),
       button("Stop on change", () => ({ do: "breakChange", name: signal.name })),
       button("Expect", () => ({ do: "expect", names: [signal.name] }), "The scenario expects what it is now"),
-      element("button", { type: "button", id: "why", onclick: () => askWhy(signal.name) }, "Why?"));
+      element("button", { type: "button", id: "why", "data-command": "why", onclick: () => askWhy(signal.name) }, "Why?"));
   }
   const bits = element("div", { class: "bits", role: "group", "aria-label": "Bits" });
   if (signal.named && /^i(8|16|32)$/.test(signal.type)) {
     for (let bit = Number(signal.type.slice(1)) - 1; bit >= 0; --bit) {
-      bits.append(element("button", { type: "button", title: "Toggle bit " + bit, "data-bit": bit, onclick: () =>
+      bits.append(element("button", { type: "button", title: "Toggle bit " + bit, "data-bit": bit, "data-command": "set", onclick: () =>
         act({ do: "set", name: signal.name, value: String((state.values[number] ^ (1 << bit)) >>> 0) }) }, String(bit)));
     }
   }
@@ -101,6 +104,7 @@ function showCard() {
     signal.driven ? element("p", { class: "soft", dir: "auto" }, drivenText(signal)) : "", values,
     signal.named ? element("div", { class: "entry" }, entry) : "", bits, actions, why);
   cardParts = { number, values, bits, why };
+  markAll(body);
   showCardValues();
 }
 

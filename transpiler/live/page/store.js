@@ -5,6 +5,7 @@ import { send } from "./api.js";
 export const state = {
   outline: null,
   at: { period: 0, first: 0, end: 0, ms: 0, statement: -1 },
+  link: { connected: false, reason: "", canWrite: false, mayWrite: false, forcedBytes: 0, lost: 0, roundMs: 0 },
   mode: { running: false, on: true, speed: 1, why: "", opened: "" },
   values: [],
   power: new Set(),
@@ -37,7 +38,7 @@ export function forgetAll() {
 export function apply(change) {
   const keys = new Set(Object.keys(change));
   const signals = new Set();
-  for (const key of ["at", "mode", "breakpoints", "messages", "notes", "panel", "trigger", "watched"]) {
+  for (const key of ["at", "mode", "breakpoints", "link", "messages", "notes", "panel", "trigger", "watched"]) {
     if (key in change) state[key] = change[key];
   }
   for (const [number, value] of change.values ?? []) {

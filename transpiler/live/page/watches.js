@@ -2,12 +2,16 @@
 
 import { byId, element } from "./dom.js";
 import { baseOf, bases, format, timeText } from "./format.js";
+import { mark } from "./link.js";
 import { act, onChange, say, select, signalNamed, state } from "./store.js";
 import { showStatement } from "./program.js";
 
 const baseChosen = new Map();  // by name
-const removeButton = (label, command) =>
-  element("button", { type: "button", class: "remove", "aria-label": label, title: label, onclick: () => act(command) }, "×");
+const removeButton = (label, command) => {
+  const button = element("button", { type: "button", class: "remove", "data-command": command.do, "aria-label": label, title: label, onclick: () => act(command) }, "×");
+  mark(button, command.do);
+  return button;
+};
 
 const lastValues = () => state.samples.at(-1)?.[2] ?? [];
 
