@@ -82,7 +82,8 @@ TEST(Cells, AreWhereTheMapSays) {
   AgreesWithTheMap(Compiled(Golden("classicladder", "flow/calls.clp")));
 }
 
-/// A bool that holds anything but 0 and 1 is undefined for the machine's program: no value makes the tool write another.
+/// A bool that holds anything but 0 and 1 is undefined for the machine's program: no value makes the tool write
+/// another.
 TEST(Cells, ATruthIsWrittenAsItsLowestBitAlone) {
   const Compiled compiled(Golden("nc110", "timers/different_members_of_a_chain.plc"));
   const ir::Program& program = *compiled.emittable.program;
