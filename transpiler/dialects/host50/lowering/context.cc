@@ -3,19 +3,12 @@
 namespace plcxx::host50 {
 
 Translation::Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files)
-    : tree(program_tree), settings(options), sources(files) {
+    : TranslationFrame(program_tree, options, files) {
   program.dialect = "host50";
   AddSpaces(program, settings.channels);
 }
 
-Context::Context(Translation& translation)
-    : tree_(translation.tree),
-      settings_(translation.settings),
-      sources_(translation.sources),
-      program_(translation.program),
-      builder_(translation.builder),
-      facts_(translation.facts),
-      now_(translation.now) {}
+Context::Context(Translation& translation) : ContextFrame(translation), now_(translation.now) {}
 
 const Operand& Context::OperandOf(const Instruction& instruction, uint32_t index) const {
   PLCXX_CHECK(index < instruction.operands.count);

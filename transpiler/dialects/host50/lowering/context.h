@@ -3,11 +3,9 @@
 
 #include <vector>
 
-#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/translation.h"
 #include "transpiler/dialects/host50/places.h"
 #include "transpiler/dialects/host50/syntax.h"
-#include "transpiler/ir/facts.h"
-#include "transpiler/source/source.h"
 
 namespace plcxx::host50 {
 
@@ -23,20 +21,14 @@ struct Position {
 };
 
 /// One tree on its way to a program.
-struct Translation {
+struct Translation : dialects::TranslationFrame<Program, Settings> {
   Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files);
 
-  const Program& tree;
-  const Settings& settings;
-  const source::SourceManager& sources;
-  ir::Program program;
-  dialects::Builder builder{program};
-  ir::FactChecks facts{builder};
   Position now;
 };
 
 /// What a part of the lowering sees of it. Refers to the translation, and may be copied.
-class Context {
+class Context : protected dialects::ContextFrame<Program, Settings> {
  public:
   explicit Context(Translation& translation);
 
@@ -47,12 +39,6 @@ class Context {
   void ForEachTaken(const Instruction& instruction, Visit&& visit) const;
   ir::ValueId Word(uint32_t value) const { return builder_.Constant(ir::Type::kI32, value); }
 
-  const Program& tree_;
-  const Settings& settings_;
-  const source::SourceManager& sources_;
-  ir::Program& program_;
-  dialects::Builder& builder_;
-  ir::FactChecks& facts_;
   Position& now_;
 };
 

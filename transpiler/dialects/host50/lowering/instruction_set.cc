@@ -5,6 +5,7 @@
 #include "transpiler/dialects/host50/lowering/axes.h"
 #include "transpiler/dialects/host50/lowering/blocks.h"
 #include "transpiler/dialects/host50/lowering/cells.h"
+#include "transpiler/dialects/host50/lowering/contacts.h"
 #include "transpiler/dialects/host50/lowering/elements.h"
 #include "transpiler/dialects/host50/lowering/jumps.h"
 #include "transpiler/dialects/host50/lowering/logic.h"
@@ -14,10 +15,11 @@ namespace plcxx::host50 {
 
 using ir::ValueId;
 
-InstructionSet::InstructionSet(const Context& context, Cells& cells, Logic& logic, Results& results, Jumps& jumps,
-                               Blocks& blocks, Elements& elements, Axes& axes)
+InstructionSet::InstructionSet(const Context& context, Cells& cells, Contacts& contacts, Logic& logic, Results& results,
+                               Jumps& jumps, Blocks& blocks, Elements& elements, Axes& axes)
     : Context(context),
       cells_(cells),
+      contacts_(contacts),
       logic_(logic),
       results_(results),
       jumps_(jumps),
@@ -39,7 +41,7 @@ void InstructionSet::Execute(InstructionId id) {
     case RungEffect::kParallel:
       if (IsEdge(Info(instruction.op).contact)) {
         open_if_ = {};
-        results_.TakeEdge(id);
+        contacts_.TakeEdge(id);
       }
       results_.Await(id);
       break;

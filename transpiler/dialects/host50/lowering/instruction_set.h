@@ -8,6 +8,7 @@ namespace plcxx::host50 {
 class Axes;
 class Blocks;
 class Cells;
+class Contacts;
 class Elements;
 class Jumps;
 class Logic;
@@ -15,8 +16,8 @@ class Results;
 
 class InstructionSet : Context {
  public:
-  InstructionSet(const Context& context, Cells& cells, Logic& logic, Results& results, Jumps& jumps, Blocks& blocks,
-                 Elements& elements, Axes& axes);
+  InstructionSet(const Context& context, Cells& cells, Contacts& contacts, Logic& logic, Results& results, Jumps& jumps,
+                 Blocks& blocks, Elements& elements, Axes& axes);
 
   void BeginRung();
   void Execute(InstructionId id);
@@ -29,6 +30,7 @@ class InstructionSet : Context {
   bool SameInput(const Input& a, const Input& b) const;
 
   Cells& cells_;
+  Contacts& contacts_;
   Logic& logic_;
   Results& results_;
   Jumps& jumps_;

@@ -5,6 +5,7 @@
 #include "transpiler/dialects/host50/lowering/axes.h"
 #include "transpiler/dialects/host50/lowering/blocks.h"
 #include "transpiler/dialects/host50/lowering/cells.h"
+#include "transpiler/dialects/host50/lowering/contacts.h"
 #include "transpiler/dialects/host50/lowering/documentation.h"
 #include "transpiler/dialects/host50/lowering/elements.h"
 #include "transpiler/dialects/host50/lowering/faults.h"
@@ -29,17 +30,12 @@ namespace plcxx::host50 {
 namespace {
 
 /// The collaborators of one lowering. Each is given those that it uses, and no other.
-class Lowering {
+class Lowering : dialects::LoweringFrame<Translation, Context> {
  public:
-  Lowering(const Program& tree, const Settings& settings, const source::SourceManager& sources)
-      : translation_(tree, settings, sources) {}
-
+  using LoweringFrame::LoweringFrame;
   ir::Program Run();
 
  private:
-  Translation translation_;
-  Context context_{translation_};
-
   HostCalls host_{translation_.builder};
   Names names_{context_};
   Cells cells_{context_, names_};
@@ -49,12 +45,13 @@ class Lowering {
   Faults faults_{context_, host_};
   Logic logic_{context_};
   Numbers numbers_{context_, cells_};
-  Results results_{context_, cells_, instances_, logic_, numbers_};
+  Contacts contacts_{context_, cells_, instances_, logic_};
+  Results results_{context_, contacts_, logic_, numbers_};
   Jumps jumps_{context_, own_places_, faults_, logic_, results_};
   Blocks blocks_{context_, cells_, numbers_, routines_};
   Elements elements_{context_, cells_, faults_, logic_, numbers_, results_};
   Axes axes_{context_, host_, cells_, instances_, faults_, logic_, numbers_, results_};
-  InstructionSet instructions_{context_, cells_, logic_, results_, jumps_, blocks_, elements_, axes_};
+  InstructionSet instructions_{context_, cells_, contacts_, logic_, results_, jumps_, blocks_, elements_, axes_};
   StatementWriter statements_{context_, names_};
   NetworkWriter networks_{context_, jumps_, results_, instructions_, statements_};
   Slices slices_{context_, own_places_, routines_, jumps_, statements_, networks_};

@@ -3,26 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/host50/lowering/cells.h"
+#include "transpiler/dialects/host50/lowering/contacts.h"
 #include "transpiler/dialects/host50/lowering/logic.h"
 #include "transpiler/dialects/host50/lowering/numbers.h"
-#include "transpiler/dialects/host50/lowering/own_instances.h"
 
 namespace plcxx::host50 {
 
-using ir::OpKind;
 using ir::ValueId;
 
-Results::Results(const Context& context, Cells& cells, OwnInstances& instances, Logic& logic, Numbers& numbers)
-    : Context(context),
-      cells_(cells),
-      instances_(instances),
-      logic_(logic),
-      numbers_(numbers),
-      results_(tree_.instructions.size()) {}
+Results::Results(const Context& context, Contacts& contacts, Logic& logic, Numbers& numbers)
+    : Context(context), contacts_(contacts), logic_(logic), numbers_(numbers), results_(tree_.instructions.size()) {}
 
 /// A block without Q conducts what it gets, so that who uses its result uses its input once more.
 void Results::BeginNetwork(Span instructions) {
+  contacts_.BeginNetwork(instructions);
   for (uint32_t i = 0; i < instructions.count; ++i) results_[instructions.first + i] = {};
   for (uint32_t i = instructions.count; i-- > 0;) {
     const InstructionId id(instructions.first + i);
@@ -32,39 +26,11 @@ void Results::BeginNetwork(Span instructions) {
   }
 }
 
-void Results::TakeEdge(InstructionId id) {
-  const Instruction& instruction = tree_.instructions[id];
-  const Contact contact = Info(instruction.op).contact;
-  const ValueId operand = cells_.Load(OperandOf(instruction, 0).address);
-  const OpKind step = contact == Contact::kRising ? OpKind::kRising : OpKind::kFalling;
-  results_[id.index].contact = builder_.Step(step, instances_.Add(id), {operand});
-}
-
-ValueId Results::ContactOf(InstructionId id) {
-  const Instruction& instruction = tree_.instructions[id];
-  if (results_[id.index].contact.valid()) return results_[id.index].contact;
-  const Operand& operand = OperandOf(instruction, 0);
-  const source::Range user = builder_.range();
-  builder_.SetRange(instruction.range);  // reports name the line that reads
-  const ValueId value =
-      operand.kind == OperandKind::kConstant ? builder_.Bit(operand.bits) : cells_.Load(operand.address);
-  builder_.SetRange(user);
-  return Info(instruction.op).contact == Contact::kInverted ? logic_.Not(value) : value;
-}
-
-/// Spelled again by each user instead of once into a local.
-bool Results::IsContactAlone(const Instruction& instruction) const {
-  const InstructionInfo& info = Info(instruction.op);
-  if (info.contact != Contact::kPlain && info.contact != Contact::kInverted) return false;
-  return info.effect == RungEffect::kLoad ||
-         (info.effect == RungEffect::kSeries && instruction.input.kind == InputKind::kRail);
-}
-
 /// The value of a result that has been computed, or is a contact alone.
 ValueId Results::Take(InstructionId id) {
   Result& result = results_[id.index];
   if (result.uses > 0) --result.uses;
-  return result.value.valid() ? result.value : ContactOf(id);
+  return result.value.valid() ? result.value : contacts_.ValueOf(id);
 }
 
 ValueId Results::TakeInput(const Input& input) {
@@ -104,14 +70,14 @@ ValueId Results::ComputeOne(InstructionId id) {
   const auto input = [&] { return TakeInput(instruction.input); };
   switch (Info(instruction.op).effect) {
     case RungEffect::kLoad:
-      return ContactOf(id);
+      return contacts_.ValueOf(id);
     case RungEffect::kSeries: {
       const ValueId before = input();
-      return logic_.And(before, ContactOf(id));
+      return logic_.And(before, contacts_.ValueOf(id));
     }
     case RungEffect::kParallel: {
       const ValueId before = input();
-      return logic_.Or(before, ContactOf(id));
+      return logic_.Or(before, contacts_.ValueOf(id));
     }
     case RungEffect::kJoinSeries: {
       const ValueId left = Take(instruction.other);
@@ -145,8 +111,7 @@ bool Results::ReadsAny(InstructionId id, const WriteSet& writes) {
     open.pop_back();
     if (results_[at.index].value.valid()) continue;
     const Instruction& instruction = tree_.instructions[at];
-    const bool taken = results_[at.index].contact.valid();  // an edge does not look again
-    if (!taken && ReadsOwn(tree_, instruction, writes)) return true;
+    if (!contacts_.IsTaken(at) && ReadsOwn(tree_, instruction, writes)) return true;
     ForEachTaken(instruction, [&open](InstructionId each) { open.push_back(each); });
   }
   return false;
@@ -174,7 +139,7 @@ bool Results::Release(const Input& input, const WriteSet& writes) {
 void Results::Keep(const std::vector<InstructionId>& results) {
   Compute(results);
   for (const InstructionId id : results) {
-    if (!results_[id.index].value.valid()) results_[id.index].value = ContactOf(id);
+    if (!results_[id.index].value.valid()) results_[id.index].value = contacts_.ValueOf(id);
   }
 }
 

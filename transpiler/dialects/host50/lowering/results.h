@@ -8,14 +8,13 @@
 
 namespace plcxx::host50 {
 
-class Cells;
+class Contacts;
 class Logic;
 class Numbers;
-class OwnInstances;
 
 class Results : Context {
  public:
-  Results(const Context& context, Cells& cells, OwnInstances& instances, Logic& logic, Numbers& numbers);
+  Results(const Context& context, Contacts& contacts, Logic& logic, Numbers& numbers);
 
   /// A network's instructions come: none has a result yet, and each will be used as often as others take it.
   void BeginNetwork(Span instructions);
@@ -24,8 +23,6 @@ class Results : Context {
   void Await(InstructionId id) { pending_.push_back(id); }
   /// It has a result from here on.
   void Set(InstructionId id, ir::ValueId value) { results_[id.index].value = value; }
-  /// An edge is taken where its instruction is, whatever the rung's condition is.
-  void TakeEdge(InstructionId id);
   ir::ValueId TakeInput(const Input& input);
   ir::ValueId TakeOne(InstructionId id);
   /// Computes the results that later instructions use and that `writes` would change.
@@ -36,22 +33,18 @@ class Results : Context {
  private:
   /// What is known of an instruction's result while its network is lowered.
   struct Result {
-    ir::ValueId value;    // in this statement; none: computed where it is used
-    ir::ValueId contact;  // of an edge: its value, taken where the instruction is
-    uint32_t uses = 0;    // by instructions still to come
+    ir::ValueId value;  // in this statement; none: computed where it is used
+    uint32_t uses = 0;  // by instructions still to come
   };
 
   ir::ValueId Take(InstructionId id);
   void Compute(std::vector<InstructionId> wanted);
   ir::ValueId ComputeOne(InstructionId id);
   void Keep(const std::vector<InstructionId>& results);
-  ir::ValueId ContactOf(InstructionId id);
-  bool IsContactAlone(const Instruction& instruction) const;
   std::vector<InstructionId> Endangered(const WriteSet& writes);
   bool ReadsAny(InstructionId id, const WriteSet& writes);
 
-  Cells& cells_;
-  OwnInstances& instances_;
+  Contacts& contacts_;
   Logic& logic_;
   Numbers& numbers_;
   std::vector<Result> results_;         // by InstructionId

@@ -3,7 +3,7 @@
 namespace plcxx::nc110 {
 
 Translation::Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files)
-    : tree(program_tree), settings(options), sources(files) {
+    : TranslationFrame(program_tree, options, files) {
   program.dialect = "nc110";
   const size_t statements = tree.statement_count, exprs = tree.exprs.size();
   program.statements.Reserve(statements);
@@ -12,13 +12,6 @@ Translation::Translation(const Program& program_tree, const Settings& options, c
   AddSpaces(program, settings.processes, settings.t_initial);
 }
 
-Context::Context(Translation& translation)
-    : tree_(translation.tree),
-      settings_(translation.settings),
-      sources_(translation.sources),
-      program_(translation.program),
-      builder_(translation.builder),
-      facts_(translation.facts),
-      part_(translation.part) {}
+Context::Context(Translation& translation) : ContextFrame(translation), part_(translation.part) {}
 
 }  // namespace plcxx::nc110

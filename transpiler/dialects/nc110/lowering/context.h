@@ -1,32 +1,24 @@
 // What every part of the lowering works on: the tree, the program that is made, and where in both it is.
 #pragma once
 
-#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/translation.h"
 #include "transpiler/dialects/nc110/machine.h"
 #include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/syntax.h"
-#include "transpiler/ir/facts.h"
-#include "transpiler/source/source.h"
 
 namespace plcxx::nc110 {
 
 enum class Part : uint8_t { kFast, kSlow };
 
 /// One tree on its way to a program.
-struct Translation {
+struct Translation : dialects::TranslationFrame<Program, Settings> {
   Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files);
 
-  const Program& tree;
-  const Settings& settings;
-  const source::SourceManager& sources;
-  ir::Program program;
-  dialects::Builder builder{program};
-  ir::FactChecks facts{builder};
   Part part = Part::kFast;  // the one that is lowered
 };
 
 /// What a part of the lowering sees of it. Refers to the translation, and may be copied.
-class Context {
+class Context : protected dialects::ContextFrame<Program, Settings> {
  public:
   explicit Context(Translation& translation);
 
@@ -34,12 +26,6 @@ class Context {
   bool sliced() const { return settings_.slices > 1 || settings_.slices_by_cost; }
   ir::ValueId Byte(uint32_t value) const { return builder_.Constant(ir::Type::kI8, value); }
 
-  const Program& tree_;
-  const Settings& settings_;
-  const source::SourceManager& sources_;
-  ir::Program& program_;
-  dialects::Builder& builder_;
-  ir::FactChecks& facts_;
   Part& part_;
 };
 

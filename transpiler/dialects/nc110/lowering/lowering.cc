@@ -22,17 +22,12 @@ namespace plcxx::nc110 {
 namespace {
 
 /// The collaborators of one lowering. Each is given those that it uses, and no other.
-class Lowering {
+class Lowering : dialects::LoweringFrame<Translation, Context> {
  public:
-  Lowering(const Program& tree, const Settings& settings, const source::SourceManager& sources)
-      : translation_(tree, settings, sources) {}
-
+  using LoweringFrame::LoweringFrame;
   ir::Program Run();
 
  private:
-  Translation translation_;
-  Context context_{translation_};
-
   HostCalls host_{translation_.builder};
   Cells cells_{context_};
   LatchedInputs inputs_{context_, cells_};

@@ -13,18 +13,11 @@ Modules::Modules(const Program& tree) : called_(tree.modules.size()), routines_(
 }
 
 Translation::Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files)
-    : tree(program_tree),
-      settings(options),
-      sources(files),
+    : TranslationFrame(program_tree, options, files),
       memory(program, options.first_retentive, options.last_retentive) {}
 
 Context::Context(Translation& translation)
-    : tree_(translation.tree),
-      settings_(translation.settings),
-      sources_(translation.sources),
-      program_(translation.program),
-      builder_(translation.builder),
-      facts_(translation.facts),
+    : ContextFrame(translation),
       memory_(translation.memory),
       modules_(translation.modules),
       module_(translation.module) {}

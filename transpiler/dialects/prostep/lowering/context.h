@@ -8,12 +8,10 @@
 #include <initializer_list>
 #include <vector>
 
-#include "transpiler/dialects/common/builder.h"
+#include "transpiler/dialects/common/translation.h"
 #include "transpiler/dialects/prostep/memory.h"
 #include "transpiler/dialects/prostep/options.h"
 #include "transpiler/dialects/prostep/syntax.h"
-#include "transpiler/ir/facts.h"
-#include "transpiler/source/source.h"
 
 namespace plcxx::prostep {
 
@@ -35,22 +33,16 @@ class Modules {
 };
 
 /// One tree on its way to a program.
-struct Translation {
+struct Translation : dialects::TranslationFrame<Program, Settings> {
   Translation(const Program& program_tree, const Settings& options, const source::SourceManager& files);
 
-  const Program& tree;
-  const Settings& settings;
-  const source::SourceManager& sources;
-  ir::Program program;
-  dialects::Builder builder{program};
-  ir::FactChecks facts{builder};
   Memory memory;
   Modules modules{tree};
   const Module* module = nullptr;  // the one that is lowered
 };
 
 /// What a part of the lowering sees of it. Refers to the translation, and may be copied.
-class Context {
+class Context : protected dialects::ContextFrame<Program, Settings> {
  public:
   explicit Context(Translation& translation);
 
@@ -68,12 +60,6 @@ class Context {
     return builder_.Pure(op, operands);
   }
 
-  const Program& tree_;
-  const Settings& settings_;
-  const source::SourceManager& sources_;
-  ir::Program& program_;
-  dialects::Builder& builder_;
-  ir::FactChecks& facts_;
   const Memory& memory_;
   Modules& modules_;
   const Module*& module_;

@@ -15,20 +15,11 @@ Memory::Sizes SizesOf(const Program& tree) {
 }  // namespace
 
 Translation::Translation(const Flow& paths, const Settings& options, const source::SourceManager& files)
-    : tree(paths.program()),
-      flow(paths),
-      settings(options),
-      sources(files),
-      memory(program, SizesOf(paths.program())) {}
+    : TranslationFrame(paths.program(), options, files), flow(paths), memory(program, SizesOf(paths.program())) {}
 
 Context::Context(Translation& translation)
-    : tree_(translation.tree),
+    : ContextFrame(translation),
       flow_(translation.flow),
-      settings_(translation.settings),
-      sources_(translation.sources),
-      program_(translation.program),
-      builder_(translation.builder),
-      facts_(translation.facts),
       registers_(translation.registers),
       memory_(translation.memory),
       routines_(translation.routines),

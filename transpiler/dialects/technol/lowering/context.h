@@ -7,14 +7,13 @@
 
 #include <initializer_list>
 
+#include "transpiler/dialects/common/translation.h"
 #include "transpiler/dialects/technol/flow.h"
 #include "transpiler/dialects/technol/lowering/routines.h"
 #include "transpiler/dialects/technol/memory.h"
 #include "transpiler/dialects/technol/options.h"
 #include "transpiler/dialects/technol/register_file.h"
 #include "transpiler/dialects/technol/value_builder.h"
-#include "transpiler/ir/facts.h"
-#include "transpiler/source/source.h"
 
 namespace plcxx::technol {
 
@@ -37,16 +36,10 @@ struct ByWidth {
 enum class Turn : uint8_t { kLeft, kRight };
 
 /// One tree on its way to a program.
-struct Translation {
+struct Translation : dialects::TranslationFrame<Program, Settings, ValueBuilder> {
   Translation(const Flow& paths, const Settings& options, const source::SourceManager& files);
 
-  const Program& tree;
   const Flow& flow;
-  const Settings& settings;
-  const source::SourceManager& sources;
-  ir::Program program;
-  ValueBuilder builder{program};
-  ir::FactChecks facts{builder};
   RegisterFile registers{builder, facts};
   Memory memory;
   Routines routines{flow, settings};
@@ -54,7 +47,7 @@ struct Translation {
 };
 
 /// What a part of the lowering sees of it. Refers to the translation, and may be copied.
-class Context {
+class Context : protected dialects::ContextFrame<Program, Settings, ValueBuilder> {
  public:
   explicit Context(Translation& translation);
 
@@ -69,13 +62,7 @@ class Context {
     return routine.unit.valid() && tree_.units[routine.unit].kind == UnitKind::kMechanism;
   }
 
-  const Program& tree_;
   const Flow& flow_;
-  const Settings& settings_;
-  const source::SourceManager& sources_;
-  ir::Program& program_;
-  ValueBuilder& builder_;
-  ir::FactChecks& facts_;
   RegisterFile& registers_;
   const Memory& memory_;
   Routines& routines_;

@@ -63,17 +63,12 @@ void FindWideRegisters(Translation& translation) {
 }
 
 /// The collaborators of one lowering. Each is given those that it uses, and no other.
-class Lowering {
+class Lowering : dialects::LoweringFrame<Translation, Context> {
  public:
-  Lowering(const Flow& flow, const Settings& settings, const source::SourceManager& sources)
-      : translation_(flow, settings, sources) {}
-
+  using LoweringFrame::LoweringFrame;
   ir::Program Run();
 
  private:
-  Translation translation_;
-  Context context_{translation_};
-
   HostCalls host_{translation_.builder};
   Faults faults_{context_, host_};
   CellPlaces cells_{context_};
