@@ -13,6 +13,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/live_command.h"
+#include "transpiler/driver/mutate_command.h"
 #include "transpiler/driver/soak_command.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/test_command.h"
@@ -66,6 +67,7 @@ int Main(int argc, char** argv) {
   AddLive(app, run);
   AddWhy(app, run);
   AddSoak(app, run);
+  AddMutate(app, run);
   AddExplain(app, run);
   AddReport(app, run);
   AddVerify(app, run);

@@ -15,7 +15,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/junit.h"
 #include "transpiler/driver/output_files.h"
-#include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/scenario_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/suite.h"
 
@@ -125,35 +125,12 @@ std::optional<scenarios::SuiteOptions> MakeOptions(const TestSettings& settings)
   return options;
 }
 
-/// The scenarios of the project, where the command line names none; false when that cannot be, which is reported.
-bool TakeScenarios(TestSettings& settings) {
-  if (!settings.paths.empty()) {
-    if (settings.common.project.empty() && settings.common.program_names.empty() && !settings.common.all) return true;
-    PrintUsageError("scenarios and a project are named: leave one of them out");
-    return false;
-  }
-  const std::optional<std::vector<project::Program>> programs = ChoosePrograms(settings.common);
-  if (!programs) return false;
-  for (const project::Program& program : *programs) {
-    for (const std::string& path : program.scenarios) {
-      if (std::ranges::find(settings.paths, path) == settings.paths.end()) settings.paths.push_back(path);
-    }
-    for (const project::Target& target : program.targets) {
-      if (target.name == "host" && settings.compiler.empty()) settings.compiler = target.compiler;
-    }
-  }
-  return true;
-}
-
 int RunTest(const TestSettings& asked) {
   TestSettings settings = asked;
-  if (!TakeScenarios(settings)) return kWrongUse;
-  const std::variant<std::vector<std::string>, std::string> found = scenarios::FindScenarios(settings.paths);
-  if (const auto* why = std::get_if<std::string>(&found)) {
-    PrintUsageError(*why);
-    return kWrongUse;
-  }
-  const auto& paths = std::get<std::vector<std::string>>(found);
+  std::optional<ChosenScenarios> chosen = ChooseScenarios(settings.common, settings.paths);
+  if (!chosen) return kWrongUse;
+  if (settings.compiler.empty()) settings.compiler = chosen->host_compiler;
+  const std::vector<std::string>& paths = chosen->paths;
   if (!settings.waveform.empty() && paths.size() > 1) {
     PrintUsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
     return kWrongUse;

@@ -34,6 +34,7 @@ using Failure = std::optional<std::string>;
 struct Engines {
   std::unique_ptr<engines::Lockstep> lockstep;
   const sim::LastWrites* writes = nullptr;
+  const sim::Simulator* observed = nullptr;
 };
 
 /// FNV-1a: the same on every machine.
@@ -137,8 +138,16 @@ class Test {
     std::vector<std::unique_ptr<sim::Engine>> engines;
     if (options_.simulator || NeedsSimulator(compilation.program)) {
       auto simulator = std::make_unique<sim::Simulator>(compilation.program);
-      simulator->RecordLastWrites();
-      made.writes = simulator->last_writes();
+      if (options_.explains) {
+        simulator->RecordLastWrites();
+        made.writes = simulator->last_writes();
+      }
+      if (Observation* const seen = options_.observation; seen != nullptr) {
+        seen->given.assign(compilation.program.insts.size(), 0);
+        simulator->NoteGiven(seen->given);
+        simulator->StopWhen([seen, one = simulator.get()] { return one->executed() > seen->most; });
+        made.observed = simulator.get();
+      }
       engines.push_back(std::move(simulator));
     }
     for (const PlatformUse& use : options_.platforms) {
@@ -182,6 +191,10 @@ class Test {
                                    .trace = options_.waveform ? &trace : nullptr,
                                    .monitor = monitor_.get(),
                                    .unmet = &unmet});
+    if (engines.observed != nullptr) {
+      options_.observation->executed = engines.observed->executed();
+      options_.observation->stopped = engines.observed->stopped();
+    }
     if (failure && engines.writes != nullptr) *failure += WhyOf(compilation, plan, unmet);
     if (options_.waveform) result_.waveform = sim::WriteVcd(trace, compilation.program.name);
     return failure;

@@ -41,6 +41,7 @@ def of(case):
     for form in ("text", "json"):
         yield ["why", case.maps.partition("=")[0], "--scenario", case.scenario.name, "--format", form], True, 60
     yield ["diff", case.scenario.name, case.scenario.name, "--time", "2s"], True, 60
+    yield ["mutate", case.scenario.name, "--most", "20", "--time-limit", "10"], True, 60
     yield ["soak", case.scenario.name, "--for", "5s", "--time", "2s", "-o", "soaked"], True, 60
     # The case's plcxx.yaml, mutated like its other files; else the one that init makes.
     yield ["init", "--pipeline", "github"], True, 60

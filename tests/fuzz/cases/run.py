@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--sanitized", action="store_true", help="PLCXX is built with sanitizers")
     args = parser.parse_args()
     invoke.sanitized = args.sanitized
-    names = ("check", "emit", "print", "report", "sim", "test", "why", "soak", "diff", "prove", "verify", "build", "identify", "explain", "init")
+    names = ("check", "emit", "print", "report", "sim", "test", "why", "soak", "mutate", "diff", "prove", "verify", "build", "identify", "explain", "init")
     args.table = {"options": {name: words.options(args.plcxx, name) for name in names}, "keys": words.keys(args.plcxx)}
     cases = list(corpus.cases(args.root, args.dialects.split(",")))
     pool = {dialect: [data for case in cases if case.dialect == dialect for data in case.files.values()] or [b""]
