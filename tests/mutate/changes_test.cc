@@ -25,7 +25,7 @@ ir::Program Sample() {
     place q bit m[0].3
     place n i16 m[2]
     state t on_delay_timer
-    host report(i16)
+    host report (level : i16) "a level"
     routine fast fast {
       stmt s1
       %0 = load a
@@ -41,7 +41,7 @@ ir::Program Sample() {
       if %7 {
         %8 = const i16 0
         store n %8
-        host report(%6)
+        host report (%6)
       }
     })");
 }

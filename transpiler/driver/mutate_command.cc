@@ -96,19 +96,20 @@ int MutateProgram(ProgramScenarios& program, const MutateSettings& settings, nlo
     return ExitCodeOf(compilation);
   }
   const size_t scenarios = program.scenarios.size();
-  const auto outcome = mutate::Mutate(
-      {.compilation = compilation,
-       .scenarios = std::move(program.scenarios),
-       .most = settings.most,
-       .jobs = settings.jobs,
-       .time_limit = settings.time_limit,
-       .progress = [&progress](size_t done, size_t all) {
-         progress.Show("changes: " + std::to_string(done) + " of " + std::to_string(all));
-       }});
+  const auto outcome =
+      mutate::Mutate({.compilation = compilation,
+                      .scenarios = std::move(program.scenarios),
+                      .most = settings.most,
+                      .jobs = settings.jobs,
+                      .time_limit = settings.time_limit,
+                      .progress = [&progress](size_t done, size_t all) {
+                        progress.Show("changes: " + std::to_string(done) + " of " + std::to_string(all));
+                      }});
   progress.Clear();
   if (const auto* failing = std::get_if<std::vector<mutate::FailsBefore>>(&outcome)) {
     for (const mutate::FailsBefore& one : *failing) {
-      std::cerr << diag::EscapedLines(one.path + " fails before anything is changed; repair it first:\n" + one.text) << "\n";
+      std::cerr << diag::EscapedLines(one.path + " fails before anything is changed; repair it first:\n" + one.text)
+                << "\n";
     }
     return kProgramHasErrors;
   }
@@ -128,7 +129,8 @@ int RunMutate(MutateSettings settings) {
   if (!chosen) return kWrongUse;
   std::optional<std::vector<ProgramScenarios>> programs = ReadScenarios(chosen->paths, settings);
   if (!programs) return kWrongUse;
-  if (programs->empty()) return Wrong("none of the scenarios runs a program: there is nothing that could notice a change");
+  if (programs->empty())
+    return Wrong("none of the scenarios runs a program: there is nothing that could notice a change");
   nlohmann::json documents = nlohmann::json::array();
   int code = kDone;
   for (ProgramScenarios& program : *programs) {
@@ -141,7 +143,8 @@ int RunMutate(MutateSettings settings) {
 }  // namespace
 
 void AddMutate(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("mutate", "Change the program in one place at a time; which scenario notices?");
+  CLI::App* command =
+      app.add_subcommand("mutate", "Change the program in one place at a time; which scenario notices?");
   const auto settings = std::make_shared<MutateSettings>();
   command
       ->add_option("SCENARIO", settings->paths,

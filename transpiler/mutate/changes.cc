@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/place_names.h"
@@ -35,6 +37,9 @@ class Finder {
  public:
   Finder(const ir::Program& program, const source::SourceManager& sources)
       : program_(program), sources_(sources), uses_(program.insts.size()) {
+    for (const ir::Documentation& one : program.documentation) {
+      if (!one.symbols.empty()) symbols_.emplace(one.address, one.symbols);
+    }
     for (uint32_t i = 0; i < program.insts.size(); ++i) {
       ir::ForEachUse(program, program[ir::InstId(i)], [this](uint32_t value) { ++uses_[value]; });
     }
@@ -64,7 +69,8 @@ class Finder {
   void Visit(ir::InstId id, ir::RegionId region, ir::StatementId statement) {
     const ir::Inst& inst = program_[id];
     if (IsExchange(inst)) return;
-    at_ = {.kind = {}, .statement = statement, .inst = id, .use = 0, .region = {}, .becomes = {}, .range = {}, .text = {}};
+    at_ = {
+        .kind = {}, .statement = statement, .inst = id, .use = 0, .region = {}, .becomes = {}, .range = {}, .text = {}};
     ir::ForEachUse(program_, inst, [this, &inst](uint32_t value) {
       Use(inst, ir::ValueId(value));
       ++at_.use;
@@ -110,7 +116,7 @@ class Finder {
 
   void UseOfConstant(const ir::Inst& constant) {
     const uint64_t number = ir::ConstantValue(constant);
-    const std::string name = Quoted(constant.range).value_or(std::to_string(number));
+    const std::string name = Spelled(constant.range).value_or(std::to_string(number));
     if (constant.type == ir::Type::kBit) {
       Add(number != 0 ? ChangeKind::kAlways0 : ChangeKind::kAlways1, constant.range,
           name + " becomes " + (number != 0 ? "0" : "1"));
@@ -124,7 +130,8 @@ class Finder {
   /// None: it cannot be left out, for its value is used or it has no effect of its own.
   std::optional<std::string> TextOfLeftOut(const ir::Inst& inst) const {
     switch (ir::Info(inst.op).shape) {
-      case ir::Shape::kStore: return ir::SourceName(program_.places[ir::PlaceId(inst.payload)]) + " is not written";
+      case ir::Shape::kStore:
+        return PlaceText(ir::PlaceId(inst.payload)) + " is not written";
       case ir::Shape::kStep:
         if (inst.type != ir::Type::kNone) return std::nullopt;
         return program_.states[ir::StateId(inst.payload)].name + " is not executed";
@@ -147,14 +154,15 @@ class Finder {
       case ir::Shape::kExit:
       case ir::Shape::kRepeat:
       case ir::Shape::kJump:
-      case ir::Shape::kLabel: return std::nullopt;
+      case ir::Shape::kLabel:
+        return std::nullopt;
     }
     return std::nullopt;
   }
 
   std::string NameOf(const ir::Inst& value) const {
     if (const std::optional<std::string> quoted = Quoted(value.range)) return *quoted;
-    if (ir::Info(value.op).shape == ir::Shape::kLoad) return ir::SourceName(program_.places[ir::PlaceId(value.payload)]);
+    if (ir::Info(value.op).shape == ir::Shape::kLoad) return PlaceText(ir::PlaceId(value.payload));
     return "the condition";
   }
 
@@ -166,6 +174,27 @@ class Finder {
     return std::string(text);
   }
 
+  /// The same of a number; none where the source says no number there, for lowering made it of something else.
+  std::optional<std::string> Spelled(source::Range range) const {
+    std::optional<std::string> quoted = Quoted(range);
+    const auto is_of_number = [](char c) {
+      return std::string_view(".'_+-$%&#").find(c) != std::string_view::npos || IsAlphanumeric(c);
+    };
+    if (!quoted || !std::ranges::all_of(*quoted, is_of_number)) return std::nullopt;
+    return quoted;
+  }
+
+  static bool IsAlphanumeric(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  }
+
+  /// "U101K0 (M00)", where the source has a name for the address.
+  std::string PlaceText(ir::PlaceId id) const {
+    const std::string& address = ir::SourceName(program_.places[id]);
+    const auto found = symbols_.find(address);
+    return found == symbols_.end() ? address : address + " (" + found->second + ")";
+  }
+
   void Add(ChangeKind kind, source::Range range, std::string text) {
     at_.kind = kind;
     at_.range = range.begin != 0 ? range : program_.statements[at_.statement].range;
@@ -175,8 +204,9 @@ class Finder {
 
   const ir::Program& program_;
   const source::SourceManager& sources_;
-  std::vector<uint32_t> uses_;  // by ValueId
-  Change at_;                   // of what is being looked at
+  std::unordered_map<std::string, std::string> symbols_;  // by address; looked up only
+  std::vector<uint32_t> uses_;                            // by ValueId
+  Change at_;                                             // of what is being looked at
   std::vector<Change> changes_;
 };
 
@@ -198,12 +228,20 @@ void PutConstant(const Change& change, ir::Program& program) {
   ir::Inst constant = program[ir::ValueId(*used)];
   uint64_t number = 0;
   switch (change.kind) {
-    case ChangeKind::kAlways0: break;
-    case ChangeKind::kAlways1: number = 1; break;
-    case ChangeKind::kMore: number = (ir::ConstantValue(constant) + 1) & MaskOf(constant.type); break;
-    case ChangeKind::kLess: number = (ir::ConstantValue(constant) - 1) & MaskOf(constant.type); break;
+    case ChangeKind::kAlways0:
+      break;
+    case ChangeKind::kAlways1:
+      number = 1;
+      break;
+    case ChangeKind::kMore:
+      number = (ir::ConstantValue(constant) + 1) & MaskOf(constant.type);
+      break;
+    case ChangeKind::kLess:
+      number = (ir::ConstantValue(constant) - 1) & MaskOf(constant.type);
+      break;
     case ChangeKind::kOperator:
-    case ChangeKind::kLeftOut: return;
+    case ChangeKind::kLeftOut:
+      return;
   }
   constant = {.op = ir::OpKind::kConst, .type = constant.type, .range = constant.range};
   constant.a = static_cast<uint32_t>(number);
@@ -216,12 +254,18 @@ void PutConstant(const Change& change, ir::Program& program) {
 
 std::string_view Name(ChangeKind kind) {
   switch (kind) {
-    case ChangeKind::kAlways0: return "always-0";
-    case ChangeKind::kAlways1: return "always-1";
-    case ChangeKind::kMore: return "one-more";
-    case ChangeKind::kLess: return "one-less";
-    case ChangeKind::kOperator: return "operator";
-    case ChangeKind::kLeftOut: return "left-out";
+    case ChangeKind::kAlways0:
+      return "always-0";
+    case ChangeKind::kAlways1:
+      return "always-1";
+    case ChangeKind::kMore:
+      return "one-more";
+    case ChangeKind::kLess:
+      return "one-less";
+    case ChangeKind::kOperator:
+      return "operator";
+    case ChangeKind::kLeftOut:
+      return "left-out";
   }
   return {};
 }
@@ -241,12 +285,18 @@ std::vector<Change> FindChanges(const ir::Program& program, const source::Source
 
 void Apply(const Change& change, ir::Program& program) {
   switch (change.kind) {
-    case ChangeKind::kOperator: program[change.inst].op = change.becomes; break;
-    case ChangeKind::kLeftOut: std::erase(program.regions[change.region].insts, change.inst); break;
+    case ChangeKind::kOperator:
+      program[change.inst].op = change.becomes;
+      break;
+    case ChangeKind::kLeftOut:
+      std::erase(program.regions[change.region].insts, change.inst);
+      break;
     case ChangeKind::kAlways0:
     case ChangeKind::kAlways1:
     case ChangeKind::kMore:
-    case ChangeKind::kLess: PutConstant(change, program); break;
+    case ChangeKind::kLess:
+      PutConstant(change, program);
+      break;
   }
 }
 

@@ -21,7 +21,7 @@ constexpr size_t kChangesInAProcess = 32;
 struct Before {
   std::vector<bool> reached;  // by InstId
   uint64_t executed = 0;
-  std::string failure;        // not empty: it fails
+  std::string failure;  // not empty: it fails
 };
 
 scenarios::SuiteOptions InTheSimulator(scenarios::Observation& seen) {
@@ -48,7 +48,8 @@ class Mutation {
     Mutated mutated;
     std::vector<Change> changes = FindChanges(original_, *request_.compilation.sources);
     mutated.found = changes.size();
-    for (Change& change : Chosen(std::move(changes))) mutated.results.push_back({std::move(change), Outcome::kNotReached});
+    for (Change& change : Chosen(std::move(changes)))
+      mutated.results.push_back({std::move(change), Outcome::kNotReached});
     Try(mutated.results);
     return mutated;
   }
@@ -99,9 +100,7 @@ class Mutation {
     return test.text.empty() ? "it fails" : test.text;
   }
 
-  scenarios::SeparateOptions Separate() const {
-    return {.jobs = request_.jobs, .item_seconds = request_.time_limit};
-  }
+  scenarios::SeparateOptions Separate() const { return {.jobs = request_.jobs, .item_seconds = request_.time_limit}; }
 
   std::vector<Change> Chosen(std::vector<Change> changes) const {
     if (request_.most == 0 || changes.size() <= request_.most) return changes;
@@ -169,9 +168,12 @@ class Mutation {
 
 std::string_view Name(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kNoticed: return "noticed";
-    case Outcome::kNotNoticed: return "not-noticed";
-    case Outcome::kNotReached: return "not-reached";
+    case Outcome::kNoticed:
+      return "noticed";
+    case Outcome::kNotNoticed:
+      return "not-noticed";
+    case Outcome::kNotReached:
+      return "not-reached";
   }
   return {};
 }

@@ -24,11 +24,11 @@ enum class Outcome : uint8_t { kNoticed, kNotNoticed, kNotReached };
 std::string_view Name(Outcome outcome);
 
 struct MutateRequest {
-  compilation::Compilation& compilation;        // without errors; unchanged afterwards
-  std::vector<scenarios::Scenario> scenarios;   // with steps
-  size_t most = 0;                              // changes, spread evenly over all that there are; 0: all
-  unsigned jobs = 1;                            // processes at a time
-  unsigned time_limit = 60;                     // seconds of real time for a change, or for a scenario before any change
+  compilation::Compilation& compilation;       // without errors; unchanged afterwards
+  std::vector<scenarios::Scenario> scenarios;  // with steps
+  size_t most = 0;                             // changes, spread evenly over all that there are; 0: all
+  unsigned jobs = 1;                           // processes at a time
+  unsigned time_limit = 60;                    // seconds of real time for a change, or for a scenario before any change
   std::function<void(size_t done, size_t all)> progress;
 };
 

@@ -43,10 +43,10 @@ struct SuiteOptions {
   std::optional<FleetUse> fleet;
   ProgramOverrides programs;
   Reach reach = Reach::kProject;
-  unsigned jobs = 2;         // processes that run scenarios at a time
-  unsigned time_limit = 60;  // seconds of real time for a scenario: reading its program, then running it
-  bool waveform = false;     // record one
-  bool explains = true;      // why an expectation does not hold, in the text of a failure
+  unsigned jobs = 2;                   // processes that run scenarios at a time
+  unsigned time_limit = 60;            // seconds of real time for a scenario: reading its program, then running it
+  bool waveform = false;               // record one
+  bool explains = true;                // why an expectation does not hold, in the text of a failure
   Observation* observation = nullptr;  // of TestScenario: gets what the simulator saw; may be none
 };
 
