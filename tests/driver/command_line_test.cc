@@ -29,8 +29,8 @@ TEST(CommandLine, VersionAndHelp) {
 TEST(CommandLine, EverySubcommandTeaches) {
   const Workplace work;
   for (const std::string command :
-       {"emit", "build", "check", "print", "test", "sim", "explain", "report", "verify", "diff", "prove", "init",
-        "completion", "manual", "lsp", "mcp", "identify", "live", "soak", "mutate"}) {
+       {"emit",  "build", "check",      "print",  "test", "sim", "explain",  "report", "verify", "diff",
+        "prove", "init",  "completion", "manual", "lsp",  "mcp", "identify", "live",   "soak",   "mutate"}) {
     const Ran help = work.Run(command + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("Examples:")) << command;
