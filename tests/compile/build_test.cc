@@ -94,7 +94,9 @@ TEST(Build, SamplesOfAllDialects) {
         EXPECT_LE(partition.at("constant_bytes"), build.at("constant_bytes")) << partition;
         EXPECT_LE(partition.at("retentive_bytes"), build.at("retentive_bytes")) << partition;
         EXPECT_LE(partition.at("volatile_bytes"), build.at("volatile_bytes")) << partition;
-        if (partition.at("name") == "init") EXPECT_EQ(partition.at("volatile_bytes"), build.at("volatile_bytes"));
+        if (partition.at("name") == "init") {
+          EXPECT_EQ(partition.at("volatile_bytes"), build.at("volatile_bytes"));
+        }
         const bool whole_ns = partition.at("time_ns") == partition.at("cycles").get<uint64_t>() * 10;
         EXPECT_TRUE(whole_ns) << partition;
         EXPECT_TRUE(partition.at("not_whole").empty()) << partition;

@@ -65,7 +65,7 @@ constexpr int kUsualPort = 8420;
 struct LiveSettings {
   CommonOptions common;
   std::string waveform;      // --vcd
-  std::string plant, panel;  // files; kNone; empty: those of plcxx.yaml
+  std::string plant, panel;  // files; kNoPlant; empty: those of plcxx.yaml
   LinkWords link;
   std::string listen = kLoopback;
   int port = 0;
@@ -256,7 +256,7 @@ int RunLive(const LiveSettings& settings) {
   live::Session session(compilation, input);
   if (!is_simulated) return ServeMachine(settings, compilation, session);
   // A trace has the machine's inputs as they were.
-  const std::string& named = settings.plant.empty() && !settings.waveform.empty() ? kNone : settings.plant;
+  const std::string& named = settings.plant.empty() && !settings.waveform.empty() ? kNoPlant : settings.plant;
   const auto plant = ChoosePlant(named, settings.common, compilation);
   if (!plant) return kWrongUse;
   const auto panel = ChoosePanel(settings.panel, settings.common, compilation, plant->get());

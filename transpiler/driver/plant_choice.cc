@@ -32,7 +32,7 @@ std::optional<BoundPlantPointer> Bound(std::shared_ptr<const plant::Model> model
 
 std::optional<BoundPlantPointer> ChoosePlant(const std::string& option, const CommonOptions& common,
                                              const compilation::Compilation& compilation) {
-  if (option == kNone) return BoundPlantPointer();
+  if (option == kNoPlant) return BoundPlantPointer();
   if (option.empty() && IsScenario(common)) {
     const std::optional<scenarios::Scenario> scenario = ReadScenario(common.sources.front(), common);
     return scenario ? Bound(scenario->plant, compilation) : std::nullopt;
@@ -59,7 +59,7 @@ std::optional<std::shared_ptr<const live::BoundPanel>> ChoosePanel(const std::st
   } else if (option.empty() && common.program) {
     path = common.program->panel;
   }
-  if (path.empty() || path == kNone) return Panel();
+  if (path.empty() || path == kNoPlant) return Panel();
   plant::PanelOrErrors read = plant::ReadPanel(path);
   if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
     PrintErrors(*errors);

@@ -13,7 +13,7 @@
 namespace plcxx::driver {
 
 /// As the value of --plant and --panel: not even the one of plcxx.yaml.
-inline constexpr const char* kNone = "none";
+inline constexpr const char* kNoPlant = "none";
 
 /// None: what is wrong has been printed. A null pointer: nothing moves by itself. `option` is that of --plant; empty:
 /// it was not given.

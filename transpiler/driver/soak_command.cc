@@ -141,7 +141,7 @@ int RunSoak(const SoakSettings& settings) {
     properties.push_back(std::move(one.property));
   }
 
-  const std::string named = settings.plant.empty() ? kNone : settings.plant == kOfProject ? "" : settings.plant;
+  const std::string named = settings.plant.empty() ? kNoPlant : settings.plant == kOfProject ? "" : settings.plant;
   const auto plant = ChoosePlant(named, settings.common, machine.compilation);
   if (!plant) return kWrongUse;
   if (settings.plant == kOfProject && !*plant) {
