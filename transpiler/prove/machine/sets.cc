@@ -40,6 +40,19 @@ uint64_t MayAdd(const ir::Program& program, const ir::Place& place, ir::InstId v
   return kAll;
 }
 
+/// Whether the value is what the place had, with bits put in or taken out (`W |= 4`, `W &= ~4`); a constant may stand in
+/// for what is chosen between.
+bool IsOfPlace(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth) {
+  const ir::Inst& inst = program[value];
+  if (depth > kMaxDepth) return false;
+  const auto operand = [&](uint32_t id) { return IsOfPlace(program, place, ir::InstId(id), depth + 1); };
+  if (ir::Info(inst.op).shape == ir::Shape::kLoad)
+    return IsSameMemory(program.places[ir::PlaceId(inst.payload)], place);
+  if (IsOneOf(kAnds, inst.op) || IsOneOf(kOrs, inst.op)) return operand(inst.a) || operand(inst.b);
+  if (IsOneOf(kSelects, inst.op)) return operand(inst.b) && operand(inst.c);
+  return false;
+}
+
 class ScheduleWalk {
  public:
   explicit ScheduleWalk(const ir::Program& program) : program_(program), regions_(program.regions.size()) {}
@@ -85,6 +98,7 @@ std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir:
   if (place.is_field() || place.indexed || !execute::IsInside(program, place))
     return added == 0 ? std::vector<execute::CellId>() : execute::TouchedCells(program, version.cells, place);
   const std::vector<execute::CellId> cells = execute::CellsOf(program, version.cells, place);
+  if (cells.size() > 1 && added != 0 && !IsOfPlace(program, place, ir::InstId(inst.a), 0)) return cells;
   std::vector<execute::CellId> set;
   for (size_t i = 0; i < cells.size(); ++i) {
     if ((added >> i & 1) != 0) set.push_back(cells[i]);
