@@ -14,8 +14,8 @@
 namespace plcxx::live {
 namespace {
 
-/// Each thread of glibc gets a heap of its own, which keeps what the largest answer took there; with one for all of them
-/// the memory is that of the answers that are on their way. They wait for the session anyway.
+/// Each thread of glibc gets a heap of its own, which keeps what the largest answer took there; with one for all of
+/// them the memory is that of the answers that are on their way. They wait for the session anyway.
 void ShareOneHeap() {
 #ifdef M_ARENA_MAX
   mallopt(M_ARENA_MAX, 1);

@@ -40,8 +40,8 @@ uint64_t MayAdd(const ir::Program& program, const ir::Place& place, ir::InstId v
   return kAll;
 }
 
-/// Whether the value is what the place had, with bits put in or taken out (`W |= 4`, `W &= ~4`); a constant may stand in
-/// for what is chosen between.
+/// Whether the value is what the place had, with bits put in or taken out (`W |= 4`, `W &= ~4`); a constant may stand
+/// in for what is chosen between.
 bool IsOfPlace(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth) {
   const ir::Inst& inst = program[value];
   if (depth > kMaxDepth) return false;

@@ -15,7 +15,8 @@ namespace plcxx::prove::machine {
 /// host's: what it sets, somebody else sets.
 std::vector<bool> ScheduledRegions(const ir::Program& program);
 /// Of a store: the bits that its value may have where the place had none; all of a number that is given a value (the
-/// step of a sequence is the program's own, although it never sets the high bits); of any other write all that it touches.
+/// step of a sequence is the program's own, although it never sets the high bits); of any other write all that it
+/// touches.
 std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir::Inst& inst, ir::PlaceId written);
 /// Whether somebody else may set a cell that the program only takes back: internal memory that is 0 when power comes.
 /// Outputs and signals to the control are the program's, as the control's manual says who else writes them.
