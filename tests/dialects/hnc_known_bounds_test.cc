@@ -56,8 +56,9 @@ TEST(HncKnownBounds, ASelectorThatTheSwitchChangesIsNotItsLabel) {
 TEST(HncKnownBounds, WhatIsKnownInFrontOfALabelWithAWayBackIsKnownAfterIt) {
   const std::string known = "int k; k = 5; i = 0; ", access = "a = table[k];";
   EXPECT_FALSE(IsChecked(known + "again: i++; if (i < 4) goto again; " + access));
-  // Entered behind the label as well: of i nothing is known there, of n it is.
-  EXPECT_FALSE(IsChecked(known + "if (X[0]) goto in; again: i++; in: if (i < 4) goto again; " + access));
+  // A jump back that is reached past the label brings what is known where it was entered: nothing is taken from there.
+  EXPECT_TRUE(IsChecked(known + "if (X[0]) { k = 70; goto in; } again: i++; in: if (i < 4) goto again; " + access));
+  EXPECT_TRUE(IsChecked(known + "if (X[0]) goto in; again: i++; in: if (i < 4) goto again; " + access));
   // What changes it further down is not repeated.
   EXPECT_FALSE(IsChecked(known + "again: i++; if (i < 4) goto again; " + access + " for (n = 0; n < 3; n++) k += 9;"));
   EXPECT_TRUE(IsChecked(known + "again: i++; k = i; if (i < 4) goto again; k += 5; " + access));

@@ -15,8 +15,8 @@ constexpr uint8_t kText = 0;  // of a TextInbox: the only field that is an array
 
 std::optional<uint8_t> FieldNamed(ir::StateKind kind, std::string_view name) {
   const auto fields = ir::Info(kind).fields;
-  for (uint8_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].name == name) return i;
+  for (size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].name == name) return static_cast<uint8_t>(i);
   }
   return std::nullopt;
 }
@@ -49,7 +49,8 @@ void Mirror::FindFields(const ir::Program& program, const emit::layout::Layout& 
   for (uint32_t i = 0; i < program.states.size(); ++i) {
     const ir::StateKind kind = program.states[ir::StateId(i)].kind;
     const auto fields = ir::Info(kind).fields;
-    for (uint8_t field = 0; field < fields.size(); ++field) {
+    for (size_t number = 0; number < fields.size(); ++number) {
+      const auto field = static_cast<uint8_t>(number);
       PLCXX_CHECK(fields[field].count == 1 || (kind == ir::StateKind::kTextInbox && field == kText));
       const auto bytes = static_cast<uint8_t>(ir::Bytes(fields[field].type));
       const uint32_t begin = layout.states[i].offset + emit::layout::FieldOffset(kind, field);
