@@ -1,31 +1,23 @@
 #include "transpiler/prove/machine/inputs.h"
 
-#include <algorithm>
-
 #include "transpiler/ir/accesses.h"
-#include "transpiler/ir/builder.h"
 #include "transpiler/prove/machine/sets.h"
 
 namespace plcxx::prove::machine {
 namespace {
 
-/// What some routines, and all that they call, set at fixed addresses and in arrays. An index that may reach all of a
+/// What the schedule, and all that it calls, sets at fixed addresses and in arrays. An index that may reach all of a
 /// space may reach signals of the host there, and says nothing about them.
 class Stores {
  public:
   explicit Stores(const Version& version)
-      : version_(version),
-        program_(*version.program),
-        seen_(program_.routines.size()),
-        set_(version.cells.count),
-        stored_(version.cells.count) {}
-
-  void Routine(ir::RoutineId id) {
-    if (!id.valid() || seen_[id.index]) return;
-    seen_[id.index] = true;
-    const ir::Routine& routine = program_.routines[id];
-    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) Region(region);
+      : version_(version), program_(*version.program), set_(version.cells.count), stored_(version.cells.count) {
+    const std::vector<bool> is_scheduled = ScheduledRegions(program_);
+    for (uint32_t i = 0; i < is_scheduled.size(); ++i) {
+      if (is_scheduled[i]) Region(program_.regions[ir::RegionId(i)]);
+    }
   }
+
   /// As Uses::sets.
   bool Sets(execute::CellId cell) const {
     return set_[cell.index] || (stored_[cell.index] && !MayBeSetByOthers(version_, cell));
@@ -42,27 +34,21 @@ class Stores {
     for (const execute::CellId cell : CellsThatMayBeSet(version_, inst, id)) set_[cell.index] = true;
   }
 
-  void Region(ir::RegionId region) {
-    if (!region.valid()) return;
-    for (const ir::InstId id : program_.regions[region].insts) Inst(program_[id]);
-  }
-
-  void Inst(const ir::Inst& inst) {
-    ir::ForEachAccess(
-        program_, inst,
-        [&](ir::PlaceId place, ir::Access access) {
-          if (access == ir::Access::kWrite) Place(inst, place);
-        },
-        [](ir::StateId) {});
-    if (ir::Info(inst.op).effect == ir::Effect::kControl) {
-      for (const ir::RegionId owned : ir::OwnedRegions(program_, inst)) Region(owned);
+  void Region(const ir::Region& region) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program_[id];
+      ir::ForEachAccess(
+          program_, inst,
+          [&](ir::PlaceId place, ir::Access access) {
+            if (access == ir::Access::kWrite) Place(inst, place);
+          },
+          [](ir::StateId) {});
     }
-    if (ir::Info(inst.op).shape == ir::Shape::kCall) Routine(program_.calls[ir::CallId(inst.payload)].routine);
   }
 
   const Version& version_;
   const ir::Program& program_;
-  std::vector<bool> seen_, set_, stored_;
+  std::vector<bool> set_, stored_;
 };
 
 }  // namespace
@@ -76,9 +62,7 @@ bool IsInbox(const Version& version, execute::CellId id) {
 
 std::vector<bool> InputsOf(const Version& version) {
   const ir::Program& program = *version.program;
-  const ir::Schedule& schedule = program.schedule;
-  Stores own(version);
-  for (const ir::RoutineId id : {schedule.init, schedule.period, schedule.fast_only, schedule.elapse}) own.Routine(id);
+  const Stores own(version);
   std::vector<bool> inputs(version.cells.count);
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
     const execute::CellId id(i);

@@ -25,32 +25,35 @@ bool IsSameMemory(const ir::Place& one, const ir::Place& other) {
          one.offset == other.offset && one.bit == other.bit && one.type == other.type;
 }
 
-/// Bits that `value` may have where `place` has none. A value of the place that was loaded earlier has no more bits
-/// than it had when its last setter was through.
-uint64_t MayAdd(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth) {
-  const ir::Inst& inst = program[value];
-  if (depth > kMaxDepth) return kAll;
-  const auto operand = [&](uint32_t id) { return MayAdd(program, place, ir::InstId(id), depth + 1); };
-  if (ir::Info(inst.op).shape == ir::Shape::kConst) return ir::ConstantValue(inst);
-  if (ir::Info(inst.op).shape == ir::Shape::kLoad)
-    return IsSameMemory(program.places[ir::PlaceId(inst.payload)], place) ? 0 : kAll;
-  if (IsOneOf(kAnds, inst.op)) return operand(inst.a) & operand(inst.b);
-  if (IsOneOf(kOrs, inst.op)) return operand(inst.a) | operand(inst.b);
-  if (IsOneOf(kSelects, inst.op)) return operand(inst.b) | operand(inst.c);
-  return kAll;
-}
+/// What a value that is stored in a place has to do with what the place had.
+struct Stored {
+  uint64_t added = kAll;     // bits that it may have where the place has none
+  bool is_of_place = false;  // it is what the place had, with bits put in or taken out (`W |= 4`, `W &= ~4`)
+};
 
-/// Whether the value is what the place had, with bits put in or taken out (`W |= 4`, `W &= ~4`); a constant may stand
-/// in for what is chosen between.
-bool IsOfPlace(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth) {
+/// A value of the place that was loaded earlier has no more bits than it had when its last setter was through.
+Stored WhatIsStored(const ir::Program& program, const ir::Place& place, ir::InstId value, int depth = 0) {
   const ir::Inst& inst = program[value];
-  if (depth > kMaxDepth) return false;
-  const auto operand = [&](uint32_t id) { return IsOfPlace(program, place, ir::InstId(id), depth + 1); };
-  if (ir::Info(inst.op).shape == ir::Shape::kLoad)
-    return IsSameMemory(program.places[ir::PlaceId(inst.payload)], place);
-  if (IsOneOf(kAnds, inst.op) || IsOneOf(kOrs, inst.op)) return operand(inst.a) || operand(inst.b);
-  if (IsOneOf(kSelects, inst.op)) return operand(inst.b) && operand(inst.c);
-  return false;
+  if (depth > kMaxDepth) return {};
+  const auto operand = [&](uint32_t id) { return WhatIsStored(program, place, ir::InstId(id), depth + 1); };
+  if (ir::Info(inst.op).shape == ir::Shape::kConst) return {.added = ir::ConstantValue(inst)};
+  if (ir::Info(inst.op).shape == ir::Shape::kLoad) {
+    return IsSameMemory(program.places[ir::PlaceId(inst.payload)], place) ? Stored{.added = 0, .is_of_place = true}
+                                                                          : Stored();
+  }
+  if (IsOneOf(kAnds, inst.op)) {
+    const Stored a = operand(inst.a), b = operand(inst.b);
+    return {.added = a.added & b.added, .is_of_place = a.is_of_place || b.is_of_place};
+  }
+  if (IsOneOf(kOrs, inst.op)) {
+    const Stored a = operand(inst.a), b = operand(inst.b);
+    return {.added = a.added | b.added, .is_of_place = a.is_of_place || b.is_of_place};
+  }
+  if (IsOneOf(kSelects, inst.op)) {
+    const Stored a = operand(inst.b), b = operand(inst.c);
+    return {.added = a.added | b.added, .is_of_place = a.is_of_place && b.is_of_place};
+  }
+  return {};
 }
 
 class ScheduleWalk {
@@ -94,14 +97,14 @@ std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir:
   const ir::Program& program = *version.program;
   const ir::Place& place = program.places[written];
   if (ir::Info(inst.op).shape != ir::Shape::kStore) return execute::TouchedCells(program, version.cells, place);
-  const uint64_t added = MayAdd(program, place, ir::InstId(inst.a), 0);
+  const Stored stored = WhatIsStored(program, place, ir::InstId(inst.a));
   if (place.is_field() || place.indexed || !execute::IsInside(program, place))
-    return added == 0 ? std::vector<execute::CellId>() : execute::TouchedCells(program, version.cells, place);
+    return stored.added == 0 ? std::vector<execute::CellId>() : execute::TouchedCells(program, version.cells, place);
   const std::vector<execute::CellId> cells = execute::CellsOf(program, version.cells, place);
-  if (cells.size() > 1 && added != 0 && !IsOfPlace(program, place, ir::InstId(inst.a), 0)) return cells;
+  if (cells.size() > 1 && stored.added != 0 && !stored.is_of_place) return cells;
   std::vector<execute::CellId> set;
   for (size_t i = 0; i < cells.size(); ++i) {
-    if ((added >> i & 1) != 0) set.push_back(cells[i]);
+    if ((stored.added >> i & 1) != 0) set.push_back(cells[i]);
   }
   return set;
 }
