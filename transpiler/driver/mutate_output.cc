@@ -5,15 +5,13 @@
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
 namespace {
 
 using mutate::Outcome;
-
-std::string Counted(size_t count, std::string_view one) {
-  return std::to_string(count) + " " + std::string(one) + (count == 1 ? "" : "s");
-}
+using support::Counted;
 
 std::string_view WithoutMargins(std::string_view line) {
   const size_t first = line.find_first_not_of(" \t");

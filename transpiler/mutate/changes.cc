@@ -1,12 +1,12 @@
 #include "transpiler/mutate/changes.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
+#include "transpiler/ir/bit_logic.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/name_index.h"
 #include "transpiler/ir/place_names.h"
 #include "transpiler/ir/uses.h"
 
@@ -19,27 +19,16 @@ bool IsInteger(ir::Type type) {
   return type == ir::Type::kI8 || type == ir::Type::kI16 || type == ir::Type::kI32 || type == ir::Type::kI64;
 }
 
-/// Logic of bits alone: a fault of its result is one of what it is made of.
-bool IsBitLogic(const ir::Inst& inst) {
-  const ir::OpInfo& info = ir::Info(inst.op);
-  if (info.shape != ir::Shape::kPure || info.result != ir::Type::kBit) return false;
-  return std::all_of(info.operands, info.operands + info.operand_count,
-                     [](ir::Type type) { return type == ir::Type::kBit; });
-}
-
 /// A bit that comes from somewhere: a contact, a comparison, what an instance or a call gives.
 bool IsContact(const ir::Inst& inst) {
   return inst.type == ir::Type::kBit && inst.op != ir::OpKind::kConst && inst.op != ir::OpKind::kPoison &&
-         !IsBitLogic(inst);
+         !ir::IsBitLogic(inst);
 }
 
 class Finder {
  public:
   Finder(const ir::Program& program, const source::SourceManager& sources)
-      : program_(program), sources_(sources), uses_(program.insts.size()) {
-    for (const ir::Documentation& one : program.documentation) {
-      if (!one.symbols.empty()) symbols_.emplace(one.address, one.symbols);
-    }
+      : program_(program), sources_(sources), names_(program), uses_(program.insts.size()) {
     for (uint32_t i = 0; i < program.insts.size(); ++i) {
       ir::ForEachUse(program, program[ir::InstId(i)], [this](uint32_t value) { ++uses_[value]; });
     }
@@ -191,8 +180,8 @@ class Finder {
   /// "U101K0 (M00)", where the source has a name for the address.
   std::string PlaceText(ir::PlaceId id) const {
     const std::string& address = ir::SourceName(program_.places[id]);
-    const auto found = symbols_.find(address);
-    return found == symbols_.end() ? address : address + " (" + found->second + ")";
+    const ir::Documentation* const known = names_.WithAddress(address);
+    return known == nullptr || known->symbols.empty() ? address : address + " (" + known->symbols + ")";
   }
 
   void Add(ChangeKind kind, source::Range range, std::string text) {
@@ -204,9 +193,9 @@ class Finder {
 
   const ir::Program& program_;
   const source::SourceManager& sources_;
-  std::unordered_map<std::string, std::string> symbols_;  // by address; looked up only
-  std::vector<uint32_t> uses_;                            // by ValueId
-  Change at_;                                             // of what is being looked at
+  const ir::NameIndex names_;
+  std::vector<uint32_t> uses_;  // by ValueId
+  Change at_;                   // of what is being looked at
   std::vector<Change> changes_;
 };
 

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 #include <utility>
 
-#include "transpiler/ir/builder.h"
-#include "transpiler/ir/uses.h"
 #include "transpiler/scenarios/separate_processes.h"
 #include "transpiler/scenarios/suite.h"
 
@@ -146,17 +143,16 @@ class Mutation {
         });
   }
 
+  /// In a child: the program stays changed until the next change begins anew.
   bool IsNoticed(const Change& change, const std::vector<uint32_t>& scenarios) const {
     ir::Program& program = request_.compilation.program;
     program = original_;
     Apply(change, program);
-    const bool noticed = std::ranges::any_of(scenarios, [&](uint32_t scenario) {
+    return std::ranges::any_of(scenarios, [&](uint32_t scenario) {
       scenarios::Observation seen;
       seen.most = kAlwaysAllowed + kMostGrowth * before_[scenario].executed;
       return !RunScenario(scenario, seen).empty() || seen.stopped;
     });
-    program = original_;
-    return noticed;
   }
 
   const MutateRequest& request_;

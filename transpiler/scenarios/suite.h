@@ -33,10 +33,16 @@ struct FleetUse {
   uint32_t one_in = 1;
 };
 
+/// What the simulator saw of one scenario.
+struct Observation {
+  std::vector<uint8_t> given;  // by InstId, as Simulator::NoteGiven has it
+  uint64_t executed = 0;       // instructions
+  uint64_t most = UINT64_MAX;  // instructions after which the simulator ends what it does
+  bool stopped = false;        // it did
+};
+
 /// What runs a scenario, in lockstep. A program that uses a function of the regular exchange for itself, too, has the
 /// simulator beside it in any case, which tells the one from the other.
-struct Observation;
-
 struct SuiteOptions {
   bool simulator = true;
   std::vector<PlatformUse> platforms;
@@ -48,14 +54,6 @@ struct SuiteOptions {
   bool waveform = false;               // record one
   bool explains = true;                // why an expectation does not hold, in the text of a failure
   Observation* observation = nullptr;  // of TestScenario: gets what the simulator saw; may be none
-};
-
-/// What the simulator saw of one scenario.
-struct Observation {
-  std::vector<uint8_t> given;  // by InstId, as Simulator::NoteGiven has it
-  uint64_t executed = 0;       // instructions
-  uint64_t most = UINT64_MAX;  // instructions after which the simulator ends what it does
-  bool stopped = false;        // it did
 };
 
 struct ScenarioResult {

@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <bit>
 
+#include "transpiler/ir/bit_logic.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/sim/simulator.h"
 
 namespace plcxx::soak {
 namespace {
-
-/// Logic of bits alone: it says nothing that its operands do not.
-bool IsBitLogic(const ir::Inst& inst) {
-  const ir::OpInfo& info = ir::Info(inst.op);
-  if (info.shape != ir::Shape::kPure || info.operand_count == 0) return false;
-  return std::all_of(info.operands, info.operands + info.operand_count,
-                     [](ir::Type type) { return type == ir::Type::kBit; });
-}
 
 bool GivesCondition(const ir::Inst& inst) {
   if (inst.type != ir::Type::kBit || inst.op == ir::OpKind::kPoison) return false;
@@ -113,7 +106,7 @@ Goals::Goals(const ir::Program& program)
     const ir::Inst& inst = program[id];
     const ir::StatementId statement = statement_of_[i];
     if (!statement.valid()) continue;
-    if (GivesCondition(inst) && (is_decision_[i] || !IsBitLogic(inst))) {
+    if (GivesCondition(inst) && (is_decision_[i] || !ir::IsBitLogic(inst))) {
       goals_.push_back({GoalKind::kCondition, statement, {id}, sim::Simulator::kGave0});
       goals_.push_back({GoalKind::kCondition, statement, {id}, sim::Simulator::kGaveOther});
     }
