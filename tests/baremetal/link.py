@@ -18,55 +18,13 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 
-BOARD, PLCXX = sys.argv[1], sys.argv[2]
-ROOT, BUILD = pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4])
-EMULATOR = sys.argv[5:]
+sys.dont_write_bytecode = True
+from board import COUNTED, Board, linked  # noqa: E402
+
+PLCXX, ROOT = sys.argv[2], pathlib.Path(sys.argv[3])
+BOARD = Board(sys.argv[1], sys.argv[4], sys.argv[5:])
 LATHE = ROOT / "samples" / "nc110" / "lathe_16k20"
-COUNTED = ["-icount", "shift=4,sleep=off"]  # time is instructions: every run is the same
-# Likewise, at most as fast as real time: a busy computer is no reason for the machine's watchdog.
-IN_REAL_TIME = ["-icount", "shift=4,sleep=on"]
-
-
-def command(program, *options):
-    return [*EMULATOR, "-nodefaults", "-display", "none", *options, "-semihosting-config", "enable=on,target=native",
-            "-kernel", str(BUILD / f"{program}.{BOARD}.elf")]
-
-
-def linked(chardev):
-    return ["-chardev", f"{chardev},id=link", "-serial", "chardev:link"]
-
-
-def free_port():
-    with socket.socket() as some:
-        some.bind(("127.0.0.1", 0))
-        return some.getsockname()[1]
-
-
-@contextlib.contextmanager
-def machine(program, transport, folder):
-    """A running machine; gives the address for --link."""
-    path, port = folder / "link.socket", free_port()
-    chardev = {"socket": f"socket,path={path},server=on,wait=off",
-               "tcp": f"socket,host=127.0.0.1,port={port},server=on,wait=off", "serial": "pty"}[transport]
-    process = subprocess.Popen(command(program, *IN_REAL_TIME, *linked(chardev)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    try:
-        if transport == "serial":
-            terminal = re.search(r"/dev/pts/[0-9]+", process.stdout.readline())
-            yield f"serial:{terminal.group(0)}:115200"
-        else:
-            end = time.monotonic() + 30
-            while time.monotonic() < end:
-                with contextlib.suppress(OSError), socket.socket(
-                        socket.AF_UNIX if transport == "socket" else socket.AF_INET) as some:
-                    some.connect(str(path) if transport == "socket" else ("127.0.0.1", port))
-                    break
-                time.sleep(0.05)
-            yield f"socket:{path}" if transport == "socket" else f"tcp:127.0.0.1:{port}"
-    finally:
-        process.kill()
-        process.wait()
 
 
 def live(address, *words, project=LATHE, code=0):
@@ -76,7 +34,7 @@ def live(address, *words, project=LATHE, code=0):
 
 
 def operate(transport, folder):
-    with machine("linked", transport, folder) as address:
+    with BOARD.running("linked", transport, folder) as address:
         text = live(address, "--read", "P24OK,DOOR", "--read", "TURCOD")
         assert text == "P24OK = 1\nDOOR = 1\nTURCOD = 49\n", text
         text = live(address, "--write", "CNTLOW=42", "--read", "CNTLOW")
@@ -88,7 +46,7 @@ def operate(transport, folder):
         assert "DOOR 0  LIGHT 1  GUARD 0  TURCOD 49" in last, text
         samples, lost = map(int, re.search(r"(\d+) samples, (\d+) lost", text).groups())
         assert samples > 5, text
-        print(f"{BOARD}, {transport}: {samples} samples, {lost} lost in 2 s")
+        print(f"{BOARD.name}, {transport}: {samples} samples, {lost} lost in 2 s")
         assert "$var" in waveform.read_text()
         text = live(address, "--read", "DOOR,GUARD")
         assert text == "DOOR = 1\nGUARD = 1\n", text
@@ -101,12 +59,10 @@ def operate(transport, folder):
         assert "runs another program: other sources" in text, text
         shutil.rmtree(other)
         assert "NOWHERE" in live(address, "--read", "NOWHERE", code=2)
-    with machine("linked_shown", transport, folder) as address:
+    with BOARD.running("linked_shown", transport, folder) as address:
         for words in (["--write", "CNTLOW=42"], ["--force", "LIGHT=1", "--for", "1s"]):
             text = live(address, *words, code=1)
             assert "permits reading only" in text, text
-        with contextlib.suppress(FileNotFoundError):
-            (folder / "link.socket").unlink()
 
 
 def crc(data):
@@ -128,7 +84,7 @@ def hostile(generator):
 
 
 def digest(program, *options):
-    run = subprocess.run(command(program, *COUNTED, *options), capture_output=True, text=True, timeout=250)
+    run = subprocess.run(BOARD.command(program, *COUNTED, *options), capture_output=True, text=True, timeout=250)
     return re.search(r"digest [0-9a-f]{8}", run.stdout + run.stderr).group(0)
 
 
@@ -168,11 +124,11 @@ def attack(folder):
     assert attacked == alone, f"hostile bytes have changed the machine: {attacked}, without a link {alone}"
     # How many there are is the computer's load; tests/link/cost.py has the most that a period takes.
     assert count > 50, f"only {count} bytes were answered: was it attacked?"
-    print(f"{BOARD}: {alone} also while {count} bytes of answers were asked for by hostile frames")
+    print(f"{BOARD.name}: {alone} also while {count} bytes of answers were asked for by hostile frames")
 
 
 with tempfile.TemporaryDirectory() as name:
     FOLDER = pathlib.Path(name)
-    for kind in ("socket", "serial") if BOARD == "riscv" else ("tcp", "serial"):
+    for kind in ("socket", "serial") if BOARD.name == "riscv" else ("tcp", "serial"):
         operate(kind, FOLDER)
     attack(FOLDER)
