@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 #include "tests/driver/run_plcxx.h"
@@ -61,6 +63,19 @@ TEST_F(WhyInTrace, ARecordingNeedNotBeginAtZero) {
   const Ran ran = Ask(Vcd("#5000000\n0a 0b 0c 0d 0e\n#5020000\n1a 1d\n#5100000\n"), "U4A8 --at 5030ms");
   EXPECT_THAT(ran.out, AllOf(StartsWith("U4A8 is 1 at 5030 ms"), HasSubstr("I0A3 is 1: set")));
   EXPECT_THAT(ran.errors, Not(HasSubstr("not that of the trace")));
+}
+
+TEST_F(WhyInTrace, TheJsonHasItsNotesAndDepartures) {
+  const Ran ran = Ask(Vcd("#0\n0a 0b 1c 1d 0e\n#100000\n"), "U4A8 --format json");
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json["notes"], nlohmann::json({"left out of the trace, for the program has no such location: SPEED",
+                                           "the run is not that of the trace: U4A8 (at 0 ms 1 in the trace, 0 in the "
+                                           "run)"}));
+  EXPECT_EQ(json["departures"],
+            nlohmann::json({{{"signal", "U4A8"}, {"timeMs", 0}, {"inTrace", "1"}, {"inRun", "0"}}}));
+  EXPECT_EQ(ran.errors, "");
+  const Ran same = Ask(Vcd("#0\n0a 0b 0c 0d\n#20000\n1a 1d\n#100000\n"), "U4A8 --format json");
+  EXPECT_EQ(nlohmann::json::parse(same.out)["departures"], nlohmann::json::array()) << same;
 }
 
 TEST_F(WhyInTrace, WrongWords) {

@@ -230,28 +230,25 @@ int RunBuild(const BuildSettings& asked) {
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
     const std::string names = compile::TargetNames();
-    PrintUsageError(settings.target.empty() ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
-                                            : "'" + settings.target + "' is no target; there are: " + names);
-    return kWrongUse;
+    return UsageError(settings.target.empty()
+                          ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
+                          : "'" + settings.target + "' is no target; there are: " + names);
   }
   uint64_t clock_hz = 0;
   if (!settings.clock.empty()) {
     const std::optional<uint64_t> clock = measure::ParseClock(settings.clock);
     if (!clock) {
-      PrintUsageError("'--clock " + settings.clock + "' is no frequency: write 168MHz, 32kHz or 16000000");
-      return kWrongUse;
+      return UsageError("'--clock " + settings.clock + "' is no frequency: write 168MHz, 32kHz or 16000000");
     }
     clock_hz = *clock;
   }
   if (clock_hz == 0 && (settings.limits.fast_us || settings.limits.slow_us)) {
-    PrintUsageError("a limit of time needs the processor's clock: --clock 168MHz");
-    return kWrongUse;
+    return UsageError("a limit of time needs the processor's clock: --clock 168MHz");
   }
   const bool limited =
       settings.limits.fast_us || settings.limits.slow_us || settings.limits.stack_bytes || settings.limits.code_bytes;
   if (settings.no_audit && limited) {
-    PrintUsageError("limits are compared with measured figures, which --no-audit leaves out");
-    return kWrongUse;
+    return UsageError("limits are compared with measured figures, which --no-audit leaves out");
   }
 
   ProgressLine progress;

@@ -84,8 +84,7 @@ int WriteScenarios(const review::diff::Diff& diff, const std::string& directory)
   }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;
-  PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
-  return kWrongUse;
+  return UsageError("cannot write '" + failure->path + "': " + failure->reason);
 }
 
 std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, const std::string& format) {
@@ -109,13 +108,11 @@ int RunDiff(const DiffSettings& settings) {
   if (!common) return kWrongUse;
   const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
   if (!time_ms || *time_ms == 0) {
-    PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
-    return kWrongUse;
+    return UsageError("'" + settings.time + "' is no time; write for example 30s");
   }
   std::variant<review::diff::DiffRequests, std::string> resolved = review::diff::ResolveDiff(settings.words, *common);
   if (const auto* const why = std::get_if<std::string>(&resolved)) {
-    PrintUsageError(*why);
-    return kWrongUse;
+    return UsageError(*why);
   }
   auto& requests = std::get<review::diff::DiffRequests>(resolved);
   if (!requests.one_sided.empty()) {
@@ -130,8 +127,7 @@ int RunDiff(const DiffSettings& settings) {
   for (const std::string& pair : settings.same) {
     const size_t equals = pair.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size()) {
-      PrintUsageError("--map takes OLD=NEW, not '" + pair + "'");
-      return kWrongUse;
+      return UsageError("--map takes OLD=NEW, not '" + pair + "'");
     }
     options.same.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
   }

@@ -113,8 +113,7 @@ int RunExplain(const ExplainSettings& settings) {
     page = diag::Explain(code);
     const std::vector<std::string_view> named = CodesNamed(code);
     if (!page && named.size() > 1) {
-      PrintUsageError("'" + code + "' is a code of several dialects: " + support::CommaSeparated(named));
-      return kWrongUse;
+      return UsageError("'" + code + "' is a code of several dialects: " + support::CommaSeparated(named));
     }
     if (!page && named.size() == 1) page = diag::Explain(named.front());
     near = NearCodes(code);
@@ -126,13 +125,11 @@ int RunExplain(const ExplainSettings& settings) {
   }
   if (near.empty() && PrintList(settings.words) > 0) return kDone;
   if (settings.words.size() > 1) {
-    PrintUsageError("no page speaks of all these words; plcxx explain shows all");
-    return kWrongUse;
+    return UsageError("no page speaks of all these words; plcxx explain shows all");
   }
-  PrintUsageError("unknown code '" + code + "'" +
-                  (near.empty() ? ", and no page speaks of it; plcxx explain --list shows all"
-                                : ", did you mean " + support::CommaSeparated(near)));
-  return kWrongUse;
+  return UsageError("unknown code '" + code + "'" +
+                    (near.empty() ? ", and no page speaks of it; plcxx explain --list shows all"
+                                  : ", did you mean " + support::CommaSeparated(near)));
 }
 
 }  // namespace

@@ -70,12 +70,10 @@ int RunInit(const InitSettings& settings) {
   std::error_code error;
   const std::string folder = settings.folder;
   if (!folder.empty() && !fs::is_directory(folder, error)) {
-    PrintUsageError("'" + folder + "' is no folder");
-    return kWrongUse;
+    return UsageError("'" + folder + "' is no folder");
   }
   if (!settings.dialect.empty() && dialects::DialectByName(settings.dialect) == nullptr) {
-    PrintUsageError("unknown dialect '" + settings.dialect + "': choose one of " + compilation::DialectNames());
-    return kWrongUse;
+    return UsageError("unknown dialect '" + settings.dialect + "': choose one of " + compilation::DialectNames());
   }
   const std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
   if (programs.empty()) {
@@ -101,8 +99,7 @@ int RunInit(const InitSettings& settings) {
     }
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (const auto failure = WriteAll({{}, {{path.string(), file.text}}, {}})) {
-      PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
-      return kWrongUse;
+      return UsageError("cannot write '" + failure->path + "': " + failure->reason);
     }
     Say(heading, path.generic_string());
     heading.clear();

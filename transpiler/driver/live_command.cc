@@ -72,11 +72,6 @@ struct LiveSettings {
   bool no_browser = false;
 };
 
-int Wrong(const std::string& text) {
-  PrintUsageError(text);
-  return kWrongUse;
-}
-
 std::string NewToken() {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::random_device device;
@@ -168,7 +163,7 @@ bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& com
     const std::optional<sim::Vcd> trace = ReadWaveform(settings.waveform);
     if (!trace) return false;
     const scenarios::TracedRun run = scenarios::RunOfTrace(compilation, *trace, settings.waveform);
-    PrintHowFarTraced(run, scenarios::Departures(compilation, *trace, run));
+    PrintTraceNotes(TraceNotes(run, scenarios::Departures(compilation, *trace, run)));
     return OpenRun(run.scenario, compilation, session);
   }
   if (!IsScenario(settings.common)) {
@@ -181,9 +176,9 @@ bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& com
 
 /// Serves until a signal comes.
 int Serve(const LiveSettings& settings, live::Service& service, const std::string& name) {
-  if (!CatchSignals()) return Wrong("there are too many open files");
+  if (!CatchSignals()) return UsageError("there are too many open files");
   live::LoadedServer loaded = live::LoadHttpServer(service);
-  if (!loaded.server) return Wrong("there is no web server: " + loaded.reason);
+  if (!loaded.server) return UsageError("there is no web server: " + loaded.reason);
   int port = 0;
   if (settings.port != 0) {
     port = loaded.server->Bind(settings.listen, settings.port);
@@ -195,8 +190,8 @@ int Serve(const LiveSettings& settings, live::Service& service, const std::strin
     }
   }
   if (port == 0) {
-    return Wrong("cannot listen at " + settings.listen +
-                 (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": is it in use?");
+    return UsageError("cannot listen at " + settings.listen +
+                      (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": is it in use?");
   }
   const bool is_local = settings.listen == kLoopback;
   live::GuardOptions guard{.port = port, .token = is_local ? "" : NewToken()};
@@ -248,7 +243,7 @@ int RunLive(const LiveSettings& settings) {
   compilation::Compilation& compilation = *compiled;
   PrintDiagnosticsBeside(compilation, MessagesOf(settings.common));
   if (!compilation.ok()) return ExitCodeOf(compilation);
-  if (!compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
+  if (!compilation.has_program) return UsageError("the sources are data only: there is nothing to run");
   request->progress = nullptr;
   if (IsForTerminal(settings.link)) return RunLink(settings.link, compilation);
 
@@ -270,17 +265,17 @@ int RunLive(const LiveSettings& settings) {
 int RunLiveForOne(LiveSettings settings) {
   NameProject(settings.common);
   if (!settings.waveform.empty() && IsScenario(settings.common)) {
-    return Wrong("a scenario and a trace are named: leave one of them out");
+    return UsageError("a scenario and a trace are named: leave one of them out");
   }
-  if (const std::string wrong = WrongAbout(settings.link); !wrong.empty()) return Wrong(wrong);
+  if (const std::string wrong = WrongAbout(settings.link); !wrong.empty()) return UsageError(wrong);
   if (!settings.link.address.empty() && (!settings.waveform.empty() || IsScenario(settings.common))) {
-    return Wrong("a machine runs what it runs: leave the scenario or the trace out, or --link");
+    return UsageError("a machine runs what it runs: leave the scenario or the trace out, or --link");
   }
   if (!settings.link.address.empty() && (!settings.plant.empty() || !settings.panel.empty())) {
-    return Wrong("the machine itself is around the program: leave --plant and --panel out, or --link");
+    return UsageError("the machine itself is around the program: leave --plant and --panel out, or --link");
   }
   if (settings.common.all || settings.common.program_names.size() > 1) {
-    return Wrong("live shows one program: name it with --program");
+    return UsageError("live shows one program: name it with --program");
   }
   return RunForPrograms(settings, RunLive);
 }

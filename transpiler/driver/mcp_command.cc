@@ -32,13 +32,11 @@ int RunMcp(const McpSettings& settings) {
   std::error_code error;
   const fs::path folder = fs::canonical(settings.folder, error);
   if (error || !fs::is_directory(folder)) {
-    PrintUsageError("'" + settings.folder + "' is no folder");
-    return kWrongUse;
+    return UsageError("'" + settings.folder + "' is no folder");
   }
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   if (error) {
-    PrintUsageError("this system does not tell where plcxx itself is");
-    return kWrongUse;
+    return UsageError("this system does not tell where plcxx itself is");
   }
   return mcp::Serve({.plcxx = self.string(), .folder = folder.string(), .most_seconds = settings.most_seconds});
 }

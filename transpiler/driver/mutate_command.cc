@@ -82,11 +82,6 @@ std::optional<std::vector<ProgramScenarios>> ReadScenarios(const std::vector<std
   return programs;
 }
 
-int Wrong(const std::string& text) {
-  PrintUsageError(text);
-  return kWrongUse;
-}
-
 /// Of one program; what is found is added to `documents`, or printed.
 int MutateProgram(ProgramScenarios& program, const MutateSettings& settings, nlohmann::json& documents) {
   ProgressLine progress;
@@ -130,7 +125,7 @@ int RunMutate(MutateSettings settings) {
   std::optional<std::vector<ProgramScenarios>> programs = ReadScenarios(chosen->paths, settings);
   if (!programs) return kWrongUse;
   if (programs->empty())
-    return Wrong("none of the scenarios runs a program: there is nothing that could notice a change");
+    return UsageError("none of the scenarios runs a program: there is nothing that could notice a change");
   nlohmann::json documents = nlohmann::json::array();
   int code = kDone;
   for (ProgramScenarios& program : *programs) {

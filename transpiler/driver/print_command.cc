@@ -152,8 +152,7 @@ int RunPrintOf(const PrintSettings& settings) {
     return kDone;
   }
   if (PhaseByName(settings.phase) == nullptr) {
-    PrintUsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
-    return kWrongUse;
+    return UsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
   }
   return RunForPrograms(settings, RunPrint);
 }

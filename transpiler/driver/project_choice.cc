@@ -92,8 +92,7 @@ std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& optio
 int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command) {
   if (!options.sources.empty()) {
     if (!NamesProject(options)) return command(options);
-    PrintUsageError("sources and a project are named: leave one of them out");
-    return kWrongUse;
+    return UsageError("sources and a project are named: leave one of them out");
   }
   CommonOptions own = options;
   const std::optional<std::vector<project::Program>> programs = ChoosePrograms(own);

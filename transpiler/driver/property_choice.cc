@@ -56,8 +56,7 @@ int ReadProperties(const ChosenProperties& chosen, const CommonOptions& options,
   for (const std::string& path : chosen.files) {
     const std::optional<std::string> text = support::ReadFile(path);
     if (!text) {
-      PrintUsageError("cannot read '" + path + "'");
-      return kWrongUse;
+      return UsageError("cannot read '" + path + "'");
     }
     add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources, compilation.diagnostics));
   }

@@ -80,7 +80,7 @@ class Prove {
 
   int Run() {
     const std::optional<uint64_t> time = Milliseconds(settings_.time);
-    if (!time) return Wrong("'--time " + settings_.time + "' is no time: write it as in 60s, 500ms or 5min");
+    if (!time) return UsageError("'--time " + settings_.time + "' is no time: write it as in 60s, 500ms or 5min");
     options_.time_ms = *time;
     options_.most_periods = settings_.most_periods;
     if (settings_.any_retentive) options_.retentive = prove::properties::RetentiveMemory::kAny;
@@ -88,10 +88,10 @@ class Prove {
     request_ = chosen_.request;
     if (!settings_.common.program && IsScenario(settings_.common) && chosen_.scenarios.back().properties.empty() &&
         settings_.files.empty()) {
-      return Wrong(chosen_.scenarios.back().path + ": no 'properties': there is nothing to prove");
+      return UsageError(chosen_.scenarios.back().path + ": no 'properties': there is nothing to prove");
     }
     if (chosen_.scenarios.empty() && chosen_.files.empty()) {
-      return Wrong(
+      return UsageError(
           "there is nothing to prove: name a file of properties with --property, a scenario that has some, or "
           "'properties' in plcxx.yaml");
     }
@@ -101,7 +101,8 @@ class Prove {
       PrintDiagnosticsBeside(compilation, MessagesOf(settings_.common));
       return ExitCodeOf(compilation);
     }
-    if (!compilation.has_program) return Wrong("the sources are data only: there is no program to prove anything of");
+    if (!compilation.has_program)
+      return UsageError("the sources are data only: there is no program to prove anything of");
     if (const int code = ReadProperties(chosen_, settings_.common, machine_, properties_); code != kDone) return code;
     for (const scenarios::PlacedProperty& placed : properties_) scenarios::NameLocationsOf(placed.property, machine_);
     progress_.Show("executing");
@@ -118,19 +119,13 @@ class Prove {
     };
     prove::properties::PropertyChecker checker(machine_.version, options_);
     if (!checker.refusal().empty()) {
-      PrintUsageError("nothing can be proved: " + checker.refusal());
-      return kWrongUse;
+      return UsageError("nothing can be proved: " + checker.refusal());
     }
     for (scenarios::PlacedProperty& placed : properties_) Check(checker, std::move(placed));
     return Finish();
   }
 
  private:
-  static int Wrong(const std::string& text) {
-    PrintUsageError(text);
-    return kWrongUse;
-  }
-
   review::properties::ScenarioPlace PlaceOfNext() const {
     return {.directory = settings_.counterexamples, .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml"};
   }
@@ -175,7 +170,7 @@ class Prove {
     }
     if (!output.files.empty()) {
       if (const std::optional<WriteFailure> failure = WriteAll(output)) {
-        return Wrong("cannot write '" + failure->path + "': " + failure->reason);
+        return UsageError("cannot write '" + failure->path + "': " + failure->reason);
       }
     }
     for (const ProvedProperty& proved : proved_) {

@@ -240,8 +240,7 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
   if (!compiled) return kWrongUse;
   compilation::Compilation& compilation = *compiled;
   if (compilation.ok() && !compilation.has_program) {
-    PrintUsageError("the sources are data only: there is no program to report of");
-    return kWrongUse;
+    return UsageError("the sources are data only: there is no program to report of");
   }
   std::string text;
   if (compilation.ok()) {
@@ -296,8 +295,7 @@ int RunReport(const ReportOptions& options) {
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(options.common, options.output);
   if (!request) return kWrongUse;
   if (options.wants_table() && options.ladder) {
-    PrintUsageError("--ladder writes pictures: not together with a table");
-    return kWrongUse;
+    return UsageError("--ladder writes pictures: not together with a table");
   }
   if (options.ladder_text) return PrintLadder(options, *request);
   if (!options.wants_table()) return WritePage(options, *request);

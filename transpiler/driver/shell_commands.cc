@@ -30,8 +30,7 @@ Exit codes: 0 shown or written, 2 no such command.)";
 int PrintCompletion(CLI::App& app, const std::string& shell) {
   const std::optional<std::string> script = CompletionScript(shell, CommandTable(app));
   if (!script) {
-    PrintUsageError("'" + shell + "' is no shell that plcxx knows: bash, zsh, fish");
-    return kWrongUse;
+    return UsageError("'" + shell + "' is no shell that plcxx knows: bash, zsh, fish");
   }
   std::cout << *script;
   return kDone;
@@ -61,12 +60,10 @@ int PrintManual(CLI::App& app, const std::string& name, const std::string& folde
     output.files.push_back({PathIn(folder, file), ManualPage(command, table)});
   }
   if (folder.empty()) {
-    PrintUsageError("'" + name + "' is no command of plcxx");
-    return kWrongUse;
+    return UsageError("'" + name + "' is no command of plcxx");
   }
   if (const auto failure = WriteAll(output)) {
-    PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
-    return kWrongUse;
+    return UsageError("cannot write '" + failure->path + "': " + failure->reason);
   }
   return kDone;
 }

@@ -88,20 +88,17 @@ int RunSim(const SimSettings& settings) {
   if (!compilation.ok()) return ExitCodeOf(compilation);
 
   if (!settings.waveform.empty() && settings.words.watch.empty()) {
-    PrintUsageError("--vcd needs locations to --watch");
-    return kWrongUse;
+    return UsageError("--vcd needs locations to --watch");
   }
   const auto planned = PlanSimulation(settings.words, compilation);
   if (const auto* problem = std::get_if<std::string>(&planned)) {
-    PrintUsageError(*problem);
-    return kWrongUse;
+    return UsageError(*problem);
   }
   const SimPlan& plan = std::get<SimPlan>(planned);
   const auto plant = ChoosePlant(settings.plant, settings.common, compilation);
   if (!plant) return kWrongUse;
   if (const std::string driven = SetOfDriven(plan, plant->get()); !driven.empty()) {
-    PrintUsageError(driven);
-    return kWrongUse;
+    return UsageError(driven);
   }
 
   std::map<std::string, std::string> options = compilation.options;
@@ -117,8 +114,7 @@ int RunSim(const SimSettings& settings) {
   if (!settings.waveform.empty()) {
     const OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
     if (const auto failure = WriteAll(output)) {
-      PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
-      return kWrongUse;
+      return UsageError("cannot write '" + failure->path + "': " + failure->reason);
     }
   }
   PrintOutcome(settings, plan, outcome);

@@ -59,11 +59,6 @@ struct SoakSettings {
   uint64_t seed = 1;
 };
 
-int Wrong(const std::string& text) {
-  PrintUsageError(text);
-  return kWrongUse;
-}
-
 /// As in 90s, 10min or 100h.
 std::optional<uint64_t> LengthMs(const std::string& text) {
   if (!text.ends_with('h')) return ParseDuration(text);
@@ -99,18 +94,20 @@ std::optional<Shard> ShardOf(const std::string& text) {
 int RunSoak(const SoakSettings& settings) {
   const std::optional<uint64_t> length = LengthMs(settings.length);
   if (!length || *length == 0) {
-    return Wrong("'--for " + settings.length + "' is no time: write it as in 100h, 30min or 90s");
+    return UsageError("'--for " + settings.length + "' is no time: write it as in 100h, 30min or 90s");
   }
   std::optional<uint64_t> time_ms;
   if (!settings.time.empty()) {
     time_ms = LengthMs(settings.time);
-    if (!time_ms || *time_ms == 0) return Wrong("'--time " + settings.time + "' is no time: write it as in 60s or 8h");
+    if (!time_ms || *time_ms == 0)
+      return UsageError("'--time " + settings.time + "' is no time: write it as in 60s or 8h");
   }
   const std::optional<Shard> shard = ShardOf(settings.shard);
-  if (!shard) return Wrong("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
+  if (!shard)
+    return UsageError("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
   if (shard->count > settings.machines) {
-    return Wrong("--shard " + settings.shard + ": there are " + std::to_string(settings.machines) +
-                 " machines to be split; --machines gives more");
+    return UsageError("--shard " + settings.shard + ": there are " + std::to_string(settings.machines) +
+                      " machines to be split; --machines gives more");
   }
 
   ChosenProperties chosen;
@@ -128,7 +125,7 @@ int RunSoak(const SoakSettings& settings) {
     PrintDiagnosticsBeside(machine.compilation, MessagesOf(settings.common));
     return ExitCodeOf(machine.compilation);
   }
-  if (!machine.compilation.has_program) return Wrong("the sources are data only: there is nothing to run");
+  if (!machine.compilation.has_program) return UsageError("the sources are data only: there is nothing to run");
   machine.version = prove::machine::MakeVersion(machine.compilation.program);
   machine.timing = scenarios::TimingOf(machine.compilation.program);
   std::vector<scenarios::PlacedProperty> placed;
@@ -145,7 +142,7 @@ int RunSoak(const SoakSettings& settings) {
   const auto plant = ChoosePlant(named, settings.common, machine.compilation);
   if (!plant) return kWrongUse;
   if (settings.plant == kOfProject && !*plant) {
-    return Wrong("--plant project: the plcxx.yaml here names no plant; write 'plant: FILE' into it");
+    return UsageError("--plant project: the plcxx.yaml here names no plant; write 'plant: FILE' into it");
   }
 
   progress.Show("inputs");
@@ -202,8 +199,8 @@ int RunSoak(const SoakSettings& settings) {
 
 int RunSoakOrMerge(SoakSettings settings) {
   if (!settings.merge.empty()) {
-    if (settings.common.sources.empty()) return Wrong("--merge: name the folders that are to be merged");
-    if (!settings.directory.empty()) return Wrong("--merge names the folder that is written: leave -o out");
+    if (settings.common.sources.empty()) return UsageError("--merge: name the folders that are to be merged");
+    if (!settings.directory.empty()) return UsageError("--merge names the folder that is written: leave -o out");
     return MergeSoaks(settings.merge, settings.common.sources, settings.form);
   }
   NameProject(settings.common);

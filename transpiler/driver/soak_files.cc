@@ -107,8 +107,7 @@ int MergeSoaks(const std::string& directory, const std::vector<std::string>& fro
     const std::string path = PathBelow(folder, kSoakRecord);
     const std::optional<std::string> text = support::ReadFile(path);
     if (!text) {
-      PrintUsageError("cannot read '" + path + "': is '" + folder + "' a folder that plcxx soak -o wrote?");
-      return kWrongUse;
+      return UsageError("cannot read '" + path + "': is '" + folder + "' a folder that plcxx soak -o wrote?");
     }
     std::variant<soak::Record, std::string> read = soak::ReadRecord(*text);
     std::string wrong;
@@ -120,8 +119,7 @@ int MergeSoaks(const std::string& directory, const std::vector<std::string>& fro
       wrong = soak::AddRecord(*merged, std::get<soak::Record>(read));
     }
     if (!wrong.empty()) {
-      PrintUsageError("cannot merge '" + path + "': " + wrong);
-      return kWrongUse;
+      return UsageError("cannot merge '" + path + "': " + wrong);
     }
   }
   std::vector<emit::OutputFile> files;

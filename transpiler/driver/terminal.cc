@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/exit_codes.h"
 
 namespace plcxx::driver {
 namespace {
@@ -37,6 +38,11 @@ std::optional<unsigned> TerminalWidth(Stream stream) {
 }
 
 void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << diag::EscapedLines(text) << '\n'; }
+
+int UsageError(std::string_view text) {
+  PrintUsageError(text);
+  return kWrongUse;
+}
 
 ProgressLine::ProgressLine()
     : terminal_(isatty(STDERR_FILENO) != 0 && EnvironmentValue("TERM") != "dumb"),

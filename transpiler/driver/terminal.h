@@ -21,6 +21,9 @@ std::optional<unsigned> TerminalWidth(Stream stream);
 /// "plcxx: error: <text>" on standard error: faults of the command line, which have no place in a source.
 void PrintUsageError(std::string_view text);
 
+/// Prints it; the exit code of a usage error, for commands that end with it.
+int UsageError(std::string_view text);
+
 /// One line on standard error that names the phase at work; nothing unless standard error is a terminal and the work
 /// has taken longer than a moment. Erases itself.
 class ProgressLine {

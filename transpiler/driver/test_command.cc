@@ -106,8 +106,7 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
   }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;
-  PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
-  return kWrongUse;
+  return UsageError("cannot write '" + failure->path + "': " + failure->reason);
 }
 
 /// None when the command line is wrong; reported.
@@ -132,8 +131,7 @@ int RunTest(const TestSettings& asked) {
   if (settings.compiler.empty()) settings.compiler = chosen->host_compiler;
   const std::vector<std::string>& paths = chosen->paths;
   if (!settings.waveform.empty() && paths.size() > 1) {
-    PrintUsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
-    return kWrongUse;
+    return UsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
   }
   const std::optional<scenarios::SuiteOptions> options = MakeOptions(settings);
   if (!options) return kWrongUse;

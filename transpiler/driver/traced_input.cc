@@ -30,17 +30,25 @@ std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
   return std::get<sim::Vcd>(std::move(read));
 }
 
-void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures) {
-  const auto note = [](const std::string& text) { std::cerr << "note: " << diag::Escaped(text) << "\n"; };
-  if (!run.left_out.empty())
-    note("left out of the trace, for the program has no such location: " + support::Listed(run.left_out, kMaxNamed));
-  if (run.inputs.empty()) note("the trace has no input of the program: nothing is set");
+std::vector<std::string> TraceNotes(const scenarios::TracedRun& run,
+                                    const std::vector<scenarios::Departure>& departures) {
+  std::vector<std::string> notes;
+  if (!run.left_out.empty()) {
+    notes.push_back("left out of the trace, for the program has no such location: " +
+                    support::Listed(run.left_out, kMaxNamed));
+  }
+  if (run.inputs.empty()) notes.emplace_back("the trace has no input of the program: nothing is set");
   std::vector<std::string> texts;
   for (const scenarios::Departure& departure : departures) {
     texts.push_back(departure.name + " (at " + std::to_string(departure.time_ms) + " ms " + departure.traced +
                     " in the trace, " + departure.run + " in the run)");
   }
-  if (!texts.empty()) note("the run is not that of the trace: " + support::Listed(texts, kMaxNamed));
+  if (!texts.empty()) notes.push_back("the run is not that of the trace: " + support::Listed(texts, kMaxNamed));
+  return notes;
+}
+
+void PrintTraceNotes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::cerr << "note: " << diag::Escaped(note) << "\n";
 }
 
 }  // namespace plcxx::driver

@@ -13,7 +13,10 @@ namespace plcxx::driver {
 /// None: it cannot be read, which is reported.
 std::optional<sim::Vcd> ReadWaveform(const std::string& path);
 
-/// What of the trace was not taken, and where the run is another one: to standard error, for it is about the question.
-void PrintHowFarTraced(const scenarios::TracedRun& run, const std::vector<scenarios::Departure>& departures);
+/// What of the trace was not taken, and where the run is another one: a sentence each.
+std::vector<std::string> TraceNotes(const scenarios::TracedRun& run,
+                                    const std::vector<scenarios::Departure>& departures);
+/// To standard error, for they are about the question.
+void PrintTraceNotes(const std::vector<std::string>& notes);
 
 }  // namespace plcxx::driver

@@ -366,13 +366,11 @@ bool Verification::Run() {
 int RunVerify(const VerifySettings& settings) {
   const std::optional<uint64_t> routine_ms = ParseDuration(settings.time);
   if (!routine_ms || *routine_ms == 0) {
-    PrintUsageError("'" + settings.time + "' is no time; write for example 30s");
-    return kWrongUse;
+    return UsageError("'" + settings.time + "' is no time; write for example 30s");
   }
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
-    PrintUsageError("'" + settings.target + "' is no target; there are: " + compile::TargetNames());
-    return kWrongUse;
+    return UsageError("'" + settings.target + "' is no target; there are: " + compile::TargetNames());
   }
   OutputOptions names;
   names.name = settings.name;

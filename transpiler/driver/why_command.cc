@@ -60,11 +60,6 @@ struct WhySettings {
   bool can = false;
 };
 
-int Wrong(const std::string& text) {
-  PrintUsageError(text);
-  return kWrongUse;
-}
-
 std::optional<dialects::Location> Locate(const WhySettings& settings, const compilation::Compilation& compilation) {
   const std::optional<dialects::Location> location =
       compilation.dialect->locate(ir::NameIndex(compilation.program), settings.signal);
@@ -116,7 +111,8 @@ struct Asked {
   const compilation::Compilation& compilation;
   const scenarios::Scenario& scenario;
   std::optional<uint64_t> time_ms;
-  uint64_t origin_ms = 0;  // what the run's time 0 is for the user
+  uint64_t origin_ms = 0;                  // what the run's time 0 is for the user
+  const TraceComparison* trace = nullptr;  // null: the run is no trace's
 };
 
 int Answer(const WhySettings& settings, const Asked& asked, ProgressLine& progress) {
@@ -135,7 +131,7 @@ int Answer(const WhySettings& settings, const Asked& asked, ProgressLine& progre
   scenarios::ShiftTimes(answer, asked.origin_ms);
   progress.Clear();
   if (settings.form == "json") {
-    std::cout << WhyJson(answer, question, asked.compilation);
+    std::cout << WhyJson(answer, question, asked.compilation, asked.trace);
   } else {
     std::cout << diag::EscapedLines(scenarios::WhyText(answer, question, asked.compilation, kMaxLines));
   }
@@ -170,8 +166,8 @@ int WhyInTrace(const WhySettings& settings) {
   const std::optional<sim::Vcd> trace = ReadWaveform(settings.waveform);
   if (!trace) return kWrongUse;
   if (time_ms && (*time_ms < trace->first_ms || *time_ms > trace->last_ms)) {
-    return Wrong("--at " + settings.at + ": the trace has the times " + std::to_string(trace->first_ms) + " to " +
-                 std::to_string(trace->last_ms) + " ms");
+    return UsageError("--at " + settings.at + ": the trace has the times " + std::to_string(trace->first_ms) + " to " +
+                      std::to_string(trace->last_ms) + " ms");
   }
   std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
@@ -185,12 +181,15 @@ int WhyInTrace(const WhySettings& settings) {
     return ExitCodeOf(*compiled);
   }
   const scenarios::TracedRun run = scenarios::RunOfTrace(*compiled, *trace, settings.waveform);
-  PrintHowFarTraced(run, scenarios::Departures(*compiled, *trace, run));
+  TraceComparison compared{.departures = scenarios::Departures(*compiled, *trace, run), .notes = {}};
+  compared.notes = TraceNotes(run, compared.departures);
+  if (settings.form != "json") PrintTraceNotes(compared.notes);
   return Answer(settings,
                 {.compilation = *compiled,
                  .scenario = run.scenario,
                  .time_ms = time_ms.value_or(trace->last_ms) - run.begins_ms,
-                 .origin_ms = run.begins_ms},
+                 .origin_ms = run.begins_ms,
+                 .trace = &compared},
                 progress);
 }
 
@@ -198,7 +197,7 @@ int WhyInTrace(const WhySettings& settings) {
 int WhetherItCan(const WhySettings& settings) {
   const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
   if (!time_ms || *time_ms == 0)
-    return Wrong("'--time " + settings.time + "' is no time: write it as in 500ms, 60s or 5min");
+    return UsageError("'--time " + settings.time + "' is no time: write it as in 500ms, 60s or 5min");
   std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return kWrongUse;
   if (!settings.scenario.empty()) {
@@ -221,7 +220,7 @@ int WhetherItCan(const WhySettings& settings) {
   const prove::properties::Properties parsed = prove::properties::ParseProperties(
       text,
       scenarios::PropertyContextOf(*compilation.dialect, compilation.program, machine.version.cells, machine.timing));
-  if (parsed.properties.empty()) return Wrong("'" + settings.signal + "' cannot be proved anything of");
+  if (parsed.properties.empty()) return UsageError("'" + settings.signal + "' cannot be proved anything of");
   const prove::properties::Property& property = parsed.properties.front();
   scenarios::NameLocationsOf(property, machine);
 
@@ -238,7 +237,7 @@ int WhetherItCan(const WhySettings& settings) {
   };
   options.progress = [&progress](const std::string& what) { progress.Show(what); };
   prove::properties::PropertyChecker checker(machine.version, std::move(options));
-  if (!checker.refusal().empty()) return Wrong("nothing can be proved: " + checker.refusal());
+  if (!checker.refusal().empty()) return UsageError("nothing can be proved: " + checker.refusal());
   answer.result = checker.Check(property);
   progress.Clear();
   std::cout << (settings.form == "json" ? CanJson(answer) : CanText(answer));
@@ -247,16 +246,17 @@ int WhetherItCan(const WhySettings& settings) {
 
 int RunWhy(const WhySettings& settings) {
   if (!settings.waveform.empty() && (settings.can || settings.step || !settings.scenario.empty())) {
-    return Wrong("--vcd names a state by its trace and --at: leave --scenario, --step and --can out");
+    return UsageError("--vcd names a state by its trace and --at: leave --scenario, --step and --can out");
   }
   if (!settings.waveform.empty()) return RunForPrograms(settings, WhyInTrace);
   if (settings.can && (settings.step || !settings.at.empty())) {
-    return Wrong("--can asks about all states: leave --step and --at out");
+    return UsageError("--can asks about all states: leave --step and --at out");
   }
-  if (settings.step && !settings.at.empty()) return Wrong("--step and --at both name a state: leave one of them out");
+  if (settings.step && !settings.at.empty())
+    return UsageError("--step and --at both name a state: leave one of them out");
   if (!settings.can) {
     if (settings.scenario.empty()) {
-      return Wrong(
+      return UsageError(
           "why is asked of a state: name a scenario with --scenario FILE or a trace with --vcd FILE, or ask with --can "
           "whether '" +
           settings.signal + "' can be on at all");

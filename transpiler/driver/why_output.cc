@@ -84,7 +84,7 @@ std::string RunOf(const CanAnswer& answer) {
 }  // namespace
 
 std::string WhyJson(const scenarios::WhyAnswer& answer, const scenarios::WhyQuestion& question,
-                    const compilation::Compilation& compilation) {
+                    const compilation::Compilation& compilation, const TraceComparison* trace) {
   Json json;
   json["signal"] = question.name;
   json["value"] = answer.value;
@@ -93,6 +93,16 @@ std::string WhyJson(const scenarios::WhyAnswer& answer, const scenarios::WhyQues
   if (!answer.failure.empty()) json["failure"] = answer.failure;
   json["conditions"] = Json::array();
   for (const Condition& condition : answer.conditions) json["conditions"].push_back(JsonOf(condition, compilation));
+  if (trace != nullptr) {
+    json["notes"] = trace->notes;
+    json["departures"] = Json::array();
+    for (const scenarios::Departure& departure : trace->departures) {
+      json["departures"].push_back({{"signal", departure.name},
+                                    {"timeMs", departure.time_ms},
+                                    {"inTrace", departure.traced},
+                                    {"inRun", departure.run}});
+    }
+  }
   return Dump(json);
 }
 
