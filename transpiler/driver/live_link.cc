@@ -46,7 +46,7 @@ struct Linked {
 class LinkSession {
  public:
   LinkSession(const LinkWords& words, const compilation::Compilation& compilation)
-      : words_(words), compilation_(compilation) {}
+      : words_(words), compilation_(compilation), names_(compilation.program) {}
 
   int Run();
 
@@ -66,10 +66,6 @@ class LinkSession {
     return scenarios::FittingField(linked.location, debug_link::ValueOf(linked.cells, bytes));
   }
 
-  int Wrong(const std::string& text) const {
-    PrintUsageError(text);
-    return kWrongUse;
-  }
   int Refused(const std::string& text) const {
     std::cerr << "plcxx: " << words_.address << ": " << text << "\n";
     return kProgramHasErrors;
@@ -77,6 +73,7 @@ class LinkSession {
 
   const LinkWords& words_;
   const compilation::Compilation& compilation_;
+  const ir::NameIndex names_;
   std::unique_ptr<debug_link::Transport> transport_;
   std::optional<debug_link::Client> client_;
   debug_link::LinkedProgram program_;
@@ -93,12 +90,12 @@ class LinkSession {
 };
 
 bool LinkSession::Locate(std::string_view name, Linked& linked) {
-  auto found = live::FindLocation(compilation_, name);
-  if (const auto* reason = std::get_if<std::string>(&found)) return Wrong(*reason), false;
+  auto found = live::FindLocation(*compilation_.dialect, names_, name);
+  if (const auto* reason = std::get_if<std::string>(&found)) return UsageError(*reason), false;
   linked.name = name;
   linked.location = std::get<dialects::Location>(std::move(found));
   if (const std::string reason = live::CannotBeForced(compilation_, linked.location); !reason.empty()) {
-    return Wrong("'" + linked.name + "' is not in the machine's State: " + reason), false;
+    return UsageError("'" + linked.name + "' is not in the machine's State: " + reason), false;
   }
   return true;
 }
@@ -113,11 +110,12 @@ bool LinkSession::FindPlaces(const std::vector<std::string>& names, std::vector<
 bool LinkSession::FindValues(const std::vector<std::string>& assignments, std::vector<Linked>& found) {
   for (const std::string& assignment : assignments) {
     const size_t equals = assignment.find('=');
-    if (equals == std::string::npos) return Wrong("'" + assignment + "' has no value: write LOCATION=VALUE"), false;
+    if (equals == std::string::npos)
+      return UsageError("'" + assignment + "' has no value: write LOCATION=VALUE"), false;
     Linked& linked = found.emplace_back();
     if (!Locate(std::string_view(assignment).substr(0, equals), linked)) return false;
     const auto value = live::FindValue(compilation_, linked.location, std::string_view(assignment).substr(equals + 1));
-    if (const auto* reason = std::get_if<std::string>(&value)) return Wrong(linked.name + ": " + *reason), false;
+    if (const auto* reason = std::get_if<std::string>(&value)) return UsageError(linked.name + ": " + *reason), false;
     linked.value = std::get<uint64_t>(value);
   }
   return true;
@@ -128,7 +126,7 @@ bool LinkSession::FindAll() {
       !FindValues(words_.force, forced_)) {
     return false;
   }
-  if (watched_.size() > kMostWatched) return Wrong("16 locations can be watched at a time"), false;
+  if (watched_.size() > kMostWatched) return UsageError("16 locations can be watched at a time"), false;
   return true;
 }
 
@@ -213,7 +211,8 @@ int LinkSession::Follow() {
 int LinkSession::Save() {
   if (words_.waveform.empty() || !trace_) return kDone;
   const OutputRequest output{{}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, {}};
-  if (const auto failure = WriteAll(output)) return Wrong("cannot write '" + failure->path + "': " + failure->reason);
+  if (const auto failure = WriteAll(output))
+    return UsageError("cannot write '" + failure->path + "': " + failure->reason);
   return kDone;
 }
 
@@ -255,7 +254,7 @@ int LinkSession::Run() {
   if (!FindAll()) return kWrongUse;
   if (!words_.duration.empty()) {
     const std::optional<uint64_t> ms = ParseDuration(words_.duration);
-    if (!ms) return Wrong("'" + words_.duration + "' is no time; write for example 30s");
+    if (!ms) return UsageError("'" + words_.duration + "' is no time; write for example 30s");
     lasts_ = milliseconds(*ms);
   }
   if (!Connect()) return kProgramHasErrors;

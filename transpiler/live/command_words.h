@@ -58,6 +58,11 @@ class Words {
     return texts;
   }
   const std::string& wrong() const { return wrong_; }
+  /// What the command does when all its words are as they should be; else which is not.
+  template <class Action>
+  Refusal IfRight(const Action& action) const {
+    return wrong_.empty() ? action() : wrong_;
+  }
 
  private:
   template <class T>

@@ -21,13 +21,6 @@ struct Context {
   Json answer;
 };
 
-/// Does what the words say; not when one of them is wrong.
-#define PLCXX_WITH_WORDS(...)                                           \
-  do {                                                                  \
-    if (!(context.words.wrong().empty())) return context.words.wrong(); \
-    return __VA_ARGS__;                                                 \
-  } while (false)
-
 ir::StatementId StatementIn(Context& context) {
   const size_t count = context.session.program().statements.size();
   return ir::StatementId(static_cast<uint32_t>(context.words.Number("statement", count == 0 ? 0 : count - 1)));
@@ -86,7 +79,7 @@ Refusal SaveCommand(Context& context) {
 
 Refusal TriggerCommand(Context& context) {
   const Session::TriggerWish wish = TriggerWishOf(context.words);
-  PLCXX_WITH_WORDS(context.session.Arm(wish));
+  return context.words.IfRight([&] { return context.session.Arm(wish); });
 }
 
 struct CommandRow {
@@ -106,19 +99,19 @@ constexpr CommandRow kCommands[] = {
     {"speed",
      [](Context& context) -> Refusal {
        const double times = context.words.Real("times");
-       PLCXX_WITH_WORDS(context.session.SetSpeed(times));
+       return context.words.IfRight([&] { return context.session.SetSpeed(times); });
      }},
     {"step", StepCommand},
     {"back",
      [](Context& context) -> Refusal {
        const uint64_t periods = context.words.Number("periods", kMostBack);
-       PLCXX_WITH_WORDS(context.session.Back(periods));
+       return context.words.IfRight([&] { return context.session.Back(periods); });
      }},
     {"backStatement", [](Context& context) { return context.session.BackStatement(); }},
     {"goTo",
      [](Context& context) -> Refusal {
        const uint64_t period = context.words.Number("period", uint64_t{1} << 53);
-       PLCXX_WITH_WORDS(context.session.GoTo(period));
+       return context.words.IfRight([&] { return context.session.GoTo(period); });
      }},
     {"restart",
      [](Context& context) {
@@ -128,45 +121,45 @@ constexpr CommandRow kCommands[] = {
     {"set",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name"), value = context.words.Text("value");
-       PLCXX_WITH_WORDS(context.session.Set(name, value));
+       return context.words.IfRight([&] { return context.session.Set(name, value); });
      }},
     {"toggle",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       PLCXX_WITH_WORDS(context.session.Toggle(name));
+       return context.words.IfRight([&] { return context.session.Toggle(name); });
      }},
     {"panelPress",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
-       PLCXX_WITH_WORDS(context.session.PressPanel(control));
+       return context.words.IfRight([&] { return context.session.PressPanel(control); });
      }},
     {"panelRelease",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
-       PLCXX_WITH_WORDS(context.session.ReleasePanel(control));
+       return context.words.IfRight([&] { return context.session.ReleasePanel(control); });
      }},
     {"panelTurn",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
        const uint64_t position = context.words.Number("position", kMostNumber);
-       PLCXX_WITH_WORDS(context.session.TurnPanel(control, position));
+       return context.words.IfRight([&] { return context.session.TurnPanel(control, position); });
      }},
     {"force",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name"), value = context.words.Text("value");
-       PLCXX_WITH_WORDS(context.session.Force(name, value));
+       return context.words.IfRight([&] { return context.session.Force(name, value); });
      }},
     {"release",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       PLCXX_WITH_WORDS(context.session.Release(name));
+       return context.words.IfRight([&] { return context.session.Release(name); });
      }},
     {"releaseAll", [](Context& context) { return context.session.ReleaseAll(); }},
     {"switch",
      [](Context& context) -> Refusal {
        const ir::StatementId statement = StatementIn(context);
        const bool on = context.words.Truth("on");
-       PLCXX_WITH_WORDS(context.session.SwitchStatement(statement, on));
+       return context.words.IfRight([&] { return context.session.SwitchStatement(statement, on); });
      }},
     {"switchAllOn", [](Context& context) { return context.session.SwitchAllOn(); }},
     {"powerOff", [](Context& context) { return context.session.PowerOff(); }},
@@ -175,32 +168,32 @@ constexpr CommandRow kCommands[] = {
      [](Context& context) -> Refusal {
        const ir::StatementId statement = StatementIn(context);
        const bool on = context.words.Truth("on");
-       PLCXX_WITH_WORDS(context.session.BreakAtStatement(statement, on));
+       return context.words.IfRight([&] { return context.session.BreakAtStatement(statement, on); });
      }},
     {"breakChange",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       PLCXX_WITH_WORDS(context.session.BreakAtChange(name));
+       return context.words.IfRight([&] { return context.session.BreakAtChange(name); });
      }},
     {"breakCondition",
      [](Context& context) -> Refusal {
        const std::string text = context.words.Text("text");
-       PLCXX_WITH_WORDS(context.session.BreakAtCondition(text));
+       return context.words.IfRight([&] { return context.session.BreakAtCondition(text); });
      }},
     {"breakRemove",
      [](Context& context) -> Refusal {
        const uint64_t number = context.words.Number("number", kMostNumber);
-       PLCXX_WITH_WORDS(context.session.RemoveBreakpoint(static_cast<uint32_t>(number)));
+       return context.words.IfRight([&] { return context.session.RemoveBreakpoint(static_cast<uint32_t>(number)); });
      }},
     {"watch",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       PLCXX_WITH_WORDS(context.session.Watch(name));
+       return context.words.IfRight([&] { return context.session.Watch(name); });
      }},
     {"unwatch",
      [](Context& context) -> Refusal {
        const uint64_t number = context.words.Number("number", kMostWatched);
-       PLCXX_WITH_WORDS(context.session.Unwatch(number));
+       return context.words.IfRight([&] { return context.session.Unwatch(number); });
      }},
     {"trigger", TriggerCommand},
     {"triggerOff",
@@ -212,13 +205,12 @@ constexpr CommandRow kCommands[] = {
     {"expect",
      [](Context& context) -> Refusal {
        const std::vector<std::string> names = context.words.Texts("names", kMostNotes);
-       PLCXX_WITH_WORDS(context.session.Expect(names));
+       return context.words.IfRight([&] { return context.session.Expect(names); });
      }},
     {"expectMessages", [](Context& context) { return context.session.ExpectMessages(); }},
     {"scenario", ScenarioCommand},
     {"save", SaveCommand},
 };
-#undef PLCXX_WITH_WORDS
 
 }  // namespace
 

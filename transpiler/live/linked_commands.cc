@@ -14,52 +14,45 @@ struct LinkedRow {
   Refusal (*run)(LinkedMachine& machine, Words& words);
 };
 
-#define PLCXX_WITH_WORDS(...)                           \
-  do {                                                  \
-    if (!(words.wrong().empty())) return words.wrong(); \
-    return __VA_ARGS__;                                 \
-  } while (false)
-
 constexpr LinkedRow kDone[] = {
     {"set",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const std::string name = words.Text("name"), value = words.Text("value");
-       PLCXX_WITH_WORDS(machine.Write(name, value));
+       return words.IfRight([&] { return machine.Write(name, value); });
      }},
     {"toggle",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const std::string name = words.Text("name");
-       PLCXX_WITH_WORDS(machine.Toggle(name));
+       return words.IfRight([&] { return machine.Toggle(name); });
      }},
     {"force",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const std::string name = words.Text("name"), value = words.Text("value");
-       PLCXX_WITH_WORDS(machine.Force(name, value));
+       return words.IfRight([&] { return machine.Force(name, value); });
      }},
     {"release",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const std::string name = words.Text("name");
-       PLCXX_WITH_WORDS(machine.Release(name));
+       return words.IfRight([&] { return machine.Release(name); });
      }},
     {"releaseAll", [](LinkedMachine& machine, Words&) { return machine.ReleaseAll(); }},
     {"watch",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const std::string name = words.Text("name");
-       PLCXX_WITH_WORDS(machine.Watch(name));
+       return words.IfRight([&] { return machine.Watch(name); });
      }},
     {"unwatch",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const uint64_t number = words.Number("number", kMostWatched);
-       PLCXX_WITH_WORDS(machine.Unwatch(number));
+       return words.IfRight([&] { return machine.Unwatch(number); });
      }},
     {"trigger",
      [](LinkedMachine& machine, Words& words) -> Refusal {
        const Session::TriggerWish wish = TriggerWishOf(words);
-       PLCXX_WITH_WORDS(machine.Arm(wish));
+       return words.IfRight([&] { return machine.Arm(wish); });
      }},
     {"triggerOff", [](LinkedMachine& machine, Words&) { return machine.Disarm(); }},
 };
-#undef PLCXX_WITH_WORDS
 
 constexpr std::string_view kRuns = "the machine runs as it does: only a simulation pauses, steps, or changes its speed";
 constexpr std::string_view kNoWayBack = "what the machine did before is not kept: only a simulation goes back";

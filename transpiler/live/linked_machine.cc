@@ -27,7 +27,7 @@ std::string NamesOf(const std::vector<Forced>& forced) {
 }  // namespace
 
 LinkedMachine::LinkedMachine(Session& session, std::string address, Open open, debug_link::MatchIdentity match)
-    : session_(session), open_(std::move(open)), match_(std::move(match)) {
+    : session_(session), names_(session.program()), open_(std::move(open)), match_(std::move(match)) {
   status_.address = std::move(address);
   session_.ShowLink(status_);
 }
@@ -264,7 +264,7 @@ std::string LinkedMachine::ReadBlock() {
 
 LinkedMachine::Found LinkedMachine::Find(const Connection& connection, const std::string& name) const {
   const compilation::Compilation& compilation = session_.compilation();
-  auto found = FindLocation(compilation, name);
+  auto found = FindLocation(*compilation.dialect, names_, name);
   if (auto* refusal = std::get_if<std::string>(&found)) return std::move(*refusal);
   WatchedCells place{.location = std::get<dialects::Location>(std::move(found)), .cells = {}};
   const std::string where = "'" + name + "' is not in the machine's State: ";
@@ -326,17 +326,25 @@ Refusal LinkedMachine::Force(const std::string& name, const std::string& value) 
 
 Refusal LinkedMachine::Toggle(const std::string& name) {
   bool is_on = false, is_forced = false, is_input = false;
-  const auto found = FindLocation(session_.compilation(), name);
-  if (const auto* refusal = std::get_if<std::string>(&found)) return *refusal;
-  const auto& location = std::get<dialects::Location>(found);
-  if (location.text_input || location.place.type != ir::Type::kBit) return "only a bit has two values";
+  Refusal refusal;
   ApplyNow([&] {
+    const auto found = session_.Find(name);
+    if (const auto* reason = std::get_if<std::string>(&found)) {
+      refusal = *reason;
+      return;
+    }
+    const auto& location = std::get<dialects::Location>(found);
+    if (location.text_input || location.place.type != ir::Type::kBit) {
+      refusal = "only a bit has two values";
+      return;
+    }
     is_on = session_.timeline().machine().Read(location) != 0;
     is_forced = std::ranges::any_of(session_.forced(), [&](const Forced& one) { return one.name == name; });
     is_input = std::ranges::any_of(session_.signals().signals, [&](const LiveSignal& signal) {
       return signal.group == SignalGroup::kInput && (signal.name == name || signal.address == name);
     });
   });
+  if (!refusal.empty()) return refusal;
   const std::string value = is_on ? "0" : "1";
   if (is_forced) return Force(name, value);
   if (is_input) return "the machine reads '" + name + "' anew in each scan: force it";

@@ -101,6 +101,7 @@ class LinkedMachine {
   bool WaitUntil(Clock::time_point when);
 
   Session& session_;
+  const ir::NameIndex names_;  // of the thread, for the session's is its own
   Open open_;
   debug_link::MatchIdentity match_;
   Apply apply_;                             // none: nobody else has the session

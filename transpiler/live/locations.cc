@@ -8,11 +8,10 @@
 
 namespace plcxx::live {
 
-std::variant<dialects::Location, std::string> FindLocation(const compilation::Compilation& compilation,
+std::variant<dialects::Location, std::string> FindLocation(const dialects::Dialect& dialect, const ir::NameIndex& names,
                                                            std::string_view name) {
-  const dialects::Dialect& dialect = *compilation.dialect;
-  const std::optional<dialects::Location> found = dialect.locate(ir::NameIndex(compilation.program), name);
-  if (!found) return scenarios::NoSuchLocation(dialect, compilation.program, name);
+  const std::optional<dialects::Location> found = dialect.locate(names, name);
+  if (!found) return scenarios::NoSuchLocation(dialect, names.program(), name);
   if (found->absent) return "the program does not use '" + std::string(name) + "'";
   return *found;
 }

@@ -7,11 +7,12 @@
 #include <variant>
 
 #include "transpiler/compilation/compilation.h"
+#include "transpiler/ir/name_index.h"
 
 namespace plcxx::live {
 
-/// A location, or why there is none.
-std::variant<dialects::Location, std::string> FindLocation(const compilation::Compilation& compilation,
+/// A location of the program of `names`, or why there is none. The caller keeps the index between questions.
+std::variant<dialects::Location, std::string> FindLocation(const dialects::Dialect& dialect, const ir::NameIndex& names,
                                                            std::string_view name);
 
 /// Why it cannot be forced; empty: it can.

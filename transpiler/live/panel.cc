@@ -12,10 +12,10 @@ namespace {
 class PanelBinder {
  public:
   PanelBinder(const plant::Panel& panel, const compilation::Compilation& compilation)
-      : panel_(panel), compilation_(compilation) {}
+      : panel_(panel), dialect_(*compilation.dialect), names_(compilation.program) {}
 
   dialects::Location Find(const yaml::MarkedText& name) {
-    const auto found = FindLocation(compilation_, name.text);
+    const auto found = FindLocation(dialect_, names_, name.text);
     if (const auto* why = std::get_if<std::string>(&found)) {
       Fail(name, *why, "write it as in a scenario; plcxx report --print-symbols lists the names");
       return {};
@@ -41,7 +41,8 @@ class PanelBinder {
   }
 
   const plant::Panel& panel_;
-  const compilation::Compilation& compilation_;
+  const dialects::Dialect& dialect_;
+  const ir::NameIndex names_;
   std::vector<yaml::Error> errors_;
 };
 

@@ -17,6 +17,7 @@ constexpr const char* kOffText = "the machine is switched off";
 
 Session::Session(const compilation::Compilation& compilation, const report::ProgramInput& input)
     : compilation_(compilation),
+      names_(compilation.program),
       input_(input),
       uses_(report::MakeCrossReference(input)),
       signals_(MakeSignals(compilation, uses_)),

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/ir/name_index.h"
 #include "transpiler/live/chart.h"
 #include "transpiler/live/condition.h"
 #include "transpiler/live/panel.h"
@@ -138,6 +139,8 @@ class Session {
   /// What is shown beside the machine: which scenario was opened, and where it failed.
   void SetOpened(std::string text) { opened_ = std::move(text); }
 
+  /// Where a name is in the program, or why nowhere.
+  std::variant<dialects::Location, std::string> Find(const std::string& name) const;
   const compilation::Compilation& compilation() const { return compilation_; }
   const ir::Program& program() const { return compilation_.program; }
   const report::ProgramInput& input() const { return input_; }
@@ -164,7 +167,6 @@ class Session {
   uint32_t unit_ms() const { return sim::UnitMs(program().schedule); }
 
  private:
-  std::variant<dialects::Location, std::string> Find(const std::string& name) const;
   Refusal Do(Action action);
   /// Runs the rest of a period; true: nothing stopped it.
   bool Period(const Advance& advance);
@@ -184,6 +186,7 @@ class Session {
   Refusal StepUntil(ir::PlaceId counter);
 
   const compilation::Compilation& compilation_;
+  const ir::NameIndex names_;
   const report::ProgramInput& input_;
   report::CrossReference uses_;
   SignalTable signals_;

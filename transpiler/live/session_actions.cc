@@ -15,7 +15,7 @@ constexpr size_t kMostTyped = 256;  // bytes of what an operator types
 }  // namespace
 
 std::variant<dialects::Location, std::string> Session::Find(const std::string& name) const {
-  return FindLocation(compilation_, name);
+  return FindLocation(*compilation_.dialect, names_, name);
 }
 
 Refusal Session::Do(Action action) {

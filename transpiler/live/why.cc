@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "transpiler/explanation/recorder.h"
-#include "transpiler/live/locations.h"
 #include "transpiler/scenarios/why.h"
 
 namespace plcxx::live {
@@ -18,7 +17,7 @@ constexpr uint64_t kRepeated = 64;
 
 Reasons WhyNow(Session& session, const std::string& name) {
   const compilation::Compilation& compilation = session.compilation();
-  const auto found = FindLocation(compilation, name);
+  const auto found = session.Find(name);
   if (const auto* refusal = std::get_if<std::string>(&found)) return {{}, *refusal};
   const auto& location = std::get<dialects::Location>(found);
   if (std::string why = scenarios::CannotBeExplained(compilation, location); !why.empty()) return {{}, why};
