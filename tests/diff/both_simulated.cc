@@ -92,6 +92,7 @@ class Machine {
     control_.Set(location, value);
   }
   uint64_t Read(const ir::Place& place) { return simulator_.Read(place); }
+  void SendText(const std::string& text) { simulator_.SendText(text); }
   sim::Clock& clock() { return clock_; }
 
   /// By function: all its calls so far; of all that are no exchange, in their order, under no name.
@@ -250,6 +251,16 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
   return locations;
 }
 
+/// What an operator may send, where either version waits for a text.
+std::vector<std::string> TextsOf(const DiffSide& old_side, const DiffSide& new_side) {
+  std::vector<std::string> texts;
+  for (const ir::Program* const program : {&old_side.compilation.program, &new_side.compilation.program}) {
+    if (!program->text_inbox.valid()) continue;
+    for (uint32_t i = 0; i < program->texts.size(); ++i) texts.push_back(program->texts[ir::TextId(i)]);
+  }
+  return texts;
+}
+
 }  // namespace
 
 std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide& new_side, const Diff& diff,
@@ -257,6 +268,7 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
   const Locations locations = LocationsOf(old_side, new_side, diff, options);
   const ir::Schedule& schedule = old_side.compilation.program.schedule;
   const bool has_fast = schedule.fast_only.valid() && schedule.fast_only != schedule.period;
+  const std::vector<std::string> texts = TextsOf(old_side, new_side);
   for (int run = 0; run < runs.runs; ++run) {
     // The simulated control answers what it sees, so it goes with programs that are equal in everything.
     const Answers answers = diff.items.empty() && run % 2 == 0 ? Answers::kOfControl : Answers::kOfCalls;
@@ -294,6 +306,11 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
         if (!random.OneIn(4 * one_in)) continue;
         old_machine.Set(request.old_place, 0);
         new_machine.Set(request.new_place, 0);
+      }
+      if (!texts.empty() && random.OneIn(one_in + 1)) {
+        const std::string& text = texts[random.Next() % texts.size()];
+        old_machine.SendText(text);
+        new_machine.SendText(text);
       }
       const uint64_t what = random.Next() % 32, length = 1 + random.Next() % 40;
       for (Machine* machine : {&old_machine, &new_machine}) {

@@ -79,6 +79,10 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
     if (space.bytes == 0) continue;
     if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
     if (row.key == SpaceKey::kSys) space.zones.assign(std::begin(kSystemZones), std::end(kSystemZones));
+    // The loader writes another table, and the operator chooses a row of it, while the program runs (5.1, 5.4): a
+    // second zone, see execute::ControlWrite.
+    if (row.key == SpaceKey::kTabTechnol)
+      space.zones.push_back({.begin = 0, .end = space.bytes, .direction = ir::Direction::kInput});
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }
 }

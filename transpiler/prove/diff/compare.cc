@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/machine/inputs.h"
 
 namespace plcxx::prove::diff {
 namespace {
@@ -217,6 +218,10 @@ bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
 }
 
 bool Comparison::IsInput(execute::CellId old_cell) const {
+  // The operator may send a text at any time.
+  const execute::CellId new_cell = match.new_of_old[old_cell.index];
+  if (machine::IsInbox(old_version, old_cell) || (new_cell.valid() && machine::IsInbox(new_version, new_cell)))
+    return true;
   return IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell);
 }
 

@@ -57,7 +57,7 @@ struct Comparison {
   void Report(const std::string& what) const {
     if (limits.progress) limits.progress(what);
   }
-  /// See IsInputPair.
+  /// See IsInputPair; and what the operator sends.
   bool IsInput(execute::CellId old_cell) const;
 
   size_t InvariantCount() const {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/known_bits.h"
@@ -81,7 +82,8 @@ class ConstantCells {
     if (old_cell.valid()) return comparison_.IsInput(old_cell);
     // The new version alone has it.
     const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
-    return machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
+    return machine::IsInbox(version_, cell) ||
+           machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
            (what.kind == execute::CellKind::kBit && version_.program->spaces[what.space].host_visible &&
             !comparison_.new_uses.sets[cell.index]);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/machine/inputs.h"
 #include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::diff {
@@ -158,15 +159,15 @@ bool MakeFinders(Comparison& comparison) {
   const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, next);
   for (const Which which : {Which::kOld, Which::kNew}) {
     const bool is_old = which == Which::kOld;
-    invariants::InvariantSearch search{.version = is_old ? comparison.old_version : comparison.new_version,
-                                       .cells = SupportOfUndecided(comparison, which, cone),
-                                       .is_input =
-                                           [&comparison, is_old](execute::CellId cell) {
-                                             const execute::CellId old_cell =
-                                                 is_old ? cell : comparison.match.old_of_new[cell.index];
-                                             return old_cell.valid() && comparison.IsInput(old_cell);
-                                           },
-                                       .seen_states = {}};
+    invariants::InvariantSearch search{
+        .version = is_old ? comparison.old_version : comparison.new_version,
+        .cells = SupportOfUndecided(comparison, which, cone),
+        .is_input =
+            [&comparison, is_old](execute::CellId cell) {
+              const execute::CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
+              return old_cell.valid() ? comparison.IsInput(old_cell) : machine::IsInbox(comparison.new_version, cell);
+            },
+        .seen_states = {}};
     if (comparison.runs.for_each_seen_state)
       search.seen_states = [&comparison, which](const auto& visit) {
         comparison.runs.for_each_seen_state(which, visit);

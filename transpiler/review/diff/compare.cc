@@ -133,8 +133,8 @@ void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
   for (const Gathered& gathered : Gather(result, old_named, new_named)) {
     const DiffItem& item = gathered.item;
     const bool is_known = std::ranges::find(diff.items, item.name, &DiffItem::name) != diff.items.end();
-    // What counts the slices is no output.
-    const bool is_seen = item.kind != ItemKind::kInternal;
+    // What one version alone has to count its slices nobody sees.
+    const bool is_seen = std::ranges::find(diff.of_slices, item.name) == diff.of_slices.end();
     if (item.verdict != ItemVerdict::kEqual && !is_known && is_seen) names.push_back(item.name);
   }
   if (names.empty()) return;
@@ -164,9 +164,12 @@ void KeepWhatWasReplayed(DiffItem& item, bool is_seen) {
     case Replay::kSideBySide:
     case Replay::kSimulator:
     case Replay::kCompiled:
-      // A state from which they differ is a difference when a scenario can set it and both were run from it.
-      if (item.counterexample->from_state && item.counterexample->steps.empty()) {
-        not_decided("they differ from a state that no scenario can set, and no run to it is known");
+      // Nobody knows whether the machine comes to a state that is only set.
+      if (item.counterexample->from_state) {
+        const std::string& steps = item.counterexample->steps;
+        not_decided("they differ from a state " + (steps.empty()
+                                                       ? "that no scenario can set, and no run to it is known"
+                                                       : "to which no run from power-on is known (" + steps + ")"));
       } else {
         item.verdict = ItemVerdict::kDifferent;
       }
