@@ -90,6 +90,20 @@ TEST(Prove, WhatHoldsInReachableStatesOnlyNeedsInvariants) {
   EXPECT_THAT(ran.out, HasSubstr("by induction over 1 period, with "));
 }
 
+TEST(Prove, OfSlicesNothingIsProvedAndSaidSo) {
+  // Between the slices I0A0 changes, and U4A0 is 1 for a pass.
+  std::string between;
+  for (int i = 0; i < 12; ++i)
+    between += "U" + std::to_string(110 + i) + "K0=I1A" + std::to_string(i) + "*I2A" + std::to_string(i) + "\n";
+  const Machine machine("$\nU100K0=I0A0\n" + between + "U4A0=I0A0&U100K0\n");
+  machine.work.Write("p.prop", "never U4A0\n");
+  const Ran whole = machine.work.Run("prove m.plc --property p.prop");
+  EXPECT_EQ(whole.code, 0) << whole;
+  EXPECT_THAT(whole.out, Not(HasSubstr("slices")));
+  const Ran sliced = machine.work.Run("prove m.plc --property p.prop --set slices=2");
+  EXPECT_THAT(sliced.out, HasSubstr("between its 2 slices, where inputs change, nothing is proved")) << sliced;
+}
+
 TEST(Prove, AFixedScenarioPasses) {
   const Machine machine("$\nU4A8=I0A0\nU4A9=I0A1\n");
   machine.ExpectShown("never U4A8 and U4A9");
