@@ -71,13 +71,14 @@ class Judged {
     const auto ms =
         std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin).count();
     tally_.longest_ms = static_cast<uint64_t>(ms);
-    tally_.pairs = 1;
-    tally_.alike = pair_.alike ? 1 : 0;
-    tally_.late = tally_.longest_ms > options_.time_ms * 11 / 10 ? 1 : 0;
+    // Of what is refused nothing is claimed: no pair that was judged.
     if (!diff.refusal.empty()) {
       tally_.refused = 1;
       return tally_;
     }
+    tally_.pairs = 1;
+    tally_.alike = pair_.alike ? 1 : 0;
+    tally_.late = tally_.longest_ms > options_.time_ms * 11 / 10 ? 1 : 0;
     tally_.claimed = diff.equal;
     tally_.without_difference = diff.items.empty() ? 1 : 0;
     for (const DiffItem& item : diff.items) Look(item);
@@ -175,18 +176,18 @@ Tally Judge(const Pair& pair, uint64_t seed, const JudgeOptions& options, const 
 }
 
 std::string TableHead() {
-  return "dialect    pairs  alike  equal locations  attacked  different  replayed  not decided  in pairs (alike)  late "
-         " "
-         "longest ms  unsound\n";
+  return "dialect       pairs  alike  equal locations  attacked  different  replayed  not decided  in pairs (alike)  "
+         "late  "
+         "longest ms  refused  unsound\n";
 }
 
 std::string TableRow(const std::string& dialect, const Tally& tally) {
   char row[256];
-  std::snprintf(row, sizeof row, "%-8s %7ju %6ju %16ju %9ju %10ju %9ju %12ju %9ju (%5ju) %5ju %11ju %8zu\n",
+  std::snprintf(row, sizeof row, "%-13s %5ju %6ju %16ju %9ju %10ju %9ju %12ju %9ju (%5ju) %5ju %11ju %8ju %8zu\n",
                 dialect.c_str(), uintmax_t{tally.pairs}, uintmax_t{tally.alike}, uintmax_t{tally.claimed},
                 uintmax_t{tally.attacked}, uintmax_t{tally.different}, uintmax_t{tally.replayed},
                 uintmax_t{tally.undecided}, uintmax_t{tally.pairs_undecided}, uintmax_t{tally.alike_undecided},
-                uintmax_t{tally.late}, uintmax_t{tally.longest_ms}, tally.unsound.size());
+                uintmax_t{tally.late}, uintmax_t{tally.longest_ms}, uintmax_t{tally.refused}, tally.unsound.size());
   return row;
 }
 

@@ -1,9 +1,11 @@
 // plcxx_pairs: random pairs of programs for as long as it is told; one table. What is judged wrongly is saved; the exit
 // code is 1 then.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -12,6 +14,30 @@
 #include "tests/pairs/judge.h"
 
 namespace {
+
+/// How many times as long as the processor's time a thread has waited for it: on a machine that others use, a pair gets
+/// as much longer, so that as much is decided.
+class Slowness {
+ public:
+  double factor() const { return factor_; }
+  void Begin() {
+    wall_ = Seconds(CLOCK_MONOTONIC);
+    processor_ = Seconds(CLOCK_THREAD_CPUTIME_ID);
+  }
+  void End() {
+    constexpr double kLeastSeconds = 0.05, kMost = 16;
+    const double wall = Seconds(CLOCK_MONOTONIC) - wall_, processor = Seconds(CLOCK_THREAD_CPUTIME_ID) - processor_;
+    if (processor > kLeastSeconds) factor_ = std::clamp(wall / processor, 1.0, kMost);
+  }
+
+ private:
+  static double Seconds(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1e9;
+  }
+  double factor_ = 1, wall_ = 0, processor_ = 0;
+};
 
 /// Ctrl-C and SIGTERM: the pairs under way are ended, and the table is printed.
 volatile std::sig_atomic_t stopped = 0;
@@ -31,7 +57,7 @@ int main(int argc, char** argv) {
   app.add_option("--pairs", pairs, "of each language");
   app.add_option("--seed", seed, "another seed gives other pairs");
   app.add_option("--jobs", jobs, "pairs at a time");
-  app.add_option("--time", options.time_ms, "milliseconds for each");
+  app.add_option("--time", options.time_ms, "milliseconds of the processor for each");
   app.add_option("--save", save, "the folder for what is judged wrongly");
   app.add_flag("--tell", tells, "what is done, and how long it takes");
   CLI11_PARSE(app, argc, argv);
@@ -41,11 +67,16 @@ int main(int argc, char** argv) {
   std::mutex mutex;
   std::atomic<uint64_t> next = 0;
   const auto work = [&] {
+    Slowness slowness;
     for (uint64_t one = next++; one < pairs * dialects.size() && stopped == 0; one = next++) {
       const std::string& dialect = dialects[one % dialects.size()];
       const uint64_t number = (seed << 32) + one / dialects.size();
       const Pair pair = PairOf(dialect, number);
-      const Tally tally = Judge(pair, number, options, save);
+      JudgeOptions own = options;
+      own.time_ms = static_cast<uint64_t>(static_cast<double>(options.time_ms) * slowness.factor());
+      slowness.Begin();
+      const Tally tally = Judge(pair, number, own, save);
+      slowness.End();
       const std::lock_guard lock(mutex);
       Add(tallies[dialect], tally);
       for (const std::string& what : tally.unsound) std::cout << what << std::endl;
