@@ -1,6 +1,8 @@
-// Pins of LinuxCNC's HAL, for the API of 2.9 and for that of 2.10 (HAL_API_VERSION 1).
+// Pins of LinuxCNC's HAL, for the API of 2.9 and for that of 2.10.
 //
-// 2.9 gives pointers into shared memory, 2.10 references with functions that read and write; what differs is here.
+// 2.9 gives pointers into shared memory, 2.10 references with functions that read and write; what differs is here. 2.10
+// still has the pointers, and says that they are to go. Its header has no number of a version: HAL_BOOL is a name of
+// its types that 2.9 does not have.
 #pragma once
 
 #include <stdint.h>
@@ -17,7 +19,7 @@ inline auto ToHal(Direction direction) noexcept {
   return direction == Direction::kIn ? HAL_IN : direction == Direction::kOut ? HAL_OUT : HAL_IO;
 }
 
-#if defined(HAL_API_VERSION) && HAL_API_VERSION >= 1
+#if defined(HAL_BOOL)
 
 union HalPin {
   hal_bool_t bit;
@@ -48,9 +50,6 @@ inline int NewPin(HalPin& pin, int component, Type type, Direction to, const cha
       return hal_pin_new_real(component, direction, &pin.real, 0, "%s", name);
   }
   return -1;
-}
-inline int ExportFunction(const char* name, void (*function)(void*, long), void* argument, int component) noexcept {
-  return hal_export_funct(name, function, argument, 0, component);
 }
 
 #else
@@ -86,10 +85,21 @@ inline int NewPin(HalPin& pin, int component, Type type, Direction to, const cha
   }
   return -1;
 }
-inline int ExportFunction(const char* name, void (*function)(void*, long), void* argument, int component) noexcept {
-  return hal_export_funct(name, function, argument, 1, 0, component);
-}
 
 #endif
+
+using HalFunction = void (*)(void*, long);
+/// `uses_fp` is ignored by 2.10, which says that it is to go: whichever hal_export_funct the header declares.
+inline int ExportBy(int (*with_fp)(const char*, HalFunction, void*, int, int, int), const char* name,
+                    HalFunction function, void* argument, int component) noexcept {
+  return with_fp(name, function, argument, 1, 0, component);
+}
+inline int ExportBy(int (*without)(const char*, HalFunction, void*, int, int), const char* name, HalFunction function,
+                    void* argument, int component) noexcept {
+  return without(name, function, argument, 0, component);
+}
+inline int ExportFunction(const char* name, HalFunction function, void* argument, int component) noexcept {
+  return ExportBy(&hal_export_funct, name, function, argument, component);
+}
 
 }  // namespace plcxx::host

@@ -13,8 +13,9 @@ inline constexpr std::string_view kProgram =
     "$\n!PUMP=I0A0+!PUMP*/"
     "I0A1\nT5I(2)=!PUMP\n!LAMP=T5U\n!KEPT=W1A0\nU10N4=I0A2\nU4A2=[W5A1=3]*I20A5\nU4A3=[!LIMIT>5]\n";
 
-/// The API that the module is compiled for.
-enum class HalApi : uint8_t { k29, k210 };
+/// The API that the module is compiled for: tests/host/stub/hal.h.
+enum class HalApi : uint16_t { k29 = 29, k210 = 210, k211 = 211 };
+inline constexpr HalApi kHalApis[] = {HalApi::k29, HalApi::k210, HalApi::k211};
 
 class HostProgram {
  public:
@@ -34,7 +35,7 @@ class HostProgram {
     return "failed\n" + work.Read("compiler");
   }
   std::string CompileModule(HalApi api) const {
-    const std::string version = api == HalApi::k210 ? "-DHAL_API_VERSION=1 " : "";
+    const std::string version = "-DSTUB_HAL=" + std::to_string(static_cast<int>(api)) + " ";
     return Compile("out/fan.cpp out/fan_pins.cpp out/fan_linuxcnc.cpp " PLCXX_ROOT "/tests/host/stub/stub.cc",
                    version + "-I " PLCXX_ROOT "/tests/host/stub");
   }

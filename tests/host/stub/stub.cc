@@ -91,43 +91,50 @@ void rtapi_print_msg(msg_level_t level, const char* format, ...) {
   fflush(stdout);
 }
 
-#if defined(HAL_API_VERSION) && HAL_API_VERSION >= 1
-int hal_pin_new_bool(int, hal_pin_dir_t direction, hal_bool_t* pin, int, const char* format, ...) {
-  STUB_NEW('b', bit);
-}
-int hal_pin_new_si32(int, hal_pin_dir_t direction, hal_sint_t* pin, int, const char* format, ...) {
+#if STUB_HAL >= 210
+int hal_pin_new_bool(int, hal_pdir_t direction, hal_bool_t* pin, bool, const char* format, ...) { STUB_NEW('b', bit); }
+int hal_pin_new_si32(int, hal_pdir_t direction, hal_sint_t* pin, int32_t, const char* format, ...) {
   STUB_NEW('s', s32);
 }
-int hal_pin_new_ui32(int, hal_pin_dir_t direction, hal_uint_t* pin, unsigned, const char* format, ...) {
+int hal_pin_new_ui32(int, hal_pdir_t direction, hal_uint_t* pin, uint32_t, const char* format, ...) {
   STUB_NEW('u', u32);
 }
-int hal_pin_new_real(int, hal_pin_dir_t direction, hal_real_t* pin, double, const char* format, ...) {
+int hal_pin_new_real(int, hal_pdir_t direction, hal_real_t* pin, double, const char* format, ...) {
   STUB_NEW('f', real);
 }
-int hal_get_bool(hal_bool_t pin) { return *reinterpret_cast<bool*>(pin); }
-int32_t hal_get_si32(hal_sint_t pin) { return *reinterpret_cast<int32_t*>(pin); }
-uint32_t hal_get_ui32(hal_uint_t pin) { return *reinterpret_cast<uint32_t*>(pin); }
-double hal_get_real(hal_real_t pin) { return *reinterpret_cast<double*>(pin); }
-int hal_set_bool(hal_bool_t pin, int value) { return *reinterpret_cast<bool*>(pin) = value != 0; }
+bool hal_get_bool(const hal_bool_t pin) { return *reinterpret_cast<bool*>(pin); }
+int32_t hal_get_si32(const hal_sint_t pin) { return *reinterpret_cast<int32_t*>(pin); }
+uint32_t hal_get_ui32(const hal_uint_t pin) { return *reinterpret_cast<uint32_t*>(pin); }
+double hal_get_real(const hal_real_t pin) { return *reinterpret_cast<double*>(pin); }
+bool hal_set_bool(hal_bool_t pin, bool value) { return *reinterpret_cast<bool*>(pin) = value; }
 int32_t hal_set_si32(hal_sint_t pin, int32_t value) { return *reinterpret_cast<int32_t*>(pin) = value; }
 uint32_t hal_set_ui32(hal_uint_t pin, uint32_t value) { return *reinterpret_cast<uint32_t*>(pin) = value; }
 double hal_set_real(hal_real_t pin, double value) { return *reinterpret_cast<double*>(pin) = value; }
-int hal_export_funct(const char* name, void (*function)(void*, long), void* argument, int, int) {
-  functions[name] = {function, argument};
-  return 0;
-}
-#else
+#endif
+
+#if STUB_HAL == 29
 int hal_pin_bit_newf(hal_pin_dir_t direction, hal_bit_t** pin, int, const char* format, ...) { STUB_NEW('b', bit); }
 int hal_pin_s32_newf(hal_pin_dir_t direction, hal_s32_t** pin, int, const char* format, ...) { STUB_NEW('s', s32); }
 int hal_pin_u32_newf(hal_pin_dir_t direction, hal_u32_t** pin, int, const char* format, ...) { STUB_NEW('u', u32); }
 int hal_pin_float_newf(hal_pin_dir_t direction, hal_float_t** pin, int, const char* format, ...) {
   STUB_NEW('f', real);
 }
+#elif STUB_HAL == 210
+// Declared, and to go: a module that still makes such a pin gets none.
+int hal_pin_bit_newf(hal_pin_dir_t, hal_bit_t**, int, const char*, ...) { return -38; }
+int hal_pin_s32_newf(hal_pin_dir_t, hal_s32_t**, int, const char*, ...) { return -38; }
+int hal_pin_u32_newf(hal_pin_dir_t, hal_u32_t**, int, const char*, ...) { return -38; }
+int hal_pin_float_newf(hal_pin_dir_t, hal_float_t**, int, const char*, ...) { return -38; }
+#endif
+
+#if STUB_HAL < 211
 int hal_export_funct(const char* name, void (*function)(void*, long), void* argument, int, int, int) {
+#else
+int hal_export_funct(const char* name, void (*function)(void*, long), void* argument, int, int) {
+#endif
   functions[name] = {function, argument};
   return 0;
 }
-#endif
 
 }  // extern "C"
 
