@@ -48,9 +48,9 @@ class ModbusIo {
     return pthread_create(&thread_, nullptr, &ModbusIo::Loop, this) == 0;
   }
 
-  void Read(Value* pins) noexcept {
+  void Read(Value* pins, int64_t now_ns) noexcept {
     const int64_t last = __atomic_load_n(&last_good_ns_, __ATOMIC_ACQUIRE);
-    const bool alive = last != 0 && ClockNs() - last <= int64_t{options_.timeout_ms} * kNsPerMs;
+    const bool alive = last != 0 && now_ns - last <= int64_t{options_.timeout_ms} * kNsPerMs;
     if (const uint8_t* fresh = received_.Take(); fresh != nullptr) memcpy(newest_, fresh, sizeof newest_);
     const Value* const from = alive ? newest_ : safe_;
     for (uint32_t i = 0; i < Machine::kPins; ++i) {

@@ -95,6 +95,16 @@ inline void PrintPunctuality(const char* name, uint32_t period_ms, const Punctua
           static_cast<unsigned long long>(seen.missed));
 }
 
+/// What the loop calls in each period, with the clock's time at its begin: no memory, no lock and no system call, as
+/// long as the Io needs none. A function of its own, for the audit of `plcxx build`.
+template <class Machine, class Io>
+[[gnu::noinline]] void OnePeriod(typename Machine::State& state, typename Machine::Host& host, Io& io,
+                                 int64_t now_ns) noexcept {
+  io.Read(host.pins, now_ns);
+  Machine::Step(state, host);
+  io.Write(host.pins);
+}
+
 /// The main function of a host; `io` has Open, Read, Write and Close as the functions above.
 template <class Machine, class Io>
 int RunLoop(int argc, char** argv, Io& io) {
@@ -122,11 +132,9 @@ int RunLoop(int argc, char** argv, Io& io) {
 
   Punctuality seen;
   uint64_t left = options.periods;
-  RunPeriods(int64_t{Machine::kBaseMs} * kNsPerMs, seen, [&](uint64_t missed) {
+  RunPeriods(int64_t{Machine::kBaseMs} * kNsPerMs, seen, [&](int64_t begin_ns, uint64_t missed) {
     host.skipped_ms += missed * Machine::kBaseMs;
-    io.Read(host.pins);
-    Machine::Step(state, host);
-    io.Write(host.pins);
+    OnePeriod<Machine>(state, host, io, begin_ns);
     return end_is_asked == 0 && (left == 0 || --left > 0);
   });
   io.Close();
@@ -138,7 +146,7 @@ int RunLoop(int argc, char** argv, Io& io) {
 /// The four functions as an Io.
 struct OwnIo {
   bool Open(int argc, char** argv) noexcept { return io_open(argc, argv); }
-  void Read(Value* pins) noexcept { io_read(pins); }
+  void Read(Value* pins, int64_t) noexcept { io_read(pins); }
   void Write(const Value* pins) noexcept { io_write(pins); }
   void Close() noexcept { io_close(); }
 };

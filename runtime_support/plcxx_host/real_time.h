@@ -51,7 +51,8 @@ inline RealTime BecomeRealTime(int priority) noexcept {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ? RealTime::kYes : RealTime::kNoPriority;
 }
 
-/// Calls `period(missed)` every `period_ns` until it says false; `missed` periods were left out before this one.
+/// Calls `period(begin, missed)` every `period_ns` until it says false: `begin` is the clock's time, and `missed`
+/// periods were left out before this one.
 template <class Period>
 void RunPeriods(int64_t period_ns, Punctuality& punctuality, Period&& period) {
   int64_t next = ClockNs();
@@ -61,7 +62,7 @@ void RunPeriods(int64_t period_ns, Punctuality& punctuality, Period&& period) {
     }
     const int64_t begin = ClockNs();
     punctuality.Count(begin - next);
-    if (!period(missed)) return;
+    if (!period(begin, missed)) return;
     const int64_t end = ClockNs();
     if (end - begin > punctuality.longest_ns) punctuality.longest_ns = end - begin;
     next += period_ns;

@@ -61,7 +61,7 @@ TEST(PosixLoop, AnOverrunIsCountedAndLeavesPeriodsOut) {
   Punctuality seen;
   int calls = 0;
   uint64_t left_out = 0;
-  RunPeriods(2 * kNsPerMs, seen, [&](uint64_t missed) {
+  RunPeriods(2 * kNsPerMs, seen, [&](int64_t, uint64_t missed) {
     left_out += missed;
     if (++calls == 3) std::this_thread::sleep_for(std::chrono::milliseconds(9));
     return calls < 8;
