@@ -13,7 +13,7 @@ SPIN_UP_S = 0.3
 
 machine = hal.component("machine")
 for name in ("turret-forward", "turret-reverse", "hydraulics", "machine-on", "spindle-cw", "spindle-enable", "released",
-             "turret-works", "turret-fault", "tool-change", "spindle-wanted"):
+             "turret-works", "turret-fault", "tool-change", "spindle-wanted", "program-runs"):
     machine.newpin(name, hal.HAL_BIT, hal.HAL_IN)
 for name in ("code-0", "code-1", "code-2", "code-3", "code-valid", "locked", "key-on", "pressure", "ready", "standstill",
              "at-speed", "t-strobe", "s-strobe", "s-range-1", "m-strobe", "tool-changed", "spindle-at-speed"):
@@ -64,6 +64,8 @@ def wait(seconds):
 
 def power_on():
     machine["standstill"] = True
+    while not machine["program-runs"]:  # LinuxCNC starts its threads last
+        yield
     machine["key-on"] = True
     yield from wait(0.1)
     machine["key-on"] = False
