@@ -65,6 +65,9 @@ TEST_F(TestCommand, EnginesByTheirNames) {
   EXPECT_THAT(Run("good.yaml --engine cobol").output,
               HasSubstr("there is no engine 'cobol'; there are sim, host, all, "));
   EXPECT_EQ(Run("good.yaml --engine cobol").exit_code, 2);
+  EXPECT_THAT(Run("good.yaml --engine hal").output,
+              HasSubstr("runs in LinuxCNC (dev/install linuxcnc) by tests/host/linuxcnc.py"));
+  EXPECT_THAT(Run("good.yaml --engine classicladder").output, HasSubstr("by tests/judges/classicladder/run.py"));
   EXPECT_EQ(Run("good.yaml --engine sim,").exit_code, 2);
   EXPECT_THAT(Run("good.yaml --engine host/0").output, HasSubstr("a whole number from 1 on stands behind '/'"));
   EXPECT_THAT(Run("good.yaml --engine host,sim,host --verbose").output,

@@ -96,6 +96,14 @@ class Choice {
   }
 
   static bool PrintUnknown(std::string_view name) {
+    // Both run a whole scenario at once, in a process of their own; an engine here does one period and is asked what it
+    // has.
+    if (name == "hal" || name == "classicladder") {
+      const std::string script = name == "hal" ? "tests/host/linuxcnc.py" : "tests/judges/classicladder/run.py";
+      PrintUsageError("'" + std::string(name) + "' runs in LinuxCNC (dev/install linuxcnc) by " + script +
+                      " of plcxx's sources, and is no engine of this command");
+      return false;
+    }
     PrintUsageError("there is no engine '" + std::string(name) + "'; there are " + EngineNames());
     return false;
   }

@@ -94,7 +94,8 @@ std::string StatementText(std::string_view source) {
     if (!row.empty()) text += (text.empty() ? "" : "; ") + row;
   }
   if (!text.empty()) return text;
-  const size_t page = source.rfind(',');  // the line of a section
+  if (SplitElement(Trimmed(source.substr(0, source.find(','))))) return std::string(source);  // wires alone
+  const size_t page = source.rfind(',');                                                      // the line of a section
   return page == std::string_view::npos ? std::string(source) : "page " + std::string(Trimmed(source.substr(page + 1)));
 }
 

@@ -74,7 +74,9 @@ bool Parser::CheckVersion(const FilePart& part, const Line& directive, int32_t n
   const Field field{text.substr(0, text.find('.')), directive.range};
   if (!ReadNumber(field, "a version", version)) return false;
   if (version <= newest) return true;
-  diagnostics_.Report(directive.range, diag::ClassicladderVersion, text, part.name);
+  // One message for all parts: a project of ClassicLadder 0.9 has dozens.
+  if (!std::exchange(is_newer_, true))
+    diagnostics_.Report(directive.range, diag::ClassicladderVersion, text, part.name);
   return false;
 }
 
@@ -125,14 +127,16 @@ void Parser::ParseFile(source::FileId file) {
     diagnostics_.Report(first, diag::ClassicladderNoProject);
     return;
   }
+  const size_t errors = diagnostics_.error_count();
   const std::vector<FilePart> parts = SplitParts({lines.begin() + 1, lines.end()});
+  const bool whole = diagnostics_.error_count() == errors;  // else the part may be inside another one
   ReadSizes(parts);
   bool has_sections = false;
   for (const FilePart& part : parts) {
     has_sections = has_sections || part.kind == PartKind::kSections;
     ParsePart(part);
   }
-  if (!has_sections) diagnostics_.Report(first, diag::ClassicladderNoSections);
+  if (!has_sections && whole) diagnostics_.Report(first, diag::ClassicladderNoSections);
   for (auto& [number, section] : program_.sections) {
     const auto name = section_names_.find(number);
     section.name = name == section_names_.end() ? std::to_string(number) : name->second;

@@ -79,6 +79,7 @@ class Parser {
   Program program_;
   std::map<uint32_t, std::string> section_names_;
   bool has_project_ = false;
+  bool is_newer_ = false;  // than the engine: said
 };
 
 }  // namespace plcxx::classicladder

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "transpiler/dialects/statement_text.h"
+
 namespace plcxx::review::diff {
 namespace {
 
@@ -51,7 +53,7 @@ void ShowLine(const DiffSide& side, ItemStatement& item, std::string_view line) 
   item.file = at.file.valid() ? ShownPath(side, side.compilation.sources->Get(at.file).path) : std::string();
   item.line = at.line;
   item.column = at.column;
-  item.text = std::string(line);
+  item.text = dialects::StatementText(side.compilation.program.dialect, line);
 }
 
 std::vector<std::string_view> LinesOf(const DiffSide& side, const ItemStatement& item) {
