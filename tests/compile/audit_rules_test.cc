@@ -86,6 +86,26 @@ TEST(Audit, FloatsMayBeThereWhereTheProgramHasSome) {
   }
 }
 
+TEST(Audit, OfAHostWhatOnePeriodReaches) {
+  const std::string text = FixtureText("waits_beside.cpp");
+  const auto findings_of = [&](const std::string& head, const Tools& tools) {
+    const auto code = CompileText(head + text, *tools.target, tools.toolchain);
+    EXPECT_TRUE(code);
+    const auto findings = AuditFrom(*code, "sample::OnePeriod(", {.host_functions = {}, .has_floats = false});
+    EXPECT_TRUE(findings);
+    return Text(*findings);
+  };
+  for (const Tools& tools : InstalledTools()) {
+    SCOPED_TRACE(tools.target->name);
+    EXPECT_EQ(findings_of("", tools), "");
+    EXPECT_EQ(findings_of("#define WAITS\n", tools),
+              std::to_string(static_cast<int>(AuditRule::kUndefined)) + " sample::OnePeriod: fsync\n");
+    EXPECT_EQ(findings_of("#define ALLOCATES\n", tools),
+              std::to_string(static_cast<int>(AuditRule::kHeap)) + " sample::program: malloc\n");
+    EXPECT_FALSE(AuditFrom(*CompileText(text, *tools.target, tools.toolchain), "sample::Nothing(", {}));
+  }
+}
+
 TEST(Audit, SymbolsAreKnownByNameOrFamily) {
   EXPECT_EQ(UseOfSymbol("memcpy"), RoutineUse::kMemory);
   EXPECT_EQ(UseOfSymbol("memcpyx"), RoutineUse::kUnknown);

@@ -1,8 +1,9 @@
 // What runs in LinuxCNC's real-time thread takes no memory, no lock and no system call: all that the exported function
-// reaches in the compiled module is looked at.
+// reaches in the compiled module is looked at, here with objdump, and in `plcxx build --host` by its audit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
@@ -100,6 +101,54 @@ TEST(RealTimeAudit, TheExportedFunctionNeverWaits) {
   ASSERT_NE(loop, "");
   EXPECT_THAT(Refused(Reached(graph, loop)), Contains("nanosleep@plt"));
   EXPECT_THAT(Refused(Reached(graph, loop)), Contains("fsync@plt"));
+}
+
+/// Of `plcxx build`, which audits one period of a host as it audits the program.
+driver::Ran Build(const HostProgram& program, const std::string& arguments) {
+  return program.work.Run("build fan.sym fan.plc --name fan -o built --target host " + arguments);
+}
+
+TEST(RealTimeAudit, BuildAuditsThePeriodOfALoop) {
+  const HostProgram program("posix");
+  const driver::Ran ran = Build(program, "--host posix");
+  EXPECT_EQ(ran.code, 0) << ran;
+  for (const char* file : {"libfan.a", "fan_posix.cpp", "fan_pins.hpp", "plcxx/bits.h", "plcxx_host/posix.h"})
+    EXPECT_TRUE(program.work.Has(std::string("built/") + file)) << file;
+  // The object that was audited is the one that runs.
+  program.work.Write("io.cpp",
+                     "#include <plcxx_host/posix.h>\n#include \"fan_pins.hpp\"\nnamespace plcxx::host {\n"
+                     "bool io_open(int, char**) noexcept { return true; }\n"
+                     "void io_read(Value* pins) noexcept { pins[fan::Host::At::I0A0].bit = true; }\n"
+                     "void io_write(const Value* pins) noexcept { printf(\"%d\", pins[fan::Host::At::PUMP].bit); }\n"
+                     "void io_close() noexcept {}\n}\n");
+  EXPECT_EQ(std::system(
+                ("cd '" + program.work.Path(".") + "' && c++ -std=c++17 -I built io.cpp -Lbuilt -lfan -lpthread -o fan")
+                    .c_str()),
+            0);
+  EXPECT_EQ(program.Talk("--periods 3", "").out, "111");
+}
+
+TEST(RealTimeAudit, BuildMakesTheModuleOrSaysWhatIsMissing) {
+  for (const auto& [host, header] :
+       {std::pair{"linuxcnc", "/usr/include/linuxcnc/hal.h"}, std::pair{"modbus", "/usr/include/modbus/modbus.h"}}) {
+    const HostProgram program(host);
+    const driver::Ran ran = Build(program, std::string("--host ") + host);
+    if (std::filesystem::exists(header)) {
+      EXPECT_EQ(ran.code, 0) << ran;
+      EXPECT_EQ(program.work.Has("built/fan.so"), std::string(host) == "linuxcnc");
+    } else {
+      EXPECT_EQ(ran.code, 2) << ran;
+      EXPECT_THAT(ran.errors, HasSubstr(std::string(header) + ", which is not there: install Debian's "));
+      EXPECT_FALSE(program.work.Has("built"));
+    }
+  }
+}
+
+TEST(RealTimeAudit, AHostIsForLinux) {
+  const HostProgram program("posix");
+  const driver::Ran ran = program.work.Run("build fan.plc --target cortex-m4 --host posix");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("--host posix runs on Linux: --target host"));
 }
 
 }  // namespace

@@ -21,10 +21,40 @@ class Auditor {
   Auditor(const ProgramCode& code, const AuditExpectations& expectations) : code_(code), expectations_(expectations) {}
 
   std::vector<AuditFinding> Run() {
+    reached_.assign(code_.function_count(), true);
     for (uint32_t id = 0; id < code_.function_count(); ++id) CheckFunction(id);
     for (const ObjectFacts& object : code_.objects()) {
       for (const CodeSection& section : object.sections) CheckSection(section);
       for (const SymbolUse& use : object.uses) CheckUse(object, use);
+    }
+    FindCircles();
+    return std::move(findings_);
+  }
+
+  std::optional<std::vector<AuditFinding>> RunFrom(std::string_view entry) {
+    reached_.assign(code_.function_count(), false);
+    std::vector<uint32_t> open;
+    for (uint32_t id = 0; id < code_.function_count(); ++id) {
+      if (code_.Text(id).find(entry) == std::string::npos) continue;
+      reached_[id] = true;
+      open.push_back(id);
+    }
+    if (open.empty()) return std::nullopt;
+    while (!open.empty()) {
+      const uint32_t id = open.back();
+      open.pop_back();
+      CheckFunction(id);
+      for (const CodeBlock& block : code_.Function(id).blocks) {
+        for (const CodeCall& call : block.calls) {
+          const uint32_t callee = code_.Callee(id, call);
+          if (callee == kNoFunction) {
+            CheckSymbol(code_.Name(id), code_.Symbol(id, call));
+          } else if (!reached_[callee]) {
+            reached_[callee] = true;
+            open.push_back(callee);
+          }
+        }
+      }
     }
     FindCircles();
     return std::move(findings_);
@@ -61,8 +91,11 @@ class Auditor {
 
   void CheckUse(const ObjectFacts& object, const SymbolUse& use) {
     const CodeSymbol& symbol = object.symbols[use.symbol];
-    if (code_.Defines(symbol.name)) return;
-    const std::string user = NameOf(use.user);
+    if (!code_.Defines(symbol.name)) CheckSymbol(NameOf(use.user), symbol);
+  }
+
+  /// One that no object defines.
+  void CheckSymbol(const std::string& user, const CodeSymbol& symbol) {
     switch (UseOfSymbol(symbol.name)) {
       case RoutineUse::kMemory:
       case RoutineUse::kInteger:
@@ -105,12 +138,13 @@ class Auditor {
       marks[id] = Mark::kDone;
     };
     for (uint32_t id = 0; id < code_.function_count(); ++id) {
-      if (marks[id] == Mark::kNew) visit(id);
+      if (reached_[id] && marks[id] == Mark::kNew) visit(id);
     }
   }
 
   const ProgramCode& code_;
   const AuditExpectations& expectations_;
+  std::vector<bool> reached_;  // by function: it is looked at
   std::vector<AuditFinding> findings_;
 };
 
@@ -126,6 +160,11 @@ RoutineUse UseOfSymbol(std::string_view name) {
 
 std::vector<AuditFinding> Audit(const ProgramCode& code, const AuditExpectations& expectations) {
   return Auditor(code, expectations).Run();
+}
+
+std::optional<std::vector<AuditFinding>> AuditFrom(const ProgramCode& code, std::string_view entry,
+                                                   const AuditExpectations& expectations) {
+  return Auditor(code, expectations).RunFrom(entry);
 }
 
 }  // namespace plcxx::compile

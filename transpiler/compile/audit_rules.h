@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -37,6 +38,11 @@ struct AuditExpectations {
 
 /// Sorted as the objects and their functions are; each finding once.
 std::vector<AuditFinding> Audit(const ProgramCode& code, const AuditExpectations& expectations);
+
+/// Only of what the functions reach by calls in whose text `entry` is ("::Run(void*, long)"): of a host's code, most of
+/// which may wait. None: there is no such function.
+std::optional<std::vector<AuditFinding>> AuditFrom(const ProgramCode& code, std::string_view entry,
+                                                   const AuditExpectations& expectations);
 
 enum class RoutineUse : uint8_t { kUnknown, kMemory, kInteger, kFloat, kHeap, kException };
 /// What a symbol that no object defines is for.

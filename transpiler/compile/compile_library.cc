@@ -34,8 +34,11 @@ bool WriteSources(const LibraryRequest& request, std::vector<std::string>& sourc
   bool written = WriteRuntime(request.directory);
   for (const emit::OutputFile& file : *request.files) {
     const bool source = file.name.ends_with(".cpp");
-    if (!source && !file.name.ends_with(".hpp")) continue;
-    std::ofstream out(std::filesystem::path(request.directory) / file.name, std::ios::binary);
+    if (!source && !file.name.ends_with(".hpp") && !file.name.ends_with(".h")) continue;
+    const std::filesystem::path place = std::filesystem::path(request.directory) / file.name;
+    std::error_code error;
+    std::filesystem::create_directories(place.parent_path(), error);
+    std::ofstream out(place, std::ios::binary);
     out << file.text;
     written = written && out.good();
     if (source) sources.push_back(file.name);

@@ -60,7 +60,7 @@ bool IsDigest(std::string_view text) {
 std::string CommonInputs(const Toolchain& toolchain, const std::vector<emit::OutputFile>& files) {
   std::string inputs;
   for (const emit::OutputFile& file : files) {
-    if (!file.name.ends_with(".hpp")) continue;
+    if (!file.name.ends_with(".hpp") && !file.name.ends_with(".h")) continue;
     support::AddSized(inputs, file.name);
     support::AddSized(inputs, file.text);
   }

@@ -15,6 +15,7 @@
 #include "transpiler/compile/target.h"
 #include "transpiler/compile/toolchain.h"
 #include "transpiler/driver/accepted_warnings.h"
+#include "transpiler/driver/build_host.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/compile_report.h"
 #include "transpiler/driver/dependency_file.h"
@@ -28,6 +29,7 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/host/host.h"
 #include "transpiler/measure/figures.h"
 #include "transpiler/measure/limits.h"
 #include "transpiler/support/read_file.h"
@@ -46,9 +48,13 @@ constexpr const char* kBuildFooter = R"(Examples:
   plcxx build turret.plc --target cortex-m4f --clock 168MHz --max-fast-us 500 --max-stack 512
       an error that names the costliest statements when the fast part takes longer, or any part more stack
 
+  plcxx build turret.plc --target host --host linuxcnc -o out
+      writes out/turret.so, a module for LinuxCNC's loadrt, its .hal file and its manual page
+
 Compile your own code with -I out and link it with out/libturret.a.
 The audit refuses: heap, exceptions and unwinding, static constructors, recursion, indirect calls and jumps, floating-point
 routines where the program has no floats, and symbols that are neither host functions nor support routines of the compiler.
+With --host all that one period of the host reaches is audited as well: reading the pins, the program, writing the pins.
 The figures are bounds on the compiled code: each branch the dearer way, each loop as often as it may go round, all calls
 added. Host functions and support routines (memcpy, division) are not in them; what else is missing is told.
 The report, NAME.report.json, gets an object "build":
@@ -78,6 +84,7 @@ struct BuildSettings {
   OutputOptions output;
   std::string target;
   std::string compiler;
+  std::string host;   // empty: as the project says
   std::string level;  // empty: 2
   unsigned jobs = 0;
   std::string clock;
@@ -97,12 +104,24 @@ std::string TargetsText() {
   return text;
 }
 
+/// What the project says counts for a target that its host runs on.
+host::Kind HostOf(const BuildSettings& settings) {
+  if (settings.target != "host") return host::Kind::kOwn;
+  const std::string& of_project = settings.common.program ? settings.common.program->host : settings.host;
+  return host::FindHost(settings.host.empty() ? of_project : settings.host).value_or(host::Kind::kOwn);
+}
+
 /// One build: from a compiled program to the files that are written.
 class Build {
  public:
   Build(const BuildSettings& settings, const compile::Target& target, uint64_t clock_hz,
         compilation::Compilation& compilation, ProgressLine& progress)
-      : settings_(settings), target_(target), clock_hz_(clock_hz), compilation_(compilation), progress_(progress) {}
+      : settings_(settings),
+        target_(target),
+        host_(HostOf(settings)),
+        clock_hz_(clock_hz),
+        compilation_(compilation),
+        progress_(progress) {}
 
   void Run() {
     if (compilation_.has_program && !CompileProgram()) return;
@@ -128,8 +147,14 @@ class Build {
     progress_.Show("printing C++");
     const emit::Emittable emittable = emit::legalize::Legalize(
         compilation_.program,
-        {.name = compilation_.name, .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease});
+        {.name = compilation_.name,
+         .flavour = settings_.debug ? emit::Flavour::kDebug : emit::Flavour::kRelease,
+         .simulated = host_ != host::Kind::kOwn});  // a host calls the same routines as the simulation
     files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
+    if (host_ != host::Kind::kOwn) {
+      AddHostFiles(host_, emittable, toolchain_, files_, compilation_);
+      if (!compilation_.ok()) return false;
+    }
     files_.push_back({compilation_.name + ".map.json", emit::print::PrintMap(emittable, *compilation_.sources)});
     // Only what is compiled has it: files that are written say nothing of plcxx's version.
     std::vector<emit::OutputFile> sources = files_;
@@ -158,6 +183,8 @@ class Build {
     }
     const auto& library = std::get<compile::Library>(compiled);
     if (!settings_.no_audit) Examine(directory.path(), library, emittable);
+    if (host_ == host::Kind::kLinuxcnc && compilation_.ok())
+      LinkModule(toolchain_, library, directory.path(), files_, compilation_);
     files_.push_back(
         {library.archive, support::ReadFile(std::filesystem::path(directory.path()) / library.archive).value_or("")});
     files_.push_back({"lib" + compilation_.name + ".objects", library.record});
@@ -168,10 +195,22 @@ class Build {
                const emit::Emittable& emittable) {
     progress_.Show("auditing");
     std::vector<std::string> objects;
-    for (const std::string& name : library.objects) objects.push_back(support::ReadFile(directory / name).value_or(""));
+    std::string host_object;
+    for (const std::string& name : library.objects) {
+      std::string bytes = support::ReadFile(directory / name).value_or("");
+      if (host_ != host::Kind::kOwn && name == HostObject(host_, compilation_.name)) {
+        host_object = std::move(bytes);
+      } else {
+        objects.push_back(std::move(bytes));
+      }
+    }
     const std::optional<compile::ProgramCode> code = measure::ReadObjects(objects, target_, compilation_);
     if (!code) return;
     measure::AuditObjects(*code, emittable, compilation_);
+    if (host_ != host::Kind::kOwn) {
+      objects.push_back(std::move(host_object));
+      AuditHost(host_, objects, target_, emittable, compilation_);
+    }
     if (!compilation_.ok()) return;  // of code that must not be, figures mean nothing
     progress_.Show("measuring");
     figures_ = measure::Measure(*code, emittable, files_);
@@ -179,6 +218,8 @@ class Build {
   }
 
   void Write() {
+    WriteHostHeaders(settings_.output.directory, files_, compilation_);
+    if (!compilation_.ok()) return;
     if (compilation_.has_program) {
       std::vector<std::string> names;
       for (const emit::OutputFile& file : files_) names.push_back(file.name);
@@ -214,6 +255,7 @@ class Build {
 
   const BuildSettings& settings_;
   const compile::Target& target_;
+  const host::Kind host_;
   uint64_t clock_hz_;
   compilation::Compilation& compilation_;
   ProgressLine& progress_;
@@ -233,6 +275,14 @@ int RunBuild(const BuildSettings& asked) {
     return UsageError(settings.target.empty()
                           ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
                           : "'" + settings.target + "' is no target; there are: " + names);
+  }
+  if (!settings.host.empty() && settings.host != "own" && settings.target != "host") {
+    PrintUsageError("--host " + settings.host + " runs on Linux: --target host");
+    return kWrongUse;
+  }
+  if (const std::string missing = MissingForHost(HostOf(settings)); !missing.empty()) {
+    PrintUsageError(missing);
+    return kWrongUse;
   }
   uint64_t clock_hz = 0;
   if (!settings.clock.empty()) {
@@ -305,6 +355,15 @@ void AddBuild(CLI::App& app, Run& run) {
   AddCommonOptions(*command, settings->common);
   command->add_option("--target", settings->target, "What to compile for, see below")->type_name("T")->group("Output");
   AddOutputOptions(*command, settings->output);
+  std::vector<std::string> hosts;
+  for (const host::HostRow& row : host::Hosts()) hosts.emplace_back(row.text);
+  command
+      ->add_option("--host", settings->host,
+                   "Who reaches the terminals, of --target host: its files are built and audited as well; else as the "
+                   "project says")
+      ->type_name("H")
+      ->check(CLI::IsMember(hosts))
+      ->group("Output");
   command
       ->add_option("--compiler", settings->compiler,
                    "GCC or Clang, also behind a launcher ('ccache g++'); else the target's own GCC")

@@ -7,6 +7,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/slices.h"
 #include "transpiler/measure/budgets.h"
+#include "transpiler/measure/host_audit.h"
 #include "transpiler/measure/slices.h"
 
 namespace plcxx::measure {
@@ -98,6 +99,16 @@ void AuditObjects(const compile::ProgramCode& code, const emit::Emittable& emitt
   for (const compile::AuditFinding& finding : compile::Audit(code, expectations)) {
     Report(finding, compilation.diagnostics);
   }
+}
+
+void AuditPeriod(const compile::ProgramCode& code, std::string_view entry, const std::vector<std::string_view>& own,
+                 const emit::Emittable& emittable, compilation::Compilation& compilation) {
+  compile::AuditExpectations expectations;
+  expectations.host_functions.insert(own.begin(), own.end());
+  expectations.has_floats = HasFloats(emittable);
+  const auto findings = compile::AuditFrom(code, entry, expectations);
+  PLCXX_CHECK(findings);
+  for (const compile::AuditFinding& finding : *findings) Report(finding, compilation.diagnostics);
 }
 
 BuildFigures Measure(const compile::ProgramCode& code, const emit::Emittable& emittable,
