@@ -6,7 +6,7 @@ import { act, onChange, say, state } from "./store.js";
 import { readVcd } from "./vcd.js";
 
 const canvas = byId("chart");
-const kLeft = 110, kTop = 6, kAxis = 18, kRow = 30;
+const kLeft = 110, kTop = 6, kAxis = 18, kRow = 30, kEmpty = 30;
 const view = { ms: 2000, end: null, cursors: [] };  // end null: follows the machine
 let asked = false;
 let trace = null;  // of a file, instead of the machine
@@ -39,7 +39,7 @@ function colours() {
 function draw() {
   asked = false;
   const scale = devicePixelRatio || 1;
-  const height = Math.max(90, tracks().length * kRow + kTop + kAxis);
+  const height = tracks().length === 0 ? kEmpty : Math.max(90, tracks().length * kRow + kTop + kAxis);
   canvas.style.height = height + "px";
   canvas.width = Math.round(canvas.clientWidth * scale);
   canvas.height = Math.round(height * scale);

@@ -16,7 +16,7 @@ let dragging = false;
 function show(changed) {
   if (changed.has("mode")) {
     const { running, on, why, opened, speed } = state.mode;
-    byId("run").firstChild.textContent = running ? "⏸ " : "▶ ";
+    byId("run").firstChild.classList.toggle("halt", running);
     byId("run").lastChild.textContent = running ? "Pause" : "Run";
     byId("run").disabled = !on;
     byId("power").setAttribute("aria-pressed", String(on));
