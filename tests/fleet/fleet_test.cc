@@ -70,6 +70,52 @@ TEST_P(WidthTest, EachLaneIsAMachine) {
 
 INSTANTIATE_TEST_SUITE_P(Fleet, WidthTest, testing::Values(64u, 256u, 512u));
 
+/// Timers that all lanes step together: short and long ones, held, driven twice, in the fast part and in
+/// the slow one, written by the control; with times that leap.
+constexpr const char* kTimers = R"(
+T1I(3)=I0A0
+T2I(250)=I0A1+I0A2*/I0A3
+$
+T3I(1)=I0A3
+T3A=I0A4*I0A5
+T4I(7)=I0A6
+T4I(2)=I0A7
+T50I(1)=I0A8
+T6I(40)=/T6U*/I0A9
+T7I(9)=/I0A0+I0A1+/I0A2
+T7A=I0A3
+T8I(20)=I0A0+/I0A0
+C1I(3)=T6U
+U4A0=T1U+T2D+T3U
+U4A1=T4U*T50U+T7D
+U4A2=C1R
+)";
+
+TEST(Fleet, TimersOfAllLanesAtOnce) {
+  const compilation::Compilation compiled = Compiled("timers.plc", kTimers);
+  ASSERT_TRUE(compiled.ok());
+  const Layout layout = LayOut(compiled.program);
+  EXPECT_EQ(layout.clock_count, 8u);
+  for (const bool forces : {false, true}) {
+    const auto library = Built(compiled.program, 64, forces);
+    ASSERT_NE(library, nullptr);
+    EXPECT_EQ(CompareLanes(library, 2, 800), "");
+    EXPECT_EQ(CompareLanes(library, 3, 800, Hosts::kWild), "");
+  }
+}
+
+/// Times, counts and slices are one number for all machines: no plane, no mask.
+TEST(Fleet, WhatIsTheSameEverywhereIsAScalar) {
+  const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
+  ASSERT_TRUE(compiled.ok());
+  const Layout layout = LayOut(compiled.program);
+  EXPECT_GE(layout.scalars, 8u);  // the time and the number of the slow cycle
+  for (uint32_t s = 0; s < compiled.program.spaces.size(); ++s) {
+    if (!compiled.program.spaces[ir::SpaceId(s)].host_visible) continue;
+    for (const ByteHome& home : layout.bytes[s]) EXPECT_FALSE(home.is_scalar());
+  }
+}
+
 /// Programs of each language that has a generator.
 TEST(Fleet, RandomProgramsOfEachLanguage) {
   for (const reference::ReferenceDialect& dialect : reference::ReferenceDialects()) {

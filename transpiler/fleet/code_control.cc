@@ -16,6 +16,14 @@ void RoutineWriter::WriteGuarded(const std::string& lanes, ir::RegionId region) 
 }
 
 void RoutineWriter::WriteIf(const ir::Inst& inst) {
+  if (same_.Value(ir::ValueId(inst.a))) {
+    out_ += "if (" + Scalar(ir::ValueId(inst.a)) + ") {\n";
+    WriteRegion(ir::RegionId(inst.b));
+    out_ += "} else {\n";
+    WriteRegion(ir::RegionId(inst.c));
+    out_ += "}\n";
+    return;
+  }
   const std::string condition = ValueName(ir::ValueId(inst.a));
   const std::string otherwise = NewName("e");
   // Before the first region, which may take lanes out of the mask.
@@ -25,7 +33,23 @@ void RoutineWriter::WriteIf(const ir::Inst& inst) {
   out_ += "}\n";
 }
 
+/// As in C: a case that falls through has no break.
+void RoutineWriter::WriteScalarSwitch(const ir::Inst& inst) {
+  out_ += "switch (" + Scalar(ir::ValueId(inst.a)) + ") {\n";
+  const bool is_bit = program_[ir::ValueId(inst.a)].type == ir::Type::kBit;
+  for (const ir::SwitchCase& one : program_.switches[ir::SwitchId(inst.payload)].cases) {
+    for (const uint64_t number : one.values)
+      out_ += is_bit ? (number != 0 ? "case true:\n" : "case false:\n") : "case " + std::to_string(number) + "ull:\n";
+    if (one.values.empty()) out_ += "default:\n";
+    out_ += "{\n";
+    WriteRegion(one.region);
+    out_ += one.falls_through ? "}\n" : "}\nbreak;\n";
+  }
+  out_ += "}\n";
+}
+
 void RoutineWriter::WriteSwitch(const ir::Inst& inst) {
+  if (same_.Value(ir::ValueId(inst.a))) return WriteScalarSwitch(inst);
   const std::vector<ir::SwitchCase>& cases = program_.switches[ir::SwitchId(inst.payload)].cases;
   const ir::Inst& selector = program_[ir::ValueId(inst.a)];
   const std::string value = ValueName(ir::ValueId(inst.a)), rest = NewName("r");
@@ -78,7 +102,7 @@ void RoutineWriter::WriteLoop(ir::InstId id, const ir::Inst& inst) {
   if (loop.condition.valid()) {
     WriteRegion(loop.condition);
     const ir::ValueId condition(program_.regions[loop.condition].insts.back());
-    out_ += inside + " &= " + ValueName(condition) + ";\nif (!Any(" + inside + ")) break;\n";
+    out_ += inside + " &= ToPlane(" + ValueName(condition) + ");\nif (!Any(" + inside + ")) break;\n";
   }
   switch (loop.kind) {
     case ir::LoopBound::kProven:
@@ -168,12 +192,21 @@ std::vector<uint32_t> RoutineWriter::RowsOfLocals(const std::set<LocalByte>& byt
   return rows;
 }
 
+std::vector<uint32_t> RoutineWriter::ScalarsOf(const std::set<LocalByte>& bytes) const {
+  std::vector<uint32_t> scalars;
+  for (const auto& [space, offset] : bytes) {
+    if (const ByteHome& home = layout_.At(space, offset); home.is_scalar()) scalars.push_back(home.scalar);
+  }
+  return scalars;
+}
+
 std::string RoutineWriter::ClearLocals(ir::RoutineId callee, const std::string& mask) const {
   std::string out;
   for (const auto& [first, count] : PlanesOf(locals_.UsedFrom(callee)))
     out += "ClearPlanes(m, " + std::to_string(first) + ", " + std::to_string(count) + ", " + mask + ");\n";
   for (const uint32_t row : RowsOfLocals(locals_.UsedFrom(callee)))
     out += "ClearRow(m, " + std::to_string(row) + ", " + mask + ");\n";
+  for (const uint32_t at : ScalarsOf(locals_.UsedFrom(callee))) out += "m.scalars[" + std::to_string(at) + "] = 0;\n";
   return out;
 }
 
@@ -200,10 +233,15 @@ void RoutineWriter::WriteCall(ir::InstId id, const ir::Inst& inst) {
       out_ += "uint8_t " + name + "[kLanes]; __builtin_memcpy(" + name + ", " + at + ", kLanes);\n";
       restore += "__builtin_memcpy(" + at + ", " + name + ", kLanes);\n";
     }
+    for (const uint32_t scalar : ScalarsOf(kept)) {
+      const std::string name = NewName("k"), at = "m.scalars[" + std::to_string(scalar) + "]";
+      out_ += "const uint8_t " + name + " = " + at + ";\n";
+      restore += at + " = " + name + ";\n";
+    }
     out_ += ClearLocals(call.routine, Mask());
   }
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i)
-    out_ += places_.Store(routine.parameter_places[i], ir::ValueId(), ValueName(call.arguments[i]), Mask()) + "\n";
+    StoreInto(routine.parameter_places[i], call.arguments[i]);
   out_ += "Run(" + Mask() + ", [&](const auto& lanes) { R" + std::to_string(call.routine.index) + "(m, lanes); });\n";
   if (result.valid()) out_ += ValueName(id) + " = " + places_.Load(result, ir::ValueId()) + ";\n";
   out_ += restore + "}\n";

@@ -20,6 +20,22 @@ std::string Number(uint32_t value) { return std::to_string(value) + "u"; }
 
 std::string WidthText(ir::Type type) { return std::to_string(8 * ir::Bytes(type)); }
 
+bool PlaceWriter::IsScalar(ir::PlaceId place) const {
+  const sim::PlaceAccess access = sim::AccessTo(program_, program_.places[place]);
+  return access.kind != sim::AccessKind::kAbsent && access.kind != sim::AccessKind::kField && !access.indexed &&
+         layout_.At(access.owner, access.offset).is_scalar();
+}
+
+std::string PlaceWriter::StoreScalar(ir::PlaceId place, const std::string& value) const {
+  const ir::Type type = program_.places[place].type;
+  const sim::PlaceAccess access = sim::AccessTo(program_, program_.places[place]);
+  const std::string at = std::to_string(layout_.At(access.owner, access.offset).scalar);
+  if (type == ir::Type::kBit)
+    return "StoreScalarBit(m, " + at + ", " + std::to_string(access.bit) + ", " + value + ");";
+  return "StoreScalar<" + std::string(ir::CppName(type)) + ", " + (access.big_endian ? "true" : "false") + ">(m, " +
+         at + ", " + value + ");";
+}
+
 bool PlaceWriter::IsPerLane(ir::PlaceId place) const {
   const sim::PlaceAccess access = sim::AccessTo(program_, program_.places[place]);
   if (access.kind == sim::AccessKind::kAbsent || access.kind == sim::AccessKind::kField) return false;
@@ -66,6 +82,12 @@ std::string PlaceWriter::LoadFixed(const sim::PlaceAccess& access, ir::Type type
     const uint32_t first = layout_.fields[access.owner][access.field];
     return type == ir::Type::kBit ? "Plane(m.planes[" + std::to_string(first) + "])"
                                   : "FieldAt<" + WidthText(type) + ">(m, " + std::to_string(first) + ")";
+  }
+  if (const ByteHome& home = layout_.At(access.owner, access.offset); home.is_scalar()) {
+    const std::string at = std::to_string(home.scalar);
+    if (type == ir::Type::kBit) return "LoadScalarBit(m, " + at + ", " + std::to_string(access.bit) + ")";
+    return "LoadScalar<" + std::string(RawName(type)) + ", " + (access.big_endian ? "true" : "false") + ">(m, " + at +
+           ")";
   }
   if (type != ir::Type::kBit && IsRows(access))
     return "LoadRows<" + std::string(RawName(type)) + RowNumbers(access) + ">(m)";

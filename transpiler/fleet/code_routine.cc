@@ -115,10 +115,7 @@ void RoutineWriter::WriteInst(ir::InstId id) {
           "const auto " + ValueName(id) + " = " + places_.Load(ir::PlaceId(inst.payload), ir::ValueId(inst.a)) + ";\n";
       return;
     case ir::Shape::kStore:
-      Count(share_, places_.IsPerLane(ir::PlaceId(inst.payload)));
-      out_ +=
-          places_.Store(ir::PlaceId(inst.payload), ir::ValueId(inst.b), ValueName(ir::ValueId(inst.a)), Mask()) + "\n";
-      return;
+      return WriteStore(inst);
     case ir::Shape::kText:
       return WriteUpdateText(inst);
     case ir::Shape::kStatement:
@@ -146,8 +143,37 @@ void RoutineWriter::WriteInst(ir::InstId id) {
   PLCXX_UNREACHABLE();
 }
 
+std::string RoutineWriter::Scalar(ir::ValueId id) const {
+  const ir::Inst& inst = program_[id];
+  if (inst.op != ir::OpKind::kConst) return ValueName(id) + ".value";
+  if (inst.type == ir::Type::kBit) return ir::ConstantValue(inst) != 0 ? "true" : "false";
+  return ValueName(id) + "[0]";
+}
+
+/// Whatever form the place has.
+void RoutineWriter::StoreInto(ir::PlaceId place, ir::ValueId value) {
+  out_ += (places_.IsScalar(place) ? places_.StoreScalar(place, Scalar(value))
+                                   : places_.Store(place, ir::ValueId(), ValueName(value), Mask())) +
+          "\n";
+}
+
+void RoutineWriter::WriteStore(const ir::Inst& inst) {
+  const ir::PlaceId place(inst.payload);
+  Count(share_, places_.IsPerLane(place));
+  if (!ir::ValueId(inst.b).valid()) return StoreInto(place, ir::ValueId(inst.a));
+  out_ += places_.Store(place, ir::ValueId(inst.b), ValueName(ir::ValueId(inst.a)), Mask()) + "\n";
+}
+
 void RoutineWriter::WritePure(ir::InstId id, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
+  if (same_.Value(id)) {
+    Count(share_, false);
+    out_ += "const auto " + ValueName(id) + " = Uniform<" + std::string(ir::CppName(info.result)) +
+            ">{plcxx::" + std::string(info.function) + "(";
+    for (int i = 0; i < info.operand_count; ++i) out_ += (i > 0 ? ", " : "") + Scalar(ir::ValueId(Operand(inst, i)));
+    out_ += ")};\n";
+    return;
+  }
   const SlicedForm* const form = FindForm(program_, inst);
   Count(share_, form == nullptr);
   std::string text = "const auto " + ValueName(id) + " = ";
@@ -168,7 +194,9 @@ void RoutineWriter::WriteStep(ir::InstId id, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
   const SlicedForm* const form = FindForm(program_, inst);
   Count(share_, form == nullptr);
-  const std::string first = std::to_string(layout_.fields[inst.payload].front());
+  std::string first = std::to_string(layout_.fields[inst.payload].front());
+  const bool has_clock = layout_.clocks[inst.payload] != kNowhere;
+  if (has_clock) first += ", " + std::to_string(layout_.clocks[inst.payload]);
   const bool gives = info.result != ir::Type::kNone;
   std::string text = gives ? "const auto " + ValueName(id) + " = " : "";
   std::string operands;
@@ -177,7 +205,8 @@ void RoutineWriter::WriteStep(ir::InstId id, const ir::Inst& inst) {
     operands += ", " + (form != nullptr ? ValueName(operand) : RowsOf(program_, operand));
   }
   if (form != nullptr) {
-    text += std::string(form->function) + "(m, " + first + operands + ", " + Mask() + ");\n";
+    text +=
+        std::string(form->function) + (has_clock ? "ByClock" : "") + "(m, " + first + operands + ", " + Mask() + ");\n";
   } else {
     const std::string kind(ir::Info(*info.state).struct_name);
     const std::string call = "plcxx::" + std::string(info.function) + "(instance, value...)";

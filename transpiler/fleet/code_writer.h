@@ -10,6 +10,7 @@
 
 #include "transpiler/fleet/layout.h"
 #include "transpiler/fleet/local_bytes.h"
+#include "transpiler/fleet/same_everywhere.h"
 #include "transpiler/fleet/write_code.h"
 #include "transpiler/ir/program.h"
 
@@ -30,6 +31,9 @@ class PlaceWriter {
   std::string Load(ir::PlaceId place, ir::ValueId index) const;
   /// A statement, of the expression `value`.
   std::string Store(ir::PlaceId place, ir::ValueId index, const std::string& value, const std::string& mask) const;
+  /// A statement, of a number of C++; the place is a scalar.
+  std::string StoreScalar(ir::PlaceId place, const std::string& value) const;
+  bool IsScalar(ir::PlaceId place) const;
   /// Whether it takes a loop over the lanes.
   bool IsPerLane(ir::PlaceId place) const;
 
@@ -49,8 +53,9 @@ class PlaceWriter {
 /// The body of one routine, in pieces that a compiler can hold.
 class RoutineWriter {
  public:
-  RoutineWriter(const ir::Program& program, const Layout& layout, const LocalBytes& locals, ir::RoutineId routine)
-      : program_(program), layout_(layout), locals_(locals), places_(program, layout), routine_(routine) {}
+  RoutineWriter(const ir::Program& program, const Layout& layout, const LocalBytes& locals, const SameEverywhere& same,
+                ir::RoutineId routine)
+      : program_(program), layout_(layout), locals_(locals), same_(same), places_(program, layout), routine_(routine) {}
   std::string Write();
   const Share& share() const { return share_; }
   /// The locals that `callee` and what it calls use become 0 in the lanes of `mask`.
@@ -69,8 +74,13 @@ class RoutineWriter {
   void WriteInst(ir::InstId id);
   void WritePure(ir::InstId id, const ir::Inst& inst);
   void WriteStep(ir::InstId id, const ir::Inst& inst);
+  /// The value of an instruction that is the same everywhere, as a number of C++.
+  std::string Scalar(ir::ValueId id) const;
+  void WriteStore(const ir::Inst& inst);
+  void StoreInto(ir::PlaceId place, ir::ValueId value);
   void WriteIf(const ir::Inst& inst);
   void WriteSwitch(const ir::Inst& inst);
+  void WriteScalarSwitch(const ir::Inst& inst);
   void WriteLoop(ir::InstId id, const ir::Inst& inst);
   void WriteBlock(ir::InstId id, const ir::Inst& inst);
   void WriteExit(const ir::Inst& inst);
@@ -88,11 +98,13 @@ class RoutineWriter {
   /// Stretches of planes: the first one, and how many.
   std::vector<std::pair<uint32_t, uint32_t>> PlanesOf(const std::set<LocalByte>& bytes) const;
   std::vector<uint32_t> RowsOfLocals(const std::set<LocalByte>& bytes) const;
+  std::vector<uint32_t> ScalarsOf(const std::set<LocalByte>& bytes) const;
   void EndPiece();
 
   const ir::Program& program_;
   const Layout& layout_;
   const LocalBytes& locals_;
+  const SameEverywhere& same_;
   PlaceWriter places_;
   ir::RoutineId routine_;
   std::string out_;    // of the piece that is being written

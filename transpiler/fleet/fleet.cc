@@ -1,5 +1,6 @@
 #include "transpiler/fleet/fleet.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -9,6 +10,8 @@ namespace plcxx::fleet {
 namespace {
 
 constexpr size_t kAlignment = 64;
+// Of an on-delay timer.
+constexpr uint8_t kElapsedMs = 0, kLastMs = 1, kTimerInput = 2;
 
 /// `mask` chooses of each bit.
 uint64_t Choose(uint64_t mask, uint64_t yes, uint64_t no) { return (mask & yes) | (~mask & no); }
@@ -29,6 +32,9 @@ Fleet::Fleet(std::shared_ptr<const Library> library) : library_(std::move(librar
     forced_ = reinterpret_cast<uint64_t*>(RowAt(static_cast<uint32_t>(rows)));
     forced_rows_ = reinterpret_cast<uint8_t*>(forced_ + planes * (lanes() / 64));
   }
+  uint8_t* const after = library_->forces ? forced_rows_ + rows * lanes() : RowAt(static_cast<uint32_t>(rows));
+  clocks_ = reinterpret_cast<Clock*>(after);
+  scalars_ = after + sizeof(Clock) * std::max(library_->layout.clock_count, 1u);
   stored_planes_.resize(planes * (lanes() / 64));
   stored_rows_.resize(rows * lanes());
   host_.context = this;
@@ -38,38 +44,30 @@ Fleet::Fleet(std::shared_ptr<const Library> library) : library_(std::move(librar
   };
 }
 
-void Fleet::Run(Piece piece, uint32_t now_ms, const LaneSet& lanes) {
+void Fleet::Run(Piece piece, uint32_t now_ms) {
   host_.now = now_ms;
-  library_->run(memory_.get(), &host_, static_cast<uint32_t>(piece), lanes.data());
+  library_->run(memory_.get(), &host_, static_cast<uint32_t>(piece));
 }
 
-void Fleet::PowerOn(const LaneSet& lanes) {
-  const unsigned words = this->lanes() / 64;
-  for (uint32_t plane = 0; plane < library_->layout.planes; ++plane) {
-    for (unsigned w = 0; w < words; ++w) {
-      const size_t at = size_t{plane} * words + w;
-      words_[at] &= ~lanes[w] | (forced_ != nullptr ? forced_[at] : 0);
-    }
-  }
-  for (uint32_t row = 0; row < library_->layout.rows; ++row) {
-    for (unsigned lane = 0; lane < this->lanes(); ++lane) {
-      if ((lanes[lane / 64] >> (lane % 64) & 1) == 0) continue;
-      const size_t at = size_t{row} * this->lanes() + lane;
-      rows_[at] = static_cast<uint8_t>(rows_[at] & (forced_rows_ != nullptr ? forced_rows_[at] : 0));
-    }
-  }
+void Fleet::PowerOn() {
+  const Layout& layout = library_->layout;
+  for (size_t at = 0; at < size_t{layout.planes} * (lanes() / 64); ++at)
+    words_[at] &= forced_ != nullptr ? forced_[at] : 0;
+  for (size_t at = 0; at < size_t{layout.rows} * lanes(); ++at)
+    rows_[at] = static_cast<uint8_t>(rows_[at] & (forced_rows_ != nullptr ? forced_rows_[at] : 0));
+  std::fill_n(clocks_, layout.clock_count, Clock{});
+  std::fill_n(scalars_, layout.scalars, uint8_t{0});
   for (uint32_t s = 0; s < program().spaces.size(); ++s) {
     const ir::Space& space = program().spaces[ir::SpaceId(s)];
     for (const ir::InitialByte& initial : space.initial) {
       if (initial.offset >= space.bytes) continue;
-      for (unsigned lane = 0; lane < this->lanes(); ++lane) {
-        if ((lanes[lane / 64] >> (lane % 64) & 1) == 0) continue;
+      for (unsigned lane = 0; lane < lanes(); ++lane) {
         for (uint8_t bit = 0; bit < 8; ++bit)
           SetBit(lane, ir::SpaceId(s), initial.offset, bit, (initial.value >> bit & 1) != 0);
       }
     }
   }
-  Run(Piece::kInit, 0, lanes);
+  Run(Piece::kInit, 0);
 }
 
 void Fleet::SetPlaneBit(uint32_t plane, unsigned lane, bool value) {
@@ -87,14 +85,20 @@ bool Fleet::Holds(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
 bool Fleet::Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) const {
   if (!Holds(space, offset, bit)) return false;
   const ByteHome& home = library_->layout.At(space.index, offset);
+  if (home.is_scalar()) return (scalars_[home.scalar] >> bit & 1) != 0;
   return home.is_row() ? (RowAt(home.row)[lane] >> bit & 1) != 0 : PlaneBit(home.planes[bit], lane);
 }
 
 void Fleet::SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value) {
   if (!Holds(space, offset, bit)) return;
   const ByteHome& home = library_->layout.At(space.index, offset);
-  if (!home.is_row()) return SetPlaneBit(home.planes[bit], lane, value);
   const auto mask = static_cast<uint8_t>(1u << bit);
+  if (home.is_scalar()) {
+    uint8_t& byte = scalars_[home.scalar];
+    byte = static_cast<uint8_t>((byte & ~mask) | (value ? mask : 0));
+    return;
+  }
+  if (!home.is_row()) return SetPlaneBit(home.planes[bit], lane, value);
   const size_t at = size_t{home.row} * lanes() + lane;
   if (forced_rows_ != nullptr && (forced_rows_[at] & mask) != 0) return;
   rows_[at] = static_cast<uint8_t>((rows_[at] & ~mask) | (value ? mask : 0));
@@ -110,15 +114,39 @@ uint64_t Fleet::Field(unsigned lane, ir::StateId state, uint8_t field, uint32_t 
   const ir::Type type = ir::Info(program().states[state].kind).fields[field].type;
   const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
   const uint32_t first = FieldPlane(state, field, element);
+  if (const uint32_t at = library_->layout.clocks[state.index]; at != kNowhere && clocks_[at].runs != 0) {
+    if (field == kLastMs) return clocks_[at].last;
+    if (field == kElapsedMs) {
+      uint32_t start = 0;
+      for (uint32_t i = 0; i < bits; ++i) start |= uint32_t{PlaneBit(first + i, lane)} << i;
+      return Field(lane, state, kTimerInput) != 0 ? clocks_[at].last - start : 0;
+    }
+  }
   uint64_t value = 0;
   for (uint32_t i = 0; i < bits; ++i) value |= uint64_t{PlaneBit(first + i, lane)} << i;
   return value;
+}
+
+void Fleet::StopClock(ir::StateId state) {
+  const uint32_t at = library_->layout.clocks[state.index];
+  if (at == kNowhere || clocks_[at].runs == 0) return;
+  std::vector<uint64_t> elapsed(lanes());
+  for (unsigned lane = 0; lane < lanes(); ++lane) elapsed[lane] = Field(lane, state, kElapsedMs);
+  const uint32_t last = clocks_[at].last;
+  clocks_[at].runs = 0;
+  for (unsigned lane = 0; lane < lanes(); ++lane) {
+    for (uint32_t i = 0; i < 32; ++i) {
+      SetPlaneBit(FieldPlane(state, kElapsedMs, 0) + i, lane, (elapsed[lane] >> i & 1) != 0);
+      SetPlaneBit(FieldPlane(state, kLastMs, 0) + i, lane, (last >> i & 1) != 0);
+    }
+  }
 }
 
 void Fleet::SetField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element) {
   const ir::Type type = ir::Info(program().states[state].kind).fields[field].type;
   const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
   const uint32_t first = FieldPlane(state, field, element);
+  StopClock(state);
   for (uint32_t i = 0; i < bits; ++i) SetPlaneBit(first + i, lane, (value >> i & 1) != 0);
 }
 
@@ -154,6 +182,7 @@ void Fleet::ForceBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t 
   PLCXX_CHECK(forced_ != nullptr);
   if (!Holds(space, offset, bit)) return;
   const ByteHome& home = library_->layout.At(space.index, offset);
+  if (home.is_scalar()) return;  // nothing that the host sees
   if (home.is_row()) {
     uint8_t& mask = forced_rows_[size_t{home.row} * lanes() + lane];
     mask = static_cast<uint8_t>(forced ? mask | (1u << bit) : mask & ~(1u << bit));
@@ -178,7 +207,7 @@ void Fleet::ForceField(unsigned lane, ir::StateId state, uint8_t field, bool for
 std::span<uint64_t> Fleet::PlaneOf(ir::SpaceId space, uint32_t offset, uint8_t bit) {
   if (!Holds(space, offset, bit)) return {};
   const ByteHome& home = library_->layout.At(space.index, offset);
-  if (home.is_row()) return {};
+  if (home.is_row() || home.is_scalar()) return {};
   return {PlaneAt(home.planes[bit]), lanes() / 64};
 }
 
@@ -215,7 +244,7 @@ void Fleet::CopyRetentive(const uint64_t* mask, bool loads) {
   for (unsigned w = 0; !loads && w < words; ++w) has_stored_[w] |= mask[w];
 }
 
-void Fleet::StoreRetentive(const LaneSet& lanes) { CopyRetentive(lanes.data(), false); }
+void Fleet::StoreRetentive() { CopyRetentive(AllLanes().data(), false); }
 
 void Fleet::HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                        uint64_t* seconds, uint64_t* has_second) {

@@ -1,7 +1,7 @@
 // Machines that execute one program side by side: 64, 256 or 512, each a lane.
 //
-// The caller owns time and says which machines run; each has its own memory, and its own answers of the host. Bits that
-// the program does not name are not kept: they read as 0. Not its job: scenarios (fleet_engine.h).
+// The caller owns time, which is one for all machines; each has its own memory, and its own answers of the host. Bits
+// that the program does not name are not kept: they read as 0. Not its job: scenarios (fleet_engine.h).
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,13 @@ class Fleet {
   void AnswerHostCalls(std::function<void(const FleetCall& call)> answers) { answers_ = std::move(answers); }
 
   /// Clears everything that is not retentive storage of the host, then runs init. Forces stay.
-  void PowerOn(const LaneSet& lanes);
-  void Run(Piece piece, uint32_t now_ms, const LaneSet& lanes);
+  void PowerOn();
+  void Run(Piece piece, uint32_t now_ms);
 
   bool Holds(ir::SpaceId space, uint32_t offset, uint8_t bit) const;
   bool Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) const;
-  /// The host writes: a forced bit keeps its value. Nothing where the fleet does not hold it.
+  /// The host writes: a forced bit keeps its value. Nothing where the fleet does not hold it. What is the same in every
+  /// machine is written in all of them.
   void SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value);
   /// `element` of a field that is an array; else 0.
   uint64_t Field(unsigned lane, ir::StateId state, uint8_t field, uint32_t element = 0) const;
@@ -64,7 +65,7 @@ class Fleet {
   void ForceBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool forced);
   void ForceField(unsigned lane, ir::StateId state, uint8_t field, bool forced);
 
-  void StoreRetentive(const LaneSet& lanes);
+  void StoreRetentive();
   /// As sim::Engine::Snapshot, with bits of spaces that are not held taken from `others` (a byte vector for each
   /// space).
   std::vector<uint8_t> Snapshot(unsigned lane, const std::vector<std::vector<uint8_t>>& others) const;
@@ -79,6 +80,8 @@ class Fleet {
   const uint8_t* RowAt(uint32_t row) const { return rows_ + size_t{row} * lanes(); }
   bool PlaneBit(uint32_t plane, unsigned lane) const { return (PlaneAt(plane)[lane / 64] >> (lane % 64) & 1) != 0; }
   void SetPlaneBit(uint32_t plane, unsigned lane, bool value);
+  /// From here on the planes of a timer's times are what they are called.
+  void StopClock(ir::StateId state);
   uint32_t FieldPlane(ir::StateId state, uint8_t field, uint32_t element) const;
   void HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                   uint64_t* seconds, uint64_t* has_second);
@@ -93,6 +96,8 @@ class Fleet {
   std::unique_ptr<void, Free> memory_;
   uint64_t* words_ = nullptr;  // the planes
   uint8_t* rows_ = nullptr;
+  Clock* clocks_ = nullptr;
+  uint8_t* scalars_ = nullptr;
   uint64_t* forced_ = nullptr;      // planes, when the library has forces
   uint8_t* forced_rows_ = nullptr;  // likewise
   HostTable host_;

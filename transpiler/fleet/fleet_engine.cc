@@ -49,7 +49,7 @@ class FleetEngine : public sim::Engine {
         shadow_[s][i] = static_cast<uint8_t>((shadow_[s][i] & kept) | (fresh[i] & ~kept));
       }
     }
-    fleet_.PowerOn(fleet_.AllLanes());
+    fleet_.PowerOn();
   }
   void RunPeriod(uint32_t now_ms) override { Run(Piece::kPeriod, now_ms); }
   void RunFastOnly(uint32_t now_ms) override { Run(Piece::kFastOnly, now_ms); }
@@ -105,7 +105,7 @@ class FleetEngine : public sim::Engine {
   void EnableStatement(ir::StatementId, bool enabled) override { PLCXX_CHECK(enabled); }
 
   void StoreRetentive() override {
-    fleet_.StoreRetentive(fleet_.AllLanes());
+    fleet_.StoreRetentive();
     stored_shadow_ = shadow_;
   }
 
@@ -136,7 +136,7 @@ class FleetEngine : public sim::Engine {
 
   void Run(Piece piece, uint32_t now_ms) {
     MakeNoise();
-    fleet_.Run(piece, now_ms, fleet_.AllLanes());
+    fleet_.Run(piece, now_ms);
   }
 
   /// What the control writes; every bit that the host sees where the program does not say which that is.

@@ -1,5 +1,7 @@
 #include "transpiler/fleet/layout.h"
 
+#include "transpiler/fleet/same_everywhere.h"
+
 namespace plcxx::fleet {
 namespace {
 
@@ -33,11 +35,17 @@ std::vector<std::vector<Use>> FindUses(const ir::Program& program) {
 
 Layout LayOut(const ir::Program& program) {
   Layout layout;
+  const SameEverywhere same(program);
   for (const std::vector<Use>& uses : FindUses(program)) {
+    const auto space = static_cast<uint32_t>(layout.bytes.size());
     std::vector<ByteHome>& homes = layout.bytes.emplace_back(uses.size());
     for (size_t at = 0; at < uses.size(); ++at) {
       if (uses[at].indexed) {
         homes[at].row = layout.rows++;
+        continue;
+      }
+      if (uses[at].bits != 0 && same.Byte(space, static_cast<uint32_t>(at))) {
+        homes[at].scalar = layout.scalars++;
         continue;
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
@@ -45,7 +53,9 @@ Layout LayOut(const ir::Program& program) {
       }
     }
   }
-  for (const ir::StateInstance& state : program.states) {
+  for (uint32_t s = 0; s < program.states.size(); ++s) {
+    const ir::StateInstance& state = program.states[ir::StateId(s)];
+    layout.clocks.push_back(same.HasClock(ir::StateId(s)) ? layout.clock_count++ : kNowhere);
     std::vector<uint32_t>& fields = layout.fields.emplace_back();
     for (const ir::FieldInfo& field : ir::Info(state.kind).fields) {
       fields.push_back(layout.planes);

@@ -36,6 +36,11 @@ struct HostTable {
   uint32_t now = 0;
 };
 
+/// The times of an on-delay timer that all lanes step together; see runtime/clocks.h.
+struct Clock {
+  uint32_t last = 0, oldest = 0, waiting = 0, runs = 0;
+};
+
 struct Library {
   const ir::Program* program = nullptr;
   Layout layout;
@@ -43,7 +48,7 @@ struct Library {
   unsigned lanes = 0;
   bool forces = false;
   uint64_t state_bytes = 0;
-  void (*run)(void* state, const void* host, uint32_t piece, const uint64_t* mask) = nullptr;
+  void (*run)(void* state, const void* host, uint32_t piece) = nullptr;
   std::unique_ptr<support::LoadedLibrary> loaded;
 };
 

@@ -39,7 +39,9 @@ std::string FieldsOf(ir::StateKind kind) {
 std::string Head(const ir::Program& program, const Layout& layout) {
   std::string out = "#define PLCXX_FLEET_PLANES " + std::to_string(std::max(layout.planes, 1u)) +
                     "\n#define PLCXX_FLEET_ROWS " + std::to_string(std::max(layout.rows, 1u)) +
-                    "\n#include \"transpiler/fleet/runtime/steps.h\"\n";
+                    "\n#define PLCXX_FLEET_CLOCKS " + std::to_string(std::max(layout.clock_count, 1u)) +
+                    "\n#define PLCXX_FLEET_SCALARS " + std::to_string(std::max(layout.scalars, 1u)) +
+                    "\n#include \"transpiler/fleet/runtime/clocks.h\"\n";
   std::set<std::string> headers;
   for (const char* header : {"arith.h", "bcd.h", "c_integers.h", "doubles.h", "floats.h", "logic.h", "registers.h",
                              "rings.h", "position_counters.h"})
@@ -57,22 +59,21 @@ std::string Head(const ir::Program& program, const Layout& layout) {
   return out;
 }
 
-std::string Entry(const ir::Program& program, const Layout& layout, const LocalBytes& locals) {
+std::string Entry(const ir::Program& program, const Layout& layout, const LocalBytes& locals,
+                  const SameEverywhere& same) {
   std::string out =
       "}\n\nextern \"C\" uint64_t plcxx_fleet_bytes() { return sizeof(plcxx_fleet::State); }\n"
       "extern \"C\" uint64_t plcxx_fleet_words() { return plcxx_fleet::kWords; }\n"
-      "extern \"C\" void plcxx_fleet_run(void* state, const void* host, uint32_t piece, const uint64_t* mask) {\n"
+      "extern \"C\" void plcxx_fleet_run(void* state, const void* host, uint32_t piece) {\n"
       "  using namespace plcxx_fleet;\n"
       "  State& m = *static_cast<State*>(state);\n"
       "  m.host = static_cast<const Host*>(host);\n"
-      "  Plane active{};\n"
-      "  for (unsigned w = 0; w < kWords; ++w) SetWord(active, w, mask[w]);\n"
       "  switch (piece) {\n";
   const auto piece = [&](Piece number, ir::RoutineId routine) {
     if (!routine.valid()) return;
-    out += "    case " + std::to_string(static_cast<uint32_t>(number)) + ": Run(active, [&](const auto& lanes) {\n" +
-           RoutineWriter(program, layout, locals, routine).ClearLocals(routine, "lanes") + "R" +
-           std::to_string(routine.index) + "(m, lanes); }); break;\n";
+    out += "    case " + std::to_string(static_cast<uint32_t>(number)) + ": {\n" +
+           RoutineWriter(program, layout, locals, same, routine).ClearLocals(routine, "All{}") + "R" +
+           std::to_string(routine.index) + "(m, All{}); } break;\n";
   };
   piece(Piece::kInit, program.schedule.init);
   piece(Piece::kPeriod, program.schedule.period);
@@ -88,14 +89,15 @@ void Count(Share& share, bool is_per_lane) { ++(is_per_lane ? share.per_lane : s
 Code WriteCode(const ir::Program& program, const Layout& layout) {
   Code code;
   const LocalBytes locals(program);
+  const SameEverywhere same(program);
   code.text = Head(program, layout);
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
-    RoutineWriter writer(program, layout, locals, ir::RoutineId(i));
+    RoutineWriter writer(program, layout, locals, same, ir::RoutineId(i));
     code.text += writer.Write();
     code.share.sliced += writer.share().sliced;
     code.share.per_lane += writer.share().per_lane;
   }
-  code.text += Entry(program, layout, locals);
+  code.text += Entry(program, layout, locals, same);
   return code;
 }
 

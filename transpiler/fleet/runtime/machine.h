@@ -1,8 +1,8 @@
 // The State of a fleet: each byte that the program uses is eight planes, or a row with a byte for each lane; fields of
 // state instances are planes. Loads and stores of both, under the mask of the lanes that execute them.
 //
-// In: PLCXX_FLEET_PLANES and PLCXX_FLEET_ROWS, how many there are; PLCXX_FLEET_FORCES, 1 when bits may be forced.
-// transpiler/fleet/layout.h says which place is where, and machines.cc relies on the order of the members.
+// In: PLCXX_FLEET_PLANES, _ROWS, _CLOCKS and _SCALARS, how many there are; PLCXX_FLEET_FORCES, 1 when bits may be
+// forced. transpiler/fleet/layout.h says which place is where, and fleet.cc relies on the order of the members.
 #pragma once
 
 #include "transpiler/fleet/runtime/operations.h"
@@ -18,6 +18,11 @@ struct Host {
   uint32_t now;
 };
 
+/// The times of an on-delay timer that all lanes step together; see clocks.h.
+struct Clock {
+  uint32_t last, oldest, waiting, runs;
+};
+
 struct alignas(64) State {
   Plane planes[PLCXX_FLEET_PLANES];
   uint8_t rows[PLCXX_FLEET_ROWS][kLanes];
@@ -25,6 +30,8 @@ struct alignas(64) State {
   Plane forced[PLCXX_FLEET_PLANES];               // 1: the bit keeps its value
   uint8_t forced_rows[PLCXX_FLEET_ROWS][kLanes];  // likewise
 #endif
+  Clock clocks[PLCXX_FLEET_CLOCKS];
+  uint8_t scalars[PLCXX_FLEET_SCALARS];  // bytes that are the same in every machine
   const Host* host;
 };
 
@@ -144,6 +151,29 @@ inline void StoreRowBit(State& m, unsigned row, unsigned bit, const Plane& value
   PutRow(m, row, bytes, active);
 }
 
+// --- bytes that are the same in every machine -----------------------------------------------------------------------
+
+template <class T, bool kBigEndian>
+inline Uniform<T> LoadScalar(const State& m, unsigned at) {
+  uint64_t value = 0;
+  PLCXX_UNROLL
+  for (unsigned b = 0; b < sizeof(T); ++b)
+    value |= uint64_t{m.scalars[at + b]} << (8 * (kBigEndian ? sizeof(T) - 1 - b : b));
+  return {static_cast<T>(value)};
+}
+template <class T, bool kBigEndian>
+inline void StoreScalar(State& m, unsigned at, T value) {
+  PLCXX_UNROLL
+  for (unsigned b = 0; b < sizeof(T); ++b)
+    m.scalars[at + b] = static_cast<uint8_t>(uint64_t{value} >> (8 * (kBigEndian ? sizeof(T) - 1 - b : b)));
+}
+inline Uniform<bool> LoadScalarBit(const State& m, unsigned at, unsigned bit) {
+  return {(m.scalars[at] >> bit & 1) != 0};
+}
+inline void StoreScalarBit(State& m, unsigned at, unsigned bit, bool value) {
+  m.scalars[at] = static_cast<uint8_t>((m.scalars[at] & ~(1U << bit)) | static_cast<unsigned>(value) << bit);
+}
+
 // --- elements at an index: the bytes [low, high) of a space are rows from `row` on -----------------------------------
 
 struct Element {
@@ -219,8 +249,12 @@ inline void StoreElementBit(State& m, const Element& element, unsigned bit, cons
 // -----------------------------------------------------------------------------------------------
 
 /// Calls `routine` with the mask, as All when it is every lane: the code for that stores without selecting.
-template <class M, class Routine>
-inline void Run(const M& active, Routine&& routine) {
+template <class Routine>
+inline void Run(All, Routine&& routine) {
+  routine(All{});
+}
+template <class Routine>
+inline void Run(const Plane& active, Routine&& routine) {
   if (IsFull(active)) {
     routine(All{});
   } else {
@@ -245,11 +279,7 @@ inline void PutBackPlanes(State& m, unsigned first, unsigned count, const Plane*
   for (unsigned i = 0; i < count; ++i) m.planes[first + i] = kept[i];
 }
 
-inline Bits<32> Now(const State& m) {
-  Bits<32> now;
-  for (unsigned i = 0; i < 32; ++i) now.p[i] = AllEqual((m.host->now >> i & 1) != 0);
-  return now;
-}
+inline Uniform<uint32_t> Now(const State& m) { return {m.host->now}; }
 
 /// A call of a host function by the lanes of a mask.
 template <unsigned kArguments>

@@ -6,6 +6,9 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
 namespace plcxx_fleet {
 
@@ -27,9 +30,15 @@ inline Plane Ones() { return ~Plane{}; }
 inline Plane AllEqual(bool bit) { return bit ? Ones() : Zeros(); }
 
 inline bool Any(const Plane& plane) {
+#if PLCXX_FLEET_WORDS == 8 && defined(__AVX512F__)
+  return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(plane), reinterpret_cast<__m512i>(plane)) != 0;
+#elif PLCXX_FLEET_WORDS == 4 && defined(__AVX2__)
+  return _mm256_testz_si256(reinterpret_cast<__m256i>(plane), reinterpret_cast<__m256i>(plane)) == 0;
+#else
   uint64_t any = 0;
   for (unsigned w = 0; w < kWords; ++w) any |= Word(plane, w);
   return any != 0;
+#endif
 }
 inline bool IsFull(const Plane& plane) {
   uint64_t all = ~uint64_t{0};

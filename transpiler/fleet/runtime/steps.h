@@ -176,15 +176,28 @@ inline Counting CountEdges(State& m, unsigned first, const Plane& input, const M
   return {edge, counted, Choose(edge, carry_at_edge, carry) | (counted & Choose(down, zero, wraps))};
 }
 template <class Modulus, class Cycle, class M>
-inline Plane CountInPart(State& m, unsigned first, const Plane& input, const Modulus& modulus, const Cycle& cycle,
-                         unsigned part, const M& active) {
+[[gnu::noinline]] Plane CountSomeInPart(State& m, unsigned first, const Plane& input, const Modulus& modulus,
+                                        const Cycle& cycle, unsigned part, const M& active) {
   const Counting counting = CountEdges(m, first, input, modulus, Zeros(), Zeros(), active);
   PutPlane(m, first + 43, counting.carry, active);
   const auto carried = Within(active, counting.carry);
-  PutField<32>(m, first, cycle, carried);
-  PLCXX_UNROLL
-  for (unsigned i = 0; i < 8; ++i) PutPlane(m, first + 44 + i, AllEqual((part >> i & 1) != 0), carried);
+  if (Any(carried)) {
+    PutField<32>(m, first, cycle, carried);
+    PLCXX_UNROLL
+    for (unsigned i = 0; i < 8; ++i) PutPlane(m, first + 44 + i, AllEqual((part >> i & 1) != 0), carried);
+  }
   return ~counting.edge | counting.counted;
+}
+/// In most steps no lane has an edge; one function for all counters does the others.
+template <class Modulus, class Cycle, class M>
+inline Plane CountInPart(State& m, unsigned first, const Plane& input, const Modulus& modulus, const Cycle& cycle,
+                         unsigned part, const M& active) {
+  const Plane taken = input & ~m.planes[first + 42];
+  if (__builtin_expect(Any(taken & ~m.planes[first + 40]), 0))
+    return CountSomeInPart(m, first, input, AsUniform(modulus), AsUniform(cycle), part, active);
+  PutPlane(m, first + 40, taken, active);
+  PutPlane(m, first + 43, Zeros(), active);
+  return Ones();
 }
 template <class Modulus, class Cycle, class M>
 inline Plane CountSlow(State& m, unsigned first, const Plane& input, const Modulus& modulus, const Cycle& cycle,
@@ -222,7 +235,8 @@ inline void ResetCounter(State& m, unsigned first, const Plane& z, const M& acti
 }
 /// A carry that the other part set stays; so does one with the stamp of now.
 template <class Number, class M>
-inline void ExpireCounter(State& m, unsigned first, const Number& number, unsigned other_part, const M& active) {
+[[gnu::noinline]] void ExpireCarry(State& m, unsigned first, const Number& number, unsigned other_part,
+                                   const M& active) {
   Plane other = Ones();
   PLCXX_UNROLL
   for (unsigned i = 0; i < 8; ++i)
@@ -230,6 +244,10 @@ inline void ExpireCounter(State& m, unsigned first, const Number& number, unsign
   const Plane ends = m.planes[first + 43] & ~other;
   if (!Any(ends)) return;
   PutPlane(m, first + 43, Zeros(), Within(active, ends & NotEqual<32>(FieldAt<32>(m, first), number)));
+}
+template <class Number, class M>
+inline void ExpireCounter(State& m, unsigned first, const Number& number, unsigned other_part, const M& active) {
+  if (__builtin_expect(Any(m.planes[first + 43]), 0)) ExpireCarry(m, first, number, other_part, active);
 }
 template <class Number, class M>
 inline void ExpireCounterSlow(State& m, unsigned first, const Number& number, const M& active) {
@@ -248,6 +266,7 @@ inline void PulseSlow(State& m, unsigned first, const Plane& input, const Cycle&
   PutPlane(m, first + 64, pulse, active);
   PutPlane(m, first + 65, input, active);
   const auto started = Within(active, pulse);
+  if (!Any(started)) return;
   PutField<32>(m, first, cycle, started);
   PutPlane(m, first + 66, Zeros(), started);
 }

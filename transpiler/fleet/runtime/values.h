@@ -8,9 +8,6 @@
 #include <stdint.h>
 
 #include "transpiler/fleet/runtime/planes.h"
-#if defined(__AVX512BW__)
-#include <immintrin.h>
-#endif
 
 #define PLCXX_UNROLL _Pragma("GCC unroll 64")
 
@@ -69,6 +66,31 @@ struct Fixed {
   Plane Bit(unsigned i) const { return AllEqual((kRaw >> i & 1) != 0); }
   T operator[](unsigned) const { return FromRaw<T>(kRaw); }
 };
+
+/// The same number in each lane, found when the code runs.
+template <class T>
+struct Uniform {
+  T value;
+  Plane Bit(unsigned i) const { return AllEqual((ToRaw(value) >> i & 1) != 0); }
+  T operator[](unsigned) const { return value; }
+};
+template <>
+struct Uniform<bool> {
+  bool value;
+  bool operator[](unsigned) const { return value; }
+  operator Plane() const { return AllEqual(value); }
+};
+inline Plane ToPlane(const Uniform<bool>& bit) { return bit; }
+
+/// A constant, so that code is not made for each.
+template <class T, uint64_t kRaw>
+inline Uniform<T> AsUniform(const Fixed<T, kRaw>&) {
+  return {FromRaw<T>(kRaw)};
+}
+template <class Number>
+inline const Number& AsUniform(const Number& value) {
+  return value;
+}
 
 // --- eight planes as a row of bytes, and back ---------------------------------------------------------------------
 
@@ -195,6 +217,10 @@ template <class T, uint64_t kRaw>
 inline const Fixed<T, kRaw>& In(const Fixed<T, kRaw>& value) {
   return value;
 }
+template <class T>
+inline const Uniform<T>& In(const Uniform<T>& value) {
+  return value;
+}
 template <class T, unsigned N>
 inline Lanes<T> In(const Bits<N>& number) {
   static_assert(N == 8 * sizeof(T), "as wide as its type");
@@ -220,6 +246,11 @@ template <class T, uint64_t kRaw>
 inline const Fixed<T, kRaw>& Sliced(const Fixed<T, kRaw>& value) {
   return value;
 }
+template <class T>
+inline const Uniform<T>& Sliced(const Uniform<T>& value) {
+  return value;
+}
+inline Plane Sliced(const Uniform<bool>& bit) { return bit; }
 template <class T>
 inline Bits<8 * sizeof(T)> Sliced(const Lanes<T>& rows) {
   Bits<8 * sizeof(T)> number;
@@ -269,6 +300,10 @@ inline Lanes<Raw> RawRows(const Lanes<T>& rows) {
   Lanes<Raw> raw;
   __builtin_memcpy(&raw, &rows, sizeof raw);
   return raw;
+}
+template <class Raw, class T>
+inline Uniform<Raw> RawRows(const Uniform<T>& value) {
+  return {static_cast<Raw>(ToRaw(value.value))};
 }
 template <class Raw, class T, uint64_t kRaw>
 inline Fixed<Raw, kRaw> RawRows(const Fixed<T, kRaw>&) {
