@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """What `plcxx lsp` takes on a program of N statements of each language: diagnostics after a key, hover, memory.
 
-    editor.py PLCXX [STATEMENTS]     the median of ten keys, and of ten hovers; time of the process and on the clock
+    editor.py PLCXX [STATEMENTS] [--most-mb N]
+        the median of ten keys, and of ten hovers; time of the process and on the clock; fails when one has taken more
+        than so much memory
 
 The time of the process is what the server works; on the clock the client's reading of thousands of messages comes in, and
 whatever else the machine does. The targets are those of 10,000 statements: 100 ms, 20 ms, 200 MB.
 """
+import argparse
 import os
 import pathlib
 import statistics
@@ -80,14 +83,21 @@ def bench(plcxx, dialect, statements):
         print(f"{dialect:8} {len(lines):6} lines {len(found):6} messages   key {medians(keys):>9} ms   "
               f"hover {medians(hovers):>7} ms   peak {peak // 1024:4} MB", flush=True)
         client.shut_down()
+        return peak // 1024
 
 
 def main():
-    plcxx = sys.argv[1]
-    statements = int(sys.argv[2]) if len(sys.argv) > 2 else 10_000
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("plcxx")
+    arguments.add_argument("statements", type=int, nargs="?", default=10_000)
+    arguments.add_argument("--most-mb", type=int)
+    given = arguments.parse_args()
     print("median of the process / on the clock")
-    for dialect in ("nc110", "prostep", "host50", "technol", "hnc"):
-        bench(plcxx, dialect, statements)
+    peaks = {dialect: bench(given.plcxx, dialect, given.statements)
+             for dialect in ("nc110", "prostep", "host50", "technol", "hnc")}
+    large = {dialect: peak for dialect, peak in peaks.items() if given.most_mb and peak > given.most_mb}
+    if large:
+        sys.exit(f"more than {given.most_mb} MB: {large}")
 
 
 if __name__ == "__main__":
