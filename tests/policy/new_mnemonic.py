@@ -49,7 +49,7 @@ MNEMONICS = {
         "tests/golden/technol/assembler/not_changes_no_flag", r"\bNOT\b", "COM"),
     "hnc": (
         [("transpiler/dialects/hnc/functions.def", "HNC_FUNCTION(Fabs, ",
-          ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);")']),
+          ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);", Arguments)']),
          ("transpiler/dialects/hnc/lowering/library_calls.cc", "  switch (function) {",
           ["    case SystemFunction::kDabs:",
            "      result.value = conversions_.Make(",

@@ -158,7 +158,7 @@ def verdict(count, low, high):
             if not runs[0].ended:
                 # counted further than anybody waits, or forever
                 return Verdict.OPEN if bits == 32 else Verdict.REFUSE
-            return Verdict.OPEN if runs[0].wrapped and signed else Verdict.ACCEPT
+            return Verdict.OPEN if runs[0].wrapped and signed and abs(count.step) != 1 else Verdict.ACCEPT
         if not all(r.ended for r in runs):
             return Verdict.REFUSE
         return Verdict.ACCEPT if max(r.rounds for r in runs) <= MOST_ROUNDS else Verdict.REFUSE

@@ -195,7 +195,9 @@ std::optional<LoopCount> Count(const CountedLoop& loop) {
   if (ordered) {
     if (const std::optional<LoopCount> count = CountTowards(loop)) return count;
   }
-  if (loop.start.IsOne() && loop.limit.IsOne()) return CountOut(loop);
+  if (loop.start.IsOne() && loop.limit.IsOne()) {
+    if (const std::optional<LoopCount> count = CountOut(loop)) return count;
+  }
   if (loop.op == BinaryOp::kNotEqual) return CountToMeeting(loop);
   return std::nullopt;
 }

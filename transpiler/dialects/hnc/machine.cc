@@ -16,7 +16,8 @@ constexpr ViewRow kViews[] = {
 };
 
 constexpr FunctionRow kFunctions[] = {
-#define HNC_FUNCTION(Name, Text, Headers, Prototype) {SystemFunction::k##Name, Text, Headers, Prototype},
+#define HNC_FUNCTION(Name, Text, Headers, Prototype, Reads) \
+  {SystemFunction::k##Name, Text, Headers, Prototype, FunctionReads::k##Reads},
 #include "transpiler/dialects/hnc/functions.def"
 };
 
@@ -26,6 +27,7 @@ std::span<const AreaRow> Areas() { return kAreas; }
 const AreaRow& RowOf(Area area) { return kAreas[static_cast<size_t>(area)]; }
 std::span<const ViewRow> Views() { return kViews; }
 std::span<const FunctionRow> SystemFunctions() { return kFunctions; }
+const FunctionRow& RowOf(SystemFunction function) { return kFunctions[static_cast<size_t>(function)]; }
 
 std::optional<SystemName> FindSystemName(std::string_view name) {
   for (const AreaRow& area : kAreas) {

@@ -40,14 +40,19 @@ struct SystemName {
 /// None when it is no view of an area.
 std::optional<SystemName> FindSystemName(std::string_view name);
 
+/// What the result of a supplied function follows from.
+enum class FunctionReads : uint8_t { kArguments, kMemory };
+
 struct FunctionRow {
   SystemFunction function;
   std::string_view name;       // "set_axis_home"
   std::string_view headers;    // after which it is known, with blanks in between
   std::string_view prototype;  // "void set_axis_home(int, int);"
+  FunctionReads reads;
 };
 
 std::span<const FunctionRow> SystemFunctions();
+const FunctionRow& RowOf(SystemFunction function);
 const FunctionRow* FindSystemFunction(std::string_view name);
 /// Is the function known after this header?
 bool IsDeclaredBy(const FunctionRow& row, std::string_view header);

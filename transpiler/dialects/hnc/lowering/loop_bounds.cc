@@ -7,6 +7,7 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/loop_paths.h"
+#include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
@@ -47,12 +48,19 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
   return true;
 }
 
-/// The first function that an expression calls; empty: it calls none.
+/// A call whose result may differ though nothing changes its arguments.
+bool MayDiffer(const Unit& unit, const Expr& expr) {
+  if (expr.kind != ExprKind::kCall) return false;
+  const std::optional<SystemFunction> system = unit.functions[expr.function].system;
+  return !system || RowOf(*system).reads != FunctionReads::kArguments;
+}
+
+/// The first function that an expression calls and that may return another value; empty: it calls none.
 std::string CalledIn(const Unit& unit, ExprId expr) {
   std::string name;
   ForEachExpr(unit, expr, [&](ExprId id) {
     const Expr& call = unit.expressions[id];
-    if (call.kind == ExprKind::kCall && name.empty()) name = unit.functions[call.function].name;
+    if (MayDiffer(unit, call) && name.empty()) name = unit.functions[call.function].name;
   });
   return name;
 }
@@ -205,7 +213,7 @@ bool LoopBounds::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) con
   bool unchanged = true;
   ForEachExpr(unit_, limit, [&](ExprId id) {
     const Expr& expr = ExprAt(id);
-    if (expr.kind == ExprKind::kCall || expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign ||
+    if (MayDiffer(unit_, expr) || expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign ||
         expr.kind == ExprKind::kIncrement) {
       unchanged = false;
     }
