@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """C programs through plcxx and through avr-gcc with libsimavr: every value must be the same.
 
-run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--written] [--programs N] [--hours H] [--seed S] [--engine sim,host]
+run.py PLCXX RUNNER DIRECTORY [--loops THIN] [--written] [--programs N] [--hours H] [--csmith N]
+       [--seed S] [--engine sim,host]
 
 --loops runs each THIN-th loop of the matrix (1: all), --written the programs in written/, --programs so many random programs,
---hours programs for so long.
+--hours programs for so long, --csmith so many programs of Csmith, which must be installed.
 What failed stays in DIRECTORY. With --soak (the executable of tests/reference) a part of the programs is also run as
 generated C++ by GCC and Clang, on emulated machines, and proved by plcxx verify; --compiled-every 50 is two of 100
 programs, in batches. The row at the end is one of dev/soak's table; SIGTERM or Ctrl-C prints it for what was judged.
@@ -17,6 +18,7 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+import csmith_programs  # noqa: E402
 import matrix  # noqa: E402
 import random_programs  # noqa: E402
 import shares  # noqa: E402
@@ -36,6 +38,7 @@ def main():
     parser.add_argument("--written", action="store_true")
     parser.add_argument("--programs", type=int, default=0)
     parser.add_argument("--hours", type=float, default=0)
+    parser.add_argument("--csmith", type=int, default=0)
     parser.add_argument("--soak", type=pathlib.Path)
     for share in shares.NAMES:
         parser.add_argument(f"--{share}-every", type=int, default=0)
@@ -53,6 +56,10 @@ def main():
                                  arguments.jobs, report)
     if arguments.written:
         findings += written.judge(arguments.plcxx, arguments.runner, arguments.directory, arguments.engine, arguments.jobs, report)
+    if arguments.csmith:
+        findings += csmith_programs.judge(arguments.plcxx, arguments.runner, arguments.directory.resolve(),
+                                          range(arguments.seed, arguments.seed + arguments.csmith), arguments.engine, arguments.jobs,
+                                          arguments.keep, report)
     if arguments.programs or arguments.hours:
         # Without end where only a time is given.
         seeds = range(arguments.seed, arguments.seed + (arguments.programs or 1 << 40))
